@@ -1,0 +1,68 @@
+// A campaign: what is drawn, what is followed, what is accepted, and when to stop.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/pattern_file.hpp"
+
+namespace misalign::schema {
+
+/// Draws are numbered 0 to 2^63 - 1, seeds too.
+inline constexpr std::uint64_t kEndOfDraws = (1ULL << 63) - 1;
+
+enum class Levels {
+  ternary,  ///< -a, 0, +a
+  uniform   ///< on [-a, +a]
+};
+
+/// How the vertices are shifted.
+struct Misalignment {
+  std::vector<int> vertices;  ///< ascending
+  double amplitude_mm = 0.4;
+  Levels levels = Levels::ternary;
+};
+
+/// When a campaign or a run is over; what is absent does not limit.
+struct StopRule {
+  std::optional<std::uint64_t> draws = 1000000;
+  std::optional<std::uint64_t> accepted;
+  std::optional<double> wall_s;
+};
+
+/// The member initializers are the released defaults: they never change (identity leaves them out).
+struct Campaign {
+  std::string name = "miura-6x6";
+  Pattern pattern;
+  Misalignment misalignment;
+  double sample_deg = 1;
+  double end_deg = 180;
+  double threshold_deg = 170;
+  std::uint64_t seed = 1;
+  StopRule stop;
+
+  /// The least D that is accepted.
+  int threshold_sample() const;
+  solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
+};
+
+/// Reads and checks a campaign; UserError (3) naming `source` with every fault.
+Campaign read_campaign(const Json& value, const std::string& source);
+Campaign read_campaign_file(const std::string& path);
+
+/// The default campaign: the paper's.
+Campaign default_campaign();
+
+/// The resolved configuration, every key. Reading it again gives the same campaign.
+Json campaign_json(const Campaign& campaign);
+
+/// What the identity is made of: pattern, misalignment, path, accept and seed, keys at their
+/// defaults left out.
+Json identity_json(const Campaign& campaign);
+
+/// XXH3-128 of identity_json, sorted keys, no spaces: 32 hex digits.
+std::string identity(const Campaign& campaign);
+
+}  // namespace misalign::schema

@@ -1,0 +1,16 @@
+// Files of schema/ compiled into the program, so that it runs from anywhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace misalign::schema {
+
+struct CarriedFile {
+  std::string path;  ///< "schema/queries/best.sql"
+  std::string text;
+};
+
+const std::vector<CarriedFile>& carried_files();
+
+}  // namespace misalign::schema

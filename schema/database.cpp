@@ -1,0 +1,116 @@
+#include "schema/database.hpp"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace misalign::schema {
+namespace {
+
+constexpr int kBusyTimeout_ms = 10000;
+
+UserError not_a_catalogue(const std::string& path) {
+  return UserError(kExitBadInput, path +
+                                      ": is no catalogue of misalign (another kind of file); "
+                                      "name one that `misalign search` wrote");
+}
+
+// Throws unless this is a catalogue that this program can read; false if it is an empty database.
+bool check_kind(SQLite::Database& database, const std::string& path) {
+  try {
+    const int id = database.execAndGet("PRAGMA application_id").getInt();
+    const int version = database.execAndGet("PRAGMA user_version").getInt();
+    const int tables = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt();
+    if (id == 0 && version == 0 && tables == 0) return false;
+    if (id != kApplicationId) throw not_a_catalogue(path);
+    if (version > kSchemaVersion) {
+      throw UserError(kExitOtherCampaign, path + ": has schema version " + std::to_string(version) +
+                                              " (this program knows up to " +
+                                              std::to_string(kSchemaVersion) +
+                                              "); use the program that wrote it, or a newer one");
+    }
+    return true;
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_NOTADB) throw not_a_catalogue(path);
+    throw;
+  }
+}
+
+// Reading is allowed, and nothing that could touch another file.
+int authorize_reading(void*, int action, const char* name, const char*, const char*, const char*) {
+  switch (action) {
+    case SQLITE_SELECT:
+    case SQLITE_READ:
+    case SQLITE_RECURSIVE:
+    case SQLITE_TRANSACTION:
+      return SQLITE_OK;
+    case SQLITE_FUNCTION:  // two arguments: a null and the function's name
+      return SQLITE_OK;
+    case SQLITE_PRAGMA:
+      return name && (std::strcmp(name, "table_info") == 0 ||
+                      std::strcmp(name, "table_list") == 0 ||
+                      std::strcmp(name, "user_version") == 0 ||
+                      std::strcmp(name, "integrity_check") == 0)
+                 ? SQLITE_OK
+                 : SQLITE_DENY;
+    default:
+      return SQLITE_DENY;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    throw UserError(
+        kExitBadInput,
+        path + ": there is no such file; name a catalogue that `misalign search` wrote");
+  }
+  try {
+    auto database =
+        std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, kBusyTimeout_ms);
+    if (!check_kind(*database, path)) throw not_a_catalogue(path);
+    sqlite3_set_authorizer(database->getHandle(), authorize_reading, nullptr);
+    return database;
+  } catch (const SQLite::Exception& error) {
+    throw UserError(kExitFailure, path + ": cannot be read (" + error.what() + ")");
+  }
+}
+
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path) {
+  try {
+    auto database = std::make_unique<SQLite::Database>(
+        path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout_ms);
+    check_kind(*database, path);
+    database->exec("PRAGMA journal_mode = WAL");
+    database->exec("PRAGMA synchronous = FULL");
+    database->exec("PRAGMA foreign_keys = ON");
+    return database;
+  } catch (const SQLite::Exception& error) {
+    throw UserError(kExitFailure, path + ": cannot be opened for writing (" + error.what() +
+                                      "); check the directory's permissions and free space");
+  }
+}
+
+WriterLock::WriterLock(const std::string& path)
+    : descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  if (descriptor_ < 0) {
+    throw UserError(kExitFailure, path + ": cannot be written (" + std::strerror(errno) +
+                                      "); choose a writable place with --catalogue");
+  }
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(descriptor_);
+    throw UserError(kExitInUse, path +
+                                    ": another search is writing this catalogue; wait for it, or "
+                                    "give this one a file of its own with --catalogue");
+  }
+}
+
+WriterLock::~WriterLock() { ::close(descriptor_); }
+
+}  // namespace misalign::schema

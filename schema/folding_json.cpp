@@ -1,0 +1,133 @@
+#include "schema/folding_json.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "schema/catalogue.hpp"
+
+namespace misalign::schema {
+namespace {
+
+Json column_json(const Eigen::MatrixXd& matrix, Eigen::Index column) {
+  Json list = Json::array();
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) list.push_back(matrix(row, column));
+  return list;
+}
+
+Json diagonals_json(const FoldingView& view, bool histories) {
+  Json list = Json::array();
+  for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
+    const solver::Diagonal& diagonal = view.mechanism.diagonals[d];
+    Json entry = {{"hole", facet_json(view.base, view.mechanism.loops[diagonal.loop].hole)},
+                  {"from", solver::vertex_label(diagonal.from)},
+                  {"to", solver::vertex_label(diagonal.to)},
+                  {"flat_mm", view.history.flat_mm[d]}};
+    if (histories) entry["length_mm"] = column_json(view.history.length_mm, d);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+Json verdict_json(const FoldingView& view) {
+  const solver::Verdict& verdict = view.history.verdict;
+  const int fault_sample = verdict.fault_sample();
+  const std::string where = where_label(view.mechanism, verdict);
+  Json json = {{"deploys_from_deg", verdict.deploys_from_sample * view.sample_deg},
+               {"first_fault", solver::fault_name(verdict.first_fault)},
+               {"fault_deg", fault_sample > 0 ? Json(fault_sample * view.sample_deg) : Json()},
+               {"where", where.empty() ? Json() : Json(where)}};
+  if (verdict.first_fault == solver::Fault::undecided) json["cause"] = undecided_cause(verdict);
+  return json;
+}
+
+Json folding_json(const FoldingView& view) {
+  const solver::FoldingHistory& history = view.history;
+  Json stops = Json::array();
+  for (const solver::Stop& stop : history.stops) stops.push_back(stop.pilot_deg);
+  Json creases = Json::array();
+  for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
+    const solver::Crease& crease = view.mechanism.creases[i];
+    creases.push_back(
+        {{"from", solver::vertex_label(crease.a)},
+         {"to", solver::vertex_label(crease.b)},
+         {"assignment", crease.assignment > 0 ? "valley" : "mountain"},
+         {"fold_angle_deg", column_json(history.fold_angle_deg, static_cast<Eigen::Index>(i))}});
+  }
+  return {{"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"unknowns", view.mechanism.unknowns},
+          {"equations", view.mechanism.equations},
+          {"degrees_of_freedom", view.mechanism.unknowns - view.mechanism.equations},
+          {"verdict", verdict_json(view)},
+          {"fold_limit_deg", history.path.fold_limit_deg},
+          {"samples_deg", stops},
+          {"diagonals", diagonals_json(view, true)},
+          {"creases", creases},
+          {"residual_max", largest(history.open_by)},
+          {"isometry_error_mm", largest(history.isometry_error_mm)},
+          {"smallest_singular_value", history.singular_value_min}};
+}
+
+std::string folding_csv(const FoldingView& view) {
+  std::string text = "pilot_deg";
+  for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
+    text +=
+        "," + solver::vertex_label(diagonal.from) + "-" + solver::vertex_label(diagonal.to) + "_mm";
+  }
+  text += "\n0";
+  char number[40];
+  const auto append = [&](double value) {
+    std::snprintf(number, sizeof number, ",%.12g", value);
+    text += number;
+  };
+  for (const double flat : view.history.flat_mm) append(flat);
+  text += "\n";
+  for (std::size_t row = 0; row < view.history.stops.size(); ++row) {
+    text += shown_number(view.history.stops[row].pilot_deg);
+    for (Eigen::Index d = 0; d < view.history.length_mm.cols(); ++d) {
+      append(view.history.length_mm(static_cast<Eigen::Index>(row), d));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+Json metrics_json(const solver::Metrics& m) {
+  return {{"deploys_from_sample", m.deploys_from_sample},
+          {"deploys_from_deg", m.deploys_from_deg},
+          {"fold_limit_deg", m.fold_limit_deg},
+          {"elongation_min", m.elongation_min},
+          {"elongation_max", m.elongation_max},
+          {"stroke_min", m.stroke_min},
+          {"stroke_max", m.stroke_max},
+          {"slope_min_mm_per_deg", m.slope_min_mm_per_deg ? Json(*m.slope_min_mm_per_deg) : Json()},
+          {"stretch_sq_mm2", m.stretch_sq_mm2},
+          {"singular_value_min", m.singular_value_min},
+          {"residual_max", m.residual_max},
+          {"isometry_error_mm", m.isometry_error_mm},
+          {"kawasaki_defect_deg", m.kawasaki_defect_deg},
+          {"shifted_vertices", m.shifted_vertices},
+          {"increasing", m.increasing},
+          {"decreasing", m.decreasing}};
+}
+
+Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
+                    const solver::Metrics& metrics) {
+  Json diagonals = diagonals_json(view, false);
+  for (std::size_t d = 0; d < diagonals.size(); ++d) {
+    diagonals[d]["elongation"] = metrics.elongation[d];
+  }
+  return {{"campaign", {{"name", campaign.name}, {"identity", identity(campaign)}}},
+          {"draw", draw},
+          {"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"verdict", verdict_json(view)},
+          {"metrics", metrics_json(metrics)},
+          {"diagonals", diagonals}};
+}
+
+}  // namespace misalign::schema

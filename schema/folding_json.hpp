@@ -1,0 +1,36 @@
+// A folding path as JSON and CSV: what `fold`, `replay` and `export` write.
+#pragma once
+
+#include <string>
+
+#include "schema/campaign.hpp"
+#include "solver/metrics.hpp"
+
+namespace misalign::schema {
+
+/// What every such file begins with: pattern with these shifts, unknowns, verdict, fold limit.
+struct FoldingView {
+  const Pattern& base;
+  const Eigen::Matrix2Xd& shifts_mm;
+  const solver::Mechanism& mechanism;
+  const solver::FoldingHistory& history;
+  double sample_deg;
+};
+
+/// {"deploys_from_deg", "first_fault", "fault_deg", "where", ...}; fault_deg and where may be null.
+Json verdict_json(const FoldingView& view);
+
+/// The contract's `fold --json`.
+Json folding_json(const FoldingView& view);
+
+/// One row per stop: pilot_deg, then the length of each diagonal in mm.
+std::string folding_csv(const FoldingView& view);
+
+/// The metrics under the names of their columns.
+Json metrics_json(const solver::Metrics& metrics);
+
+/// An exported candidate (candidate.schema.json).
+Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
+                    const solver::Metrics& metrics);
+
+}  // namespace misalign::schema

@@ -1,0 +1,128 @@
+#include "schema/input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace misalign::schema {
+
+void InputFaults::add(const std::string& problem, const std::string& why,
+                      const std::string& suggestion) {
+  sentences_.push_back(problem + " (" + why + "); " + suggestion);
+}
+
+void InputFaults::refuse(const std::string& source) const {
+  if (none()) return;
+  std::string message = source + ": ";
+  if (sentences_.size() == 1) {
+    message += sentences_.front();
+  } else {
+    message += std::to_string(sentences_.size()) + " faults";
+    for (const std::string& sentence : sentences_) message += "\n  " + sentence;
+  }
+  throw UserError(kExitBadInput, message);
+}
+
+ObjectReader::ObjectReader(const Json& value, std::string where, InputFaults& faults)
+    : value_(value), where_(std::move(where)), faults_(faults) {
+  if (!value_.is_object()) {
+    faults_.add(where_.empty() ? "the document" : where_,
+                "is a JSON " + std::string(value_.type_name()), "write an object, { ... }");
+  }
+}
+
+const Json* ObjectReader::find(const std::string& key) {
+  known_.push_back(key);
+  if (!value_.is_object()) return nullptr;
+  const auto at = value_.find(key);
+  return at == value_.end() ? nullptr : &*at;
+}
+
+void ObjectReader::require(const std::string& key, const std::string& suggestion) {
+  if (value_.is_object() && !value_.contains(key)) {
+    faults_.add(name(key), "is missing", suggestion);
+  }
+}
+
+void ObjectReader::number(const std::string& key, double& into, double least, double most,
+                          const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_number()) {
+    faults_.add(shown(key), "must be a number", suggestion);
+  } else if (const double x = value->get<double>(); !(x >= least && x <= most)) {
+    faults_.add(shown(key), "must be from " + shown_number(least) + " to " + shown_number(most),
+                suggestion);
+  } else {
+    into = x;
+  }
+}
+
+void ObjectReader::whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
+                         const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > most) {
+    faults_.add(shown(key), "must be a whole number from 0 to " + std::to_string(most), suggestion);
+  } else {
+    into = value->get<std::uint64_t>();
+  }
+}
+
+void ObjectReader::text(const std::string& key, std::string& into, const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_string()) {
+    faults_.add(shown(key), "must be a text", suggestion);
+  } else {
+    into = value->get<std::string>();
+  }
+}
+
+void ObjectReader::refuse_unknown_keys() {
+  if (!value_.is_object()) return;
+  for (const auto& [key, value] : value_.items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    std::string keys;
+    for (const std::string& known : known_) keys += (keys.empty() ? "" : ", ") + known;
+    faults_.add(name(key), "is not a key here", "the keys are " + keys);
+  }
+}
+
+std::string ObjectReader::name(const std::string& key) const {
+  return where_.empty() ? key : where_ + "." + key;
+}
+
+std::string ObjectReader::shown(const std::string& key) const {
+  std::string value = value_.at(key).dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (value.size() > 60) value = value.substr(0, 57) + "...";
+  return name(key) + " = " + value;
+}
+
+Json read_json_file(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) {
+    throw UserError(kExitBadInput, path +
+                                       ": cannot be opened (no such file, or no permission); "
+                                       "check the path");
+  }
+  std::stringstream text;
+  text << file.rdbuf();
+  try {
+    return Json::parse(text.str());
+  } catch (const Json::exception& error) {
+    std::string what = error.what();
+    what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
+    throw UserError(kExitBadInput, path + ": is not JSON (" + what + "); mend it there");
+  }
+}
+
+std::string shown_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+}  // namespace misalign::schema

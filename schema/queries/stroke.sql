@@ -1,0 +1,5 @@
+-- The candidates whose least used diagonal moves most.
+SELECT draw, stroke_min, stroke_max, elongation_min, elongation_max, deploys_from_deg
+FROM candidates
+ORDER BY stroke_min DESC
+LIMIT 20;

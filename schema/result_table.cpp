@@ -1,0 +1,138 @@
+#include "schema/result_table.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+
+#include "schema/carried_files.hpp"
+#include "schema/input.hpp"
+
+namespace misalign::schema {
+namespace {
+
+const std::string kQueryFolder = "schema/queries/";
+
+UserError bad_sql(const std::string& what) {
+  return UserError(kExitUsage, "the query was refused (" + what +
+                                   "); it must be one SELECT, or one "
+                                   "of the names " +
+                                   named_query_list());
+}
+
+Json cell_json(const SQLite::Column& cell) {
+  if (cell.isInteger()) return cell.getInt64();
+  if (cell.isFloat()) return cell.getDouble();
+  if (cell.isNull()) return nullptr;
+  if (cell.isBlob()) return "(" + std::to_string(cell.getBytes()) + " bytes)";
+  return cell.getString();
+}
+
+std::string cell_text(const SQLite::Column& cell) {
+  if (cell.isNull()) return "";
+  if (cell.isFloat()) return shown_number(cell.getDouble());
+  const Json value = cell_json(cell);
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+using Row = std::vector<std::string>;
+
+std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& numeric) {
+  std::vector<std::size_t> width(numeric.size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string pad(width[k] - row[k].size(), ' ');
+      line += (k ? "  " : "") + (numeric[k] ? pad + row[k] : row[k] + pad);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style) {
+  try {
+    // SQLite prepares the first statement only: a second one would be ignored in silence.
+    sqlite3_stmt* first = nullptr;
+    const char* rest = nullptr;
+    const int code = sqlite3_prepare_v2(database.getHandle(), sql.c_str(), -1, &first, &rest);
+    const bool empty = first == nullptr;
+    sqlite3_finalize(first);
+    if (code != SQLITE_OK) throw bad_sql(sqlite3_errmsg(database.getHandle()));
+    if (empty) throw bad_sql("it is empty");
+    sqlite3_stmt* second = nullptr;
+    const int second_code = sqlite3_prepare_v2(database.getHandle(), rest, -1, &second, nullptr);
+    const bool more = second != nullptr;
+    sqlite3_finalize(second);
+    if (more || second_code != SQLITE_OK) throw bad_sql("more follows after the first statement");
+
+    SQLite::Statement statement(database, sql);
+    const int columns = statement.getColumnCount();
+    if (columns == 0) throw bad_sql("it gives no rows");
+    Row names;
+    for (int k = 0; k < columns; ++k) names.emplace_back(statement.getColumnName(k));
+    std::vector<bool> numeric(columns, true);
+    std::vector<Row> rows{names};
+    Json list = Json::array();
+    while (statement.executeStep()) {
+      Row row;
+      Json object = Json::object();
+      for (int k = 0; k < columns; ++k) {
+        const SQLite::Column cell = statement.getColumn(k);
+        if (style == TableStyle::json) {
+          object[names[k]] = cell_json(cell);
+          continue;
+        }
+        numeric[k] = numeric[k] && !cell.isText();
+        row.push_back(style == TableStyle::csv && cell.isFloat() ? Json(cell.getDouble()).dump()
+                                                                 : cell_text(cell));
+      }
+      style == TableStyle::json ? list.push_back(std::move(object))
+                                : rows.push_back(std::move(row));
+    }
+    if (style == TableStyle::json) {
+      return list.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+    if (style == TableStyle::aligned) return aligned(rows, numeric);
+    std::string text;
+    for (const Row& row : rows) {
+      for (std::size_t k = 0; k < row.size(); ++k) text += (k ? "," : "") + csv_cell(row[k]);
+      text += "\n";
+    }
+    return text;
+  } catch (const SQLite::Exception& error) {
+    throw bad_sql(error.what());
+  }
+}
+
+std::string named_query(const std::string& name) {
+  for (const CarriedFile& file : carried_files()) {
+    if (file.path == kQueryFolder + name + ".sql") return file.text;
+  }
+  return "";
+}
+
+std::string named_query_list() {
+  std::string names;
+  for (const CarriedFile& file : carried_files()) {
+    if (file.path.rfind(kQueryFolder, 0) != 0) continue;
+    const std::string name = file.path.substr(kQueryFolder.size());
+    names += (names.empty() ? "" : ", ") + name.substr(0, name.size() - 4);
+  }
+  return names;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,21 @@
+// The rows of a query for people (aligned), for programs (JSON) and for spreadsheets (CSV).
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <string>
+
+namespace misalign::schema {
+
+enum class TableStyle { aligned, json, csv };
+
+/// Runs one read-only statement to its end. UserError (2) if it is no SQL, not a single statement,
+/// or more than a query.
+std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
+
+/// The SQL of a named query; empty if there is no such name.
+std::string named_query(const std::string& name);
+/// "acceptance, best, ..."
+std::string named_query_list();
+
+}  // namespace misalign::schema

@@ -1,0 +1,10 @@
+# Writes FILES (relative to ROOT) as string constants into OUTPUT; see schema/carried_files.hpp.
+set(source "#include \"schema/carried_files.hpp\"\n\nnamespace misalign::schema {\n\n")
+string(APPEND source "const std::vector<CarriedFile>& carried_files() {\n")
+string(APPEND source "  static const std::vector<CarriedFile> files = {\n")
+foreach(name IN LISTS FILES)
+  file(READ "${ROOT}/${name}" text)
+  string(APPEND source "      {\"${name}\", R\"carried(${text})carried\"},\n")
+endforeach()
+string(APPEND source "  };\n  return files;\n}\n\n}  // namespace misalign::schema\n")
+file(WRITE "${OUTPUT}" "${source}")

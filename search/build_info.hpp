@@ -1,0 +1,14 @@
+// What this program was built from: provenance of every run.
+#pragma once
+
+#include <string>
+
+namespace misalign::search {
+
+struct BuildInfo {
+  std::string version, commit, compiler, flags;
+};
+
+const BuildInfo& build_info();
+
+}  // namespace misalign::search

@@ -1,0 +1,265 @@
+#include "search/cli.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+
+#include "schema/result_table.hpp"
+#include "search/build_info.hpp"
+#include "search/look.hpp"
+#include "search/search_run.hpp"
+#include "search/status.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+using schema::UserError;
+
+// What a verb's options set, and what to do once they are read.
+using Action = std::function<int()>;
+
+std::string version_text() {
+  const BuildInfo& build = build_info();
+  return "misalign " + build.version + "\ncommit    " + build.commit + "\ncompiler  " +
+         build.compiler + "\nflags     " + build.flags + "\nlibraries Eigen " +
+         std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+         std::to_string(EIGEN_MINOR_VERSION) + ", SQLite " + sqlite3_libversion() +
+         ", nlohmann-json " + std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
+         std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
+         std::to_string(NLOHMANN_JSON_VERSION_PATCH) + "\ninstruction set baseline";
+}
+
+void set_up_log(const std::string& level) {
+  auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(
+      std::getenv("NO_COLOR") ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+  auto logger = std::make_shared<spdlog::logger>("misalign", sink);
+  logger->set_pattern("misalign: %^%v%$");
+  logger->set_level(spdlog::level::from_str(level));
+  spdlog::set_default_logger(logger);
+}
+
+schema::DrawRange parse_range(const std::string& text) {
+  schema::DrawRange range{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto lo = std::from_chars(text.data(), end, range.lo);
+  if (lo.ec == std::errc{} && lo.ptr != end && *lo.ptr == ':') {
+    const auto hi = std::from_chars(lo.ptr + 1, end, range.hi);
+    if (hi.ec == std::errc{} && hi.ptr == end && range.lo < range.hi &&
+        range.hi <= schema::kEndOfDraws) {
+      return range;
+    }
+  }
+  throw UserError(schema::kExitUsage,
+                  "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
+}
+
+Action add_search(CLI::App& app) {
+  auto* verb = app.add_subcommand("search", "run or resume a campaign, alone or under mpirun");
+  verb->footer(
+      "Examples:\n"
+      "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
+      "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600\n"
+      "The same command again resumes. SIGINT, SIGTERM or SIGUSR1 (to mpirun) ends cleanly.");
+  auto options = std::make_shared<SearchOptions>();
+  auto range = std::make_shared<std::string>();
+  const auto draw_count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
+  verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
+  verb->add_option("--catalogue", options->catalogue_path,
+                   "catalogue file [results/NAME-<8 hex digits>.db]");
+  verb->add_option("--draws", options->draws, "draws wanted in total")->check(draw_count);
+  verb->add_option("--accepted", options->accepted, "accepted draws wanted in total")
+      ->check(draw_count);
+  verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
+      ->check(CLI::Range(0.0, 1e9));
+  verb->add_option("--seed", options->seed, "instead of the campaign's seed")->check(draw_count);
+  verb->add_option("--range", *range, "only the draws LO:HI (half-open)");
+  verb->add_option("--unit-draws", options->unit_draws,
+                   "draws of one unit of work [about 5 s worth]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
+  const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::plain},
+                                                       {"plain", ProgressStyle::plain},
+                                                       {"none", ProgressStyle::none}};
+  verb->add_option("--progress", options->progress, "auto, plain or none [auto]")
+      ->transform(CLI::CheckedTransformer(styles).description(""));
+  return [options, range] {
+    if (!range->empty()) options->range = parse_range(*range);
+    return run_search(*options);
+  };
+}
+
+Action add_status(CLI::App& app) {
+  auto* verb = app.add_subcommand("status", "how far a campaign is, and what it found");
+  verb->footer("Example:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
+  auto path = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false), check = std::make_shared<bool>(false);
+  auto at_deg = std::make_shared<std::optional<double>>();
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  verb->add_flag("--json", *json, "as JSON");
+  verb->add_flag("--check", *check, "exit with 75 while work remains, 0 when complete");
+  verb->add_option("--at", *at_deg, "also count what deploys from this many degrees");
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const schema::CatalogueState state = schema::read_state(*database);
+    std::optional<DeployingFrom> deploying;
+    if (*at_deg) {
+      deploying = deploying_from(*database, schema::read_campaign_of(*database, *path), **at_deg);
+    }
+    if (*json) {
+      Json answer = status_json(state);
+      if (deploying) answer["at"] = deploying_json(*deploying, state.draws);
+      std::puts(answer.dump(1).c_str());
+    } else {
+      std::fputs(status_text(state).c_str(), stdout);
+      if (deploying) std::fputs(deploying_text(*deploying, state.draws).c_str(), stdout);
+    }
+    return *check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
+  };
+}
+
+Action add_fold(CLI::App& app) {
+  auto* verb = app.add_subcommand("fold", "the folding path of one pattern");
+  verb->footer(
+      "Example:\n  misalign fold search/patterns/table1.json --json > table1-folding.json");
+  auto options = std::make_shared<FoldOptions>();
+  verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
+  verb->add_option("--to", options->to_deg, "last pilot angle, degrees [180]")
+      ->check(CLI::Range(1.0, 180.0));
+  verb->add_option("--step", options->step_deg, "look at multiples of this too, degrees")
+      ->check(CLI::Range(0.01, 180.0));
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] {
+    fold(*options);
+    return 0;
+  };
+}
+
+Action add_replay(CLI::App& app) {
+  auto* verb = app.add_subcommand("replay", "any draw of a campaign again, from its number");
+  verb->footer("Example:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
+  auto options = std::make_shared<ReplayOptions>();
+  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
+  verb->add_option("DRAW", options->draw, "number of the draw")
+      ->required()
+      ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] {
+    replay(*options);
+    return 0;
+  };
+}
+
+Action add_query(CLI::App& app) {
+  auto* verb = app.add_subcommand("query", "a named query, or any read-only SQL");
+  verb->footer("Named queries: " + schema::named_query_list() +
+               "\nExamples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
+               "  misalign query results/miura-6x6-1a2b3c4d.db "
+               "\"SELECT draw FROM candidates WHERE stroke_max < 0.08\" --csv");
+  auto path = std::make_shared<std::string>(), sql = std::make_shared<std::string>("best");
+  auto json = std::make_shared<bool>(false), csv = std::make_shared<bool>(false);
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  verb->add_option("QUERY", *sql, "name or SQL [best]");
+  auto* json_flag = verb->add_flag("--json", *json, "as JSON");
+  verb->add_flag("--csv", *csv, "as CSV")->excludes(json_flag);
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const std::string named = schema::named_query(*sql);
+    const auto style = *json  ? schema::TableStyle::json
+                       : *csv ? schema::TableStyle::csv
+                              : schema::TableStyle::aligned;
+    std::fputs(schema::query_table(*database, named.empty() ? *sql : named, style).c_str(), stdout);
+    return 0;
+  };
+}
+
+Action add_export(CLI::App& app) {
+  auto* verb = app.add_subcommand("export", "chosen candidates as files");
+  verb->footer("Example:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out");
+  auto options = std::make_shared<ExportOptions>();
+  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
+  auto* choice = verb->add_option_group("choice", "which candidates");
+  choice->add_option("--draw", options->draw, "this one");
+  choice->add_option("--best", options->best, "so many, the best first");
+  choice->add_option("--where", options->where, "those for which this SQL condition holds");
+  choice->require_option(1);
+  verb->add_option("--by", options->by, "column that --best sorts by [deploys_from_deg]");
+  verb->add_option("--format", options->format, "json or csv [json]")
+      ->check(CLI::IsMember({"json", "csv"}));
+  verb->add_option("--output", options->output, "directory, made if it is not there")->required();
+  return [options] {
+    export_candidates(*options);
+    return 0;
+  };
+}
+
+Action add_config(CLI::App& app) {
+  auto* verb = app.add_subcommand("config", "the default campaign, or every fault of a file");
+  verb->footer(
+      "Examples:\n  misalign config --default > mine.json\n"
+      "  misalign config --check mine.json");
+  auto checked = std::make_shared<std::string>();
+  auto show = std::make_shared<bool>(false);
+  auto* choice = verb->add_option_group("choice", "");
+  choice->add_flag("--default", *show, "print the default campaign with every key");
+  choice->add_option("--check", *checked, "say what is wrong with a campaign file");
+  choice->require_option(1);
+  return [=] {
+    if (*show) {
+      std::puts(schema::campaign_json(schema::default_campaign()).dump(2).c_str());
+      return 0;
+    }
+    const schema::Campaign campaign = schema::read_campaign_file(*checked);
+    std::printf("%s: good; catalogue %s\n", checked->c_str(),
+                default_catalogue_path(campaign).c_str());
+    return 0;
+  };
+}
+
+// One word of a CLI11 error, without its exit code.
+int usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  if (launched_rank() == 0) {
+    std::fprintf(stderr, "misalign: %s; see misalign --help, or a verb's own\n", error.what());
+  }
+  return schema::kExitUsage;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app("Searches for misaligned origami that simple springs deploy.", "misalign");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  app.fallthrough();
+  std::string level = "info";
+  app.add_option("--log-level", level, "debug, info, warning, error or off [info]")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
+  std::map<std::string, Action> verbs = {{"search", add_search(app)}, {"status", add_status(app)},
+                                         {"fold", add_fold(app)},     {"replay", add_replay(app)},
+                                         {"query", add_query(app)},   {"export", add_export(app)},
+                                         {"config", add_config(app)}};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(app, error);
+  }
+  set_up_log(level);
+  try {
+    return verbs.at(app.get_subcommands().front()->get_name())();
+  } catch (const UserError& error) {
+    spdlog::error("{}", error.what());
+    return error.exit_code();
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return schema::kExitFailure;
+  }
+}
+
+}  // namespace misalign::search

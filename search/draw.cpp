@@ -1,0 +1,46 @@
+#include "search/draw.hpp"
+
+#include <Random123/philox.h>
+
+namespace misalign::search {
+namespace {
+
+double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
+  if (misalignment.levels == schema::Levels::ternary) {
+    const int level = static_cast<int>((3 * static_cast<std::uint64_t>(word)) >> 32) - 1;
+    return level * misalignment.amplitude_mm;
+  }
+  return ((word + 0.5) / 2147483648.0 - 1.0) * misalignment.amplitude_mm;
+}
+
+}  // namespace
+
+std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
+                                          std::uint32_t block, std::uint32_t stream) {
+  const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
+  const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); };
+  const r123::Philox4x32::ctr_type counter = {{low(draw), high(draw), block, stream}};
+  const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
+  const auto words = r123::Philox4x32{}(counter, key);
+  return {words[0], words[1], words[2], words[3]};
+}
+
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 Eigen::Matrix2Xd& shifts_mm) {
+  std::array<std::uint32_t, 4> words{};
+  for (std::size_t k = 0; k < misalignment.vertices.size(); ++k) {
+    if (k % 2 == 0) {
+      words = philox_block(seed, draw, static_cast<std::uint32_t>(k / 2), kDrawStream);
+    }
+    shifts_mm.col(misalignment.vertices[k]) = Eigen::Vector2d(
+        shift_mm(misalignment, words[2 * (k % 2)]), shift_mm(misalignment, words[2 * (k % 2) + 1]));
+  }
+}
+
+bool random_numbers_as_published() {
+  using Block = std::array<std::uint32_t, 4>;
+  return philox_block(0, 0, 0, 0) == Block{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8} &&
+         philox_block(1, 0, 0, 0) == Block{0xe3e80670, 0xe50a0ebc, 0x95f222c0, 0xb615aa27};
+}
+
+}  // namespace misalign::search

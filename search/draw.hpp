@@ -1,0 +1,26 @@
+// Draw d of a campaign: a pure function of (seed, d), whoever makes it and whenever.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "schema/campaign.hpp"
+
+namespace misalign::search {
+
+/// Philox4x32-10 (Random123), key = (low, high half of the seed), counter = (low, high half of the
+/// draw, block, stream). Stream 0 is draws; 1 is tolerance trials; the rest is reserved.
+inline constexpr std::uint32_t kDrawStream = 0;
+std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
+                                          std::uint32_t block, std::uint32_t stream);
+
+/// Shifts of draw d, mm, into `shifts_mm` (2 x vertices of the sheet; columns that the misalignment
+/// does not name are left alone). The k-th vertex takes words 2k (x) and 2k + 1 (y); a ternary
+/// level is floor(3 w / 2^32) - 1, a uniform one (w + 0.5) / 2^31 - 1, times the amplitude.
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 Eigen::Matrix2Xd& shifts_mm);
+
+/// Whether the generator gives the published known answers (Random123's, and seed 1 draw 0).
+bool random_numbers_as_published();
+
+}  // namespace misalign::search

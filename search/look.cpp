@@ -1,0 +1,166 @@
+#include "search/look.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "schema/result_table.hpp"
+#include "search/trial.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+void print_json(const Json& json) { std::puts(json.dump(1).c_str()); }
+
+// Verdict and limits in words, then the diagonals every 10 degrees and at D.
+void print_folding(const schema::FoldingView& view) {
+  const solver::FoldingHistory& history = view.history;
+  const Json verdict = schema::verdict_json(view);
+  std::printf("%d unknowns, %d equations\n", view.mechanism.unknowns, view.mechanism.equations);
+  std::printf("deploys from %g deg; first fault: %s", verdict["deploys_from_deg"].get<double>(),
+              verdict["first_fault"].get<std::string>().c_str());
+  if (!verdict["fault_deg"].is_null()) {
+    std::printf(" at %g deg", verdict["fault_deg"].get<double>());
+  }
+  if (!verdict["where"].is_null()) std::printf(", %s", verdict["where"].get<std::string>().c_str());
+  std::printf("\nfold limit %.4f deg\n\n%9s", history.path.fold_limit_deg, "pilot_deg");
+  for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
+    const std::string name =
+        solver::vertex_label(diagonal.from) + "-" + solver::vertex_label(diagonal.to);
+    std::printf(" %9s", name.c_str());
+  }
+  std::printf("\n%9d", 0);
+  for (const double flat : history.flat_mm) std::printf(" %9.4f", flat);
+  std::printf("\n");
+  for (std::size_t row = 0; row < history.stops.size(); ++row) {
+    const solver::Stop& stop = history.stops[row];
+    const bool at_d = stop.sample > 0 && stop.sample == history.verdict.deploys_from_sample;
+    const bool round = std::abs(std::remainder(stop.pilot_deg, 10)) < 1e-9;
+    if (!round && !at_d && stop.sample > 0) continue;  // what --step added is always shown
+    std::printf("%9g", stop.pilot_deg);
+    for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+      std::printf(" %9.4f", history.length_mm(static_cast<Eigen::Index>(row), d));
+    }
+    std::printf("%s\n", at_d ? "  <- deploys from here" : "");
+  }
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    throw schema::UserError(schema::kExitFailure,
+                            path.string() + ": cannot be written; choose another --output");
+  }
+}
+
+std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const ExportOptions& options) {
+  std::string sql = "SELECT draw FROM candidates";
+  if (options.draw) {
+    sql += " WHERE draw = " + std::to_string(*options.draw);
+  } else if (options.best) {
+    const SQLite::Statement columns(database, "SELECT * FROM candidates LIMIT 0");
+    bool known = false;
+    std::string names;
+    for (int k = 0; k < columns.getColumnCount(); ++k) {
+      const std::string name = columns.getColumnName(k);
+      known = known || name == options.by;
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    if (!known) {
+      throw schema::UserError(
+          schema::kExitUsage,
+          "--by " + options.by + ": is no column of a candidate; choose one of " + names);
+    }
+    sql += " ORDER BY " + options.by + " DESC, draw LIMIT " + std::to_string(*options.best);
+  } else {
+    sql += " WHERE (" + options.where + ") ORDER BY draw";
+  }
+  const Json rows = Json::parse(schema::query_table(database, sql, schema::TableStyle::json));
+  std::vector<std::uint64_t> draws;
+  for (const Json& row : rows) draws.push_back(row.at("draw").get<std::uint64_t>());
+  return draws;
+}
+
+}  // namespace
+
+void fold(const FoldOptions& options) {
+  const schema::Pattern pattern = schema::read_pattern_file(options.pattern_path);
+  constexpr double kSample_deg = 1;
+  const solver::Mechanism mechanism =
+      solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding);
+  solver::PathPlanOptions path;
+  path.sample_deg = kSample_deg;
+  path.end_deg = options.to_deg;
+  path.look_deg = options.step_deg;
+  const auto plan =
+      solver::plan_path(mechanism, pattern.base.folding, pattern.base.sheet.vertices_mm, path);
+  const auto history = solver::record_history(pattern.base, mechanism, plan, pattern.vertices_mm());
+  const schema::FoldingView view{pattern, pattern.shifts_mm, mechanism, history, kSample_deg};
+  options.json ? print_json(schema::folding_json(view)) : print_folding(view);
+}
+
+void replay(const ReplayOptions& options) {
+  const auto database = schema::open_for_reading(options.catalogue_path);
+  Trial trial(schema::read_campaign_of(*database, options.catalogue_path));
+  const schema::Campaign& campaign = trial.campaign();
+  const auto history = trial.history(options.draw);
+  const schema::FoldingView view{campaign.pattern, trial.shifts_mm(), trial.mechanism(), history,
+                                 campaign.sample_deg};
+  const bool accepted = history.verdict.first_fault != solver::Fault::undecided &&
+                        history.verdict.deploys_from_sample >= campaign.threshold_sample();
+  if (!options.json) {
+    std::printf("draw %llu of %s: %s\n", static_cast<unsigned long long>(options.draw),
+                campaign.name.c_str(), accepted ? "accepted" : "not accepted");
+    print_folding(view);
+    return;
+  }
+  Json json = schema::folding_json(view);
+  json["campaign"] = {{"name", campaign.name}, {"identity", schema::identity(campaign)}};
+  json["draw"] = options.draw;
+  json["verdict"]["accepted"] = accepted;
+  print_json(json);
+}
+
+void export_candidates(const ExportOptions& options) {
+  const auto database = schema::open_for_reading(options.catalogue_path);
+  const std::vector<std::uint64_t> draws = chosen_draws(*database, options);
+  if (draws.empty()) {
+    throw schema::UserError(schema::kExitUsage, options.catalogue_path +
+                                                    ": holds no such candidate; `misalign query " +
+                                                    options.catalogue_path + " best` shows some");
+  }
+  Trial trial(schema::read_campaign_of(*database, options.catalogue_path));
+  const schema::Campaign& campaign = trial.campaign();
+  std::error_code error;
+  std::filesystem::create_directories(options.output, error);
+  if (error) {
+    throw schema::UserError(
+        schema::kExitFailure,
+        options.output + ": cannot be made (" + error.message() + "); choose another --output");
+  }
+  for (const std::uint64_t draw : draws) {
+    const auto history = trial.history(draw);
+    const schema::FoldingView view{campaign.pattern, trial.shifts_mm(), trial.mechanism(), history,
+                                   campaign.sample_deg};
+    const std::filesystem::path path =
+        std::filesystem::path(options.output) /
+        (campaign.name + "-" + std::to_string(draw) + "." + options.format);
+    if (options.format == "csv") {
+      write_file(path, schema::folding_csv(view));
+    } else {
+      const auto vertices = campaign.pattern.base.sheet.vertices_mm + trial.shifts_mm();
+      const auto metrics =
+          solver::measure(campaign.pattern.base, vertices, history, campaign.sample_deg);
+      write_file(path, schema::candidate_json(campaign, draw, view, metrics).dump(1) + "\n");
+    }
+    std::puts(path.string().c_str());
+  }
+}
+
+}  // namespace misalign::search

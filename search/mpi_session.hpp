@@ -1,0 +1,62 @@
+// All of MPI that the program uses.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "schema/digest.hpp"
+#include "search/messages.hpp"
+
+namespace misalign::search {
+
+/// MPI from construction to destruction, alone or under mpirun.
+class MpiSession {
+ public:
+  MpiSession();
+  ~MpiSession();
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
+
+  int rank() const { return rank_; }
+  int ranks() const { return ranks_; }
+
+  /// From rank 0 to all.
+  int broadcast(int value) const;
+  std::string broadcast(const std::string& text) const;
+
+  /// To rank 0: a unit that was worked off.
+  void send_unit(const schema::UnitRecord& unit) const;
+  /// On rank 0: the next unit that has arrived, and from whom; none if there is none.
+  struct Arrival {
+    int from;
+    schema::UnitRecord unit;
+  };
+  std::optional<Arrival> receive_unit() const;
+
+  /// From rank 0: a range to work off; an empty one ends the worker.
+  void send_range(int to, const schema::DrawRange& range) const;
+  bool range_waiting() const;
+  /// Sleeps until there is one.
+  schema::DrawRange receive_range() const;
+
+  /// Ends every rank at once: only after a failure that leaves the others waiting.
+  [[noreturn]] void abort(int exit_code) const;
+
+ private:
+  int rank_ = 0, ranks_ = 1;
+};
+
+/// Sleeps that grow from 0 to 1 ms: a blocking MPI call would burn a core.
+class Backoff {
+ public:
+  void reset() { microseconds_ = 0; }
+  void wait();
+
+ private:
+  int microseconds_ = 0;
+};
+
+/// The rank that a launcher gave this process, before or without MPI; 0 if there was no launcher.
+int launched_rank();
+
+}  // namespace misalign::search

@@ -1,0 +1,30 @@
+// One plain line to stderr now and then.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace misalign::search {
+
+enum class ProgressStyle { plain, none };
+
+struct ProgressCounts {
+  std::uint64_t draws, accepted;  ///< of this run
+  std::uint64_t draws_left;
+  bool limited;  ///< whether draws_left means anything
+};
+
+class Progress {
+ public:
+  explicit Progress(ProgressStyle style);
+  /// Prints if 30 s have gone by (2 s the first time), or if `now`.
+  void show(const ProgressCounts& counts, bool now = false);
+  double seconds() const;
+
+ private:
+  ProgressStyle style_;
+  std::chrono::steady_clock::time_point start_;
+  double next_s_ = 2;
+};
+
+}  // namespace misalign::search

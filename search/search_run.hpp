@@ -1,0 +1,27 @@
+// `misalign search`: campaign file to catalogue, alone or under mpirun.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "search/coordinator.hpp"
+
+namespace misalign::search {
+
+struct SearchOptions {
+  std::string campaign_path;
+  std::string catalogue_path;  ///< empty: results/NAME-<8 hex digits>.db
+  std::optional<std::uint64_t> draws, accepted, seed;
+  std::optional<double> max_time_s;
+  std::optional<schema::DrawRange> range;
+  std::optional<std::uint64_t> unit_draws;
+  ProgressStyle progress = ProgressStyle::plain;
+};
+
+/// Runs or resumes; returns the exit code.
+int run_search(const SearchOptions& options);
+
+/// "results/miura-6x6-1a2b3c4d.db"
+std::string default_catalogue_path(const schema::Campaign& campaign);
+
+}  // namespace misalign::search

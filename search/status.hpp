@@ -1,0 +1,30 @@
+// `misalign status`: how far a campaign is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "schema/catalogue.hpp"
+
+namespace misalign::search {
+
+/// The exact (Clopper-Pearson) 95 % interval of a share of `hits` in `trials`; (0, 1) without
+/// trials.
+std::pair<double, double> share_interval(std::uint64_t hits, std::uint64_t trials);
+
+/// The state of a catalogue, for people or as JSON; `at_deg` counts what deploys from there.
+/// UserError (2) if at_deg lies below the campaign's threshold or beyond its end.
+std::string status_text(const schema::CatalogueState& state);
+schema::Json status_json(const schema::CatalogueState& state);
+
+struct DeployingFrom {
+  double at_deg;
+  std::uint64_t accepted;
+};
+DeployingFrom deploying_from(SQLite::Database& database, const schema::Campaign& campaign,
+                             double at_deg);
+std::string deploying_text(const DeployingFrom& deploying, std::uint64_t draws);
+schema::Json deploying_json(const DeployingFrom& deploying, std::uint64_t draws);
+
+}  // namespace misalign::search

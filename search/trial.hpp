@@ -1,0 +1,67 @@
+// The science of one draw: draw -> displaced pattern -> path -> diagonals -> verdict -> metrics.
+#pragma once
+
+#include <optional>
+
+#include "schema/catalogue.hpp"
+#include "solver/reference.hpp"
+
+namespace misalign::search {
+
+/// What became of a draw; `candidate` when it deploys from the campaign's threshold.
+struct Outcome {
+  solver::Verdict verdict;
+  std::optional<schema::Candidate> candidate;
+};
+
+/// One campaign made ready: what all of its draws share, and the workspace of this rank.
+class Trial {
+ public:
+  explicit Trial(schema::Campaign campaign);
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+
+  Outcome run(std::uint64_t draw);
+
+  /// Everything about one draw, accepted or not.
+  solver::FoldingHistory history(std::uint64_t draw);
+  /// Shifts of the draw that was run or looked at last, one column per vertex.
+  const Eigen::Matrix2Xd& shifts_mm() const { return shifts_mm_; }
+
+  const schema::Campaign& campaign() const { return campaign_; }
+  const solver::Mechanism& mechanism() const { return mechanism_; }
+
+  /// Fingerprint of the verdicts on this campaign's first draws: whole numbers, so any correct
+  /// build gives the same.
+  std::string golden_verdicts();
+
+ private:
+  void displace(std::uint64_t draw);
+
+  schema::Campaign campaign_;
+  solver::Mechanism mechanism_;
+  solver::PathPlan plan_;
+  solver::Reference reference_;
+  Eigen::Matrix2Xd shifts_mm_;
+  solver::FlatVertices vertices_mm_;
+};
+
+/// A range of draws being worked off, one draw at a time.
+class UnitWork {
+ public:
+  UnitWork(Trial& trial, const schema::DrawRange& range);
+
+  bool finished() const { return next_ == range_.hi; }
+  void run_next_draw();
+  const schema::DrawRange& range() const { return range_; }
+  /// What has been done so far: from the range's start up to the next draw.
+  schema::UnitRecord take();
+
+ private:
+  Trial& trial_;
+  schema::DrawRange range_;
+  std::uint64_t next_;
+  schema::UnitRecord record_;
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,17 @@
+#include "search/worker.hpp"
+
+#include "search/stop_signal.hpp"
+
+namespace misalign::search {
+
+void run_worker(const MpiSession& mpi, Trial& trial) {
+  for (;;) {
+    const DrawRange range = mpi.receive_range();
+    if (range.size() == 0) return;
+    UnitWork work(trial, range);
+    while (!work.finished() && !stop_signal_seen() && !mpi.range_waiting()) work.run_next_draw();
+    mpi.send_unit(work.take());
+  }
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,58 @@
+// A quadrilateral mesh drawn on the flat sheet. Vertices and facets are integers from here on;
+// labels (A1, A2, ...) exist for people only.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace misalign::solver {
+
+/// 2 x N vertex coordinates on the flat sheet, mm.
+using FlatVertices = Eigen::Matrix2Xd;
+
+/// An edge a -> b with a < b and the facets on its two sides seen from +z; -1 outside the sheet.
+struct Edge {
+  int a, b;
+  int left, right;
+  bool on_perimeter() const { return left < 0 || right < 0; }
+};
+
+struct CreasePattern {
+  FlatVertices vertices_mm;
+  std::vector<std::array<int, 4>> facets;  ///< corners counter-clockwise seen from +z
+  std::vector<Edge> edges;                 ///< sorted by (a, b)
+  double panel_width_mm;                   ///< the length that closure and bands are measured in
+
+  int vertex_count() const { return static_cast<int>(vertices_mm.cols()); }
+  int facet_count() const { return static_cast<int>(facets.size()); }
+};
+
+/// Edges of a mesh, sorted by (a, b).
+std::vector<Edge> edges_of(const std::vector<std::array<int, 4>>& facets);
+
+/// Index of the edge between two vertices, -1 if there is none.
+int find_edge(const CreasePattern& sheet, int vertex, int other_vertex);
+
+/// Facets around a vertex, counter-clockwise; empty for a vertex on the perimeter.
+std::vector<int> facets_around(const CreasePattern& sheet, int vertex);
+
+/// Vertices not on the perimeter, ascending.
+std::vector<int> interior_vertices(const CreasePattern& sheet);
+
+/// Interior vertices joined by an edge to the perimeter, ascending (the ones Table 1 shifts).
+std::vector<int> ring_vertices(const CreasePattern& sheet);
+
+/// "A1" for vertex 0.
+std::string vertex_label(int vertex);
+
+/// Facets (by index) that are not strictly convex, counter-clockwise quadrilaterals at the
+/// vertices.
+std::vector<int> nonconvex_facets(const CreasePattern& sheet, const FlatVertices& vertices_mm);
+
+/// The largest amplitude a (mm) such that no facet can lose convexity while each of the `shifted`
+/// vertices moves by up to a along x and along y. Within 1e-6 of the sheet's width.
+double largest_safe_amplitude_mm(const CreasePattern& sheet, const std::vector<int>& shifted);
+
+}  // namespace misalign::solver

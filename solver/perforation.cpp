@@ -1,0 +1,60 @@
+#include "solver/perforation.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+#include "solver/newton.hpp"
+
+namespace misalign::solver {
+
+std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vector<int>& holes) {
+  std::vector<bool> is_hole(sheet.facet_count(), false);
+  for (const int f : holes) is_hole[f] = true;
+  const auto name = [&](int f) {
+    const auto& v = sheet.facets[f];
+    return "the hole " + vertex_label(v[0]) + "-" + vertex_label(v[1]) + "-" + vertex_label(v[2]) +
+           "-" + vertex_label(v[3]);
+  };
+  std::vector<std::string> faults;
+  std::vector<bool> on_perimeter(sheet.facet_count(), false);
+  for (const Edge& edge : sheet.edges) {
+    const int facet = std::max(edge.left, edge.right);
+    if (edge.on_perimeter()) {
+      on_perimeter[facet] = true;
+    } else if (is_hole[edge.left] && is_hole[edge.right]) {
+      faults.push_back(name(edge.left) + " shares the edge " + vertex_label(edge.a) + "-" +
+                       vertex_label(edge.b) + " with another hole");
+    }
+  }
+  for (const int f : holes) {
+    if (on_perimeter[f]) faults.push_back(name(f) + " lies on the perimeter");
+  }
+  return faults;
+}
+
+int counted_mobility(const CreasePattern& sheet, const std::vector<int>& holes) {
+  const int joints = sheet.vertex_count();
+  const int kept = sheet.facet_count() - static_cast<int>(holes.size());
+  const int members = static_cast<int>(sheet.edges.size()) + 2 * kept;
+  return 3 * joints - (members + 6);
+}
+
+Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,
+                           const BaseFolding& folding) {
+  const Mechanism mechanism = build_mechanism(sheet, holes, folding);
+  SheetGeometry<double> geometry;
+  place(mechanism, sheet.vertices_mm, geometry);
+  ClosureSystem system(mechanism);
+  Mobility mobility{mechanism.unknowns, mechanism.equations, 0};
+  for (const double pilot_deg : {40.0, 75.0, 110.0}) {
+    const auto state =
+        base_state(mechanism, folding, sheet.vertices_mm, half_angle_of_deg(pilot_deg));
+    system.evaluate(geometry, state);
+    Eigen::BDCSVD<Eigen::MatrixXd> svd(system.jacobian());
+    svd.setThreshold(1e-9);
+    mobility.rank = std::max(mobility.rank, static_cast<int>(svd.rank()));
+  }
+  return mobility;
+}
+
+}  // namespace misalign::solver
