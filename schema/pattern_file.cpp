@@ -95,17 +95,26 @@ void check_mobility(const std::string& where, const Pattern& pattern, InputFault
     return;
   }
   const solver::Mobility measured = solver::measured_mobility(base.sheet, base.holes, base.folding);
-  if (measured.degrees_of_freedom() == 1) return;
+  if (measured.rank == measured.equations && measured.degrees_of_freedom() == 1) return;
+  const std::string numbers = "the Jacobian has rank " + std::to_string(measured.rank) + " with " +
+                              std::to_string(measured.unknowns) + " unknowns and " +
+                              std::to_string(measured.equations) +
+                              " equations; counting (2.1) gives " + std::to_string(counted);
   const bool odd = pattern.shape.rows % 2 == 1 || pattern.shape.columns % 2 == 1;
-  faults.add(where,
-             "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
-                 " degrees of freedom, not 1: the Jacobian has rank " +
-                 std::to_string(measured.rank) + " with " + std::to_string(measured.unknowns) +
-                 " unknowns and " + std::to_string(measured.equations) +
-                 " equations; counting (2.1) gives " + std::to_string(counted),
-             odd ? "make rows and columns even"
-                 : "take out " + std::to_string(inner / 2) +
-                       " of the inner panels, for example \"checkerboard-odd\"");
+  const std::string suggestion = odd ? "make rows and columns even"
+                                     : "take out " + std::to_string(inner / 2) +
+                                           " of the inner panels, for example \"checkerboard-odd\"";
+  if (measured.rank < measured.equations && measured.degrees_of_freedom() == 1) {
+    faults.add(where,
+               "the perforation leaves too many constraints, so that shifted sheets do not fold: " +
+                   numbers,
+               suggestion);
+  } else {
+    faults.add(where,
+               "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
+                   " degrees of freedom, not 1: " + numbers,
+               suggestion);
+  }
 }
 
 void read_displacements(ObjectReader& reader, Pattern& pattern) {

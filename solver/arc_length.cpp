@@ -13,7 +13,9 @@ ArcLength::ArcLength(const Mechanism& mechanism, const ArcLengthOptions& options
       rhs_(mechanism.unknowns),
       step_(mechanism.unknowns),
       tangent_(mechanism.unknowns),
-      next_tangent_(mechanism.unknowns) {}
+      next_tangent_(mechanism.unknowns),
+      trial_(flat_state<double>(mechanism)),
+      landing_(trial_) {}
 
 ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle<double>& target,
                           int forward_sign, Newton& newton, FoldState<double>& state) {
@@ -22,7 +24,9 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
   const Eigen::Index p = mechanism.unknowns - 1;
 
   system_.evaluate(geometry, state);
-  update_tangent(Eigen::VectorXd::Unit(mechanism.unknowns, p), tangent_);
+  next_tangent_.setZero();
+  next_tangent_[p] = 1;
+  update_tangent(next_tangent_, tangent_);
   const double gap = 2 * half_sine_between(target, state.creases[pilot]);
   double ds = std::min(options_.longest_step_rad, 0.5 * gap / tangent_[p]);
   double bend = 0;  // fall of the tangent's pilot entry per unit of length, once a turn was passed
@@ -96,7 +100,8 @@ void ArcLength::update_tangent(const Eigen::VectorXd& border, Eigen::VectorXd& t
   solve_.factorize(bordered_);
   rhs_.setZero();
   rhs_[equations] = 1;
-  tangent = solve_.solve(rhs_).normalized();
+  tangent = solve_.solve(rhs_);
+  tangent.normalize();
 }
 
 // The solution with the pilot at `target`, between `from` and trial_ (`step` apart); in landing_.

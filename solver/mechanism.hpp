@@ -89,6 +89,13 @@ struct FoldState {
   std::vector<Quaternion<T>> balls;
 };
 
+/// The flat state: every joint at zero, and of the size that `mechanism` needs.
+template <class T>
+FoldState<T> flat_state(const Mechanism& mechanism) {
+  return {std::vector<HalfAngle<T>>(mechanism.creases.size(), {T(1), T(0)}),
+          std::vector<Quaternion<T>>(mechanism.balls.size(), {T(1), T(0), T(0), T(0)})};
+}
+
 /// The base folding with |pilot fold angle| = 2 * `pilot`: where every path starts.
 /// `base_vertices_mm` are those of the correct sheet.
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,

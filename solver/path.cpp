@@ -44,7 +44,11 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
 }
 
 PathTracker::PathTracker(const Mechanism& mechanism)
-    : newton_(mechanism), arc_length_(mechanism), pilot_(mechanism.pilot) {}
+    : newton_(mechanism),
+      arc_length_(mechanism),
+      pilot_(mechanism.pilot),
+      state_(flat_state<double>(mechanism)),
+      trial_(state_) {}
 
 void PathTracker::begin(const PathPlan& plan) {
   state_ = plan.start;

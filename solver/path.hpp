@@ -52,7 +52,7 @@ class PathTracker {
   explicit PathTracker(const Mechanism& mechanism);
 
   /// Calls `visit(stop, state)` at each stop to be seen, until it answers false or the path ends.
-  /// Allocates nothing after the first call.
+  /// Allocates nothing.
   template <class Visitor>
   PathResult follow(const SheetGeometry<double>& geometry, const PathPlan& plan, Visitor&& visit) {
     begin(plan);

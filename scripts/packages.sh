@@ -1,0 +1,39 @@
+# Sourced: makes sure that what a script needs is installed, on Debian and Ubuntu as root or with sudo;
+# elsewhere says what is missing and stops.
+
+build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
+  libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
+  libxxhash-dev libboost-math-dev"
+test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps"
+
+need_packages() {
+  local missing=() package
+  if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
+    echo "This is no Debian or Ubuntu. Install the counterparts of these packages, then build with" >&2
+    echo "cmake --preset release && cmake --build --preset release:" >&2
+    echo "$@" | tr -s ' \n' ' ' >&2
+    exit 1
+  fi
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2> /dev/null | grep -q 'ok installed' ||
+      missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  local as_root=()
+  if [ "$(id -u)" != 0 ]; then
+    if ! command -v sudo > /dev/null; then
+      echo "Missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "Installing ${missing[*]}" >&2
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y \
+    --no-install-recommends "${missing[@]}" > /dev/null
+}
+
+# mpirun refuses root without these, and on one machine nothing is gained by binding.
+if [ "$(id -u)" = 0 ]; then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+fi

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, runs the main campaign on all cores for about a minute (again: goes
+# on from there), shows the best candidates and exports the best one.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+need_packages $build_packages
+
+cmake --preset release -DMISALIGN_TESTS=OFF -B build/run > /dev/null
+cmake --build build/run
+program=build/run/misalign
+
+cores=$(nproc)
+summary=$(mpirun --bind-to none -n "$cores" "$program" search search/campaigns/miura-6x6.json \
+  --max-time "${1:-60}")
+catalogue=${summary%%:*}
+
+echo
+echo "$summary"
+"$program" status "$catalogue"
+echo
+echo "The best candidates (misalign query $catalogue best):"
+"$program" query "$catalogue" \
+  "SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg, stroke_min, stroke_max,
+          shifted_vertices FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC
+   LIMIT 10"
+echo
+echo "The best one, as JSON:"
+"$program" export "$catalogue" --best 1 --format json --output results/candidates

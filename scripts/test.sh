@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds with warnings as errors, runs every test; then the unit tests once
+# more under the address and undefined-behaviour sanitizers.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+need_packages $build_packages $test_packages
+
+scripts/check.sh
+
+cmake --preset release -DMISALIGN_WERROR=ON > /dev/null
+cmake --build --preset release
+cmake --preset asan -DMISALIGN_WERROR=ON > /dev/null
+cmake --build --preset asan --target solver_test schema_test search_test
+
+echo "== sanitizers: unit tests"
+ctest --preset asan --output-on-failure -E '^system|NOT_BUILT' -j 2
+echo "== release: every test"
+ctest --preset release --output-on-failure -j 2

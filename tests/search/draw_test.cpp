@@ -1,0 +1,62 @@
+#include "search/draw.hpp"
+
+#include <gtest/gtest.h>
+
+namespace misalign::search {
+namespace {
+
+using Block = std::array<std::uint32_t, 4>;
+
+// Random123's kat_vectors (zeros, ones, digits of pi), and the contract's.
+TEST(Draw, KnownAnswers) {
+  EXPECT_EQ(philox_block(0, 0, 0, 0), (Block{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(philox_block(~0ULL, ~0ULL, ~0U, ~0U),
+            (Block{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(philox_block(0x299f31d0a4093822ULL, 0x85a308d3243f6a88ULL, 0x13198a2e, 0x03707344),
+            (Block{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+  EXPECT_EQ(philox_block(1, 0, 0, kDrawStream),
+            (Block{0xe3e80670, 0xe50a0ebc, 0x95f222c0, 0xb615aa27}));
+  EXPECT_TRUE(random_numbers_as_published());
+}
+
+// Contract: seed 1, draw 0 has the levels +1 +1 0 +1.
+TEST(Draw, TernaryLevelsOfTheContract) {
+  const schema::Misalignment two{{8, 9}, 0.4, schema::Levels::ternary};
+  Eigen::Matrix2Xd shifts = Eigen::Matrix2Xd::Zero(2, 49);
+  draw_shifts(two, 1, 0, shifts);
+  EXPECT_EQ(shifts.col(8), Eigen::Vector2d(0.4, 0.4));
+  EXPECT_EQ(shifts.col(9), Eigen::Vector2d(0.0, 0.4));
+  EXPECT_EQ(shifts.cwiseAbs().sum(), 0.4 * 3);
+}
+
+// The k-th vertex takes words 2k and 2k + 1, four to a block: recomputed from the blocks.
+TEST(Draw, WordsGoToVerticesInOrder) {
+  schema::Misalignment uniform{{}, 0.25, schema::Levels::uniform};
+  for (int v = 0; v < 25; ++v) uniform.vertices.push_back(2 * v);
+  Eigen::Matrix2Xd shifts = Eigen::Matrix2Xd::Zero(2, 50);
+  const std::uint64_t seed = 0x123456789abcULL, draw = 0x7edcba9876543210ULL;
+  draw_shifts(uniform, seed, draw, shifts);
+  for (int k = 0; k < 25; ++k) {
+    const Block block = philox_block(seed, draw, static_cast<std::uint32_t>(k / 2), 0);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double w = block[2 * (k % 2) + axis];
+      EXPECT_DOUBLE_EQ(shifts(axis, 2 * k), ((w + 0.5) / 2147483648.0 - 1.0) * 0.25);
+    }
+  }
+  EXPECT_LE(shifts.cwiseAbs().maxCoeff(), 0.25);
+}
+
+// A third each: the standard error over 200,000 words is 0.00105, five of them allowed.
+TEST(Draw, TernaryLevelsAreEquallyLikely) {
+  const schema::Misalignment ten{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 1.0, schema::Levels::ternary};
+  std::array<int, 3> count{};
+  Eigen::Matrix2Xd shifts(2, 10);
+  for (std::uint64_t draw = 0; draw < 10000; ++draw) {
+    draw_shifts(ten, 7, draw, shifts);
+    for (const double level : shifts.reshaped()) ++count[static_cast<int>(level) + 1];
+  }
+  for (const int n : count) EXPECT_NEAR(n / 200000.0, 1 / 3.0, 5 * 0.00105);
+}
+
+}  // namespace
+}  // namespace misalign::search

@@ -1,0 +1,52 @@
+#include "search/messages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace misalign::search {
+namespace {
+
+TEST(Messages, AUnitArrivesAsItWasSent) {
+  schema::UnitRecord unit;
+  unit.range = {schema::kEndOfDraws - 10, schema::kEndOfDraws};
+  unit.accepted = 2;
+  unit.rejected = 7;
+  unit.seconds = 0.125;
+  for (const std::uint64_t draw : {1ULL, 2ULL}) {
+    solver::Metrics metrics{};
+    metrics.deploys_from_sample = 151;
+    metrics.stretch_sq_mm2 = 1.0 / 3;
+    metrics.decreasing = 9;
+    if (draw == 1) metrics.slope_min_mm_per_deg = 2e-5;
+    metrics.elongation = {0.1, -0.2, 1e-300};
+    unit.candidates.push_back({draw, metrics, Eigen::Matrix2Xd::Random(2, 49)});
+  }
+  unit.undecided.push_back({9, {3, solver::Fault::undecided, -1, solver::PathEnd::stalled}});
+  unit.fault_sample.push_back({1024, {7, solver::Fault::not_monotone, 5}});
+  unit.screened = {{{4, 12}, 3}, {{1, 0}, 1ULL << 60}};
+
+  const schema::UnitRecord got = unpack_unit(pack(unit));
+  EXPECT_EQ(got.range, unit.range);
+  EXPECT_EQ(got.accepted, 2u);
+  EXPECT_EQ(got.rejected, 7u);
+  EXPECT_EQ(got.seconds, 0.125);
+  ASSERT_EQ(got.candidates.size(), 2u);
+  for (int k = 0; k < 2; ++k) {
+    const solver::Metrics &sent = unit.candidates[k].metrics, &came = got.candidates[k].metrics;
+    EXPECT_EQ(got.candidates[k].draw, unit.candidates[k].draw);
+    EXPECT_EQ(came.deploys_from_sample, 151);
+    EXPECT_EQ(came.stretch_sq_mm2, sent.stretch_sq_mm2);
+    EXPECT_EQ(came.slope_min_mm_per_deg, sent.slope_min_mm_per_deg);
+    EXPECT_EQ(came.decreasing, 9);
+    EXPECT_EQ(came.elongation, sent.elongation);
+    EXPECT_EQ(got.candidates[k].shifts_mm, unit.candidates[k].shifts_mm);
+  }
+  ASSERT_EQ(got.undecided.size(), 1u);
+  EXPECT_EQ(got.undecided[0].verdict.path_end, solver::PathEnd::stalled);
+  ASSERT_EQ(got.fault_sample.size(), 1u);
+  EXPECT_EQ(got.fault_sample[0].draw, 1024u);
+  EXPECT_EQ(got.fault_sample[0].verdict.where, 5);
+  EXPECT_EQ(got.screened, unit.screened);
+}
+
+}  // namespace
+}  // namespace misalign::search

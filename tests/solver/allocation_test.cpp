@@ -1,0 +1,67 @@
+// The hot loop owns its memory before it starts: every call of the C library's allocator is
+// counted.
+#include <atomic>
+#include <cstdlib>
+
+#include "sheets.hpp"
+#include "solver/reference.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define MISALIGN_COUNTS_ALLOCATIONS 0  // the sanitizer has an allocator of its own
+#else
+#define MISALIGN_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+#if MISALIGN_COUNTS_ALLOCATIONS
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* realloc(void* old, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+}
+#endif
+
+namespace misalign::solver {
+namespace {
+
+TEST(Allocation, NoneInsideAPath) {
+  if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
+  const Json odd = golden("table1_odd.json");
+  const TestSheet sheet(6, 6, odd["holes"]);
+  const PathPlan plan = sheet.plan();
+  Reference reference(sheet.mechanism, plan);
+  const FlatVertices limited = sheet.shifted(odd["displacements_mm"]);  // ends at a fold limit
+  const FlatVertices base = sheet.base.sheet.vertices_mm;
+  reference.judge(limited);
+
+  const long before_control = allocations;
+  std::vector<int>* control = new std::vector<int>(100);
+  EXPECT_GT(allocations, before_control) << "the counter itself must work";
+  delete control;
+
+  const long before = allocations;
+  const Verdict first = reference.judge(limited);
+  const Verdict second = reference.judge(base);
+  const long after = allocations;
+  EXPECT_EQ(after - before, 0);
+  EXPECT_EQ(first.first_fault, Fault::fold_limit);
+  EXPECT_EQ(second.first_fault, Fault::inactive_diagonal);
+}
+
+}  // namespace
+}  // namespace misalign::solver

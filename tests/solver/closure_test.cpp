@@ -1,0 +1,139 @@
+// Residual and Jacobian of loop closure.
+#include <random>
+
+#include "sheets.hpp"
+#include "solver/loop_closure.hpp"
+#include "solver/newton.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// A dual number a + b e with e^2 = 0: the derivative by one unknown, exact to rounding, from the
+// residual's own arithmetic and none of the Jacobian's.
+struct Dual {
+  double a, b;
+  Dual(double real = 0, double slope = 0) : a(real), b(slope) {}
+  explicit Dual(int value) : a(value), b(0) {}
+  friend Dual operator+(Dual x, Dual y) { return {x.a + y.a, x.b + y.b}; }
+  friend Dual operator-(Dual x, Dual y) { return {x.a - y.a, x.b - y.b}; }
+  friend Dual operator*(Dual x, Dual y) { return {x.a * y.a, x.a * y.b + x.b * y.a}; }
+  friend Dual operator/(Dual x, Dual y) {
+    return {x.a / y.a, (x.b * y.a - x.a * y.b) / (y.a * y.a)};
+  }
+  Dual operator-() const { return {-a, -b}; }
+  friend bool operator<(Dual x, Dual y) { return x.a < y.a; }
+  friend Dual sqrt(Dual x) { return {std::sqrt(x.a), x.b / (2 * std::sqrt(x.a))}; }
+  friend Dual abs(Dual x) { return x.a < 0 ? -x : x; }
+};
+
+FoldState<double> random_state(const Mechanism& mechanism, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  std::normal_distribution<double> normal;
+  FoldState<double> state;
+  for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+    const double half = angle(random) / 2;
+    state.creases.push_back({std::cos(half), std::sin(half)});
+  }
+  for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
+    // Uniform on all rotations, so most are past 90 degrees.
+    state.balls.push_back(
+        Quaternion<double>{normal(random), normal(random), normal(random), normal(random)}
+            .normalized());
+  }
+  return state;
+}
+
+FoldState<Dual> with_slope_in(const FoldState<double>& state, const Mechanism& mechanism,
+                              int column) {
+  FoldState<Dual> dual;
+  for (const auto& rho : state.creases) dual.creases.push_back({rho.c, rho.s});
+  for (const auto& q : state.balls) dual.balls.push_back({q.w, q.x, q.y, q.z});
+  std::vector<Dual> delta(mechanism.unknowns);
+  delta[column] = Dual(0, 1);
+  advance(mechanism, delta.data(), dual);
+  return dual;
+}
+
+TEST(LoopClosure, JacobianEqualsDualNumbersAtRandomStates) {
+  const std::uint64_t seed = 20160235;
+  std::mt19937_64 random(seed);
+  for (const auto& [rows, columns] : {std::pair(4, 4), {6, 6}, {8, 6}}) {
+    const TestSheet sheet(rows, columns);
+    FlatVertices vertices = sheet.base.sheet.vertices_mm;
+    std::uniform_real_distribution<double> shift(-0.4, 0.4);
+    for (double& x : vertices.reshaped()) x += shift(random);
+    SheetGeometry<double> geometry;
+    place(sheet.mechanism, vertices, geometry);
+    SheetGeometry<Dual> dual_geometry{{geometry.x.begin(), geometry.x.end()},
+                                      {geometry.y.begin(), geometry.y.end()},
+                                      {geometry.axis_x.begin(), geometry.axis_x.end()},
+                                      {geometry.axis_y.begin(), geometry.axis_y.end()}};
+    double worst = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+      const auto state = random_state(sheet.mechanism, random);
+      ClosureSystem system(sheet.mechanism);
+      system.evaluate(geometry, state);
+      const double scale = system.jacobian().cwiseAbs().maxCoeff();
+      std::vector<Dual> residual(sheet.mechanism.equations);
+      for (int column = 0; column < sheet.mechanism.unknowns; ++column) {
+        const auto dual = with_slope_in(state, sheet.mechanism, column);
+        evaluate<Dual>(sheet.mechanism, dual_geometry, dual, residual.data(), nullptr);
+        for (int row = 0; row < sheet.mechanism.equations; ++row) {
+          worst =
+              std::max(worst, std::abs(residual[row].b - system.jacobian()(row, column)) / scale);
+        }
+      }
+    }
+    EXPECT_LE(worst, 1e-12) << "seed " << seed << ", " << rows << " x " << columns;
+  }
+}
+
+// A half turn has no skew part: the residual vanishes, and only the nine entries see it.
+TEST(LoopClosure, HalfTurnDoesNotPass) {
+  const Mat3<double> half_turn = Quaternion<double>{0, 0.6, 0.8, 0}.matrix();
+  const Pose<double> loop{half_turn, {0, 0, 0}};
+  EXPECT_NEAR(half_turn.cy.z - half_turn.cz.y, 0, 1e-15);
+  EXPECT_NEAR(half_turn.cz.x - half_turn.cx.z, 0, 1e-15);
+  EXPECT_NEAR(half_turn.cx.y - half_turn.cy.x, 0, 1e-15);
+  EXPECT_GE(open_by(loop, 3), 1.0);
+  EXPECT_LE(open_by(Pose<double>::identity(), 6), 0.0);
+}
+
+// The same on the sheet: a whole vertex whose facets were all turned over, two folds of 180 degrees
+// along one line, closes; one alone is a half turn away from closing and must be seen as open.
+TEST(LoopClosure, HalfTurnOfOneCreaseIsOpen) {
+  const TestSheet sheet(4, 4);
+  auto state = sheet.folded(0);
+  std::vector<double> residual(sheet.mechanism.equations);
+  ASSERT_LE(evaluate<double>(sheet.mechanism, sheet.geometry, state, residual.data(), nullptr),
+            1e-15);
+  for (const Loop& loop : sheet.mechanism.loops) {
+    if (loop.rows != 3) continue;
+    auto twisted = state;
+    twisted.creases[loop.passages[0].joint] = {0, 1};
+    evaluate<double>(sheet.mechanism, sheet.geometry, twisted, residual.data(), nullptr);
+    for (int row = 0; row < 3; ++row) EXPECT_NEAR(residual[loop.first_row + row], 0, 1e-15);
+    EXPECT_GE(open_by(loop_pose(sheet.mechanism, sheet.geometry, twisted, loop, 4), 3), 1.0);
+  }
+}
+
+// The translation is measured, not only the rotation: a hole pulled open without turning is open.
+TEST(LoopClosure, PureTranslationIsOpen) {
+  const Pose<double> loop{Mat3<double>::identity(), {0, 3e-12, 0}};
+  EXPECT_DOUBLE_EQ(open_by(loop, 6), 3e-12);
+  EXPECT_EQ(open_by(loop, 3), 0.0);
+}
+
+// Each loop passes each of its joints once, so no Jacobian place is written twice.
+TEST(LoopClosure, JacobianPlacesAreDistinct) {
+  const TestSheet sheet(8, 8);
+  std::vector<std::pair<int, int>> places;
+  for (const JacobianEntry& entry : jacobian_entries(sheet.mechanism)) {
+    places.emplace_back(entry.row, entry.column);
+  }
+  std::sort(places.begin(), places.end());
+  EXPECT_EQ(std::adjacent_find(places.begin(), places.end()), places.end());
+}
+
+}  // namespace
+}  // namespace misalign::solver

@@ -1,0 +1,86 @@
+// Newton, dense factors and the smallest singular value, against Eigen's SVD.
+#include <Eigen/SVD>
+
+#include "sheets.hpp"
+#include "solver/newton.hpp"
+#include "solver/reference.hpp"
+#include "solver/singular_value.hpp"
+
+namespace misalign::solver {
+namespace {
+
+TEST(Numerics, FactorsSolveBothWaysAndKnowTheSign) {
+  const Eigen::Index n = 37;
+  srand(11);
+  DenseSolve factors(n);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(n, n);
+    const Eigen::VectorXd rhs = Eigen::VectorXd::Random(n);
+    factors.factorize(matrix);
+    EXPECT_LE((matrix * factors.solve(rhs) - rhs).norm(), 1e-10);
+    EXPECT_LE((matrix.transpose() * factors.solve_transposed(rhs) - rhs).norm(), 1e-10);
+    EXPECT_EQ(factors.determinant_sign(), matrix.determinant() > 0 ? 1 : -1);
+  }
+}
+
+// model.md: near flat the smallest singular value goes like rho, 2.6e-4 at 1 degree.
+TEST(Numerics, SmallestSingularValueOfTheBaseNearFlat) {
+  const TestSheet sheet(6, 6);
+  ClosureSystem system(sheet.mechanism);
+  DenseSolve factors(sheet.mechanism.equations);
+  SmallestSingularValue smallest(sheet.mechanism.equations);
+  const auto at = [&](double pilot_deg) {
+    system.evaluate(sheet.geometry, sheet.folded(pilot_deg));
+    factors.factorize(system.jacobian().leftCols(sheet.mechanism.equations));
+    return smallest.of(factors);
+  };
+  EXPECT_NEAR(at(1), 2.6e-4, 0.1e-4);
+  EXPECT_NEAR(at(0.1) / at(1), 0.1, 0.001);
+}
+
+TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
+  const Json table = golden("table1_even.json");
+  const TestSheet sheet(6, 6, table["holes"]);
+  const FlatVertices vertices = sheet.shifted(table["displacements_mm"]);
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism, vertices, geometry);
+  const PathPlan plan = sheet.plan();
+  const auto history = record_history(sheet.base, sheet.mechanism, plan, vertices);
+  ClosureSystem system(sheet.mechanism);
+  PathTracker tracker(sheet.mechanism);
+  std::size_t row = 0;
+  tracker.follow(geometry, plan, [&](const Stop&, const FoldState<double>& state) {
+    system.evaluate(geometry, state);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+        system.jacobian().leftCols(sheet.mechanism.equations));
+    const double expected = svd.singularValues().minCoeff();
+    EXPECT_NEAR(history.singular_value_min[row] / expected, 1, 1e-6) << "stop " << row;
+    ++row;
+    return row < history.stops.size();
+  });
+  EXPECT_EQ(row, history.stops.size());
+}
+
+TEST(Numerics, NewtonTellsHowItEnded) {
+  const TestSheet sheet(6, 6);
+  Newton newton(sheet.mechanism);
+  auto state = sheet.folded(50);
+  state.creases[sheet.mechanism.pilot] = half_angle_of_deg(51);
+  const NewtonResult good = newton.correct(sheet.geometry, state);
+  EXPECT_EQ(good.end, NewtonEnd::converged);
+  EXPECT_LE(good.open_by, 1e-12);
+  EXPECT_LE(good.iterations, 5);
+
+  // One correction does not do from 1 degree away: both sides of max_iterations.
+  Newton impatient(sheet.mechanism, {1e-12, 1});
+  state = sheet.folded(50);
+  state.creases[sheet.mechanism.pilot] = half_angle_of_deg(51);
+  EXPECT_EQ(impatient.correct(sheet.geometry, state).end, NewtonEnd::too_many_steps);
+
+  state = sheet.folded(50);
+  state.creases[0].c = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(newton.correct(sheet.geometry, state).end, NewtonEnd::not_a_number);
+}
+
+}  // namespace
+}  // namespace misalign::solver

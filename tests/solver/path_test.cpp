@@ -1,0 +1,104 @@
+// The path: independent of the solver's steps, and its fold limit a true turning point.
+#include "sheets.hpp"
+#include "solver/diagonals.hpp"
+
+namespace misalign::solver {
+namespace {
+
+TEST(Path, StopsAreSamplesLooksAndSteps) {
+  const TestSheet sheet(4, 4);
+  PathPlanOptions options;
+  options.sample_deg = 5;
+  options.end_deg = 20;
+  options.look_deg = 2.5;
+  const PathPlan plan = sheet.plan(options);
+  int samples = 0, looks = 0, steps = 0;
+  double before = 0;
+  for (const Stop& stop : plan.stops) {
+    EXPECT_GT(stop.pilot_deg, before + 0.4);  // no angle twice
+    EXPECT_LE(stop.pilot_deg, before + 1 + 1e-9);
+    before = stop.pilot_deg;
+    if (stop.sample > 0) {
+      EXPECT_DOUBLE_EQ(stop.pilot_deg, 5.0 * stop.sample);
+      EXPECT_TRUE(stop.visit);
+      ++samples;
+    } else {
+      ++(stop.visit ? looks : steps);
+    }
+  }
+  EXPECT_EQ(samples, 4);
+  EXPECT_EQ(looks, 4);       // 2.5, 7.5, 12.5, 17.5
+  EXPECT_EQ(steps, 20 - 4);  // whole degrees that are no sample
+}
+
+// A tenth of the step, or ten times the samples: the same curve. 1e-9 mm is 1e-11 panel widths,
+// what closure to 1e-12 leaves of a length at these angles.
+TEST(Path, LengthsAndVerdictDoNotDependOnTheSteps) {
+  const Json table = golden("table1_odd.json");
+  const TestSheet sheet(6, 6, table["holes"]);
+  const FlatVertices vertices = sheet.shifted(table["displacements_mm"]);
+  const auto usual = record_history(sheet.base, sheet.mechanism, sheet.plan(), vertices);
+  PathPlanOptions fine;
+  fine.look_deg = 0.1;
+  const auto finer = record_history(sheet.base, sheet.mechanism, sheet.plan(fine), vertices);
+  EXPECT_EQ(finer.verdict.deploys_from_sample, usual.verdict.deploys_from_sample);
+  EXPECT_EQ(finer.verdict.first_fault, usual.verdict.first_fault);
+  // Located from different starting points, to 6e-8 degrees each.
+  EXPECT_NEAR(finer.path.fold_limit_deg, usual.path.fold_limit_deg, 1e-6);
+  Eigen::Index row = 0;
+  for (std::size_t k = 0; k < finer.stops.size(); ++k) {
+    if (finer.stops[k].sample == 0) continue;
+    const auto difference =
+        finer.length_mm.row(static_cast<Eigen::Index>(k)) - usual.length_mm.row(row++);
+    EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-9);
+  }
+  EXPECT_EQ(row, usual.length_mm.rows());
+}
+
+// At a turning point the smallest singular value falls like the square root of the distance: this
+// knows nothing of arc length or tangents. Samples close in on the limit found; a wrong limit would
+// either leave stops unsolved below it or break the law.
+TEST(Path, FoldLimitIsATurningPoint) {
+  const Json table = golden("table1_odd.json");
+  const TestSheet sheet(6, 6, table["holes"]);
+  const FlatVertices vertices = sheet.shifted(table["displacements_mm"]);
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism, vertices, geometry);
+  PathTracker tracker(sheet.mechanism);
+  const auto ignore = [](const Stop&, const FoldState<double>&) { return true; };
+  const double limit_deg = tracker.follow(geometry, sheet.plan(), ignore).fold_limit_deg;
+
+  const auto history_to = [&](double end_deg) {
+    PathPlan plan = sheet.plan();
+    std::erase_if(plan.stops, [&](const Stop& stop) { return stop.pilot_deg > end_deg - 1e-3; });
+    for (const double short_of : {1e-2, 1e-3, 1e-4, 1e-5}) {
+      const double angle = end_deg - short_of;
+      plan.stops.push_back({angle, half_angle_of_deg(angle), 0, true});
+    }
+    return record_history(sheet.base, sheet.mechanism, plan, vertices);
+  };
+  const auto below = history_to(limit_deg);
+  EXPECT_EQ(below.path.end, PathEnd::end_reached);
+  const auto& sigma = below.singular_value_min;
+  for (std::size_t k = sigma.size() - 3; k < sigma.size(); ++k) {
+    EXPECT_NEAR(sigma[k - 1] / sigma[k], std::sqrt(10.0), 0.1);
+  }
+  const auto above = history_to(limit_deg + 1e-5 + 1e-4);  // its last stop lies 1e-4 beyond
+  EXPECT_EQ(above.path.end, PathEnd::fold_limit);
+  EXPECT_NEAR(above.path.fold_limit_deg, limit_deg, 1e-6);
+}
+
+TEST(Path, EndAskedForIsTheLimitReported) {
+  const TestSheet sheet(6, 6);
+  PathPlanOptions short_path;
+  short_path.end_deg = 60;
+  const auto history = record_history(sheet.base, sheet.mechanism, sheet.plan(short_path),
+                                      sheet.shifted({{"A9", {0.4, 0.0}}}));
+  EXPECT_EQ(history.path.end, PathEnd::end_reached);
+  EXPECT_EQ(history.path.fold_limit_deg, 60);
+  EXPECT_EQ(history.verdict.first_fault, Fault::none);
+  EXPECT_EQ(history.verdict.deploys_from_sample, 60);
+}
+
+}  // namespace
+}  // namespace misalign::solver

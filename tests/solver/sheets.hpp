@@ -1,0 +1,57 @@
+// Sheets that several tests fold.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "solver/history.hpp"
+#include "solver/miura.hpp"
+
+namespace misalign::solver {
+
+using Json = nlohmann::json;
+
+inline Json golden(const std::string& name) {
+  return Json::parse(std::ifstream(std::string(MISALIGN_SOURCE_DIR "/tests/golden/") + name));
+}
+
+/// A perforated Miura-ori in proportion to the paper's, panels `width_mm` wide.
+struct TestSheet {
+  TestSheet(int rows, int columns, const std::string& holes = "checkerboard-odd",
+            double width_mm = 80)
+      : shape{rows, columns, width_mm, width_mm, width_mm / 2} {
+    base.sheet = miura_sheet(shape);
+    base.folding = miura_folding(shape, base.sheet);
+    base.holes = checkerboard(shape, holes == "checkerboard-odd" ? 1 : 0);
+    mechanism = build_mechanism(base.sheet, base.holes, base.folding);
+    place(mechanism, base.sheet.vertices_mm, geometry);
+  }
+
+  PathPlan plan(const PathPlanOptions& options = {}) const {
+    return plan_path(mechanism, base.folding, base.sheet.vertices_mm, options);
+  }
+  FoldState<double> folded(double pilot_deg) const {
+    return base_state(mechanism, base.folding, base.sheet.vertices_mm,
+                      half_angle_of_deg(pilot_deg));
+  }
+  /// The base with {"A10": [x, y], ...} added, in proportion to the panels.
+  FlatVertices shifted(const Json& displacements_mm) const {
+    FlatVertices vertices = base.sheet.vertices_mm;
+    for (const auto& [label, shift] : displacements_mm.items()) {
+      const int vertex = std::stoi(label.substr(1)) - 1;
+      vertices.col(vertex) += Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>()) *
+                              (shape.panel_width_mm / 80);
+    }
+    return vertices;
+  }
+
+  MiuraShape shape;
+  PerforatedSheet base;
+  Mechanism mechanism;
+  SheetGeometry<double> geometry;
+};
+
+}  // namespace misalign::solver

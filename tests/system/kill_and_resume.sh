@@ -1,0 +1,73 @@
+# Killed with -9 at any moment and resumed, or asked to stop: the same digest as undisturbed.
+. "$(dirname "$0")/lib.sh"
+campaign=quick.json
+quick_campaign $campaign
+draws=8000
+"$program" search "$campaign" --catalogue calm.db --draws $draws --progress none > /dev/null 2>&1
+expected=$(digest_of calm.db)
+
+kills=0
+for n in 1 2 3 2; do
+  "${ranks[@]}" $n "$program" search "$campaign" --catalogue killed.db --draws $draws --unit-draws 20 --progress none \
+    > /dev/null 2>&1 &
+  launcher=$!
+  sleep 0.$((5 + kills))
+  # In turn one rank, and everything at once with the launcher.
+  if [ $((kills % 2)) = 0 ]; then
+    pkill -KILL -n -f "^$program search .*--catalogue killed.db" && kills=$((kills + 1))
+  else
+    pkill -KILL -f -- "--catalogue killed.db" && kills=$((kills + 1))
+  fi
+  wait $launcher 2> /dev/null
+  [ -f killed.db ] || continue
+  [ "$(sql killed.db 'PRAGMA integrity_check')" = ok ] || fail "integrity after kill $kills"
+done
+[ $kills -ge 2 ] || fail "only $kills kills hit"
+done_before=$(sql killed.db 'SELECT coalesce(sum(draws), 0) FROM unit')
+[ "$done_before" -gt 0 ] || fail "nothing was committed before the kills"
+[ "$done_before" -lt $draws ] || fail "the kills came too late to test anything"
+"$program" status killed.db --check > /dev/null
+[ $? = 75 ] || fail "status --check before the end"
+"${ranks[@]}" 2 "$program" search "$campaign" --catalogue killed.db --draws $draws --progress none > /dev/null 2>&1 ||
+  fail "resume"
+sound killed.db $draws
+[ "$(digest_of killed.db)" = "$expected" ] || fail "killed and resumed: another digest"
+"$program" status killed.db --check > /dev/null || fail "status --check at the end"
+
+# Asked to stop: exit 0, and what was done is kept, parts of units too.
+for signal in TERM INT USR1; do
+  "${ranks[@]}" 2 "$program" search "$campaign" --catalogue stopped-$signal.db --draws 1000000 --unit-draws 100000 \
+    --progress none > /dev/null 2>&1 &
+  launcher=$!
+  sleep 1.5
+  kill -$signal $launcher
+  wait $launcher
+  code=$?
+  # mpirun itself reports a TERM or INT that it was sent; its ranks must have ended by themselves.
+  [ $signal != USR1 ] || [ $code = 0 ] || fail "USR1: exit $code"
+  [ "$(sql stopped-$signal.db 'SELECT sum(draws) > 0 FROM unit')" = 1 ] || fail "$signal: nothing kept"
+  [ "$(sql stopped-$signal.db "SELECT count(*) FROM run WHERE end = 'stopped'")" = 1 ] ||
+    fail "$signal: the run was not ended"
+done
+
+# A worker alone is asked to stop: the run ends cleanly, nothing hangs.
+"${ranks[@]}" 2 "$program" search "$campaign" --catalogue worker.db --draws 1000000 --progress none > /dev/null 2>&1 &
+launcher=$!
+sleep 1.5
+pkill -TERM -n -f "^$program search .*--catalogue worker.db"
+wait $launcher || fail "a worker that was asked to stop"
+
+# Wall time ends a run, not the campaign: exit 0, work remains.
+"$program" search "$campaign" --catalogue timed.db --max-time 1 --progress none > /dev/null 2>&1 ||
+  fail "--max-time"
+"$program" status timed.db --check > /dev/null
+[ $? = 75 ] || fail "--max-time and --check"
+
+# Alone: SIGTERM ends it within a second, with exit 0.
+"$program" search "$campaign" --catalogue alone.db --progress none > /dev/null 2>&1 &
+search=$!
+sleep 1
+kill -TERM $search
+wait $search || fail "SIGTERM alone: exit $?"
+[ "$(sql alone.db 'SELECT sum(draws) > 0 FROM unit')" = 1 ] || fail "SIGTERM alone: nothing kept"
+finish

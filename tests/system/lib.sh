@@ -1,0 +1,48 @@
+# For the whole-program tests: called as TEST.sh PROGRAM SOURCE_DIR, each runs in a directory of its own.
+set -u
+program=$1
+source_dir=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+finish() {
+  [ "$failures" -eq 0 ] && echo "all good"
+  exit $((failures > 0))
+}
+
+# "${ranks[@]}" N "$program" ...: under mpirun. No function: in the background $! must be mpirun itself.
+ranks=(mpirun --oversubscribe --bind-to none -n)
+
+# quick_campaign FILE: a campaign of short paths, about 1 ms a draw, most of them accepted.
+quick_campaign() {
+  sed 's/"end_deg": 180/"end_deg": 30/; s/"deploys_from_deg": 150/"deploys_from_deg": 20/' \
+    "$source_dir/search/campaigns/miura-4x4.json" > "$1"
+}
+
+# sql FILE QUERY: the first row's first column.
+sql() { sqlite3 -readonly "$1" "$2"; }
+
+digest_of() { "$program" status "$1" --json | sed -n 's/.*"digest": "\(.*\)".*/\1/p'; }
+
+# sound FILE DRAWS: integrity, no gap, no overlap, and every draw counted once.
+sound() {
+  [ "$(sql "$1" 'PRAGMA integrity_check')" = ok ] || fail "$1: integrity_check"
+  [ -z "$(sql "$1" 'PRAGMA foreign_key_check')" ] || fail "$1: foreign_key_check"
+  [ "$(sql "$1" 'SELECT count(*) FROM gaps')" = 0 ] || fail "$1: gaps"
+  local overlaps='SELECT count(*) FROM unit a JOIN unit b ON a.lo < b.lo AND b.lo < a.hi'
+  [ "$(sql "$1" "$overlaps")" = 0 ] || fail "$1: overlaps"
+  [ "$(sql "$1" 'SELECT sum(hi - lo) FROM unit')" = "$2" ] || fail "$1: draws"
+  [ "$(sql "$1" 'SELECT sum(accepted) = (SELECT count(*) FROM candidate) FROM unit')" = 1 ] ||
+    fail "$1: accepted and candidates"
+  local per_unit='SELECT count(*) FROM unit WHERE accepted !=
+    (SELECT count(*) FROM candidate WHERE draw >= lo AND draw < hi)'
+  [ "$(sql "$1" "$per_unit")" = 0 ] || fail "$1: candidates of a unit"
+}

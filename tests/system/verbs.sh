@@ -1,0 +1,71 @@
+# Every verb on a real catalogue, and what it says against the catalogue itself.
+. "$(dirname "$0")/lib.sh"
+campaign=$source_dir/search/campaigns/miura-4x4.json
+"$program" search "$campaign" --draws 1200 > summary 2> log || fail "search"
+file=$(ls results/miura-4x4-*.db)
+[ -s "$file" ] || fail "the default catalogue"
+grep -q "1200 draws" summary || fail "the summary"
+[ "$(wc -l < summary)" = 1 ] || fail "more than the summary on stdout"
+
+"$program" --help | grep -q replay || fail "--help"
+for verb in search status fold replay query export config; do
+  "$program" $verb --help | grep -q Example || fail "$verb --help has no example"
+done
+"$program" --version | grep -q "^compiler" || fail "--version"
+
+"$program" status "$file" --json > status.json || fail "status"
+[ "$(sqlite3 :memory: "SELECT json_extract(readfile('status.json'), '\$.draws')")" = 1200 ] ||
+  fail "status --json"
+"$program" status "$file" --at 170 > /dev/null || fail "status --at"
+"$program" status "$file" --at 120 > /dev/null 2> err
+[ $? = 2 ] || fail "status --at below the threshold"
+
+# A candidate again: replay, export and fold of what was exported give the same verdict.
+draw=$(sql "$file" 'SELECT draw FROM candidate ORDER BY deploys_from_sample DESC, draw LIMIT 1')
+deploys=$(sql "$file" "SELECT deploys_from_deg FROM candidate WHERE draw = $draw")
+field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
+"$program" replay "$file" "$draw" --json > replay.json || fail "replay"
+[ "$(field replay.json verdict.accepted)" = 1 ] || fail "replay: accepted"
+[ "$(field replay.json verdict.deploys_from_deg)" = "$deploys" ] || fail "replay: verdict"
+"$program" export "$file" --best 1 --output out > exported || fail "export"
+[ "$(cat exported)" = "out/miura-4x4-$draw.json" ] || fail "export's names"
+[ "$(field "$(cat exported)" metrics.deploys_from_deg)" = "$deploys" ] || fail "export: metrics"
+sqlite3 :memory: "SELECT json_extract(readfile('$(cat exported)'), '\$.pattern')" > pattern.json
+"$program" fold pattern.json --json > fold.json || fail "fold of an exported pattern"
+[ "$(field fold.json verdict.deploys_from_deg)" = "$deploys" ] || fail "fold: verdict"
+[ "$(field fold.json 'diagonals[0].length_mm[99]')" = \
+  "$(field replay.json 'diagonals[0].length_mm[99]')" ] || fail "fold and replay differ"
+"$program" export "$file" --draw "$draw" --format csv --output out > /dev/null || fail "export csv"
+head -1 "out/miura-4x4-$draw.csv" | grep -q "^pilot_deg,A9-A13_mm" || fail "csv header"
+"$program" export "$file" --where "stroke_max > 0.01" --output out > exported || fail "export --where"
+[ "$(wc -l < exported)" = "$(sql "$file" 'SELECT count(*) FROM candidate WHERE stroke_max > 0.01')" ] ||
+  fail "export --where: count"
+
+# A rejected draw can be looked at too.
+rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 1199)
+  SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
+"$program" replay "$file" "$rejected" --json > rejected.json || fail "replay of a rejected draw"
+[ "$(field rejected.json verdict.accepted)" = 0 ] || fail "replay: a rejected draw"
+"$program" replay "$file" 9223372036854775806 > /dev/null || fail "replay of a draw never made"
+
+for name in best stroke robust simplest acceptance rejections; do
+  for style in "" --json --csv; do
+    "$program" query "$file" $name $style > rows || fail "query $name $style"
+    [ -s rows ] || fail "query $name $style is empty"
+  done
+done
+
+"$program" fold "$source_dir/search/patterns/table1.json" --json > table1.json || fail "fold table1"
+[ "$(field table1.json verdict.deploys_from_deg)" = 156.0 ] || fail "table1: deploys from"
+[ "$(field table1.json unknowns)" = 55 ] || fail "table1: unknowns"
+"$program" fold "$source_dir/search/patterns/table1.json" --to 90 --step 0.5 --json > half.json
+[ "$(field half.json 'samples_deg[#-1]')" = 90.0 ] || fail "fold --to"
+[ "$(sqlite3 :memory: "SELECT json_array_length(readfile('half.json'), '\$.samples_deg')")" = 180 ] ||
+  fail "fold --step"
+
+"$program" config --default > default.json && "$program" config --check default.json > /dev/null ||
+  fail "config"
+for shipped in "$source_dir"/search/campaigns/*.json; do
+  "$program" config --check "$shipped" > /dev/null || fail "config --check $shipped"
+done
+finish
