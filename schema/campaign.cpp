@@ -45,22 +45,24 @@ std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern
   return vertices;
 }
 
-// The largest two-digit number not above x, for a sentence.
+// The largest two-digit number not above x, for a sentence; x is known to 1e-6 of itself.
 double rounded_down(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
-  return std::floor(x / unit) * unit;
+  const double known = x * (1 + 1e-6);
+  const double unit = std::pow(10, std::floor(std::log10(known)) - 1);
+  return std::floor(known / unit) * unit;
 }
 
 void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
                        Misalignment& misalignment) {
   InputFaults& faults = reader.faults();
+  const std::size_t before = faults.sentences().size();
   if (sheet) {
     misalignment.vertices = read_vertices(reader, *sheet);
   } else {
     reader.find("vertices");
   }
   reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
-  if (sheet && faults.none()) {
+  if (sheet && faults.sentences().size() == before) {
     const double safe = solver::largest_safe_amplitude_mm(*sheet, misalignment.vertices);
     if (misalignment.amplitude_mm >= safe) {
       faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
@@ -83,10 +85,11 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, Campaign&
   const std::size_t before = faults.sentences().size();
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
-  path.refuse_unknown_keys();
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
+  const bool numbers_good = faults.sentences().size() == before;
+  path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
-  if (faults.sentences().size() != before) return;
+  if (!numbers_good) return;
   const auto check = [&](const ObjectReader& reader, const char* key, double value, double most) {
     const std::string shown = reader.name(key) + " = " + shown_number(value);
     const double rounded = std::max(1.0, std::round(value / campaign.sample_deg));
@@ -166,13 +169,13 @@ Campaign read_campaign(const Json& value, const std::string& source) {
   }
   reader.require("pattern", "write what is folded; `misalign config --default` shows one");
   const Json* pattern = reader.find("pattern");
-  const std::size_t before = faults.sentences().size();
   if (pattern) {
     campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, faults);
   }
-  const bool sheet_good = pattern && faults.sentences().size() == before;
+  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
+  const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
   read_misalignment(ObjectReader(part("misalignment"), "misalignment", faults),
-                    sheet_good ? &campaign.pattern.base.sheet : nullptr, campaign.misalignment);
+                    has_sheet ? &sheet : nullptr, campaign.misalignment);
   ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
   read_path_and_threshold(path, accept, campaign);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");

@@ -10,7 +10,8 @@
 
 namespace misalign::schema {
 
-/// Draws are numbered 0 to 2^63 - 1, seeds too.
+/// Seeds go from 0 to this, 2^63 - 1; so do draws, of which a half-open range holds all but the
+/// last.
 inline constexpr std::uint64_t kEndOfDraws = (1ULL << 63) - 1;
 
 enum class Levels {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "schema/carried_files.hpp"
+#include "schema/folding_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -26,10 +27,8 @@ Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism
   const auto& vertices = campaign.pattern.base.sheet.vertices_mm;
   Json list = Json::array();
   for (const solver::Diagonal& diagonal : mechanism.diagonals) {
-    list.push_back({{"hole", facet_json(campaign.pattern, mechanism.loops[diagonal.loop].hole)},
-                    {"from", solver::vertex_label(diagonal.from)},
-                    {"to", solver::vertex_label(diagonal.to)},
-                    {"flat_mm", (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm()}});
+    const double flat_mm = (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm();
+    list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
   }
   return list;
 }
@@ -75,27 +74,6 @@ std::uint64_t Goal::planned_end() const {
   return range.lo + *draws;
 }
 
-std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
-  if (verdict.where < 0) return "";
-  const auto joined = [](int a, int b) {
-    return solver::vertex_label(a) + "-" + solver::vertex_label(b);
-  };
-  switch (verdict.first_fault) {
-    case solver::Fault::not_monotone:
-    case solver::Fault::inactive_diagonal:
-      return joined(mechanism.diagonals[verdict.where].from, mechanism.diagonals[verdict.where].to);
-    case solver::Fault::over_folded:
-    case solver::Fault::assignment_flipped:
-      return joined(mechanism.creases[verdict.where].a, mechanism.creases[verdict.where].b);
-    default:
-      return "";
-  }
-}
-
-const char* undecided_cause(const solver::Verdict& verdict) {
-  return verdict.path_end == solver::PathEnd::start_lost ? "start_lost" : "stalled";
-}
-
 Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
                      const solver::Mechanism& mechanism)
     : campaign_(campaign),
@@ -104,7 +82,9 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
       lock_(path),
       database_(open_for_writing(path)) {
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
-  is_new ? create() : check_same_campaign(path);
+  if (!is_new) check_same_campaign(path);
+  database_->exec("PRAGMA journal_mode = WAL");
+  if (is_new) create();
 }
 
 void Catalogue::check_same_campaign(const std::string& path) const {
@@ -149,6 +129,16 @@ std::vector<DrawRange> Catalogue::done() const {
 
 void Catalogue::begin_run(const RunInfo& run, const Goal& goal) {
   goal_ = goal;
+  SQLite::Statement other(*database_,
+                          "SELECT \"commit\" FROM run WHERE golden_verdicts != ? LIMIT 1");
+  other.bind(1, run.golden_verdicts);
+  if (other.executeStep()) {
+    throw UserError(kExitOtherCampaign, "this build (commit " + run.commit +
+                                            ") gives other verdicts on the golden draws "
+                                            "than the one that worked on this catalogue (commit " +
+                                            other.getColumn(0).getString() +
+                                            "); use that build, or another --catalogue");
+  }
   SQLite::Transaction transaction(*database_);
   SQLite::Statement campaign(*database_,
                              "UPDATE campaign SET name = :name, configuration = :configuration, "
@@ -288,21 +278,21 @@ void Catalogue::end_run(const std::string& end) {
   update.bind(1, end);
   update.bind(2, run_);
   update.exec();
-  database_->exec("PRAGMA wal_checkpoint(TRUNCATE)");
-}
-
-std::uint64_t Catalogue::accepted_total() const {
-  return static_cast<std::uint64_t>(
-      database_->execAndGet("SELECT coalesce(sum(accepted), 0) FROM unit").getInt64());
+  // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
+  // reader that is looking just now prevents that, which does no harm.
+  try {
+    database_->setBusyTimeout(0);
+    database_->exec("PRAGMA journal_mode = DELETE");
+  } catch (const SQLite::Exception&) {
+  }
 }
 
 CatalogueState read_state(SQLite::Database& database) {
   SQLite::Transaction snapshot(database);  // one moment for all that follows
   CatalogueState state{};
-  SQLite::Statement campaign(
-      database,
-      "SELECT identity, name, configuration, range_lo, range_hi, goal_draws, "
-      "goal_accepted, goal_end FROM campaign");
+  SQLite::Statement campaign(database,
+                             "SELECT identity, name, range_lo, range_hi, goal_draws, "
+                             "goal_accepted, goal_end FROM campaign");
   campaign.executeStep();
   const auto draw = [](const SQLite::Column& column) {
     return static_cast<std::uint64_t>(column.getInt64());
@@ -312,11 +302,10 @@ CatalogueState read_state(SQLite::Database& database) {
   };
   state.identity = campaign.getColumn(0).getString();
   state.name = campaign.getColumn(1).getString();
-  state.configuration = Json::parse(campaign.getColumn(2).getString());
-  state.goal.range = {draw(campaign.getColumn(3)), draw(campaign.getColumn(4))};
-  state.goal.draws = optional_draw(campaign.getColumn(5));
-  state.goal.accepted = optional_draw(campaign.getColumn(6));
-  state.goal_end = draw(campaign.getColumn(7));
+  state.goal.range = {draw(campaign.getColumn(2)), draw(campaign.getColumn(3))};
+  state.goal.draws = optional_draw(campaign.getColumn(4));
+  state.goal.accepted = optional_draw(campaign.getColumn(5));
+  state.goal_end = draw(campaign.getColumn(6));
 
   const auto count = [&](const std::string& sql) {
     SQLite::Statement statement(database, sql);
@@ -357,7 +346,8 @@ CatalogueState read_state(SQLite::Database& database) {
     state.gaps.push_back({draw(gaps.getColumn(0)), draw(gaps.getColumn(1))});
   }
   SQLite::Statement faults(database,
-                           "SELECT first_fault, count(*) FROM fault_sample GROUP BY first_fault");
+                           "SELECT first_fault, count(*) FROM fault_sample WHERE draw NOT IN "
+                           "(SELECT draw FROM candidate) GROUP BY first_fault");
   while (faults.executeStep()) {
     state.faults[faults.getColumn(0).getString()] = draw(faults.getColumn(1));
   }

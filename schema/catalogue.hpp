@@ -54,12 +54,6 @@ struct RunInfo {
   int ranks;
 };
 
-/// "A17-A23" of a diagonal or crease that a verdict names; empty if it names none.
-std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict);
-
-/// "start_lost" or "stalled".
-const char* undecided_cause(const solver::Verdict& verdict);
-
 /// The writer, on rank 0 only.
 class Catalogue {
  public:
@@ -69,6 +63,7 @@ class Catalogue {
 
   /// Ranges of draws that are done, ascending.
   std::vector<DrawRange> done() const;
+  /// UserError: 5 if a build with other golden verdicts worked on this catalogue.
   void begin_run(const RunInfo& run, const Goal& goal);
   /// One transaction: the unit, its candidates and what else belongs to it, and the goal's end.
   void commit(const UnitRecord& unit, int worker);
@@ -78,7 +73,6 @@ class Catalogue {
   /// Where the goal ends as far as is known: earlier than planned once the draws done without a gap
   /// hold the accepted ones that were wanted.
   std::uint64_t goal_end() const { return goal_end_; }
-  std::uint64_t accepted_total() const;
 
  private:
   void check_same_campaign(const std::string& path) const;
@@ -98,14 +92,14 @@ class Catalogue {
 /// Totals of what lies below the goal's end.
 struct CatalogueState {
   std::string identity, name;
-  Json configuration;
   Goal goal;
   std::uint64_t goal_end;
   std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end
   std::uint64_t draws_in_ledger;
   std::vector<DrawRange> gaps;
   std::string digest;
-  std::map<std::string, std::uint64_t> faults;  ///< first faults of the fault sample
+  std::map<std::string, std::uint64_t>
+      faults;          ///< first faults of the rejected draws in the fault sample
   double draws_per_s;  ///< of the last run that committed something, all ranks together
 };
 

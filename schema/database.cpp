@@ -27,7 +27,9 @@ bool check_kind(SQLite::Database& database, const std::string& path) {
     const int version = database.execAndGet("PRAGMA user_version").getInt();
     const int tables = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt();
     if (id == 0 && version == 0 && tables == 0) return false;
-    if (id != kApplicationId) throw not_a_catalogue(path);
+    const int campaigns =
+        database.execAndGet("SELECT count(*) FROM sqlite_schema WHERE name = 'campaign'").getInt();
+    if (id != kApplicationId || campaigns == 0) throw not_a_catalogue(path);
     if (version > kSchemaVersion) {
       throw UserError(kExitOtherCampaign, path + ": has schema version " + std::to_string(version) +
                                               " (this program knows up to " +
@@ -87,7 +89,6 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path) {
     auto database = std::make_unique<SQLite::Database>(
         path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout_ms);
     check_kind(*database, path);
-    database->exec("PRAGMA journal_mode = WAL");
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA foreign_keys = ON");
     return database;

@@ -18,8 +18,9 @@ inline constexpr int kSchemaVersion = 1;
 /// UserError: 3 no such file or no catalogue, 5 a newer schema.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
-/// The one writer's connection: WAL, synchronous FULL, foreign keys. Creates the file if there is
-/// none. UserError: 1 the directory cannot be written, 3 no catalogue, 5 a newer schema.
+/// The one writer's connection: synchronous FULL, foreign keys. Changes nothing in the file yet.
+/// Creates the file if there is none. UserError: 1 the directory cannot be written, 3 no catalogue,
+/// 5 a newer schema.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path);
 
 /// An exclusive advisory lock on the catalogue's file that dies with the process.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "schema/catalogue.hpp"
-
 namespace misalign::schema {
 namespace {
 
@@ -17,13 +15,9 @@ Json column_json(const Eigen::MatrixXd& matrix, Eigen::Index column) {
 Json diagonals_json(const FoldingView& view, bool histories) {
   Json list = Json::array();
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
-    const solver::Diagonal& diagonal = view.mechanism.diagonals[d];
-    Json entry = {{"hole", facet_json(view.base, view.mechanism.loops[diagonal.loop].hole)},
-                  {"from", solver::vertex_label(diagonal.from)},
-                  {"to", solver::vertex_label(diagonal.to)},
-                  {"flat_mm", view.history.flat_mm[d]}};
-    if (histories) entry["length_mm"] = column_json(view.history.length_mm, d);
-    list.push_back(std::move(entry));
+    list.push_back(diagonal_json(view.base, view.mechanism, view.mechanism.diagonals[d],
+                                 view.history.flat_mm[d]));
+    if (histories) list.back()["length_mm"] = column_json(view.history.length_mm, d);
   }
   return list;
 }
@@ -33,6 +27,34 @@ double largest(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
+                   const solver::Diagonal& diagonal, double flat_mm) {
+  return {{"hole", facet_json(base, mechanism.loops[diagonal.loop].hole)},
+          {"from", solver::vertex_label(diagonal.from)},
+          {"to", solver::vertex_label(diagonal.to)},
+          {"flat_mm", flat_mm}};
+}
+
+std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
+  if (verdict.where < 0) return "";
+  switch (verdict.first_fault) {
+    case solver::Fault::not_monotone:
+    case solver::Fault::inactive_diagonal:
+      return solver::line_label(mechanism.diagonals[verdict.where].from,
+                                mechanism.diagonals[verdict.where].to);
+    case solver::Fault::over_folded:
+    case solver::Fault::assignment_flipped:
+      return solver::line_label(mechanism.creases[verdict.where].a,
+                                mechanism.creases[verdict.where].b);
+    default:
+      return "";
+  }
+}
+
+const char* undecided_cause(const solver::Verdict& verdict) {
+  return verdict.path_end == solver::PathEnd::start_lost ? "start_lost" : "stalled";
+}
 
 Json verdict_json(const FoldingView& view) {
   const solver::Verdict& verdict = view.history.verdict;

@@ -17,6 +17,16 @@ struct FoldingView {
   double sample_deg;
 };
 
+/// {"hole": [row, column], "from", "to", "flat_mm"}
+Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
+                   const solver::Diagonal& diagonal, double flat_mm);
+
+/// "A17-A23" of a diagonal or crease that a verdict names; empty if it names none.
+std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict);
+
+/// "start_lost" or "stalled".
+const char* undecided_cause(const solver::Verdict& verdict);
+
 /// {"deploys_from_deg", "first_fault", "fault_deg", "where", ...}; fault_deg and where may be null.
 Json verdict_json(const FoldingView& view);
 

@@ -4,9 +4,40 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace misalign::schema {
+namespace {
+
+// Looks on while JSON is parsed: refuses what is nested too deeply to be meant (and would exhaust
+// the stack later), and keys that are there twice, of which one would be ignored in silence.
+struct StructureGuard {
+  static constexpr int kDeepest = 32;
+  std::string path;
+  std::vector<std::set<std::string>> keys = {};  // of the objects that are open, by depth
+
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > kDeepest) {
+      throw UserError(kExitBadInput, path + ": is nested more than " + std::to_string(kDeepest) +
+                                         " levels deep (no file of ours is); mend it there");
+    }
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start) {
+      keys.resize(level + 2);
+      keys[level + 1].clear();
+    } else if (event == Json::parse_event_t::key) {
+      const std::string key = parsed.get<std::string>();
+      if (!keys.at(level).insert(key).second) {
+        throw UserError(kExitBadInput,
+                        path + ": " + key + " is there twice (only one can count); take one out");
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace
 
 void InputFaults::add(const std::string& problem, const std::string& why,
                       const std::string& suggestion) {
@@ -111,7 +142,7 @@ Json read_json_file(const std::string& path) {
   std::stringstream text;
   text << file.rdbuf();
   try {
-    return Json::parse(text.str());
+    return Json::parse(text.str(), StructureGuard{path});
   } catch (const Json::exception& error) {
     std::string what = error.what();
     what = what.substr(what.find(']') + 2);  // without "[json.exception...] "

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 #include "solver/perforation.hpp"
 
 namespace misalign::schema {
 namespace {
 
-constexpr double kMostSide = 64;  // a dense Jacobian of 64 x 64 panels is 0.8 GB already
+constexpr double kMostSide = 40;  // 3,900 unknowns: a dense Jacobian of 120 MB
 constexpr double kLeastLength_mm = 1e-3, kMostLength_mm = 1e6;
 
 void read_shape(ObjectReader& reader, solver::MiuraShape& shape) {

@@ -114,7 +114,17 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
     }
     return text;
   } catch (const SQLite::Exception& error) {
-    throw bad_sql(error.what());
+    switch (error.getErrorCode()) {
+      case SQLITE_BUSY:
+      case SQLITE_CORRUPT:
+      case SQLITE_FULL:
+      case SQLITE_IOERR:
+      case SQLITE_NOMEM:
+        throw UserError(kExitFailure,
+                        "the catalogue could not be read (" + std::string(error.what()) + ")");
+      default:
+        throw bad_sql(error.what());
+    }
   }
 }
 

@@ -23,6 +23,18 @@ namespace {
 using schema::Json;
 using schema::UserError;
 
+// A number within bounds, which NaN is not.
+CLI::Validator within(double least, double most) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return "";
+        return text + " is not a number from " + schema::shown_number(least) + " to " +
+               schema::shown_number(most);
+      },
+      "");
+}
+
 // What a verb's options set, and what to do once they are read.
 using Action = std::function<int()>;
 
@@ -78,7 +90,7 @@ Action add_search(CLI::App& app) {
   verb->add_option("--accepted", options->accepted, "accepted draws wanted in total")
       ->check(draw_count);
   verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(within(0, 1e9));
   verb->add_option("--seed", options->seed, "instead of the campaign's seed")->check(draw_count);
   verb->add_option("--range", *range, "only the draws LO:HI (half-open)");
   verb->add_option("--unit-draws", options->unit_draws,
@@ -131,9 +143,9 @@ Action add_fold(CLI::App& app) {
   auto options = std::make_shared<FoldOptions>();
   verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
   verb->add_option("--to", options->to_deg, "last pilot angle, degrees [180]")
-      ->check(CLI::Range(1.0, 180.0));
+      ->check(within(1, 180));
   verb->add_option("--step", options->step_deg, "look at multiples of this too, degrees")
-      ->check(CLI::Range(0.01, 180.0));
+      ->check(within(0.01, 180));
   verb->add_flag("--json", options->json, "as JSON");
   return [options] {
     fold(*options);
@@ -185,8 +197,9 @@ Action add_export(CLI::App& app) {
   auto options = std::make_shared<ExportOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   auto* choice = verb->add_option_group("choice", "which candidates");
-  choice->add_option("--draw", options->draw, "this one");
-  choice->add_option("--best", options->best, "so many, the best first");
+  const auto count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
+  choice->add_option("--draw", options->draw, "this one")->check(count);
+  choice->add_option("--best", options->best, "so many, the best first")->check(count);
   choice->add_option("--where", options->where, "those for which this SQL condition holds");
   choice->require_option(1);
   verb->add_option("--by", options->by, "column that --best sorts by [deploys_from_deg]");
@@ -222,7 +235,7 @@ Action add_config(CLI::App& app) {
   };
 }
 
-// One word of a CLI11 error, without its exit code.
+// CLI11's sentence with the contract's exit code.
 int usage_error(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   if (launched_rank() == 0) {
@@ -251,14 +264,21 @@ int run_command_line(int argc, char** argv) {
     return usage_error(app, error);
   }
   set_up_log(level);
+  const auto fail = [](const std::exception& error, int exit_code) {
+    if (launched_rank() == 0) spdlog::error("{}", error.what());
+    return exit_code;
+  };
   try {
-    return verbs.at(app.get_subcommands().front()->get_name())();
+    const int exit_code = verbs.at(app.get_subcommands().front()->get_name())();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+      throw UserError(schema::kExitFailure,
+                      "the results could not be written to standard output (is the disk full?)");
+    }
+    return exit_code;
   } catch (const UserError& error) {
-    spdlog::error("{}", error.what());
-    return error.exit_code();
+    return fail(error, error.exit_code());
   } catch (const std::exception& error) {
-    spdlog::error("{}", error.what());
-    return schema::kExitFailure;
+    return fail(error, schema::kExitFailure);
   }
 }
 

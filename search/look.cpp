@@ -27,11 +27,12 @@ void print_folding(const schema::FoldingView& view) {
     std::printf(" at %g deg", verdict["fault_deg"].get<double>());
   }
   if (!verdict["where"].is_null()) std::printf(", %s", verdict["where"].get<std::string>().c_str());
-  std::printf("\nfold limit %.4f deg\n\n%9s", history.path.fold_limit_deg, "pilot_deg");
+  if (verdict.contains("cause")) std::printf(", %s", verdict["cause"].get<std::string>().c_str());
+  const char* const limit =
+      history.path.end == solver::PathEnd::fold_limit ? "fold limit" : "followed to";
+  std::printf("\n%s %.4f deg\n\n%9s", limit, history.path.fold_limit_deg, "pilot_deg");
   for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
-    const std::string name =
-        solver::vertex_label(diagonal.from) + "-" + solver::vertex_label(diagonal.to);
-    std::printf(" %9s", name.c_str());
+    std::printf(" %9s", solver::line_label(diagonal.from, diagonal.to).c_str());
   }
   std::printf("\n%9d", 0);
   for (const double flat : history.flat_mm) std::printf(" %9.4f", flat);
@@ -49,11 +50,16 @@ void print_folding(const schema::FoldingView& view) {
   }
 }
 
+// Whole or not at all: a full disk leaves no half of a file under its name.
 void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
+  const std::filesystem::path part = path.string() + ".part";
+  std::ofstream file(part, std::ios::binary);
   file << text;
   file.close();
-  if (!file) {
+  std::error_code error;
+  if (file) std::filesystem::rename(part, path, error);
+  if (!file || error) {
+    std::filesystem::remove(part, error);
     throw schema::UserError(schema::kExitFailure,
                             path.string() + ": cannot be written; choose another --output");
   }
@@ -112,8 +118,7 @@ void replay(const ReplayOptions& options) {
   const auto history = trial.history(options.draw);
   const schema::FoldingView view{campaign.pattern, trial.shifts_mm(), trial.mechanism(), history,
                                  campaign.sample_deg};
-  const bool accepted = history.verdict.first_fault != solver::Fault::undecided &&
-                        history.verdict.deploys_from_sample >= campaign.threshold_sample();
+  const bool accepted = trial.accepts(history.verdict);
   if (!options.json) {
     std::printf("draw %llu of %s: %s\n", static_cast<unsigned long long>(options.draw),
                 campaign.name.c_str(), accepted ? "accepted" : "not accepted");

@@ -62,7 +62,7 @@ void coordinate(const MpiSession& mpi, const SearchOptions& options, Trial& tria
   const schema::Goal goal = goal_of(options, campaign);
   const BuildInfo& build = build_info();
   catalogue.begin_run({host_name(), build.version, build.commit, build.compiler, build.flags,
-                       trial.golden_verdicts(), mpi.ranks()},
+                       golden_verdicts(), mpi.ranks()},
                       goal);
   spdlog::info("campaign {} ({}), {} ranks, catalogue {}", campaign.name,
                schema::identity(campaign).substr(0, 8), mpi.ranks(), path);
@@ -93,9 +93,13 @@ int run_search(const SearchOptions& options) {
     // Rank 0 alone reads files: here is its exit code, then the campaign it resolved.
     if (const int exit_code = mpi.broadcast(0)) return exit_code;
     const std::string resolved = mpi.broadcast(std::string());
-    Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"));
-    run_worker(mpi, trial);
-    return 0;
+    try {
+      Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"));
+      run_worker(mpi, trial);
+      return 0;
+    } catch (const std::exception& error) {
+      mpi.abort(fail(error, schema::kExitFailure));  // rank 0 would wait for ever
+    }
   }
   std::optional<Trial> trial;
   std::optional<schema::Catalogue> catalogue;
@@ -121,11 +125,13 @@ int run_search(const SearchOptions& options) {
   try {
     coordinate(mpi, options, *trial, path, *catalogue);
     return 0;
+  } catch (const schema::UserError& error) {
+    exit_code = fail(error, error.exit_code());
   } catch (const std::exception& error) {
     exit_code = fail(error, schema::kExitFailure);
-    if (mpi.ranks() > 1) mpi.abort(exit_code);
-    return exit_code;
   }
+  if (mpi.ranks() > 1) mpi.abort(exit_code);
+  return exit_code;
 }
 
 }  // namespace misalign::search

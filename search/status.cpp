@@ -51,11 +51,11 @@ std::string status_text(const schema::CatalogueState& state) {
     text += name + std::string(13 - name.size(), ' ') + value + "\n";
   };
   line("campaign", state.name + " (" + state.identity.substr(0, 8) + ")");
-  line("draws", std::to_string(state.draws) +
-                    (endless(state.goal_end)
-                         ? " of an unlimited goal"
-                         : " of " + std::to_string(state.goal_end - state.goal.range.lo)));
-  if (!endless(state.goal_end)) line("missing", std::to_string(missing(state)));
+  line("goal", "draws from " + std::to_string(state.goal.range.lo) +
+                   (endless(state.goal_end) ? " on, without end"
+                                            : " to " + std::to_string(state.goal_end) + ", " +
+                                                  std::to_string(missing(state)) + " missing"));
+  line("draws", std::to_string(state.draws));
   line("accepted", std::to_string(state.accepted) + ", " + rate_text(state.accepted, state.draws));
   line("rejected", std::to_string(state.rejected));
   line("undecided", std::to_string(state.undecided));

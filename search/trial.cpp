@@ -23,10 +23,7 @@ void Trial::displace(std::uint64_t draw) {
 Outcome Trial::run(std::uint64_t draw) {
   displace(draw);
   const solver::Verdict verdict = reference_.judge(vertices_mm_);
-  if (verdict.first_fault == solver::Fault::undecided ||
-      verdict.deploys_from_sample < campaign_.threshold_sample()) {
-    return {verdict, std::nullopt};
-  }
+  if (!accepts(verdict)) return {verdict, std::nullopt};
   const solver::PerforatedSheet& base = campaign_.pattern.base;
   const auto history = solver::record_history(base, mechanism_, plan_, vertices_mm_);
   const auto metrics = solver::measure(base, vertices_mm_, history, campaign_.sample_deg);
@@ -38,12 +35,20 @@ solver::FoldingHistory Trial::history(std::uint64_t draw) {
   return solver::record_history(campaign_.pattern.base, mechanism_, plan_, vertices_mm_);
 }
 
-std::string Trial::golden_verdicts() {
-  constexpr std::uint64_t kDraws = 8;
+bool Trial::accepts(const solver::Verdict& verdict) const {
+  return verdict.first_fault != solver::Fault::undecided &&
+         verdict.deploys_from_sample >= campaign_.threshold_sample();
+}
+
+std::string golden_verdicts() {
+  constexpr std::uint64_t kDraws = 32;
+  Trial trial(
+      schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+                             {"accept", {{"deploys_from_deg", 180}}}},
+                            "the golden campaign"));
   std::string whole_numbers;
   for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
-    displace(draw);
-    const solver::Verdict verdict = reference_.judge(vertices_mm_);
+    const solver::Verdict verdict = trial.run(draw).verdict;
     whole_numbers += std::to_string(verdict.deploys_from_sample) +
                      solver::fault_name(verdict.first_fault) + std::to_string(verdict.where) + " ";
   }

@@ -31,9 +31,8 @@ class Trial {
   const schema::Campaign& campaign() const { return campaign_; }
   const solver::Mechanism& mechanism() const { return mechanism_; }
 
-  /// Fingerprint of the verdicts on this campaign's first draws: whole numbers, so any correct
-  /// build gives the same.
-  std::string golden_verdicts();
+  /// Whether the campaign wants a draw with this verdict.
+  bool accepts(const solver::Verdict& verdict) const;
 
  private:
   void displace(std::uint64_t draw);
@@ -46,6 +45,10 @@ class Trial {
   solver::FlatVertices vertices_mm_;
 };
 
+/// Fingerprint of this build's verdicts on fixed draws of a small sheet: whole numbers, the same
+/// for every build whose verdicts can be trusted to agree.
+std::string golden_verdicts();
+
 /// A range of draws being worked off, one draw at a time.
 class UnitWork {
  public:
@@ -53,7 +56,6 @@ class UnitWork {
 
   bool finished() const { return next_ == range_.hi; }
   void run_next_draw();
-  const schema::DrawRange& range() const { return range_; }
   /// What has been done so far: from the range's start up to the next draw.
   schema::UnitRecord take();
 

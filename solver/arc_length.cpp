@@ -27,6 +27,9 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
   next_tangent_.setZero();
   next_tangent_[p] = 1;
   update_tangent(next_tangent_, tangent_);
+  // The bordered determinant keeps its sign along one curve, also round a turn: where another
+  // branch passes close by, a change of it tells that the step went across.
+  const int orientation = solve_.determinant_sign();
   const double gap = 2 * half_sine_between(target, state.creases[pilot]);
   double ds = std::min(options_.longest_step_rad, 0.5 * gap / tangent_[p]);
   double bend = 0;  // fall of the tangent's pilot entry per unit of length, once a turn was passed
@@ -45,7 +48,8 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
       continue;
     }
     update_tangent(tangent_, next_tangent_);
-    if (!(tangent_.dot(next_tangent_) >= options_.least_tangent_cosine)) {
+    if (solve_.determinant_sign() != orientation ||
+        !(tangent_.dot(next_tangent_) >= options_.least_tangent_cosine)) {
       ds *= 0.5;
       continue;
     }

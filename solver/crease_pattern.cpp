@@ -13,7 +13,7 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return in.x() * out.y() - in.y() * out.x();
 }
 
-// Least turn at any corner when each movable vertex sits anywhere in a square of half side `a`.
+// Whether every corner turns left wherever each movable vertex sits in a square of half side `a`.
 // The turn is linear in each coordinate, so its least value is taken at corners of the squares.
 bool stays_convex(const CreasePattern& sheet, const std::vector<bool>& movable, double a) {
   for (const auto& facet : sheet.facets) {
@@ -111,6 +111,8 @@ std::vector<int> ring_vertices(const CreasePattern& sheet) {
 
 std::string vertex_label(int vertex) { return "A" + std::to_string(vertex + 1); }
 
+std::string line_label(int from, int to) { return vertex_label(from) + "-" + vertex_label(to); }
+
 std::vector<int> nonconvex_facets(const CreasePattern& sheet, const FlatVertices& vertices_mm) {
   std::vector<int> bad;
   for (int f = 0; f < sheet.facet_count(); ++f) {
@@ -130,7 +132,7 @@ double largest_safe_amplitude_mm(const CreasePattern& sheet, const std::vector<i
   std::vector<bool> movable(sheet.vertex_count(), false);
   for (const int v : shifted) movable[v] = true;
   double safe = 0, unsafe = sheet.panel_width_mm + sheet.vertices_mm.cwiseAbs().maxCoeff();
-  while (unsafe - safe > 1e-6 * sheet.panel_width_mm) {
+  while (unsafe - safe > 1e-9 * sheet.panel_width_mm) {
     const double middle = 0.5 * (safe + unsafe);
     (stays_convex(sheet, movable, middle) ? safe : unsafe) = middle;
   }

@@ -47,12 +47,15 @@ std::vector<int> ring_vertices(const CreasePattern& sheet);
 /// "A1" for vertex 0.
 std::string vertex_label(int vertex);
 
+/// "A17-A23" for vertices 16 and 22.
+std::string line_label(int from, int to);
+
 /// Facets (by index) that are not strictly convex, counter-clockwise quadrilaterals at the
 /// vertices.
 std::vector<int> nonconvex_facets(const CreasePattern& sheet, const FlatVertices& vertices_mm);
 
 /// The largest amplitude a (mm) such that no facet can lose convexity while each of the `shifted`
-/// vertices moves by up to a along x and along y. Within 1e-6 of the sheet's width.
+/// vertices moves by up to a along x and along y. Within 1e-9 panel widths.
 double largest_safe_amplitude_mm(const CreasePattern& sheet, const std::vector<int>& shifted);
 
 }  // namespace misalign::solver

@@ -1,5 +1,5 @@
-// The folded sheet as vertex coordinates, and the check that shares nothing with loop closure:
-// rigid panels keep the lengths of their edges and diagonals.
+// The folded sheet as vertex coordinates, and a check that needs no equation of loop closure: rigid
+// panels keep the lengths of their edges and diagonals.
 #pragma once
 
 #include <Eigen/Core>

@@ -19,11 +19,6 @@ double ClosureSystem::evaluate(const SheetGeometry<double>& geometry,
   return open;
 }
 
-double ClosureSystem::evaluate_residual(const SheetGeometry<double>& geometry,
-                                        const FoldState<double>& state) {
-  return solver::evaluate<double>(mechanism_, geometry, state, residual_.data(), nullptr);
-}
-
 int DenseSolve::determinant_sign() const {
   const auto diagonal = lu_.matrixLU().diagonal();
   int sign = static_cast<int>(lu_.permutationP().determinant());

@@ -36,8 +36,6 @@ class ClosureSystem {
 
   /// Residual and Jacobian at `state`; returns how far the worst loop is open.
   double evaluate(const SheetGeometry<double>& geometry, const FoldState<double>& state);
-  /// Residual only.
-  double evaluate_residual(const SheetGeometry<double>& geometry, const FoldState<double>& state);
 
   const Mechanism& mechanism() const { return mechanism_; }
   const Eigen::VectorXd& residual() const { return residual_; }
@@ -96,7 +94,6 @@ class Newton {
 
   /// Factors of the square Jacobian (pilot column removed).
   DenseSolve& factors() { return solve_; }
-  ClosureSystem& system() { return system_; }
 
  private:
   NewtonOptions options_;

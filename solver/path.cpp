@@ -10,6 +10,9 @@ namespace {
 // Unjumped 1-degree steps move a crease by 1 to 3 degrees, more only within 0.1 of a fold limit.
 constexpr double kJumpHalfSine = 0.17364817766693033;
 
+// A quotient this close below a whole number, relative, is that number: 170.3 / 0.1.
+constexpr double kWholeMultiple = 1e-9;
+
 // Angles closer than this are one stop: far below any sample_deg, far above rounding.
 constexpr double kSameAngle_deg = 1e-9;
 
@@ -18,10 +21,11 @@ constexpr double kSameAngle_deg = 1e-9;
 PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
                    const FlatVertices& base_vertices_mm, const PathPlanOptions& options) {
   PathPlan plan;
-  plan.end_deg = options.end_deg;
   const auto add_multiples = [&](double step_deg, bool visit, bool sampled) {
-    for (int k = 1; k * step_deg <= options.end_deg + kSameAngle_deg; ++k) {
-      plan.stops.push_back({k * step_deg, {}, sampled ? k : 0, visit});
+    const int count = static_cast<int>(options.end_deg / step_deg * (1 + kWholeMultiple));
+    for (int k = 1; k <= count; ++k) {
+      const double angle_deg = std::min(k * step_deg, options.end_deg);
+      plan.stops.push_back({angle_deg, {}, sampled ? k : 0, visit});
     }
   };
   add_multiples(options.sample_deg, true, true);
@@ -29,6 +33,7 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
   if (options.sample_deg > options.longest_step_deg) {
     add_multiples(options.longest_step_deg, false, false);
   }
+  plan.stops.push_back({options.end_deg, {}, 0, true});
   // Of equal angles the sample comes first and stays.
   std::stable_sort(plan.stops.begin(), plan.stops.end(), [](const Stop& a, const Stop& b) {
     return a.pilot_deg < b.pilot_deg - kSameAngle_deg;

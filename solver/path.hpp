@@ -20,13 +20,12 @@ struct Stop {
 struct PathPlan {
   std::vector<Stop> stops;
   FoldState<double> start;
-  double end_deg;
 };
 
 struct PathPlanOptions {
   double sample_deg = 1;
-  double end_deg = 180;
-  double look_deg = 0;  ///< visit multiples of this as well; 0: only the samples
+  double end_deg = 180;  ///< visited, whether it is a sample or not
+  double look_deg = 0;   ///< visit multiples of this as well; 0: only the samples
   double longest_step_deg = 1;
 };
 
@@ -37,7 +36,7 @@ enum class PathEnd {
   end_reached,  ///< the last stop was solved
   stopped,      ///< the visitor had seen enough
   fold_limit,   ///< the pilot turns (found by arc length) before the next stop
-  start_lost,   ///< Newton did not converge from the base folding: a numerical failure
+  start_lost,   ///< Newton found no first solution near the base folding: a numerical failure
   stalled       ///< neither Newton nor arc length found a way on: a numerical failure
 };
 

@@ -4,8 +4,16 @@
 #include <algorithm>
 
 #include "solver/newton.hpp"
+#include "solver/singular_value.hpp"
 
 namespace misalign::solver {
+namespace {
+
+// Singular values below this part of the largest count as zero: the least true one at the angles
+// looked at is above 1e-4, rounding below 1e-14.
+constexpr double kRankThreshold = 1e-9;
+
+}  // namespace
 
 std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vector<int>& holes) {
   std::vector<bool> is_hole(sheet.facet_count(), false);
@@ -22,8 +30,8 @@ std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vect
     if (edge.on_perimeter()) {
       on_perimeter[facet] = true;
     } else if (is_hole[edge.left] && is_hole[edge.right]) {
-      faults.push_back(name(edge.left) + " shares the edge " + vertex_label(edge.a) + "-" +
-                       vertex_label(edge.b) + " with another hole");
+      faults.push_back(name(edge.left) + " shares the edge " + line_label(edge.a, edge.b) +
+                       " with another hole");
     }
   }
   for (const int f : holes) {
@@ -50,8 +58,18 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
     const auto state =
         base_state(mechanism, folding, sheet.vertices_mm, half_angle_of_deg(pilot_deg));
     system.evaluate(geometry, state);
+    if (mechanism.unknowns == mechanism.equations + 1) {
+      // The usual case, much cheaper than an SVD: the square Jacobian is regular.
+      DenseSolve factors(mechanism.equations);
+      factors.factorize(system.jacobian().leftCols(mechanism.equations));
+      const double smallest = SmallestSingularValue(mechanism.equations).of(factors);
+      if (smallest > kRankThreshold * system.jacobian().norm()) {
+        mobility.rank = mechanism.equations;
+        return mobility;
+      }
+    }
     Eigen::BDCSVD<Eigen::MatrixXd> svd(system.jacobian());
-    svd.setThreshold(1e-9);
+    svd.setThreshold(kRankThreshold);
     mobility.rank = std::max(mobility.rank, static_cast<int>(svd.rank()));
   }
   return mobility;

@@ -23,9 +23,8 @@ struct Mobility {
   int degrees_of_freedom() const { return unknowns - rank; }
 };
 
-/// Mobility by rank: the largest over pilot angles 40, 75 and 110 degrees, singular values below
-/// 1e-9 of the largest counting as zero (the least true one there is above 1e-4, rounding below
-/// 1e-14). `holes` must have no hole_faults.
+/// Mobility by rank: the largest over pilot angles 40, 75 and 110 degrees. `holes` must have no
+/// hole_faults.
 Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,
                            const BaseFolding& folding);
 

@@ -1,5 +1,5 @@
 // Vectors, rotation matrices and unit quaternions over any scalar: double, a register of lanes, a
-// dual number. Only +, -, * and one square root, always in the order written, so that a result does
+// dual number. Only +, -, *, / and square roots, always in the order written, so that a result does
 // not depend on the compiler's or a library's choice of instructions.
 #pragma once
 

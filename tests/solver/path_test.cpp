@@ -88,14 +88,28 @@ TEST(Path, FoldLimitIsATurningPoint) {
   EXPECT_NEAR(above.path.fold_limit_deg, limit_deg, 1e-6);
 }
 
+// Two branches pass close by each other at 170.65 degrees (draw 53262 of miura-4x4, seed 1, found
+// in a review): the walk must stay on its own. The sheet folds a crease past 180 degrees, it does
+// not stall.
+TEST(Path, StaysOnItsBranchWhereAnotherPassesCloseBy) {
+  const TestSheet sheet(4, 4);
+  const auto history = record_history(
+      sheet.base, sheet.mechanism, sheet.plan(),
+      sheet.shifted(Json::parse(
+          R"({"A13": [-0.4, 0.0], "A17": [0.4, -0.4], "A18": [-0.4, 0.0], "A19": [-0.4, 0.4], "A7": [0.4, 0.4], "A8": [-0.4, 0.0], "A9": [-0.4, -0.4]})")));
+  EXPECT_EQ(history.verdict.first_fault, Fault::over_folded);
+  EXPECT_EQ(history.verdict.deploys_from_sample, 170);
+  EXPECT_EQ(history.path.end, PathEnd::fold_limit);
+}
+
 TEST(Path, EndAskedForIsTheLimitReported) {
   const TestSheet sheet(6, 6);
   PathPlanOptions short_path;
-  short_path.end_deg = 60;
+  short_path.end_deg = 60.3;
   const auto history = record_history(sheet.base, sheet.mechanism, sheet.plan(short_path),
                                       sheet.shifted({{"A9", {0.4, 0.0}}}));
   EXPECT_EQ(history.path.end, PathEnd::end_reached);
-  EXPECT_EQ(history.path.fold_limit_deg, 60);
+  EXPECT_EQ(history.path.fold_limit_deg, 60.3);
   EXPECT_EQ(history.verdict.first_fault, Fault::none);
   EXPECT_EQ(history.verdict.deploys_from_sample, 60);
 }

@@ -52,6 +52,12 @@ s/"panel_width_mm": 80.0/"panel_width_mm": 1e308/|panel_width_mm
 s/"name": "miura-6x6"/"name": "..\/x"/|named after it
 CASES
 
+# Nested to exhaust a stack, and a key twice.
+printf '{"name": %s%s}' "$(printf '[%.0s' {1..9999})" "$(printf ']%.0s' {1..9999})" > ../deep.json
+refused 3 "levels deep" config --check ../deep.json
+echo '{"seed": 1, "seed": 2}' > ../twice.json
+refused 3 "seed is there twice" config --check ../twice.json
+
 # All faults at once.
 campaign 's/"seed": 1/"seed": -1/; s/"ternary"/"many"/; s/"amplitude_mm"/"amplitud_mm"/'
 refused 3 "3 faults" search ../campaign.json
@@ -64,6 +70,9 @@ refused 2 "see misalign --help" serch
 refused 2 "required" search
 refused 2 "--range" search "$source_dir/search/campaigns/miura-4x4.json" --range 5:5
 refused 2 "draws" search "$source_dir/search/campaigns/miura-4x4.json" --draws -3
+
+refused 2 "is not a number" fold "$source_dir/search/patterns/table1.json" --to nan
+refused 2 "is not a number" search "$source_dir/search/campaigns/miura-4x4.json" --max-time nan
 
 # Patterns.
 echo '{ "family": "miura", "rows": 6, "columns": 6, "displacements_mm": { "A99": [0, 0] } }' > ../p.json
@@ -94,6 +103,11 @@ cp ../held.db ../newer.db
 sqlite3 ../newer.db 'PRAGMA user_version = 99' > /dev/null
 refused 5 "schema version 99" status ../newer.db
 
+# A build that gave other verdicts.
+cp ../held.db ../mixed.db
+sqlite3 ../mixed.db "UPDATE run SET golden_verdicts = 'other'"
+refused 5 "other verdicts" search "$source_dir/search/campaigns/miura-4x4.json" --catalogue ../mixed.db
+
 # A second search on a catalogue in use.
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --catalogue ../busy.db --progress none \
   > /dev/null 2>&1 &
@@ -109,6 +123,10 @@ refused 1 "cannot be written" \
 refused 1 "cannot be written" \
   search "$source_dir/search/campaigns/miura-4x4.json" --catalogue ../no/such/directory.db
 refused 1 "cannot be made" export ../held.db --best 1 --output /sys/misalign
+
+# Standard output that takes nothing.
+"$program" fold "$source_dir/search/patterns/table1.json" --json > /dev/full 2> ../err
+[ $? = 1 ] || fail "a full standard output"
 
 # SQL that is none, or would write.
 refused 2 "refused" query ../held.db "SELEC 1"

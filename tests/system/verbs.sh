@@ -63,6 +63,11 @@ done
 [ "$(sqlite3 :memory: "SELECT json_array_length(readfile('half.json'), '\$.samples_deg')")" = 180 ] ||
   fail "fold --step"
 
+# A finished catalogue can be read where nobody may write: one plain file, no -wal beside it.
+[ "$(ls results)" = "$(basename "$file")" ] || fail "files beside the finished catalogue: $(ls results)"
+"$program" fold "$source_dir/search/patterns/table1.json" --to 56.3 --json > part.json
+[ "$(field part.json fold_limit_deg)" = 56.3 ] || fail "fold --to between samples"
+
 "$program" config --default > default.json && "$program" config --check default.json > /dev/null ||
   fail "config"
 for shipped in "$source_dir"/search/campaigns/*.json; do
