@@ -27,9 +27,7 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
   next_tangent_.setZero();
   next_tangent_[p] = 1;
   update_tangent(next_tangent_, tangent_);
-  // The bordered determinant keeps its sign along one curve, also round a turn: where another
-  // branch passes close by, a change of it tells that the step went across.
-  const int orientation = solve_.determinant_sign();
+  orientation_ = solve_.determinant_sign();
   const double gap = 2 * half_sine_between(target, state.creases[pilot]);
   double ds = std::min(options_.longest_step_rad, 0.5 * gap / tangent_[p]);
   double bend = 0;  // fall of the tangent's pilot entry per unit of length, once a turn was passed
@@ -40,16 +38,7 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
       return {ArcEnd::turned, limit, steps};
     }
     if (ds < options_.shortest_step_rad) return {ArcEnd::stalled, 0, steps};
-    trial_ = state;
-    step_ = ds * tangent_;
-    advance(mechanism, step_.data(), trial_);
-    if (!correct(geometry)) {
-      ds *= 0.5;
-      continue;
-    }
-    update_tangent(tangent_, next_tangent_);
-    if (solve_.determinant_sign() != orientation ||
-        !(tangent_.dot(next_tangent_) >= options_.least_tangent_cosine)) {
+    if (!step(geometry, state, ds)) {
       ds *= 0.5;
       continue;
     }
@@ -74,6 +63,21 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
     ds = bend > 0 ? tangent_[p] / bend : std::min(1.5 * ds, options_.longest_step_rad);
   }
   return {ArcEnd::stalled, 0, options_.max_steps};
+}
+
+// From `from` by `ds` along tangent_ to the next point of the same curve, in trial_ with its
+// tangent in next_tangent_; false if the step was too long. The bordered determinant keeps its sign
+// along one curve, also round a turn: where another branch passes close by, a change tells that it
+// went across.
+bool ArcLength::step(const SheetGeometry<double>& geometry, const FoldState<double>& from,
+                     double ds) {
+  trial_ = from;
+  step_ = ds * tangent_;
+  advance(system_.mechanism(), step_.data(), trial_);
+  if (!correct(geometry)) return false;
+  update_tangent(tangent_, next_tangent_);
+  return solve_.determinant_sign() == orientation_ &&
+         tangent_.dot(next_tangent_) >= options_.least_tangent_cosine;
 }
 
 // Newton on trial_ in the plane across tangent_; leaves the Jacobian of the solution in system_.

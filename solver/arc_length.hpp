@@ -41,6 +41,7 @@ class ArcLength {
                  int forward_sign, Newton& newton, FoldState<double>& state);
 
  private:
+  bool step(const SheetGeometry<double>& geometry, const FoldState<double>& from, double ds);
   bool correct(const SheetGeometry<double>& geometry);
   void update_tangent(const Eigen::VectorXd& border, Eigen::VectorXd& tangent);
   bool land(const SheetGeometry<double>& geometry, const HalfAngle<double>& target,
@@ -51,6 +52,7 @@ class ArcLength {
   DenseSolve solve_;
   Eigen::MatrixXd bordered_;
   Eigen::VectorXd rhs_, step_, tangent_, next_tangent_;
+  int orientation_ = 0;  // sign of the bordered determinant on the curve being walked
   FoldState<double> trial_, landing_;
 };
 

@@ -1,6 +1,6 @@
 #include "solver/perforation.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/QR>
 #include <algorithm>
 
 #include "solver/newton.hpp"
@@ -59,7 +59,7 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
         base_state(mechanism, folding, sheet.vertices_mm, half_angle_of_deg(pilot_deg));
     system.evaluate(geometry, state);
     if (mechanism.unknowns == mechanism.equations + 1) {
-      // The usual case, much cheaper than an SVD: the square Jacobian is regular.
+      // The usual case, cheaper than the rank itself: the square Jacobian is regular.
       DenseSolve factors(mechanism.equations);
       factors.factorize(system.jacobian().leftCols(mechanism.equations));
       const double smallest = SmallestSingularValue(mechanism.equations).of(factors);
@@ -68,9 +68,9 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
         return mobility;
       }
     }
-    Eigen::BDCSVD<Eigen::MatrixXd> svd(system.jacobian());
-    svd.setThreshold(kRankThreshold);
-    mobility.rank = std::max(mobility.rank, static_cast<int>(svd.rank()));
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(system.jacobian());
+    qr.setThreshold(kRankThreshold);
+    mobility.rank = std::max(mobility.rank, static_cast<int>(qr.rank()));
   }
   return mobility;
 }
