@@ -6,9 +6,9 @@ cd "$(dirname "$0")/.."
 . scripts/packages.sh
 need_packages $build_packages
 
-cmake --preset release -DMISALIGN_TESTS=OFF -B build/run > /dev/null
-cmake --build build/run
-program=build/run/misalign
+cmake --preset release -DMISALIGN_TESTS=OFF > /dev/null
+cmake --build --preset release --target misalign
+program=build/release/misalign
 
 cores=$(nproc)
 summary=$(mpirun --bind-to none -n "$cores" "$program" search search/campaigns/miura-6x6.json \

@@ -8,7 +8,7 @@ need_packages $build_packages $test_packages
 
 scripts/check.sh
 
-cmake --preset release -DMISALIGN_WERROR=ON > /dev/null
+cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON > /dev/null
 cmake --build --preset release
 cmake --preset asan -DMISALIGN_WERROR=ON > /dev/null
 cmake --build --preset asan --target solver_test schema_test search_test

@@ -17,14 +17,14 @@ struct ProgressCounts {
 class Progress {
  public:
   explicit Progress(ProgressStyle style);
-  /// Prints if 30 s have gone by (2 s the first time), or if `now`.
+  /// Prints if 30 s have gone by (10 s the first time), or if `now`.
   void show(const ProgressCounts& counts, bool now = false);
   double seconds() const;
 
  private:
   ProgressStyle style_;
   std::chrono::steady_clock::time_point start_;
-  double next_s_ = 2;
+  double next_s_ = 10;
 };
 
 }  // namespace misalign::search

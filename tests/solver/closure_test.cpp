@@ -84,6 +84,7 @@ TEST(LoopClosure, JacobianEqualsDualNumbersAtRandomStates) {
         }
       }
     }
+    RecordProperty("worst_relative_error_" + std::to_string(rows), scientific(worst));
     EXPECT_LE(worst, 1e-12) << "seed " << seed << ", " << rows << " x " << columns;
   }
 }

@@ -34,7 +34,7 @@ TEST_P(Table1, LengthsVerdictAndFoldLimit) {
     }
   }
   EXPECT_LE(worst_mm, 1e-8);
-  RecordProperty("worst_length_error_mm", std::to_string(worst_mm));
+  RecordProperty("worst_length_error_mm", scientific(worst_mm));
 }
 
 INSTANTIATE_TEST_SUITE_P(Golden, Table1, testing::Values("table1_odd.json", "table1_even.json"));
@@ -88,7 +88,7 @@ TEST(Golden, IsometryOnEverySampleAtEveryPanelSize) {
   }
   EXPECT_EQ(patterns, 3 * (2 + 178));
   EXPECT_LE(worst_ratio, 1.0);
-  RecordProperty("worst_isometry_error_of_80_mm_panels_mm", std::to_string(1e-9 * worst_ratio));
+  RecordProperty("worst_isometry_error_of_80_mm_panels_mm", scientific(1e-9 * worst_ratio));
 }
 
 }  // namespace

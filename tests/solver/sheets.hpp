@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,6 +17,13 @@ using Json = nlohmann::json;
 
 inline Json golden(const std::string& name) {
   return Json::parse(std::ifstream(std::string(MISALIGN_SOURCE_DIR "/tests/golden/") + name));
+}
+
+/// "5.5e-10", for a recorded property.
+inline std::string scientific(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", value);
+  return text;
 }
 
 /// A perforated Miura-ori in proportion to the paper's, panels `width_mm` wide.
