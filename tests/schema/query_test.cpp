@@ -1,0 +1,125 @@
+// Reading a catalogue: whoever reads cannot write, and tables come in three styles.
+#include "catalogue_fixture.hpp"
+
+namespace misalign::schema {
+namespace {
+
+TEST_F(CatalogueTest, ReadersCannotWrite) {
+  {
+    Catalogue catalogue = open();
+    catalogue.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
+    catalogue.commit(unit(0, 4096), 0);
+  }
+  const CatalogueState before = state();
+  const auto database = open_for_reading(path());
+  const std::string elsewhere = path("elsewhere.db");
+  const std::string kWrites[] = {
+      "INSERT INTO screened VALUES ('x', 1, 1)",
+      "UPDATE campaign SET goal_end = 1",
+      "DELETE FROM candidate",
+      "DROP TABLE candidate",
+      "CREATE TABLE t (x)",
+      "CREATE TEMP TABLE t (x)",
+      "ATTACH '" + elsewhere + "' AS other",
+      "VACUUM INTO '" + elsewhere + "'",
+      "PRAGMA user_version = 9",
+      "PRAGMA application_id = 9",
+      "PRAGMA writable_schema = ON",
+      "PRAGMA journal_mode = DELETE",
+      "PRAGMA query_only = OFF",
+      "SELECT load_extension('x')",
+  };
+  for (const std::string& sql : kWrites) {
+    EXPECT_THROW(
+        {
+          SQLite::Statement statement(*database, sql);
+          while (statement.executeStep()) {
+          }
+        },
+        SQLite::Exception)
+        << sql;
+    EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::json); }).exit_code, kExitUsage)
+        << sql;
+  }
+  EXPECT_FALSE(std::filesystem::exists(elsewhere));
+  EXPECT_EQ(state().digest, before.digest);
+  EXPECT_EQ(state().goal_end, before.goal_end);
+}
+
+TEST_F(CatalogueTest, QueriesThatAreNoneAreRefused) {
+  open();
+  const auto database = open_for_reading(path());
+  for (const char* sql :
+       {"", "   ", "-- nothing", ";", "SELEKT 1", "SELECT * FROM nowhere", "SELECT 1; SELECT 2",
+        "SELECT 1; nonsense", "SELECT 1; DROP TABLE unit", "BEGIN", "SELECT abs('x', 1)"}) {
+    for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
+      const Refusal r = refusal([&] { query_table(*database, sql, style); });
+      EXPECT_EQ(r.exit_code, kExitUsage) << sql;
+      EXPECT_NE(r.sentence.find(named_query_list()), std::string::npos) << r.sentence;
+    }
+  }
+  for (const char* sql : {"SELECT 1 AS x", "SELECT 1 AS x;", " SELECT 1 AS x ; -- done\n"}) {
+    EXPECT_EQ(query_table(*database, sql, TableStyle::csv), "x\n1\n") << sql;
+  }
+}
+
+TEST_F(CatalogueTest, NamedQueriesRunOnAnyCatalogue) {
+  open("empty.db");
+  {
+    Catalogue catalogue = open();
+    catalogue.begin_run(kRun, {{0, kEndOfDraws}, 8192, {}});
+    catalogue.commit(unit(0, 8192), 0);
+  }
+  int queries = 0;
+  for (const CarriedFile& file : carried_files()) {
+    const std::filesystem::path query = file.path;
+    if (query.parent_path() != "schema/queries") continue;
+    ++queries;
+    EXPECT_EQ(named_query(query.stem()), file.text);
+    EXPECT_NE(named_query_list().find(query.stem()), std::string::npos);
+    const auto filled = open_for_reading(path()), empty = open_for_reading(path("empty.db"));
+    for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
+      EXPECT_EQ(refusal([&] { query_table(*empty, file.text, style); }).sentence, "") << query;
+    }
+    EXPECT_FALSE(Json::parse(query_table(*filled, file.text, TableStyle::json)).empty()) << query;
+  }
+  EXPECT_GE(queries, 5);
+  EXPECT_EQ(named_query("no such query"), "");
+  EXPECT_EQ(named_query("../catalogue"), "");
+}
+
+TEST_F(CatalogueTest, TablesInThreeStyles) {
+  open();
+  const auto database = open_for_reading(path());
+  const std::string sql =
+      "SELECT 'a,b' AS \"x,y\", 'say \"hi\"' AS quote, 'two' || char(10) || 'lines' AS line, "
+      "char(13) AS cr, 0.1 AS real, NULL AS none, -7 AS whole, ' plain' AS plain";
+  // RFC 4180, with \n between records.
+  EXPECT_EQ(query_table(*database, sql, TableStyle::csv),
+            "\"x,y\",quote,line,cr,real,none,whole,plain\n"
+            "\"a,b\",\"say \"\"hi\"\"\",\"two\nlines\",\"\r\",0.1,,-7, plain\n");
+  const Json expected = {{{"x,y", "a,b"},
+                          {"quote", "say \"hi\""},
+                          {"line", "two\nlines"},
+                          {"cr", "\r"},
+                          {"real", 0.1},
+                          {"none", nullptr},
+                          {"whole", -7},
+                          {"plain", " plain"}}};
+  EXPECT_EQ(Json::parse(query_table(*database, sql, TableStyle::json)), expected);
+  EXPECT_EQ(
+      query_table(*database, "SELECT 'b' AS name, 5 AS n UNION ALL SELECT 'long', 10 ORDER BY n",
+                  TableStyle::aligned),
+      "name   n\n"
+      "b      5\n"
+      "long  10\n");
+  EXPECT_EQ(query_table(*database, "SELECT 1 AS x WHERE 0", TableStyle::csv), "x\n");
+  EXPECT_EQ(query_table(*database, "SELECT 1 AS x WHERE 0", TableStyle::json), "[]\n");
+  // CSV and JSON keep every bit of a real.
+  const double third = 1.0 / 3;
+  EXPECT_EQ(std::stod(query_table(*database, "SELECT 1.0 / 3 AS x", TableStyle::csv).substr(2)),
+            third);
+}
+
+}  // namespace
+}  // namespace misalign::schema
