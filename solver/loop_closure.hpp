@@ -52,19 +52,6 @@ Vec3<T> flat_point(const SheetGeometry<T>& geometry, int vertex) {
   return {geometry.x[vertex], geometry.y[vertex], T(0)};
 }
 
-/// Product of the first `count` joints of a loop.
-template <class T>
-Pose<T> loop_pose(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
-                  const FoldState<T>& state, const Loop& loop, int count) {
-  Pose<T> pose = Pose<T>::identity();
-  for (int i = 0; i < count; ++i) {
-    const Passage& passage = loop.passages[i];
-    pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
-                            flat_point(geometry, passage.vertex));
-  }
-  return pose;
-}
-
 /// Largest of the nine entries of |R - I| and, for six equations, of the three of |t|.
 template <class T>
 T open_by(const Pose<T>& loop, int rows) {

@@ -114,7 +114,12 @@ TEST(LoopClosure, HalfTurnOfOneCreaseIsOpen) {
     twisted.creases[loop.passages[0].joint] = {0, 1};
     evaluate<double>(sheet.mechanism, sheet.geometry, twisted, residual.data(), nullptr);
     for (int row = 0; row < 3; ++row) EXPECT_NEAR(residual[loop.first_row + row], 0, 1e-15);
-    EXPECT_GE(open_by(loop_pose(sheet.mechanism, sheet.geometry, twisted, loop, 4), 3), 1.0);
+    Pose<double> pose = Pose<double>::identity();
+    for (const Passage& passage : loop.passages) {
+      pose = pose.then_rotate(passage_rotation(sheet.mechanism, sheet.geometry, twisted, passage),
+                              flat_point(sheet.geometry, passage.vertex));
+    }
+    EXPECT_GE(open_by(pose, 3), 1.0);
   }
 }
 

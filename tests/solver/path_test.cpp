@@ -62,11 +62,8 @@ TEST(Path, FoldLimitIsATurningPoint) {
   const Json table = golden("table1_odd.json");
   const TestSheet sheet(6, 6, table["holes"]);
   const FlatVertices vertices = sheet.shifted(table["displacements_mm"]);
-  SheetGeometry<double> geometry;
-  place(sheet.mechanism, vertices, geometry);
-  PathTracker tracker(sheet.mechanism);
-  const auto ignore = [](const Stop&, const FoldState<double>&) { return true; };
-  const double limit_deg = tracker.follow(geometry, sheet.plan(), ignore).fold_limit_deg;
+  const double limit_deg =
+      record_history(sheet.base, sheet.mechanism, sheet.plan(), vertices).path.fold_limit_deg;
 
   const auto history_to = [&](double end_deg) {
     PathPlan plan = sheet.plan();

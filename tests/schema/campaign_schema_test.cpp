@@ -1,0 +1,232 @@
+// campaign.schema.json and read_campaign accept and refuse the same files.
+#include "schema_agreement.hpp"
+
+namespace misalign::schema {
+namespace {
+
+TEST(SchemaFiles, DescribeEveryKeyAndRefuseEveryOther) {
+  for (const Json& schema : {campaign_schema(), candidate_schema()}) {
+    walk(schema, [](const Pointer& at, const Json& part) {
+      if (!part.is_object()) return;
+      if (part.contains("properties")) {
+        EXPECT_EQ(part.value("additionalProperties", true), false) << at;
+      }
+      if (!at.empty() && at.back() == "properties") {
+        for (const auto& [key, child] : part.items()) {
+          EXPECT_FALSE(child.value("description", "").empty()) << at / key;
+        }
+      }
+    });
+  }
+}
+
+TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
+  const Json defaults = campaign_json(default_campaign());
+  const auto properties = properties_of(campaign_schema());
+  std::set<std::string> schema_keys;
+  const std::set<std::string> required = {"/pattern/family", "/pattern/rows", "/pattern/columns"};
+  for (const auto& [at, property] : properties) {
+    schema_keys.insert(at);
+    ASSERT_TRUE(defaults.contains(Pointer(at))) << at;
+    const bool optional_leaf = !property.contains("properties") && !required.contains(at);
+    ASSERT_EQ(property.contains("default"), optional_leaf) << at;
+    if (optional_leaf) {
+      EXPECT_EQ(property["default"], defaults[Pointer(at)]) << at;
+    }
+  }
+  EXPECT_EQ(schema_keys, keys_of(defaults));
+}
+
+TEST(CampaignSchema, DefaultsAreWhatTheCodeFillsIn) {
+  const Json defaults = campaign_json(default_campaign());
+  for (const auto& [at, property] : properties_of(campaign_schema())) {
+    if (!property.contains("default")) continue;
+    const Json shorter = without(defaults, Pointer(at));
+    EXPECT_EQ(complaint(campaign_schema(), shorter), "") << at;
+    EXPECT_EQ(campaign_json(read_campaign(shorter, at)), defaults) << at;
+  }
+}
+
+TEST(CampaignSchema, AcceptsTheDefaultAndEveryShippedFile) {
+  EXPECT_EQ(complaint(campaign_schema(), campaign_json(default_campaign())), "");
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(MISALIGN_SOURCE_DIR) +
+                                                               "/search/campaigns")) {
+    if (entry.path().extension() != ".json") continue;
+    ++files;
+    EXPECT_EQ(complaint(campaign_schema(), read_json_file(entry.path())), "") << entry.path();
+    const Campaign campaign = read_campaign_file(entry.path());
+    EXPECT_EQ(campaign.name, entry.path().stem());
+    EXPECT_EQ(complaint(campaign_schema(), campaign_json(campaign)), "") << entry.path();
+  }
+  EXPECT_GE(files, 3);
+}
+
+constexpr Mutation kRefused[] = {
+    {"/extra", "1"},
+    {"/pattern/extra", "1"},
+    {"/misalignment/extra", "1"},
+    {"/path/extra", "1"},
+    {"/accept/extra", "1"},
+    {"/stop/extra", "1"},
+    {"/pattern/displacements_mm", "{\"A10\": [0.4, 0.0]}"},
+    {"/name", "\"\""},
+    {"/name", "\"two words\""},
+    {"/name", "\"../up\""},
+    {"/name", "\".hidden\""},
+    {"/name", "\"-option\""},
+    {"/name", "\"line\\n\""},
+    {"/pattern/family", "\"waterbomb\""},
+    {"/pattern/rows", "2"},
+    {"/pattern/rows", "65"},
+    {"/pattern/rows", "-6"},
+    {"/pattern/rows", "6.5"},
+    {"/pattern/rows", "1e30"},
+    {"/pattern/columns", "2"},
+    {"/pattern/columns", "65"},
+    {"/pattern/panel_width_mm", "0"},
+    {"/pattern/panel_width_mm", "0.0009"},
+    {"/pattern/panel_width_mm", "-80"},
+    {"/pattern/panel_width_mm", "1000001"},
+    {"/pattern/panel_height_mm", "0.0009"},
+    {"/pattern/panel_height_mm", "1000001"},
+    {"/pattern/zigzag_offset_mm", "0.0009"},
+    {"/pattern/zigzag_offset_mm", "1000001"},
+    {"/pattern/holes", "\"checkerboard\""},
+    {"/pattern/holes", "[]"},
+    {"/pattern/holes", "[7]"},
+    {"/pattern/holes", "[[1]]"},
+    {"/pattern/holes", "[[1, 2, 3]]"},
+    {"/pattern/holes", "[[1, \"2\"]]"},
+    {"/pattern/holes", "[[1, 2.5]]"},
+    {"/pattern/holes", "[[-1, 2]]"},
+    {"/pattern/holes", "[[1, 64]]"},
+    {"/pattern/holes", "[[1, 2], [1, 2]]"},
+    {"/misalignment/vertices", "\"all\""},
+    {"/misalignment/vertices", "[]"},
+    {"/misalignment/vertices", "[9]"},
+    {"/misalignment/vertices", "[\"9\"]"},
+    {"/misalignment/vertices", "[\"A0\"]"},
+    {"/misalignment/vertices", "[\"A09\"]"},
+    {"/misalignment/vertices", "[\"A9x\"]"},
+    {"/misalignment/vertices", "[\"A9\", \"A9\"]"},
+    {"/misalignment/amplitude_mm", "0"},
+    {"/misalignment/amplitude_mm", "9e-10"},
+    {"/misalignment/amplitude_mm", "-0.4"},
+    {"/misalignment/amplitude_mm", "1000001"},
+    {"/misalignment/levels", "\"binary\""},
+    {"/path/sample_deg", "0"},
+    {"/path/sample_deg", "0.009"},
+    {"/path/sample_deg", "60.5"},
+    {"/path/end_deg", "0"},
+    {"/path/end_deg", "181"},
+    {"/accept/deploys_from_deg", "0"},
+    {"/accept/deploys_from_deg", "181"},
+    {"/seed", "-1"},
+    {"/seed", "1.5"},
+    // Not 2^63, the first that is refused: to valijson, which compares in double, it is 2^63 - 1.
+    {"/seed", "9223372036854780000"},
+    {"/stop/draws", "-1"},
+    {"/stop/draws", "0.5"},
+    {"/stop/draws", "9223372036854780000"},
+    {"/stop/accepted", "-1"},
+    {"/stop/accepted", "0.5"},
+    {"/stop/accepted", "9223372036854780000"},
+    {"/stop/wall_s", "-1"},
+    {"/stop/wall_s", "1000000001"},
+};
+
+void expect_refused_by_both(const Json& schema, const Json& value, const std::string& key) {
+  EXPECT_NE(complaint(schema, value), "") << "the schema accepts " << value;
+  const std::string sentence = refusal(value);
+  EXPECT_NE(sentence, "") << "read_campaign accepts " << value;
+  EXPECT_NE(sentence.find(key), std::string::npos) << key << " is not named: " << sentence;
+}
+
+TEST(CampaignSchema, RefusesWhatTheCodeRefuses) {
+  const Json schema = campaign_schema(), good = campaign_json(default_campaign());
+  for (const Mutation& mutation : kRefused) {
+    expect_refused_by_both(schema, with(good, mutation.at, Json::parse(mutation.value)),
+                           dotted(Pointer(mutation.at)));
+  }
+  expect_refused_by_both(schema, with(good, "/name", std::string(101, 'x')), "name");
+}
+
+TEST(CampaignSchema, RefusesEveryWrongType) {
+  const Json schema = campaign_schema(), good = campaign_json(default_campaign());
+  walk(good, [&](const Pointer& at, const Json& value) {
+    const std::string key = at.empty() ? "the document" : dotted(at);
+    // No key holds a boolean, an object where it holds none now, or the other kind of scalar.
+    std::vector<Json> wrong = {true, Json::array({true})};
+    if (!value.is_object()) wrong.push_back(Json::object({{"a", 1}}));
+    if (!value.is_string()) wrong.push_back("text");
+    if (value.is_string() || value.is_object()) wrong.push_back(7);
+    if (key.find("stop.") != 0) wrong.push_back(nullptr);
+    for (const Json& other : wrong) {
+      expect_refused_by_both(schema, at.empty() ? other : with(good, at.to_string(), other), key);
+    }
+  });
+}
+
+TEST(CampaignSchema, RefusesMissingKeys) {
+  const Json schema = campaign_schema(), good = campaign_json(default_campaign());
+  for (const char* at : {"/pattern", "/pattern/family", "/pattern/rows", "/pattern/columns"}) {
+    expect_refused_by_both(schema, without(good, Pointer(at)), dotted(Pointer(at)));
+  }
+}
+
+constexpr Mutation kAccepted[] = {
+    {"/name", "\"a\""},
+    {"/name", "\"_4x4-run.2\""},
+    {"/pattern/rows", "4"},
+    {"/pattern/columns", "8"},
+    {"/pattern/panel_width_mm", "20"},
+    {"/pattern/panel_height_mm", "35.5"},
+    {"/pattern/zigzag_offset_mm", "10"},
+    {"/pattern/holes", "\"checkerboard-even\""},
+    {"/pattern/holes", "[[1,2],[1,4],[2,1],[2,3],[3,2],[3,4],[4,1],[4,3]]"},
+    {"/misalignment", "{}"},
+    {"/misalignment/vertices", "\"ring\""},
+    {"/misalignment/vertices", "[\"A41\", \"A9\"]"},
+    {"/misalignment/amplitude_mm", "1e-9"},
+    {"/misalignment/amplitude_mm", "1"},
+    {"/misalignment/levels", "\"uniform\""},
+    {"/path", "{\"sample_deg\": 10}"},
+    {"/path/sample_deg", "0.01"},
+    {"/path/sample_deg", "0.1"},
+    {"/path/end_deg", "175"},
+    {"/accept", "{}"},
+    {"/accept/deploys_from_deg", "1"},
+    {"/accept/deploys_from_deg", "180"},
+    {"/seed", "0"},
+    {"/seed", "9223372036854775807"},
+    {"/stop", "{}"},
+    {"/stop/draws", "0"},
+    {"/stop/draws", "null"},
+    {"/stop/draws", "9223372036854775807"},
+    {"/stop/accepted", "12"},
+    {"/stop/wall_s", "0"},
+    {"/stop/wall_s", "1e9"},
+    // Ends of ranges that need more than one key changed; the pointer "" is the whole document.
+    {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "path": {"sample_deg": 60},
+             "accept": {"deploys_from_deg": 180}})"},
+    {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
+             "path": {"sample_deg": 0.01, "end_deg": 0.01}, "accept": {"deploys_from_deg": 0.01}})"},
+    {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4, "panel_width_mm": 1e6,
+             "panel_height_mm": 1e6, "zigzag_offset_mm": 1e6}})"},
+    {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4, "panel_width_mm": 0.001,
+             "panel_height_mm": 0.001, "zigzag_offset_mm": 0.001},
+             "misalignment": {"amplitude_mm": 1e-9}})"},
+};
+
+TEST(CampaignSchema, AcceptsWhatTheCodeAccepts) {
+  const Json schema = campaign_schema(), good = campaign_json(default_campaign());
+  for (const Mutation& mutation : kAccepted) {
+    const Json value = with(good, mutation.at, Json::parse(mutation.value));
+    EXPECT_EQ(complaint(schema, value), "") << value;
+    EXPECT_EQ(refusal(value), "") << value;
+  }
+}
+
+}  // namespace
+}  // namespace misalign::schema

@@ -1,0 +1,136 @@
+// candidate.schema.json describes what `misalign export` writes.
+#include "schema_agreement.hpp"
+
+namespace misalign::schema {
+namespace {
+
+/// The candidate that Table 1 would be, as `misalign export` writes it.
+Json table1_candidate() {
+  static const Json candidate = [] {
+    const Campaign campaign = default_campaign();
+    const solver::PerforatedSheet& base = campaign.pattern.base;
+    Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count());
+    const Json golden = source_json("tests/golden/table1_odd.json");
+    for (const auto& [label, shift] : golden.at("displacements_mm").items()) {
+      shifts_mm.col(vertex_of_label(label, base.sheet.vertex_count())) << shift[0].get<double>(),
+          shift[1].get<double>();
+    }
+    const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+    const auto plan =
+        solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign.path());
+    const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
+    const auto history = solver::record_history(base, mechanism, plan, vertices_mm);
+    const auto metrics = solver::measure(base, vertices_mm, history, campaign.sample_deg);
+    const FoldingView view{campaign.pattern, shifts_mm, mechanism, history, campaign.sample_deg};
+    return candidate_json(campaign, 7, view, metrics);
+  }();
+  return candidate;
+}
+
+TEST(CandidateSchema, AcceptsARealCandidate) {
+  const Json candidate = table1_candidate();
+  EXPECT_EQ(complaint(candidate_schema(), candidate), "");
+  const Json golden = source_json("tests/golden/table1_odd.json");
+  EXPECT_EQ(candidate["metrics"]["deploys_from_deg"], golden["deploys_from_deg"]);
+  EXPECT_EQ(candidate["verdict"]["first_fault"], golden["first_fault"]);
+  EXPECT_EQ(candidate["diagonals"].size(), golden["diagonals"].size());
+  EXPECT_EQ(candidate["metrics"]["shifted_vertices"], golden["displacements_mm"].size());
+  // What is exported can be folded again.
+  InputFaults faults;
+  read_pattern(candidate["pattern"], "", Displacements::allowed, faults);
+  EXPECT_TRUE(faults.none());
+}
+
+TEST(CandidateSchema, NeedsEveryKeyAndRefusesEveryOther) {
+  const Json candidate = table1_candidate(), schema = candidate_schema();
+  int removed = 0;
+  walk(candidate, [&](const Pointer& at, const Json& value) {
+    if (value.is_object()) {
+      EXPECT_NE(complaint(schema, with(candidate, at.to_string() + "/extra", 1)), "") << at;
+      const std::string nowhere = at.to_string() + "/extra";
+      EXPECT_NE(complaint(schema, with(candidate, nowhere, nullptr)), "") << at;
+    }
+    // Elements of arrays, shifts by label and, when nothing is shifted, their object may be absent.
+    const bool optional =
+        at.empty() || at.to_string().find("/displacements_mm") != std::string::npos;
+    if (optional || candidate[at.parent_pointer()].is_array()) return;
+    EXPECT_NE(complaint(schema, without(candidate, at)), "") << at;
+    ++removed;
+  });
+  EXPECT_GT(removed, 40);
+}
+
+TEST(CandidateSchema, RefusesWrongValues) {
+  const Json candidate = table1_candidate(), schema = candidate_schema();
+  constexpr Mutation kWrong[] = {
+      {"/draw", "-1"},
+      {"/draw", "1.5"},
+      {"/campaign/identity", "\"0123\""},
+      {"/campaign/identity", "\"0123456789ABCDEF0123456789ABCDEF\""},
+      {"/verdict/first_fault", "\"undecided\""},
+      {"/verdict/first_fault", "\"inactive_diagonal\""},
+      {"/verdict/where", "\"somewhere\""},
+      {"/verdict/fault_deg", "0"},
+      {"/metrics/deploys_from_sample", "0"},
+      {"/metrics/deploys_from_sample", "null"},
+      {"/metrics/elongation_min", "0.1"},
+      {"/metrics/elongation_max", "-0.1"},
+      {"/metrics/singular_value_min", "null"},
+      {"/metrics/increasing", "0.5"},
+      {"/diagonals", "[]"},
+      {"/diagonals/0/hole", "[1]"},
+      {"/diagonals/0/from", "\"17\""},
+      {"/diagonals/0/flat_mm", "0"},
+      {"/pattern/displacements_mm", "{}"},
+      {"/pattern/displacements_mm/A10", "[0.4]"},
+      {"/pattern/displacements_mm/A10", "[0.4, \"0\"]"},
+      {"/pattern/displacements_mm/B10", "[0.4, 0.4]"},
+  };
+  for (const Mutation& m : kWrong) {
+    EXPECT_NE(complaint(schema, with(candidate, m.at, Json::parse(m.value))), "")
+        << m.at << " = " << m.value;
+  }
+  // Null is a value for what there may be none of, and an unshifted sheet has no displacements.
+  for (const char* at : {"/verdict/fault_deg", "/verdict/where", "/metrics/slope_min_mm_per_deg"}) {
+    EXPECT_EQ(complaint(schema, with(candidate, at, nullptr)), "") << at;
+  }
+  EXPECT_EQ(complaint(schema, without(candidate, Pointer("/pattern/displacements_mm"))), "");
+}
+
+TEST(CandidateSchema, PatternHasTheRangesOfTheCampaign) {
+  const auto candidate = properties_of(candidate_schema());
+  for (const auto& [at, property] : properties_of(campaign_schema()["properties"]["pattern"])) {
+    for (const char* word : {"type", "minimum", "maximum", "enum", "anyOf"}) {
+      EXPECT_EQ(candidate.at("/pattern" + at).value(word, Json()), property.value(word, Json()))
+          << at << " " << word;
+    }
+  }
+}
+
+TEST(CandidateSchema, MetricsAreTheColumnsOfTheCatalogue) {
+  SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  for (const CarriedFile& file : carried_files()) {
+    if (file.path == "schema/catalogue.sql") database.exec(file.text);
+  }
+  std::set<std::string> columns, nullable;
+  SQLite::Statement info(database,
+                         "SELECT name, \"notnull\", pk FROM pragma_table_info('candidate')");
+  while (info.executeStep()) {
+    const std::string name = info.getColumn(0).getString();
+    columns.insert(name);
+    if (info.getColumn(1).getInt() == 0 && info.getColumn(2).getInt() == 0) nullable.insert(name);
+  }
+  const Json metrics = table1_candidate()["metrics"];
+  const Json properties = candidate_schema()["properties"]["metrics"]["properties"];
+  std::set<std::string> rest = columns;
+  for (const auto& [key, value] : metrics.items()) {
+    EXPECT_TRUE(columns.contains(key)) << key;
+    EXPECT_EQ(properties.at(key).at("type").is_array(), nullable.contains(key)) << key;
+    rest.erase(key);
+  }
+  // Everything else a candidate's row holds is no metric.
+  EXPECT_EQ(rest, (std::set<std::string>{"draw", "unit", "displacements_mm", "elongation"}));
+}
+
+}  // namespace
+}  // namespace misalign::schema
