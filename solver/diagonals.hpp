@@ -5,12 +5,52 @@
 
 namespace misalign::solver {
 
+template <class T>
+T distance(const Vec3<T>& p, const Vec3<T>& q) {
+  using std::sqrt;
+  const Vec3<T> d = p - q;
+  return sqrt(dot(d, d));
+}
+
 /// Flat lengths in panel widths, one per diagonal.
-void flat_lengths(const Mechanism& mechanism, const SheetGeometry<double>& geometry,
-                  double* lengths);
+template <class T>
+void flat_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry, T* lengths) {
+  for (const Diagonal& diagonal : mechanism.diagonals) {
+    *lengths++ = distance(flat_point(geometry, diagonal.from), flat_point(geometry, diagonal.to));
+  }
+}
+
+/// The corners of a hole in the frame of the facet where its loop begins.
+template <class T>
+std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+                                     const FoldState<T>& state, const Loop& loop) {
+  std::array<Vec3<T>, 4> points{};
+  Pose<T> pose = Pose<T>::identity();
+  int next = 0;
+  for (int corner = 0; corner < 4; ++corner) {
+    for (; next < loop.arrival[corner]; ++next) {
+      const Passage& passage = loop.passages[next];
+      pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
+                              flat_point(geometry, passage.vertex));
+    }
+    points[corner] = pose * flat_point(geometry, loop.corners[corner]);
+  }
+  return points;
+}
 
 /// Folded lengths in panel widths, one per diagonal, from the corners that each hole's loop passes.
-void folded_lengths(const Mechanism& mechanism, const SheetGeometry<double>& geometry,
-                    const FoldState<double>& state, double* lengths);
+template <class T>
+void folded_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+                    const FoldState<T>& state, T* lengths) {
+  int known_loop = -1;
+  std::array<Vec3<T>, 4> corners{};
+  for (const Diagonal& diagonal : mechanism.diagonals) {
+    if (diagonal.loop != known_loop) {
+      known_loop = diagonal.loop;
+      corners = corner_points(mechanism, geometry, state, mechanism.loops[known_loop]);
+    }
+    *lengths++ = distance(corners[diagonal.from_corner], corners[diagonal.to_corner]);
+  }
+}
 
 }  // namespace misalign::solver

@@ -15,6 +15,7 @@ class Builder {
       : sheet_(sheet), is_hole_(sheet.facet_count(), false) {
     for (const int f : holes) is_hole_[f] = true;
     mechanism_.edges = sheet.edges;
+    mechanism_.vertices = sheet.vertex_count();
     mechanism_.panel_width_mm = sheet.panel_width_mm;
     add_creases(folding);
     for (const int v : interior_vertices(sheet)) add_ball_or_vertex_loop(v);

@@ -70,6 +70,7 @@ struct Mechanism {
   std::vector<Diagonal>
       diagonals;  ///< holes in order; (corner 1, corner 3), then (corner 2, corner 0)
   int pilot;      ///< index of the pilot crease; its unknown is the last column
+  int vertices;   ///< of the sheet
   int unknowns, equations;
   double panel_width_mm;
 

@@ -6,10 +6,6 @@
 namespace misalign::solver {
 namespace {
 
-// A crease that moves over 20 degrees in one step has jumped to another branch: sin(10 degrees).
-// Unjumped 1-degree steps move a crease by 1 to 3 degrees, more only within 0.1 of a fold limit.
-constexpr double kJumpHalfSine = 0.17364817766693033;
-
 // A quotient this close below a whole number, relative, is that number: 170.3 / 0.1.
 constexpr double kWholeMultiple = 1e-9;
 
