@@ -88,13 +88,13 @@ void gather(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const 
   if (passage.ball) {
     // R <- exp(d) R, or its inverse R^T exp(-d) when passed the other way.
     const Mat3<T>& frame = passage.sense > 0 ? before.rotation : after.rotation;
-    const T sign(passage.sense);
+    const T sign = passage.sense > 0 ? T(1) : T(-1);
     screws.add(sign * frame.cx, c);
     screws.add(sign * frame.cy, c);
     screws.add(sign * frame.cz, c);
   } else {
     const int edge = mechanism.creases[passage.joint].edge;
-    const T sign(-passage.sense);
+    const T sign = passage.sense > 0 ? T(-1) : T(1);
     screws.add(sign * (geometry.axis_x[edge] * before.rotation.cx +
                        geometry.axis_y[edge] * before.rotation.cy),
                c);
