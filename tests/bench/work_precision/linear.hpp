@@ -1,0 +1,96 @@
+// Linear solvers for Newton's step, one type each: made once from the places of the Jacobian's
+// values, then factorized at every step. One more solver is one more type with these two functions
+// and a name.
+#pragma once
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+#include <type_traits>
+#include <vector>
+
+#include "solver/loop_closure.hpp"
+
+namespace misalign::bench {
+
+/// PartialPivLU as in solver::Newton, with factors in S, whatever the residual is in.
+template <class S>
+class DenseLinear {
+ public:
+  static constexpr const char* kName = std::is_same_v<S, float> ? "dense LU in single" : "dense LU";
+
+  DenseLinear(const solver::Mechanism& mechanism, const std::vector<solver::JacobianEntry>& entries)
+      : entries_(entries),
+        matrix_(Matrix::Zero(mechanism.equations, mechanism.equations)),
+        lu_(mechanism.equations),
+        x_(mechanism.equations) {}
+
+  /// `values` in the order of jacobian_entries; the pilot's column is left out.
+  template <class T>
+  void factorize(const T* values) {
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      if (entries_[k].column == matrix_.cols()) continue;
+      matrix_(entries_[k].row, entries_[k].column) = static_cast<S>(values[k]);
+    }
+    lu_.compute(matrix_);
+  }
+
+  /// x with matrix * x = rhs.
+  template <class T>
+  void solve(const T* rhs, T* x) {
+    const Eigen::Map<const Eigen::Vector<T, Eigen::Dynamic>> b(rhs, matrix_.cols());
+    x_.noalias() = lu_.permutationP() * b.template cast<S>();
+    lu_.matrixLU().template triangularView<Eigen::UnitLower>().solveInPlace(x_);
+    lu_.matrixLU().template triangularView<Eigen::Upper>().solveInPlace(x_);
+    Eigen::Map<Eigen::Vector<T, Eigen::Dynamic>>(x, matrix_.cols()) = x_.template cast<T>();
+  }
+
+ private:
+  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  const std::vector<solver::JacobianEntry>& entries_;
+  Matrix matrix_;
+  Eigen::PartialPivLU<Matrix> lu_;
+  Eigen::Vector<S, Eigen::Dynamic> x_;
+};
+
+/// Eigen::SparseLU with column ordering (COLAMD), analysed once: what one would take off the shelf.
+class EigenSparseLinear {
+ public:
+  static constexpr const char* kName = "Eigen SparseLU";
+
+  EigenSparseLinear(const solver::Mechanism& mechanism,
+                    const std::vector<solver::JacobianEntry>& entries)
+      : matrix_(mechanism.equations, mechanism.equations), x_(mechanism.equations) {
+    std::vector<Eigen::Triplet<double>> places;
+    for (const solver::JacobianEntry& entry : entries) {
+      if (entry.column < mechanism.equations) places.emplace_back(entry.row, entry.column, 1.0);
+    }
+    matrix_.setFromTriplets(places.begin(), places.end());
+    matrix_.makeCompressed();
+    for (const solver::JacobianEntry& entry : entries) {
+      slot_.push_back(entry.column < mechanism.equations
+                          ? &matrix_.coeffRef(entry.row, entry.column)
+                          : nullptr);
+    }
+    lu_.analyzePattern(matrix_);
+  }
+
+  void factorize(const double* values) {
+    for (std::size_t k = 0; k < slot_.size(); ++k) {
+      if (slot_[k]) *slot_[k] = values[k];
+    }
+    lu_.factorize(matrix_);
+  }
+
+  void solve(const double* rhs, double* x) {
+    x_ = lu_.solve(Eigen::Map<const Eigen::VectorXd>(rhs, matrix_.cols()));
+    Eigen::Map<Eigen::VectorXd>(x, matrix_.cols()) = x_;
+  }
+
+ private:
+  Eigen::SparseMatrix<double> matrix_;
+  std::vector<double*> slot_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
+  Eigen::VectorXd x_;
+};
+
+}  // namespace misalign::bench
