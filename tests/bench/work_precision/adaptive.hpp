@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/diagonals.hpp"
 #include "tests/bench/work_precision/corrector.hpp"
 #include "tests/bench/work_precision/predictor.hpp"
 
@@ -32,7 +33,7 @@ class Adaptive {
         tolerance_(demand.tolerance),
         spacing_deg_(demand.spacing_deg),
         start_(problem.base_state(demand.spacing_deg)),
-        corrector_(mechanism_, demand.tolerance),
+        corrector_(problem.topology(), demand.tolerance),
         state_(start_),
         step_(static_cast<std::size_t>(mechanism_.unknowns)),
         lengths_(mechanism_.diagonals.size()),
@@ -129,7 +130,7 @@ class Adaptive {
   }
 
   void record(const Sheet& sheet, Track& track) {
-    folded_lengths(mechanism_, sheet.geometry, state_, lengths_.data());
+    solver::folded_lengths(mechanism_, sheet.geometry, state_, lengths_.data());
     track.lengths.insert(track.lengths.end(), lengths_.begin(), lengths_.end());
   }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "solver/loop_closure.hpp"
+#include "tests/bench/work_precision/linear.hpp"
 #include "tests/bench/work_precision/problem.hpp"
 #include "tests/bench/work_precision/scalar.hpp"
 
@@ -16,18 +18,17 @@ enum class JacobianBy { analytic, forward_differences };
 template <class T, class Linear>
 class Corrector {
  public:
-  Corrector(const solver::Mechanism& mechanism, double tolerance,
-            JacobianBy by = JacobianBy::analytic)
-      : mechanism_(mechanism),
+  Corrector(const Topology& topology, double tolerance, JacobianBy by = JacobianBy::analytic)
+      : mechanism_(topology.mechanism),
         tolerance_(static_cast<T>(tolerance)),
         by_(by),
-        entries_(solver::jacobian_entries(mechanism)),
-        linear_(mechanism, entries_),
+        entries_(solver::jacobian_entries(mechanism_)),
+        linear_(topology),
         values_(entries_.size()),
-        residual_(static_cast<std::size_t>(mechanism.equations)),
+        residual_(static_cast<std::size_t>(mechanism_.equations)),
         shifted_(residual_),
-        entry_of_(residual_.size() * static_cast<std::size_t>(mechanism.unknowns), -1),
-        step_(static_cast<std::size_t>(mechanism.unknowns), T(0)) {
+        entry_of_(residual_.size() * static_cast<std::size_t>(mechanism_.unknowns), -1),
+        step_(static_cast<std::size_t>(mechanism_.unknowns), T(0)) {
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       entry_of_[place(entries_[k].row, entries_[k].column)] = static_cast<int>(k);
     }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/diagonals.hpp"
 #include "tests/bench/work_precision/corrector.hpp"
 #include "tests/bench/work_precision/predictor.hpp"
 
@@ -23,7 +24,7 @@ class FixedSteps {
         options_(options),
         spacing_deg_(demand.spacing_deg),
         start_(state_as<T>(problem.base_state(options.step_deg))),
-        corrector_(mechanism_, demand.tolerance, options.jacobian),
+        corrector_(problem.topology(), demand.tolerance, options.jacobian),
         state_(start_),
         step_(static_cast<std::size_t>(mechanism_.unknowns)),
         lengths_(mechanism_.diagonals.size()),
@@ -50,7 +51,7 @@ class FixedSteps {
         corrector_.tangent(last_.tangent);
       }
       if (k % steps_a_sample != 0) continue;
-      folded_lengths(mechanism_, geometry, state_, lengths_.data());
+      solver::folded_lengths(mechanism_, geometry, state_, lengths_.data());
       track.lengths.insert(track.lengths.end(), lengths_.begin(), lengths_.end());
     }
     track.converged = true;

@@ -9,6 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "solver/diagonals.hpp"
+#include "solver/loop_closure.hpp"
 #include "tests/bench/work_precision/scalar.hpp"
 
 namespace misalign::bench {
@@ -79,7 +81,7 @@ class Kinsol {
       if (end != KIN_SUCCESS && end != KIN_INITIAL_GUESS_OK) return;
       turn_to(u_);
       std::swap(anchor_, state_);
-      folded_lengths(mechanism_, sheet.geometry, anchor_, lengths_.data());
+      solver::folded_lengths(mechanism_, sheet.geometry, anchor_, lengths_.data());
       track.lengths.insert(track.lengths.end(), lengths_.begin(), lengths_.end());
     }
     track.converged = true;

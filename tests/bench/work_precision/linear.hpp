@@ -1,5 +1,5 @@
-// Linear solvers for Newton's step, one type each: made once from the places of the Jacobian's
-// values, then factorized at every step. One more solver is one more type with these two functions
+// Linear solvers for Newton's step, one type each: made once for a topology, then factorized at
+// every step. One more solver is one more type with these two functions
 // and a name.
 #pragma once
 
@@ -12,17 +12,24 @@
 
 namespace misalign::bench {
 
+/// What a linear solver may be made from.
+struct Topology {
+  const solver::Mechanism& mechanism;
+  const solver::BaseFolding& folding;
+  const solver::FlatVertices& base_vertices_mm;
+};
+
 /// PartialPivLU as in solver::Newton, with factors in S, whatever the residual is in.
 template <class S>
 class DenseLinear {
  public:
   static constexpr const char* kName = std::is_same_v<S, float> ? "dense LU in single" : "dense LU";
 
-  DenseLinear(const solver::Mechanism& mechanism, const std::vector<solver::JacobianEntry>& entries)
-      : entries_(entries),
-        matrix_(Matrix::Zero(mechanism.equations, mechanism.equations)),
-        lu_(mechanism.equations),
-        x_(mechanism.equations) {}
+  explicit DenseLinear(const Topology& topology)
+      : entries_(solver::jacobian_entries(topology.mechanism)),
+        matrix_(Matrix::Zero(topology.mechanism.equations, topology.mechanism.equations)),
+        lu_(topology.mechanism.equations),
+        x_(topology.mechanism.equations) {}
 
   /// `values` in the order of jacobian_entries; the pilot's column is left out.
   template <class T>
@@ -46,7 +53,7 @@ class DenseLinear {
 
  private:
   using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-  const std::vector<solver::JacobianEntry>& entries_;
+  std::vector<solver::JacobianEntry> entries_;
   Matrix matrix_;
   Eigen::PartialPivLU<Matrix> lu_;
   Eigen::Vector<S, Eigen::Dynamic> x_;
@@ -57,19 +64,20 @@ class EigenSparseLinear {
  public:
   static constexpr const char* kName = "Eigen SparseLU";
 
-  EigenSparseLinear(const solver::Mechanism& mechanism,
-                    const std::vector<solver::JacobianEntry>& entries)
-      : matrix_(mechanism.equations, mechanism.equations), x_(mechanism.equations) {
+  explicit EigenSparseLinear(const Topology& topology)
+      : matrix_(topology.mechanism.equations, topology.mechanism.equations),
+        x_(topology.mechanism.equations) {
+    const int equations = topology.mechanism.equations;
+    const auto entries = solver::jacobian_entries(topology.mechanism);
     std::vector<Eigen::Triplet<double>> places;
     for (const solver::JacobianEntry& entry : entries) {
-      if (entry.column < mechanism.equations) places.emplace_back(entry.row, entry.column, 1.0);
+      if (entry.column < equations) places.emplace_back(entry.row, entry.column, 1.0);
     }
     matrix_.setFromTriplets(places.begin(), places.end());
     matrix_.makeCompressed();
     for (const solver::JacobianEntry& entry : entries) {
-      slot_.push_back(entry.column < mechanism.equations
-                          ? &matrix_.coeffRef(entry.row, entry.column)
-                          : nullptr);
+      slot_.push_back(entry.column < equations ? &matrix_.coeffRef(entry.row, entry.column)
+                                               : nullptr);
     }
     lu_.analyzePattern(matrix_);
   }

@@ -5,7 +5,6 @@
 #include "search/draw.hpp"
 #include "tests/bench/work_precision/clock.hpp"
 #include "tests/bench/work_precision/corrector.hpp"
-#include "tests/bench/work_precision/linear.hpp"
 
 namespace misalign::bench {
 namespace {
@@ -49,11 +48,12 @@ void measure(int n, int repeats) {
   };
   const solver::FoldState<double> start = state_at(kFrom_deg);
 
-  const std::vector<solver::JacobianEntry> entries = solver::jacobian_entries(mechanism);
-  std::vector<double> values(entries.size());
+  const std::size_t nonzeros = solver::jacobian_entries(mechanism).size();
+  std::vector<double> values(nonzeros);
   std::vector<double> residual(static_cast<std::size_t>(mechanism.equations)), x(residual);
-  Linear linear(mechanism, entries);
-  Corrector<double, Linear> corrector(mechanism, kTolerance);
+  const Topology topology{mechanism, mesh.folding, mesh.sheet.vertices_mm};
+  Linear linear(topology);
+  Corrector<double, Linear> corrector(topology, kTolerance);
 
   std::vector<double> evaluate_us, linear_us, path_us;
   Effort effort;
@@ -78,7 +78,7 @@ void measure(int n, int repeats) {
     }));
   }
   const int steps = kTo_deg - kFrom_deg;
-  std::printf("%d,%d,%zu,%s,%.2f,%.2f,%.1f,%.1f,%.2f,%s\n", n, mechanism.equations, entries.size(),
+  std::printf("%d,%d,%zu,%s,%.2f,%.2f,%.1f,%.1f,%.2f,%s\n", n, mechanism.equations, nonzeros,
               Linear::kName, median(evaluate_us), median(linear_us), median(path_us) / steps,
               median(path_us), static_cast<double>(effort.corrections) / steps,
               converged ? "yes" : "no");

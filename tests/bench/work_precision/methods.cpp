@@ -4,7 +4,6 @@
 
 #include "tests/bench/work_precision/adaptive.hpp"
 #include "tests/bench/work_precision/fixed_steps.hpp"
-#include "tests/bench/work_precision/linear.hpp"
 #ifdef MISALIGN_WITH_KINSOL
 #include "tests/bench/work_precision/kinsol.hpp"
 #endif

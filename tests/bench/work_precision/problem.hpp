@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "schema/campaign.hpp"
-#include "solver/mechanism.hpp"
+#include "tests/bench/work_precision/linear.hpp"
 
 namespace misalign::bench {
 
@@ -29,6 +29,7 @@ class Problem {
   Problem& operator=(const Problem&) = delete;
 
   const solver::Mechanism& mechanism() const { return mechanism_; }
+  Topology topology() const { return {mechanism_, base_.folding, base_.sheet.vertices_mm}; }
   const std::vector<Sheet>& sheets() const { return sheets_; }
   int diagonals() const { return mechanism_.diagonal_count(); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solver/diagonals.hpp"
 #include "solver/newton.hpp"
 #include "tests/bench/work_precision/scalar.hpp"
 
@@ -88,7 +89,7 @@ void Truth::refine(const Sheet& sheet, const solver::FoldState<double>& near) {
     solver::advance(mechanism, step.data(), state);
   }
   std::vector<Quad> lengths(mechanism.diagonals.size());
-  folded_lengths(mechanism, geometry, state, lengths.data());
+  solver::folded_lengths(mechanism, geometry, state, lengths.data());
   for (const Quad& length : lengths) {
     const double high = static_cast<double>(length);
     lengths_.push_back({high, static_cast<double>(length - high)});
