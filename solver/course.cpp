@@ -12,6 +12,7 @@ void Course::begin(const PathPlan& plan, std::size_t first_stop, int forward_sig
   phase_ = Phase::stepping;
   forward_sign_ = forward_sign;
   corrections_ = tangents_ = walk_steps_ = 0;
+  corrected_rad_ = 0;
   result_ = {};
 }
 
@@ -20,6 +21,7 @@ Move Course::after(const Reading& reading) {
   const bool is_closed = reading.open_by <= options_.closure_tolerance;
   const bool grows = corrections_ > 1 && !(reading.open_by < last_open_);
   last_open_ = reading.open_by;
+  corrected_rad_ += reading.correction_rad;
   if (is_closed) return phase_ == Phase::walking ? walked(reading) : converged(reading);
   if (grows || !std::isfinite(reading.open_by) || corrections_ == options_.max_corrections) {
     return not_there(reading);
@@ -32,8 +34,9 @@ Move Course::after(const Reading& reading) {
 Move Course::converged(const Reading& reading) {
   ++result_.newton_solves;
   const double longest_turn =
-      phase_ == Phase::landing ? std::min(ds_, kJumpHalfSine) : kJumpHalfSine;
+      phase_ == Phase::landing ? std::min(ds_, kJumpHalfSine) : options_.longest_half_sine;
   if (!(reading.largest_half_sine <= longest_turn)) return not_there(reading);
+  if (tangents_ > 0 && corrected_rad_ > options_.longest_correction_rad) return not_there(reading);
   if (forward_sign_ == 0) forward_sign_ = reading.determinant_sign;
   if (reading.determinant_sign != forward_sign_) return not_there(reading);
   return arrive(reading, reading.tangent_pilot < 0 ? -1 : 1);
@@ -60,6 +63,7 @@ Move Course::arrive(const Reading& reading, double tangent_sign) {
 Move Course::proceed() {
   if (++stop_ == plan_->stops.size()) return end(PathEnd::end_reached);
   corrections_ = 0;
+  corrected_rad_ = 0;
   const double h = (target().pilot_deg - result_.fold_limit_deg) * kRadPerDeg;
   const double h1 = step_rad_[0], h2 = step_rad_[1];
   double weight[3] = {h, 0, 0};
@@ -111,6 +115,7 @@ Move Course::walk_on(const HalfAngle<double>& last_pilot) {
     return end(PathEnd::stalled);
   }
   corrections_ = 0;
+  corrected_rad_ = 0;
   Move move;
   move.depart = true;
   move.along[0] = ds_;
@@ -126,6 +131,7 @@ Move Course::walked(const Reading& reading) {
   if (half_sine_between(reading.pilot, target().pilot) >= 0) {
     phase_ = Phase::landing;
     corrections_ = 0;
+  corrected_rad_ = 0;
     Move move;
     move.depart = move.hold = true;
     move.along[0] = ds_ * half_sine_between(target().pilot, reading.last_pilot) /

@@ -11,6 +11,10 @@ struct CourseOptions {
   double closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// Extrapolated stops converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
+  /// Of a crease from one stop to the next, sin(half of it), and of all its corrections together
+  /// (rad): what has gone farther is not believed without a walk.
+  double longest_half_sine = kJumpHalfSine;
+  double longest_correction_rad = 2 * kPi;
   /// Of the walk along the curve: the same as for the reference's.
   ArcLengthOptions walk;
 };
@@ -18,6 +22,7 @@ struct CourseOptions {
 /// What is known after an iteration; `state` is the corrected one, `last` the last one believed.
 struct Reading {
   double open_by;            ///< before the correction
+  double correction_rad;     ///< its largest entry
   int determinant_sign;      ///< of the Jacobian without the pilot's column
   int orientation;           ///< sign of det [J; t] for the unit tangent as it was computed
   double tangent_pilot;      ///< that tangent's pilot entry
@@ -76,6 +81,7 @@ class Course {
   int forward_sign_ = 0;
   int corrections_ = 0;
   double last_open_ = 0;
+  double corrected_rad_ = 0;            // since departing
   int tangents_ = 0;                    // known at the stops before, newest first
   double tangent_pilot_[3] = {1, 1, 1};  // their pilot entries
   double step_rad_[2] = {0, 0};         // pilot steps between those stops

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <type_traits>
 #include <vector>
 
 #include "solver/mechanism.hpp"
@@ -101,8 +102,8 @@ void gather(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const 
   }
 }
 
-template <class T>
-T* write_columns(const Pose<T>& loop, int rows, const LoopScrews<T>& screws, T* values) {
+template <class T, class Values>
+Values write_columns(const Pose<T>& loop, int rows, const LoopScrews<T>& screws, Values values) {
   const T half(0.5);
   const T trace = loop.rotation.trace();
   for (int k = 0; k < screws.count; ++k) {
@@ -126,23 +127,29 @@ T* write_columns(const Pose<T>& loop, int rows, const LoopScrews<T>& screws, T* 
 /// unknown by unknown, row by row. Each place occurs once.
 std::vector<JacobianEntry> jacobian_entries(const Mechanism& mechanism);
 
-/// Residual (one per equation) and, unless `values` is null, the Jacobian's structural nonzeros.
-/// Returns how far the worst loop is open (panel widths, radians): the quantity that is compared
-/// with the closure tolerance. Allocates nothing.
-template <class T>
-T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const FoldState<T>& state,
-           T* residual, T* values) {
+/// Residual (one per equation) and the Jacobian's structural nonzeros into the output iterator
+/// `values`; without the Jacobian if that is nullptr. Returns how far the worst loop is open (panel
+/// widths, radians): the quantity that is compared with the closure tolerance. Allocates nothing.
+template <class T, class Values>
+[[gnu::flatten]] T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const FoldState<T>& state,
+           T* residual, Values values) {
+  constexpr bool kWithJacobian = !std::is_null_pointer_v<Values>;
   using std::max;
   T worst(0);
   const T half(0.5);
   for (const Loop& loop : mechanism.loops) {
-    detail::LoopScrews<T> screws;
+    [[maybe_unused]] detail::LoopScrews<T> screws;
     Pose<T> pose = Pose<T>::identity();
+    bool first = true;
     for (const Passage& passage : loop.passages) {
       const Pose<T> before = pose;
-      pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
-                              flat_point(geometry, passage.vertex));
-      if (values) detail::gather(mechanism, geometry, passage, before, pose, screws);
+      const Mat3<T> turn = passage_rotation(mechanism, geometry, state, passage);
+      const Vec3<T> fixed = flat_point(geometry, passage.vertex);
+      pose = first ? Pose<T>::rotation_about(turn, fixed) : pose.then_rotate(turn, fixed);
+      first = false;
+      if constexpr (kWithJacobian) {
+        detail::gather(mechanism, geometry, passage, before, pose, screws);
+      }
     }
     const Mat3<T>& r = pose.rotation;
     T* row = residual + loop.first_row;
@@ -155,7 +162,7 @@ T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const F
       row[5] = pose.translation.z;
     }
     worst = max(worst, open_by(pose, loop.rows));
-    if (values) values = detail::write_columns(pose, loop.rows, screws, values);
+    if constexpr (kWithJacobian) values = detail::write_columns(pose, loop.rows, screws, values);
   }
   return worst;
 }

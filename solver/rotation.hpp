@@ -84,6 +84,11 @@ struct Pose {
 
   Vec3<T> operator*(const Vec3<T>& p) const { return rotation * p + translation; }
 
+  /// A rotation that keeps the point `fixed` in place.
+  static Pose rotation_about(const Mat3<T>& turn, const Vec3<T>& fixed) {
+    return {turn, fixed - turn * fixed};
+  }
+
   /// This motion followed, in its own frame, by a rotation that keeps the point `fixed` in place.
   Pose then_rotate(const Mat3<T>& turn, const Vec3<T>& fixed) const {
     return {rotation * turn, translation + rotation * (fixed - turn * fixed)};

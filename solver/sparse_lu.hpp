@@ -16,14 +16,25 @@ class SparseLu {
   explicit SparseLu(const Elimination& plan)
       : plan_(plan),
         slots_(plan.slots, T(0)),
-        inverse_pivots_(plan.equations, T(0)),
-        work_(plan.equations + 1, T(0)) {}
+        inverse_pivots_(plan.equations, T(0)) {}
 
-  /// Factors the Jacobian whose nonzeros `evaluate` wrote.
-  void factorize(const T* values) {
+  /// Where `evaluate` writes the Jacobian's nonzeros, each into its slot.
+  class Entry {
+   public:
+    Entry(T* slots, const std::int32_t* slot) : slots_(slots), slot_(slot) {}
+    T& operator*() const { return slots_[*slot_]; }
+    Entry operator++(int) { return {slots_, slot_++}; }
+
+   private:
+    T* slots_;
+    const std::int32_t* slot_;
+  };
+  Entry entries() { return {slots_.data(), plan_.slot_of_value.data()}; }
+
+  /// Factors the Jacobian that was written to entries().
+  void factorize() {
     T* const slots = slots_.data();
     for (const std::int32_t slot : plan_.fill_slots) slots[slot] = T(0);
-    for (const std::int32_t slot : plan_.slot_of_value) slots[slot] = *values++;
     T* inverse = inverse_pivots_.data();
     for (const Pivot& pivot : plan_.pivots) {
       const T inverse_pivot = T(1) / slots[pivot.slot];
@@ -40,13 +51,15 @@ class SparseLu {
     }
   }
 
-  /// y with L y = rhs: rhs one per equation, y in elimination order.
-  void forward(const T* rhs, T* y) const {
+  /// y with L y = rhs: rhs one per equation, y in elimination order. V is T, or lanes that share
+  /// factors of one double each.
+  template <class V>
+  void forward(const V* rhs, V* y) const {
     std::int32_t slot = 0;
     for (int i = 0; i < plan_.equations; ++i) {
       const Pivot& pivot = plan_.pivots[i];
-      T sum = rhs[plan_.row_of[i]];
-      for (; slot < pivot.slot; ++slot) sum = sum - slots_[slot] * y[plan_.column[slot]];
+      V sum = rhs[plan_.row_of[i]];
+      for (; slot < pivot.slot; ++slot) sum = sum - V(slots_[slot]) * y[plan_.column[slot]];
       y[i] = sum;
       slot = pivot.upper.end;
     }
@@ -58,34 +71,28 @@ class SparseLu {
   const T& pilot_coefficient() const { return slots_.back(); }
 
   /// x (one per unknown) with J x = rhs, for values of the last two unknowns that satisfy the
-  /// equation that is left.
-  void backward(const T* y, const T& partner, const T& pilot, T* x) {
+  /// equation that is left; `y`, with room for one more value, is used up.
+  template <class V>
+  void backward(V* y, const V& partner, const V& pilot, V* x) const {
     const int n = plan_.equations;
-    work_[n] = x[plan_.column_of[n]] = pilot;
-    work_[n - 1] = x[plan_.column_of[n - 1]] = partner;
+    x[plan_.column_of[n]] = y[n] = pilot;
+    x[plan_.column_of[n - 1]] = y[n - 1] = partner;
     for (int i = n - 2; i >= 0; --i) {
       const Stretch& upper = plan_.pivots[i].upper;
-      T sum = y[i];
+      V sum = y[i];
       for (std::int32_t u = upper.begin; u < upper.end; ++u) {
-        sum = sum - slots_[u] * work_[plan_.column[u]];
+        sum = sum - V(slots_[u]) * y[plan_.column[u]];
       }
-      work_[i] = x[plan_.column_of[i]] = sum * inverse_pivots_[i];
+      x[plan_.column_of[i]] = y[i] = sum * V(inverse_pivots_[i]);
     }
   }
 
-  /// x with J x = 0, for values of the last two unknowns that satisfy the equation that is left.
-  void null_vector(const T& partner, const T& pilot, T* x) {
-    const int n = plan_.equations;
-    work_[n] = x[plan_.column_of[n]] = pilot;
-    work_[n - 1] = x[plan_.column_of[n - 1]] = partner;
-    for (int i = n - 2; i >= 0; --i) {
-      const Stretch& upper = plan_.pivots[i].upper;
-      T sum = T(0);
-      for (std::int32_t u = upper.begin; u < upper.end; ++u) {
-        sum = sum - slots_[u] * work_[plan_.column[u]];
-      }
-      work_[i] = x[plan_.column_of[i]] = sum * inverse_pivots_[i];
-    }
+  /// x with J x = 0, for values of the last two unknowns that satisfy the equation that is left;
+  /// `work` has room for one value per unknown.
+  template <class V>
+  void null_vector(const V& partner, const V& pilot, V* work, V* x) const {
+    for (int i = 0; i < plan_.equations; ++i) work[i] = V(0);
+    backward(work, partner, pilot, x);
   }
 
   const T& pivot(int i) const { return slots_[plan_.pivots[i].slot]; }
@@ -93,7 +100,7 @@ class SparseLu {
 
  private:
   const Elimination& plan_;
-  std::vector<T> slots_, inverse_pivots_, work_;
+  std::vector<T> slots_, inverse_pivots_;
 };
 
 }  // namespace misalign::solver

@@ -13,7 +13,7 @@
 
 #include "solver/course.hpp"
 #include "solver/diagonals.hpp"
-#include "solver/lane_math.hpp"
+#include "solver/lane_state.hpp"
 #include "solver/sparse_lu.hpp"
 
 namespace misalign::solver {
@@ -26,6 +26,9 @@ struct Departure {
   std::size_t first_stop = 0;
   int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
 };
+
+/// Slopes are differences over this step along the curve: rounding leaves 1e-11 of them.
+inline constexpr double kSlopeStep_rad = 1e-5;
 
 template <class T>
 class Tracker {
@@ -62,11 +65,11 @@ class Tracker {
   }
 
   /// The state at the stop of a lane.
-  void copy_state(int i, FoldState<double>& state) const;
-  /// Diagonals at the stop, panel widths.
-  double length(int diagonal, int i) const { return lane(lengths_[diagonal], i); }
+  void copy_state(int i, FoldState<double>& state) const { copy_lane(last_, i, state); }
+  /// Its diagonals, panel widths.
+  void copy_lengths(int i, double* lengths) const;
   /// Their change per radian of the pilot.
-  double slope(int diagonal, int i);
+  void copy_slopes(int i, double* slopes);
 
  private:
   template <class Client>
@@ -107,19 +110,13 @@ class Tracker {
   SparseLu<T> lu_;
   SheetGeometry<T> geometry_;
   FoldState<T> trial_, last_, ahead_;
-  std::vector<T> residual_, values_, y_, correction_, null_, move_, lengths_, ahead_lengths_;
+  std::vector<T> residual_, y_, correction_, null_, move_, lengths_, ahead_lengths_;
   std::array<std::vector<T>, 3> tangents_;  // newest first
-  T open_, determinant_sign_, orientation_, cosine_, largest_half_sine_;
+  T open_, largest_correction_, determinant_sign_, orientation_, cosine_, largest_half_sine_;
   bool slopes_known_ = false;
   std::array<Course, kWidth> courses_;
   std::array<Move, kWidth> moves_;
 };
-
-/// A lane's value in a state or sheet of lanes.
-template <class T>
-void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i);
-template <class T>
-void put_lane(const FoldState<double>& from, FoldState<T>& to, int i);
 
 }  // namespace misalign::solver
 

@@ -6,74 +6,18 @@
 #include "solver/tracker.hpp"
 
 namespace misalign::solver {
-namespace detail {
-
-template <class T>
-SheetGeometry<T> lanes_of(const Mechanism& mechanism, std::size_t vertices) {
-  SheetGeometry<T> geometry;
-  geometry.x.assign(vertices, T(0));
-  geometry.y.assign(vertices, T(0));
-  geometry.axis_x.assign(mechanism.edges.size(), T(1));
-  geometry.axis_y.assign(mechanism.edges.size(), T(0));
-  return geometry;
-}
-
-// `b` in the lanes where `choice` is positive, else `a`.
-template <class T>
-void replace(const T& choice, const FoldState<T>& b, FoldState<T>& a) {
-  const auto chosen = choice > T(0);
-  for (std::size_t k = 0; k < a.creases.size(); ++k) {
-    a.creases[k] = {select(chosen, b.creases[k].c, a.creases[k].c),
-                    select(chosen, b.creases[k].s, a.creases[k].s)};
-  }
-  for (std::size_t k = 0; k < a.balls.size(); ++k) {
-    const Quaternion<T>&p = a.balls[k], &q = b.balls[k];
-    a.balls[k] = {select(chosen, q.w, p.w), select(chosen, q.x, p.x), select(chosen, q.y, p.y),
-                  select(chosen, q.z, p.z)};
-  }
-}
-
-}  // namespace detail
-
-template <class T>
-void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
-  for (std::size_t v = 0; v < from.x.size(); ++v) {
-    lane(to.x[v], i) = from.x[v];
-    lane(to.y[v], i) = from.y[v];
-  }
-  for (std::size_t e = 0; e < from.axis_x.size(); ++e) {
-    lane(to.axis_x[e], i) = from.axis_x[e];
-    lane(to.axis_y[e], i) = from.axis_y[e];
-  }
-}
-
-template <class T>
-void put_lane(const FoldState<double>& from, FoldState<T>& to, int i) {
-  for (std::size_t k = 0; k < from.creases.size(); ++k) {
-    lane(to.creases[k].c, i) = from.creases[k].c;
-    lane(to.creases[k].s, i) = from.creases[k].s;
-  }
-  for (std::size_t k = 0; k < from.balls.size(); ++k) {
-    lane(to.balls[k].w, i) = from.balls[k].w;
-    lane(to.balls[k].x, i) = from.balls[k].x;
-    lane(to.balls[k].y, i) = from.balls[k].y;
-    lane(to.balls[k].z, i) = from.balls[k].z;
-  }
-}
-
 template <class T>
 Tracker<T>::Tracker(const Mechanism& mechanism, const Elimination& elimination,
                     const CourseOptions& options)
     : mechanism_(mechanism),
       unknowns_(mechanism.unknowns),
       lu_(elimination),
-      geometry_(detail::lanes_of<T>(mechanism, mechanism.vertices)),
+      geometry_(lane_geometry<T>(mechanism)),
       trial_(flat_state<T>(mechanism)),
       last_(trial_),
       ahead_(trial_),
       residual_(mechanism.equations, T(0)),
-      values_(elimination.slot_of_value.size(), T(0)),
-      y_(mechanism.equations, T(0)),
+      y_(mechanism.unknowns, T(0)),
       correction_(mechanism.unknowns, T(0)),
       null_(correction_),
       move_(correction_),
@@ -96,11 +40,15 @@ void Tracker<T>::put(const Departure& departure, int i) {
 // One Newton iteration of every lane, and what its course wants to know.
 template <class T>
 void Tracker<T>::iterate() {
-  open_ = evaluate(mechanism_, geometry_, trial_, residual_.data(), values_.data());
-  lu_.factorize(values_.data());
+  open_ = evaluate(mechanism_, geometry_, trial_, residual_.data(), lu_.entries());
+  lu_.factorize();
   lu_.forward(residual_.data(), y_.data());
   solve();
-  for (T& turn : correction_) turn = -turn;
+  largest_correction_ = T(0);
+  for (T& turn : correction_) {
+    turn = -turn;
+    largest_correction_ = larger(largest_correction_, magnitude(turn));
+  }
   advance(mechanism_, correction_.data(), trial_);
   largest_half_sine_ = T(0);
   for (std::size_t k = 0; k < trial_.creases.size(); ++k) {
@@ -123,7 +71,7 @@ void Tracker<T>::solve() {
   const T rest = y_[n - 1];
   lu_.backward(y_.data(), select(hold_pilot, rest / s_q, T(0)), select(hold_pilot, T(0), rest / s_p),
                correction_.data());
-  lu_.null_vector(-s_p, s_q, null_.data());
+  lu_.null_vector(-s_p, s_q, y_.data(), null_.data());
   T square(0), along(0);
   cosine_ = T(0);
   for (int j = 0; j < unknowns_; ++j) {
@@ -154,6 +102,7 @@ Reading Tracker<T>::reading(int i) const {
     return HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)};
   };
   return {lane(open_, i),
+          lane(largest_correction_, i),
           lane(determinant_sign_, i) < 0 ? -1 : 1,
           lane(orientation_, i) < 0 ? -1 : 1,
           lane(null_[unknowns_ - 1], i),
@@ -175,7 +124,7 @@ void Tracker<T>::believe() {
     arrived = arrived || moves_[i].arrived;
   }
   if (!any) return;
-  detail::replace(believed, trial_, last_);
+  replace(believed, trial_, last_);
   const auto chosen = believed > T(0);
   for (int j = 0; j < unknowns_; ++j) {
     tangents_[2][j] = select(chosen, tangents_[1][j], tangents_[2][j]);
@@ -205,7 +154,7 @@ void Tracker<T>::depart() {
   }
   ahead_ = last_;
   advance(mechanism_, move_.data(), ahead_);
-  detail::replace(departs, ahead_, trial_);
+  replace(departs, ahead_, trial_);
   for (int i = 0; i < kWidth; ++i) {
     if (!moves_[i].hold) continue;
     lane(trial_.creases[mechanism_.pilot].c, i) = moves_[i].pilot.c;
@@ -214,29 +163,24 @@ void Tracker<T>::depart() {
 }
 
 template <class T>
-void Tracker<T>::copy_state(int i, FoldState<double>& state) const {
-  for (std::size_t k = 0; k < state.creases.size(); ++k) {
-    state.creases[k] = {lane(last_.creases[k].c, i), lane(last_.creases[k].s, i)};
-  }
-  for (std::size_t k = 0; k < state.balls.size(); ++k) {
-    const Quaternion<T>& q = last_.balls[k];
-    state.balls[k] = {lane(q.w, i), lane(q.x, i), lane(q.y, i), lane(q.z, i)};
-  }
+void Tracker<T>::copy_lengths(int i, double* lengths) const {
+  for (const T& length : lengths_) *lengths++ = lane(length, i);
 }
 
-// One difference for all lanes along their tangents, on first demand.
+// By one difference for all lanes along their tangents, on first demand.
 template <class T>
-double Tracker<T>::slope(int diagonal, int i) {
-  constexpr double kStep_rad = 1e-5;  // error 1e-11 by rounding, 1e-5 of the curvature by order
+void Tracker<T>::copy_slopes(int i, double* slopes) {
   if (!slopes_known_) {
-    for (int j = 0; j < unknowns_; ++j) move_[j] = T(kStep_rad) * tangents_[0][j];
+    for (int j = 0; j < unknowns_; ++j) move_[j] = T(kSlopeStep_rad) * tangents_[0][j];
     ahead_ = last_;
     advance(mechanism_, move_.data(), ahead_);
     folded_lengths(mechanism_, geometry_, ahead_, ahead_lengths_.data());
     slopes_known_ = true;
   }
-  const double change = lane(ahead_lengths_[diagonal], i) - lane(lengths_[diagonal], i);
-  return change / (kStep_rad * lane(tangents_[0][unknowns_ - 1], i));
+  const double pilot_step_rad = kSlopeStep_rad * lane(tangents_[0][unknowns_ - 1], i);
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    slopes[k] = (lane(ahead_lengths_[k], i) - lane(lengths_[k], i)) / pilot_step_rad;
+  }
 }
 
 }  // namespace misalign::solver

@@ -1,0 +1,64 @@
+// What all sheets of one campaign share, made ready once: the base sheet, its mechanism, the order
+// of elimination, the full path, and the angles at which the fast tests look.
+#pragma once
+
+#include "solver/history.hpp"
+#include "solver/sparse_lu.hpp"
+
+namespace misalign::solver {
+
+/// An angle of the fast tests: the base folding there, and its Jacobian's factors. One step of
+/// theirs takes a misaligned sheet from the base folding to within a few per cent of its own.
+struct TestAngle {
+  int sample;
+  HalfAngle<double> pilot;
+  FoldState<double> base;
+  SparseLu<double> factors;
+  int determinant_sign;
+};
+
+class SheetFamily {
+ public:
+  /// `shifted` are the vertices that differ from sheet to sheet; D of at least `threshold_sample`
+  /// is wanted.
+  SheetFamily(const PerforatedSheet& base, const std::vector<int>& shifted,
+              const PathPlanOptions& path, int threshold_sample);
+  SheetFamily(const SheetFamily&) = delete;
+  SheetFamily& operator=(const SheetFamily&) = delete;
+
+  const PerforatedSheet& base() const { return base_; }
+  const Mechanism& mechanism() const { return mechanism_; }
+  const Elimination& elimination() const { return elimination_; }
+  const std::vector<int>& shifted() const { return shifted_; }
+  /// Every sample to the end.
+  const PathPlan& path() const { return path_; }
+  double sample_deg() const { return sample_deg_; }
+  int threshold_sample() const { return threshold_sample_; }
+
+  /// The far one, then the near one; none where the threshold is close to flat.
+  const std::vector<TestAngle>& tests() const { return tests_; }
+  /// Samples from the near test over the far one to the threshold; none if the far test is close
+  /// enough to it.
+  const PathPlan& approach() const { return approach_; }
+  /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.
+  double length_per_rad() const { return length_per_rad_; }
+
+  /// The flat sheet with these shifts (mm; x and y of each shifted vertex in turn).
+  void displace(const double* shifts_mm, FlatVertices& vertices_mm) const;
+
+ private:
+  void choose_tests();
+
+  const PerforatedSheet base_;
+  const Mechanism mechanism_;
+  const Elimination elimination_;
+  const std::vector<int> shifted_;
+  const PathPlan path_;
+  const double sample_deg_;
+  const int threshold_sample_;
+  std::vector<TestAngle> tests_;
+  PathPlan approach_;
+  double length_per_rad_;
+};
+
+}  // namespace misalign::solver

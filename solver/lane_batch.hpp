@@ -1,0 +1,93 @@
+// Batch in registers of one kind. T is a register of doubles; the fast tests look at as many sheets
+// as it has lanes at the same angle, full paths are followed each at its own.
+#pragma once
+
+#include "solver/lane_desk.hpp"
+#include "solver/lane_test.hpp"
+
+namespace misalign::solver {
+
+template <class T>
+class LaneBatch final : public Batch {
+ public:
+  explicit LaneBatch(const SheetFamily& family)
+      : family_(family),
+        screening_(family),
+        judging_(family, kLanes<T>),
+        approach_(family, kLanes<T>),
+        tracker_(family.mechanism(), family.elimination()),
+        approach_tracker_(family.mechanism(), family.elimination(), approach_options()),
+        test_(family) {}
+
+  // Far first: a test turns away four sheets of five. What it leaves is packed into full registers
+  // for the next.
+  const std::vector<Screened>& screen(const ShiftBlock& block) override {
+    screening_.begin(block.sheets);
+    approach_.begin(block, screening_);
+    open_.clear();
+    for (int sheet = 0; sheet < block.sheets; ++sheet) open_.push_back({sheet, -1});
+    const int tests = static_cast<int>(family_.tests().size());
+    for (int test = 0; test < tests; ++test) {
+      test_.run(test, block, open_, screening_, approach_);
+      std::erase_if(open_, [&](const OpenSheet& open) { return screening_.decided(open.sheet); });
+    }
+    if (!family_.approach().stops.empty()) {
+      for (const OpenSheet& open : open_) {
+        if (open.kept_state >= 0) approach_.add(open.sheet, open.kept_state);
+      }
+      ApproachClient client{approach_, approach_tracker_};
+      approach_tracker_.run(client);
+    }
+    return screening_.results();
+  }
+
+  const std::vector<Verdict>& judge(const ShiftBlock& block,
+                                    const std::vector<int>& chosen) override {
+    judging_.begin(block, chosen);
+    JudgingClient client{judging_, tracker_};
+    tracker_.run(client);
+    return judging_.verdicts();
+  }
+
+  Effort screening_effort() const override {
+    return {approach_.effort().solves + test_.effort().solves,
+            approach_.effort().iterations + test_.effort().iterations};
+  }
+  Effort judging_effort() const override { return judging_.effort(); }
+
+ private:
+  struct JudgingClient {
+    JudgingDesk& desk;
+    Tracker<T>& tracker;
+    bool next(Departure& departure, int lane) { return desk.next(departure, lane); }
+    bool visit(const Stop& stop, int lane) {
+      tracker.copy_state(lane, desk.state());
+      tracker.copy_lengths(lane, desk.lengths());
+      return desk.visit(stop, lane);
+    }
+    void ended(const PathResult& path, int lane) { desk.ended(path, lane); }
+  };
+
+  struct ApproachClient {
+    ApproachDesk& desk;
+    Tracker<T>& tracker;
+    bool next(Departure& departure, int lane) { return desk.next(departure, lane); }
+    bool visit(const Stop& stop, int lane) {
+      tracker.copy_state(lane, desk.state());
+      tracker.copy_lengths(lane, desk.lengths());
+      tracker.copy_slopes(lane, desk.slopes());
+      return desk.visit(stop, lane);
+    }
+    void ended(const PathResult& path, int lane) { desk.ended(path, lane); }
+  };
+
+  const SheetFamily& family_;
+  Screening screening_;
+  JudgingDesk judging_;
+  ApproachDesk approach_;
+  Tracker<T> tracker_, approach_tracker_;
+  LaneTest<T> test_;
+  std::vector<OpenSheet> open_;
+};
+
+}  // namespace misalign::solver

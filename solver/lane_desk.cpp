@@ -1,0 +1,109 @@
+#include "solver/lane_desk.hpp"
+
+#include <algorithm>
+
+namespace misalign::solver {
+namespace {
+
+void count(const PathResult& path, Effort& effort) {
+  effort.solves += static_cast<std::uint64_t>(path.newton_solves + path.arc_steps);
+  effort.iterations += static_cast<std::uint64_t>(path.newton_iterations);
+}
+
+}  // namespace
+
+JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
+    : family_(family),
+      work_of_lane_(lanes),
+      judges_(lanes, Judge(family.mechanism())),
+      state_(flat_state<double>(family.mechanism())),
+      lengths_(family.mechanism().diagonals.size()) {}
+
+void JudgingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
+  block_ = &block;
+  chosen_ = &chosen;
+  next_ = 0;
+  verdicts_.assign(chosen.size(), {});
+}
+
+bool JudgingDesk::next(Departure& departure, int lane) {
+  if (next_ == chosen_->size()) return false;
+  work_of_lane_[lane] = next_;
+  family_.displace(block_->of((*chosen_)[next_++]), vertices_mm_);
+  place(family_.mechanism(), vertices_mm_, geometry_);
+  flat_lengths(family_.mechanism(), geometry_, lengths_.data());
+  judges_[lane].begin(lengths_);
+  departure = {&geometry_, &family_.path().start, &family_.path(), 0, 0};
+  return true;
+}
+
+bool JudgingDesk::visit(const Stop& stop, int lane) {
+  return stop.sample == 0 || judges_[lane].see(stop, state_, lengths_);
+}
+
+void JudgingDesk::ended(const PathResult& path, int lane) {
+  verdicts_[work_of_lane_[lane]] = judges_[lane].conclude(path);
+  count(path, effort_);
+}
+
+CourseOptions approach_options() {
+  CourseOptions options;
+  options.closure_tolerance = 1e-7;
+  options.walk.turn_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
+  options.longest_half_sine = 0.5;
+  options.longest_correction_rad = 0.15;
+  return options;
+}
+
+ApproachDesk::ApproachDesk(const SheetFamily& family, int lanes)
+    : family_(family),
+      sheet_of_lane_(lanes),
+      state_(flat_state<double>(family.mechanism())),
+      lengths_(family.mechanism().diagonals.size()),
+      slopes_(lengths_.size()) {}
+
+void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
+  block_ = &block;
+  screening_ = &screening;
+  waiting_.clear();
+  next_ = 0;
+  kept_count_ = 0;
+}
+
+FoldState<double>& ApproachDesk::keep(int test, int& kept) {
+  kept = kept_count_++;
+  if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, state_});
+  kept_[kept].test = test;
+  return kept_[kept].state;
+}
+
+bool ApproachDesk::next(Departure& departure, int lane) {
+  if (next_ == waiting_.size()) return false;
+  const Work& work = waiting_[next_++];
+  sheet_of_lane_[lane] = work.sheet;
+  family_.displace(block_->of(work.sheet), vertices_mm_);
+  place(family_.mechanism(), vertices_mm_, geometry_);
+  const Kept& kept = kept_[work.kept];
+  const TestAngle& test = family_.tests()[kept.test];
+  const auto& stops = family_.approach().stops;
+  const auto first = std::find_if(stops.begin(), stops.end(),
+                                  [&](const Stop& stop) { return stop.sample == test.sample; });
+  departure = {&geometry_, &kept.state, &family_.approach(),
+               static_cast<std::size_t>(first - stops.begin()), test.determinant_sign};
+  return true;
+}
+
+bool ApproachDesk::visit(const Stop& stop, int lane) {
+  const int sheet = sheet_of_lane_[lane];
+  screening_->observe(sheet, {stop.sample, lengths_.data(), kPathLengthError, slopes_.data(),
+                              kPathSlopeError});
+  screening_->observe(sheet, stop.sample, state_);
+  return !screening_->decided(sheet);
+}
+
+void ApproachDesk::ended(const PathResult& path, int lane) {
+  screening_->path_ended(sheet_of_lane_[lane], path);
+  count(path, effort_);
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,89 @@
+// What each lane of a tracker works on, kept outside the templates: sheets waiting, their geometry,
+// and who judges what their paths show.
+#pragma once
+
+#include <vector>
+
+#include "solver/batch.hpp"
+#include "solver/tracker.hpp"
+
+namespace misalign::solver {
+
+/// Full paths: every sample of the chosen sheets goes to a judge, until it has seen enough.
+class JudgingDesk {
+ public:
+  JudgingDesk(const SheetFamily& family, int lanes);
+
+  void begin(const ShiftBlock& block, const std::vector<int>& chosen);
+  bool next(Departure& departure, int lane);
+  /// State and diagonals of the stop go here.
+  FoldState<double>& state() { return state_; }
+  double* lengths() { return lengths_.data(); }
+  bool visit(const Stop& stop, int lane);
+  void ended(const PathResult& path, int lane);
+
+  const std::vector<Verdict>& verdicts() const { return verdicts_; }
+  const Effort& effort() const { return effort_; }
+
+ private:
+  const SheetFamily& family_;
+  const ShiftBlock* block_ = nullptr;
+  const std::vector<int>* chosen_ = nullptr;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> work_of_lane_;
+  std::vector<Judge> judges_;
+  std::vector<Verdict> verdicts_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+  FoldState<double> state_;
+  std::vector<double> lengths_;
+  Effort effort_;
+};
+
+/// On the approach a turn of the pilot is known well enough within a tenth of a degree.
+CourseOptions approach_options();
+
+/// The way from the last test to the threshold, of the sheets that no test has rejected.
+class ApproachDesk {
+ public:
+  ApproachDesk(const SheetFamily& family, int lanes);
+
+  void begin(const ShiftBlock& block, Screening& screening);
+  /// Room for a state at the angle of the test with this index; `kept` becomes its number.
+  FoldState<double>& keep(int test, int& kept);
+  /// The path of `sheet` is to be followed from its kept state on.
+  void add(int sheet, int kept) { waiting_.push_back({sheet, kept}); }
+  bool next(Departure& departure, int lane);
+  FoldState<double>& state() { return state_; }
+  double* lengths() { return lengths_.data(); }
+  double* slopes() { return slopes_.data(); }
+  bool visit(const Stop& stop, int lane);
+  void ended(const PathResult& path, int lane);
+
+  const Effort& effort() const { return effort_; }
+
+ private:
+  struct Kept {
+    int test;
+    FoldState<double> state;
+  };
+  struct Work {
+    int sheet, kept;
+  };
+
+  const SheetFamily& family_;
+  const ShiftBlock* block_ = nullptr;
+  Screening* screening_ = nullptr;
+  std::vector<Kept> kept_;  // grows to what a block needs
+  int kept_count_ = 0;
+  std::vector<Work> waiting_;
+  std::size_t next_ = 0;
+  std::vector<int> sheet_of_lane_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+  FoldState<double> state_;
+  std::vector<double> lengths_, slopes_;
+  Effort effort_;
+};
+
+}  // namespace misalign::solver

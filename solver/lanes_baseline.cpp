@@ -1,0 +1,13 @@
+// What every machine of the architecture has.
+#include <xsimd/xsimd.hpp>
+
+#include "solver/lane_batch.hpp"
+#include "solver/lanes.hpp"
+
+namespace misalign::solver {
+
+std::unique_ptr<Batch> make_baseline_batch(const SheetFamily& family) {
+  return std::make_unique<LaneBatch<xsimd::batch<double, xsimd::default_arch>>>(family);
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,79 @@
+// The fast tests' rules: what a few converged states of a sheet say about its verdict. They only
+// ever reject, and only what every sample's own test would reject too: samples are a subset of
+// those that the verdict looks at, and every comparison leaves room for the error of both sides.
+#pragma once
+
+#include <vector>
+
+#include "solver/family.hpp"
+#include "solver/verdict.hpp"
+
+namespace misalign::solver {
+
+/// Errors of a converged state: of a diagonal (panel widths; 1e-13 was seen) and of its change per
+/// radian of pilot, see kSlopeStep_rad.
+inline constexpr double kPathLengthError = 1e-10;
+inline constexpr double kPathSlopeError = 1e-5;
+
+/// How well a fold limit on the approach to the threshold is known; four times as much is asked for.
+inline constexpr double kApproachTurn_deg = 0.1;
+
+/// What became of one sheet.
+struct Screened {
+  Fault fault = Fault::none;  ///< none: not decided, the full path must tell
+  int sample = 0;             ///< where the test looked
+};
+
+/// One state of a sheet at a sample, its diagonals in panel widths and per radian of pilot.
+struct Observation {
+  int sample;
+  const double* lengths;
+  double length_error;
+  const double* slopes;
+  double slope_error;
+};
+
+/// How far a state is from its solution after two Newton iterations with corrections of these sizes
+/// (rad). Newton squares the error, e' = K e^2: the corrections give K, and what is left. `known` is
+/// false where they do not shrink fast enough for that to be believed.
+struct NewtonError {
+  bool known;
+  double length;  ///< of a diagonal, panel widths
+  double slope;   ///< of its change per radian of pilot, by the tangent at the state before
+};
+NewtonError newton_error(double first_correction_rad, double second_correction_rad,
+                         double length_per_rad);
+
+/// The memory of a block of sheets while they are tested.
+class Screening {
+ public:
+  explicit Screening(const SheetFamily& family);
+
+  /// Forgets everything; room for `sheets` of them.
+  void begin(int sheets);
+  /// The sheet's flat diagonals, before anything else about it.
+  void set_flat(int sheet, const double* lengths);
+  /// Rejects the sheet if a diagonal was seen both growing and shrinking. Observations of one sheet
+  /// at equal samples are taken as one.
+  void observe(int sheet, const Observation& observation);
+  /// Rejects it if a crease is over-folded or lost its sign in this state of its path.
+  void observe(int sheet, int sample, const FoldState<double>& state);
+  /// Rejects it if its path ended, by a fold limit short of the threshold.
+  void path_ended(int sheet, const PathResult& path);
+
+  const std::vector<Screened>& results() const { return screened_; }
+  bool decided(int sheet) const { return screened_[sheet].fault != Fault::none; }
+
+ private:
+  bool sees_both(int sheet, const Observation& observation);
+
+  const SheetFamily& family_;
+  const std::size_t diagonals_;
+  std::vector<Screened> screened_;
+  std::vector<double> flat_, earlier_;       // per sheet and diagonal
+  std::vector<int> earlier_sample_;          // per sheet; 0: nothing seen yet
+  std::vector<double> earlier_error_;        // per sheet
+  std::vector<signed char> direction_;       // per sheet and diagonal; 0: not seen to move
+};
+
+}  // namespace misalign::solver
