@@ -131,7 +131,7 @@ Move Course::walked(const Reading& reading) {
   if (half_sine_between(reading.pilot, target().pilot) >= 0) {
     phase_ = Phase::landing;
     corrections_ = 0;
-  corrected_rad_ = 0;
+    corrected_rad_ = 0;
     Move move;
     move.depart = move.hold = true;
     move.along[0] = ds_ * half_sine_between(target().pilot, reading.last_pilot) /

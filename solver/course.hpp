@@ -33,13 +33,13 @@ struct Reading {
 
 /// What to do with the lane now.
 struct Move {
-  bool believe = false;      ///< `state` becomes `last`, its tangent the newest
-  double tangent_sign = 1;   ///< with which the tangent is kept
-  bool arrived = false;      ///< at the stop: to be seen before `proceed`
-  bool ended = false;        ///< result() says how
-  bool depart = false;       ///< from `last` by along[k] times the k-th newest tangent (rad)
+  bool believe = false;     ///< `state` becomes `last`, its tangent the newest
+  double tangent_sign = 1;  ///< with which the tangent is kept
+  bool arrived = false;     ///< at the stop: to be seen before `proceed`
+  bool ended = false;       ///< result() says how
+  bool depart = false;      ///< from `last` by along[k] times the k-th newest tangent (rad)
   double along[3] = {0, 0, 0};
-  bool hold = false;         ///< put the pilot at `pilot` after departing
+  bool hold = false;  ///< put the pilot at `pilot` after departing
   HalfAngle<double> pilot{1, 0};
 };
 
@@ -81,11 +81,11 @@ class Course {
   int forward_sign_ = 0;
   int corrections_ = 0;
   double last_open_ = 0;
-  double corrected_rad_ = 0;            // since departing
-  int tangents_ = 0;                    // known at the stops before, newest first
+  double corrected_rad_ = 0;             // since departing
+  int tangents_ = 0;                     // known at the stops before, newest first
   double tangent_pilot_[3] = {1, 1, 1};  // their pilot entries
-  double step_rad_[2] = {0, 0};         // pilot steps between those stops
-  double ds_ = 0, bend_ = 0;            // of the walk: see ArcLength
+  double step_rad_[2] = {0, 0};          // pilot steps between those stops
+  double ds_ = 0, bend_ = 0;             // of the walk: see ArcLength
   int walk_steps_ = 0;
   PathResult result_{};
 };

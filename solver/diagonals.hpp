@@ -41,7 +41,7 @@ std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const SheetGeom
 /// Folded lengths in panel widths, one per diagonal, from the corners that each hole's loop passes.
 template <class T>
 [[gnu::flatten]] void folded_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
-                    const FoldState<T>& state, T* lengths) {
+                                     const FoldState<T>& state, T* lengths) {
   int known_loop = -1;
   std::array<Vec3<T>, 4> corners{};
   for (const Diagonal& diagonal : mechanism.diagonals) {

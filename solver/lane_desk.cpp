@@ -95,8 +95,8 @@ bool ApproachDesk::next(Departure& departure, int lane) {
 
 bool ApproachDesk::visit(const Stop& stop, int lane) {
   const int sheet = sheet_of_lane_[lane];
-  screening_->observe(sheet, {stop.sample, lengths_.data(), kPathLengthError, slopes_.data(),
-                              kPathSlopeError});
+  screening_->observe(
+      sheet, {stop.sample, lengths_.data(), kPathLengthError, slopes_.data(), kPathSlopeError});
   screening_->observe(sheet, stop.sample, state_);
   return !screening_->decided(sheet);
 }

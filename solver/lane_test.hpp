@@ -167,16 +167,15 @@ void LaneTest<T>::report(int test, OpenSheet* open, int count, Screening& screen
     }
     effort_.solves += 1;
     effort_.iterations += 2;
-    const NewtonError error =
-        newton_error(lane(first_correction_, i), lane(second_correction_, i),
-                     family_.length_per_rad());
+    const NewtonError error = newton_error(lane(first_correction_, i), lane(second_correction_, i),
+                                           family_.length_per_rad());
     if (!error.known || lane(determinant_sign_, i) * angle.determinant_sign < 0) continue;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
       lane_lengths_[k] = lane(lengths_[k], i);
       lane_slopes_[k] = (lane(ahead_lengths_[k], i) - lane_lengths_[k]) / kSlopeStep_rad;
     }
-    screening.observe(sheet, {angle.sample, lane_lengths_.data(), error.length,
-                              lane_slopes_.data(), error.slope});
+    screening.observe(sheet, {angle.sample, lane_lengths_.data(), error.length, lane_slopes_.data(),
+                              error.slope});
     if (open[i].kept_state < 0 && !screening.decided(sheet)) {
       copy_lane(state_, i, approach.keep(test, open[i].kept_state));
     }

@@ -72,8 +72,7 @@ bool Screening::sees_both(int sheet, const Observation& now) {
   const bool has_earlier = earlier_sample_[sheet] > 0 && earlier_sample_[sheet] != now.sample;
   const double since = now.sample > earlier_sample_[sheet] ? 1 : -1;
   // Of so many steps one at least is longer than the band.
-  const double flat_margin =
-      now.length_error + kStepBand_widths * family_.threshold_sample();
+  const double flat_margin = now.length_error + kStepBand_widths * family_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
   const bool slopes_count = family_.sample_deg() <= kLongestSampleForSlopes_deg &&
                             now.sample < family_.threshold_sample();
@@ -106,8 +105,7 @@ void Screening::observe(int sheet, int sample, const FoldState<double>& state) {
 
 void Screening::path_ended(int sheet, const PathResult& path) {
   const double threshold_deg = family_.threshold_sample() * family_.sample_deg();
-  if (path.end == PathEnd::fold_limit &&
-      path.fold_limit_deg < threshold_deg - kLimitMargin_deg) {
+  if (path.end == PathEnd::fold_limit && path.fold_limit_deg < threshold_deg - kLimitMargin_deg) {
     screened_[sheet] = {Fault::fold_limit,
                         static_cast<int>(path.fold_limit_deg / family_.sample_deg()) + 1};
   }

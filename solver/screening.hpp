@@ -15,7 +15,8 @@ namespace misalign::solver {
 inline constexpr double kPathLengthError = 1e-10;
 inline constexpr double kPathSlopeError = 1e-5;
 
-/// How well a fold limit on the approach to the threshold is known; four times as much is asked for.
+/// How well a fold limit on the approach to the threshold is known; four times as much is asked
+/// for.
 inline constexpr double kApproachTurn_deg = 0.1;
 
 /// What became of one sheet.
@@ -34,8 +35,8 @@ struct Observation {
 };
 
 /// How far a state is from its solution after two Newton iterations with corrections of these sizes
-/// (rad). Newton squares the error, e' = K e^2: the corrections give K, and what is left. `known` is
-/// false where they do not shrink fast enough for that to be believed.
+/// (rad). Newton squares the error, e' = K e^2: the corrections give K, and what is left. `known`
+/// is false where they do not shrink fast enough for that to be believed.
 struct NewtonError {
   bool known;
   double length;  ///< of a diagonal, panel widths
@@ -70,10 +71,10 @@ class Screening {
   const SheetFamily& family_;
   const std::size_t diagonals_;
   std::vector<Screened> screened_;
-  std::vector<double> flat_, earlier_;       // per sheet and diagonal
-  std::vector<int> earlier_sample_;          // per sheet; 0: nothing seen yet
-  std::vector<double> earlier_error_;        // per sheet
-  std::vector<signed char> direction_;       // per sheet and diagonal; 0: not seen to move
+  std::vector<double> flat_, earlier_;  // per sheet and diagonal
+  std::vector<int> earlier_sample_;     // per sheet; 0: nothing seen yet
+  std::vector<double> earlier_error_;   // per sheet
+  std::vector<signed char> direction_;  // per sheet and diagonal; 0: not seen to move
 };
 
 }  // namespace misalign::solver

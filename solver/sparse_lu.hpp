@@ -14,9 +14,7 @@ class SparseLu {
  public:
   /// `plan` must outlive this object.
   explicit SparseLu(const Elimination& plan)
-      : plan_(plan),
-        slots_(plan.slots, T(0)),
-        inverse_pivots_(plan.equations, T(0)) {}
+      : plan_(plan), slots_(plan.slots, T(0)), inverse_pivots_(plan.equations, T(0)) {}
 
   /// Where `evaluate` writes the Jacobian's nonzeros, each into its slot.
   class Entry {

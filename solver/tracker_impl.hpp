@@ -52,9 +52,8 @@ void Tracker<T>::iterate() {
   advance(mechanism_, correction_.data(), trial_);
   largest_half_sine_ = T(0);
   for (std::size_t k = 0; k < trial_.creases.size(); ++k) {
-    largest_half_sine_ =
-        larger(largest_half_sine_,
-               magnitude(half_sine_between(trial_.creases[k], last_.creases[k])));
+    largest_half_sine_ = larger(largest_half_sine_,
+                                magnitude(half_sine_between(trial_.creases[k], last_.creases[k])));
   }
 }
 
@@ -69,8 +68,8 @@ void Tracker<T>::solve() {
   for (int i = 0; i < kWidth; ++i) lane(walking, i) = courses_[i].walking() ? 1 : 0;
   const auto hold_pilot = magnitude(s_q) >= select(walking > T(0), magnitude(s_p), T(0));
   const T rest = y_[n - 1];
-  lu_.backward(y_.data(), select(hold_pilot, rest / s_q, T(0)), select(hold_pilot, T(0), rest / s_p),
-               correction_.data());
+  lu_.backward(y_.data(), select(hold_pilot, rest / s_q, T(0)),
+               select(hold_pilot, T(0), rest / s_p), correction_.data());
   lu_.null_vector(-s_p, s_q, y_.data(), null_.data());
   T square(0), along(0);
   cosine_ = T(0);
