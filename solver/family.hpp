@@ -3,7 +3,6 @@
 #pragma once
 
 #include "solver/history.hpp"
-#include "solver/sparse_lu.hpp"
 
 namespace misalign::solver {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/isometry.hpp"
-#include "solver/path.hpp"
+#include "solver/tracker.hpp"
 #include "solver/verdict.hpp"
 
 namespace misalign::solver {
@@ -30,8 +30,27 @@ struct FoldingHistory {
   std::vector<double> isometry_error_mm;
 };
 
-/// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
-/// faults.
+/// Records one path after another of sheets that share a mechanism.
+class HistoryRecorder {
+ public:
+  /// All must outlive this object.
+  HistoryRecorder(const PerforatedSheet& base, const Mechanism& mechanism,
+                  const Elimination& elimination, const PathPlan& plan);
+
+  /// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
+  /// faults.
+  FoldingHistory record(const FlatVertices& vertices_mm);
+
+ private:
+  class Recording;
+
+  const Mechanism& mechanism_;
+  const PathPlan& plan_;
+  Tracker<double> tracker_;
+  FoldedShape shape_;
+};
+
+/// The same for a single sheet.
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
                               const PathPlan& plan, const FlatVertices& vertices_mm);
 

@@ -93,6 +93,29 @@ class SparseLu {
     backward(work, partner, pilot, x);
   }
 
+  /// x (one per equation) with J^T x = rhs (one per unknown but the pilot), J without the pilot's
+  /// column. `work` has room for one value per equation.
+  void transposed(const T* rhs, T* work, T* x) const {
+    const int n = plan_.equations;
+    for (int i = 0; i < n; ++i) work[i] = rhs[plan_.column_of[i]];
+    for (int i = 0; i < n; ++i) {
+      work[i] = work[i] * inverse_pivots_[i];
+      const Stretch& upper = plan_.pivots[i].upper;
+      for (std::int32_t u = upper.begin; u < upper.end; ++u) {
+        if (plan_.column[u] == n) continue;
+        work[plan_.column[u]] = work[plan_.column[u]] - slots_[u] * work[i];
+      }
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      const Pivot& pivot = plan_.pivots[i];
+      const std::int32_t row_begin = i > 0 ? plan_.pivots[i - 1].upper.end : 0;
+      for (std::int32_t slot = row_begin; slot < pivot.slot; ++slot) {
+        work[plan_.column[slot]] = work[plan_.column[slot]] - slots_[slot] * work[i];
+      }
+      x[plan_.row_of[i]] = work[i];
+    }
+  }
+
   const T& pivot(int i) const { return slots_[plan_.pivots[i].slot]; }
   const Elimination& plan() const { return plan_; }
 

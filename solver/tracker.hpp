@@ -68,7 +68,9 @@ class Tracker {
   void copy_state(int i, FoldState<double>& state) const { copy_lane(last_, i, state); }
   /// Its diagonals, panel widths.
   void copy_lengths(int i, double* lengths) const;
-  /// Their change per radian of the pilot.
+  /// Factors of the Jacobian there, but for the last correction (1e-12 / its singular values).
+  const SparseLu<T>& factors() const { return lu_; }
+  /// Change of its diagonals per radian of the pilot.
   void copy_slopes(int i, double* slopes);
 
  private:
