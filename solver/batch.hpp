@@ -45,6 +45,10 @@ class Batch {
   /// path was lost, which another solver may settle.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block,
                                             const std::vector<int>& chosen) = 0;
+  /// Their whole histories, past faults: for the few that are worth it. A path that is lost here is
+  /// followed again by dense matrices.
+  virtual std::vector<FoldingHistory>& record(const ShiftBlock& block,
+                                              const std::vector<int>& chosen) = 0;
   /// Of everything so far.
   virtual Effort screening_effort() const = 0;
   virtual Effort judging_effort() const = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/history.hpp"
+#include "solver/sparse_lu.hpp"
 
 namespace misalign::solver {
 

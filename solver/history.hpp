@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/isometry.hpp"
-#include "solver/tracker.hpp"
+#include "solver/path.hpp"
 #include "solver/verdict.hpp"
 
 namespace misalign::solver {
@@ -28,30 +28,44 @@ struct FoldingHistory {
   std::vector<double> open_by;     ///< largest closure entry: radians, panel widths
   std::vector<double> singular_value_min;
   std::vector<double> isometry_error_mm;
+
+  /// Whether the solver failed where the path may go on.
+  bool lost() const { return path.end == PathEnd::start_lost || path.end == PathEnd::stalled; }
 };
 
-/// Records one path after another of sheets that share a mechanism.
-class HistoryRecorder {
+/// A history in the making.
+class Recording {
  public:
-  /// All must outlive this object.
-  HistoryRecorder(const PerforatedSheet& base, const Mechanism& mechanism,
-                  const Elimination& elimination, const PathPlan& plan);
+  /// Both must outlive this object.
+  Recording(const Mechanism& mechanism, const FoldedShape& shape);
 
-  /// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
-  /// faults.
-  FoldingHistory record(const FlatVertices& vertices_mm);
+  /// A new sheet.
+  void begin(const FlatVertices& vertices_mm);
+  const SheetGeometry<double>& geometry() const { return geometry_; }
+  /// The next stop of its path; past faults too.
+  void see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths,
+           double singular_value_min);
+  /// The whole, once the path has ended.
+  FoldingHistory conclude(const PathResult& path);
 
  private:
-  class Recording;
-
   const Mechanism& mechanism_;
-  const PathPlan& plan_;
-  Tracker<double> tracker_;
-  FoldedShape shape_;
+  const FoldedShape& shape_;
+  Judge judge_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+  std::vector<double> residual_, lengths_mm_, angles_deg_;  // the last two stop by stop
+  FoldingHistory history_;
 };
 
-/// The same for a single sheet.
+/// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
+/// faults.
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
+                              const PathPlan& plan, const FlatVertices& vertices_mm);
+
+/// The same by dense matrices with pivoting: for the rare sheet that the fixed order of elimination
+/// does not suit.
+FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
                               const PathPlan& plan, const FlatVertices& vertices_mm);
 
 }  // namespace misalign::solver

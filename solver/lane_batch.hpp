@@ -4,6 +4,7 @@
 
 #include "solver/lane_desk.hpp"
 #include "solver/lane_test.hpp"
+#include "solver/recording_client.hpp"
 
 namespace misalign::solver {
 
@@ -14,10 +15,12 @@ class LaneBatch final : public Batch {
       : family_(family),
         screening_(family),
         judging_(family, kLanes<T>),
+        recording_(family, kLanes<T>),
         approach_(family, kLanes<T>),
         tracker_(family.mechanism(), family.elimination()),
         approach_tracker_(family.mechanism(), family.elimination(), approach_options()),
-        test_(family) {}
+        test_(family),
+        recording_client_(family.mechanism(), tracker_, recording_) {}
 
   // Far first: a test turns away four sheets of five. What it leaves is packed into full registers
   // for the next.
@@ -49,6 +52,13 @@ class LaneBatch final : public Batch {
     return judging_.verdicts();
   }
 
+  std::vector<FoldingHistory>& record(const ShiftBlock& block,
+                                      const std::vector<int>& chosen) override {
+    recording_.begin(block, chosen);
+    tracker_.run(recording_client_);
+    return recording_.histories();
+  }
+
   Effort screening_effort() const override {
     return {approach_.effort().solves + test_.effort().solves,
             approach_.effort().iterations + test_.effort().iterations};
@@ -61,8 +71,8 @@ class LaneBatch final : public Batch {
     Tracker<T>& tracker;
     bool next(Departure& departure, int lane) { return desk.next(departure, lane); }
     bool visit(const Stop& stop, int lane) {
-      tracker.copy_state(lane, desk.state());
-      tracker.copy_lengths(lane, desk.lengths());
+      tracker.copy_state(lane, desk.found().state);
+      tracker.copy_lengths(lane, desk.found().lengths.data());
       return desk.visit(stop, lane);
     }
     void ended(const PathResult& path, int lane) { desk.ended(path, lane); }
@@ -73,9 +83,9 @@ class LaneBatch final : public Batch {
     Tracker<T>& tracker;
     bool next(Departure& departure, int lane) { return desk.next(departure, lane); }
     bool visit(const Stop& stop, int lane) {
-      tracker.copy_state(lane, desk.state());
-      tracker.copy_lengths(lane, desk.lengths());
-      tracker.copy_slopes(lane, desk.slopes());
+      tracker.copy_state(lane, desk.found().state);
+      tracker.copy_lengths(lane, desk.found().lengths.data());
+      tracker.copy_slopes(lane, desk.found().slopes.data());
       return desk.visit(stop, lane);
     }
     void ended(const PathResult& path, int lane) { desk.ended(path, lane); }
@@ -84,9 +94,11 @@ class LaneBatch final : public Batch {
   const SheetFamily& family_;
   Screening screening_;
   JudgingDesk judging_;
+  RecordingDesk recording_;
   ApproachDesk approach_;
   Tracker<T> tracker_, approach_tracker_;
   LaneTest<T> test_;
+  RecordingClient<T, RecordingDesk> recording_client_;
   std::vector<OpenSheet> open_;
 };
 

@@ -12,12 +12,18 @@ void count(const PathResult& path, Effort& effort) {
 
 }  // namespace
 
+StopCopy::StopCopy(const Mechanism& mechanism)
+    : state(flat_state<double>(mechanism)),
+      lengths(mechanism.diagonals.size()),
+      slopes(mechanism.diagonals.size()) {}
+
+StopCopy::~StopCopy() = default;
+
 JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       work_of_lane_(lanes),
       judges_(lanes, Judge(family.mechanism())),
-      state_(flat_state<double>(family.mechanism())),
-      lengths_(family.mechanism().diagonals.size()) {}
+      found_(family.mechanism()) {}
 
 void JudgingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
   block_ = &block;
@@ -31,19 +37,53 @@ bool JudgingDesk::next(Departure& departure, int lane) {
   work_of_lane_[lane] = next_;
   family_.displace(block_->of((*chosen_)[next_++]), vertices_mm_);
   place(family_.mechanism(), vertices_mm_, geometry_);
-  flat_lengths(family_.mechanism(), geometry_, lengths_.data());
-  judges_[lane].begin(lengths_);
+  flat_lengths(family_.mechanism(), geometry_, found_.lengths.data());
+  judges_[lane].begin(found_.lengths);
   departure = {&geometry_, &family_.path().start, &family_.path(), 0, 0};
   return true;
 }
 
 bool JudgingDesk::visit(const Stop& stop, int lane) {
-  return stop.sample == 0 || judges_[lane].see(stop, state_, lengths_);
+  return stop.sample == 0 || judges_[lane].see(stop, found_.state, found_.lengths);
 }
 
 void JudgingDesk::ended(const PathResult& path, int lane) {
   verdicts_[work_of_lane_[lane]] = judges_[lane].conclude(path);
   count(path, effort_);
+}
+
+RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
+    : family_(family),
+      shape_(family.base().sheet, family.base().holes, family.mechanism()),
+      work_of_lane_(lanes),
+      recordings_(lanes, Recording(family.mechanism(), shape_)) {}
+
+RecordingDesk::~RecordingDesk() = default;
+
+void RecordingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
+  block_ = &block;
+  chosen_ = &chosen;
+  next_ = 0;
+  histories_.resize(chosen.size());
+}
+
+bool RecordingDesk::next(Departure& departure, int lane) {
+  if (next_ == chosen_->size()) return false;
+  work_of_lane_[lane] = next_;
+  FlatVertices vertices_mm;
+  family_.displace(block_->of((*chosen_)[next_++]), vertices_mm);
+  recordings_[lane].begin(vertices_mm);
+  departure = {&recordings_[lane].geometry(), &family_.path().start, &family_.path(), 0, 0};
+  return true;
+}
+
+void RecordingDesk::ended(const PathResult& path, int lane) {
+  FoldingHistory& history = histories_[work_of_lane_[lane]];
+  history = recordings_[lane].conclude(path);
+  if (!history.lost()) return;
+  FlatVertices vertices_mm;
+  family_.displace(block_->of((*chosen_)[work_of_lane_[lane]]), vertices_mm);
+  history = record_densely(family_.mechanism(), shape_, family_.path(), vertices_mm);
 }
 
 CourseOptions approach_options() {
@@ -56,11 +96,7 @@ CourseOptions approach_options() {
 }
 
 ApproachDesk::ApproachDesk(const SheetFamily& family, int lanes)
-    : family_(family),
-      sheet_of_lane_(lanes),
-      state_(flat_state<double>(family.mechanism())),
-      lengths_(family.mechanism().diagonals.size()),
-      slopes_(lengths_.size()) {}
+    : family_(family), sheet_of_lane_(lanes), found_(family.mechanism()) {}
 
 void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
   block_ = &block;
@@ -72,7 +108,7 @@ void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
 
 FoldState<double>& ApproachDesk::keep(int test, int& kept) {
   kept = kept_count_++;
-  if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, state_});
+  if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, found_.state});
   kept_[kept].test = test;
   return kept_[kept].state;
 }
@@ -95,9 +131,9 @@ bool ApproachDesk::next(Departure& departure, int lane) {
 
 bool ApproachDesk::visit(const Stop& stop, int lane) {
   const int sheet = sheet_of_lane_[lane];
-  screening_->observe(
-      sheet, {stop.sample, lengths_.data(), kPathLengthError, slopes_.data(), kPathSlopeError});
-  screening_->observe(sheet, stop.sample, state_);
+  screening_->observe(sheet, {stop.sample, found_.lengths.data(), kPathLengthError,
+                              found_.slopes.data(), kPathSlopeError});
+  screening_->observe(sheet, stop.sample, found_.state);
   return !screening_->decided(sheet);
 }
 

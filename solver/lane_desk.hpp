@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "solver/batch.hpp"
+#include "solver/history.hpp"
+#include "solver/stop_copy.hpp"
 #include "solver/tracker.hpp"
 
 namespace misalign::solver {
@@ -16,9 +18,8 @@ class JudgingDesk {
 
   void begin(const ShiftBlock& block, const std::vector<int>& chosen);
   bool next(Departure& departure, int lane);
-  /// State and diagonals of the stop go here.
-  FoldState<double>& state() { return state_; }
-  double* lengths() { return lengths_.data(); }
+  /// What is found at the stop goes here.
+  StopCopy& found() { return found_; }
   bool visit(const Stop& stop, int lane);
   void ended(const PathResult& path, int lane);
 
@@ -35,9 +36,32 @@ class JudgingDesk {
   std::vector<Verdict> verdicts_;
   FlatVertices vertices_mm_;
   SheetGeometry<double> geometry_;
-  FoldState<double> state_;
-  std::vector<double> lengths_;
+  StopCopy found_;
   Effort effort_;
+};
+
+/// Full paths of sheets that somebody looks at.
+class RecordingDesk {
+ public:
+  RecordingDesk(const SheetFamily& family, int lanes);
+  ~RecordingDesk();
+
+  void begin(const ShiftBlock& block, const std::vector<int>& chosen);
+  bool next(Departure& departure, int lane);
+  Recording& of_lane(int lane) { return recordings_[lane]; }
+  void ended(const PathResult& path, int lane);
+
+  std::vector<FoldingHistory>& histories() { return histories_; }
+
+ private:
+  const SheetFamily& family_;
+  const FoldedShape shape_;
+  const ShiftBlock* block_ = nullptr;
+  const std::vector<int>* chosen_ = nullptr;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> work_of_lane_;
+  std::vector<Recording> recordings_;
+  std::vector<FoldingHistory> histories_;
 };
 
 /// On the approach a turn of the pilot is known well enough within a tenth of a degree.
@@ -54,9 +78,7 @@ class ApproachDesk {
   /// The path of `sheet` is to be followed from its kept state on.
   void add(int sheet, int kept) { waiting_.push_back({sheet, kept}); }
   bool next(Departure& departure, int lane);
-  FoldState<double>& state() { return state_; }
-  double* lengths() { return lengths_.data(); }
-  double* slopes() { return slopes_.data(); }
+  StopCopy& found() { return found_; }
   bool visit(const Stop& stop, int lane);
   void ended(const PathResult& path, int lane);
 
@@ -81,8 +103,7 @@ class ApproachDesk {
   std::vector<int> sheet_of_lane_;
   FlatVertices vertices_mm_;
   SheetGeometry<double> geometry_;
-  FoldState<double> state_;
-  std::vector<double> lengths_, slopes_;
+  StopCopy found_;
   Effort effort_;
 };
 

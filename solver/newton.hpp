@@ -76,6 +76,15 @@ class DenseSolve {
     x_.noalias() = lu_.permutationP().transpose() * y_;
     return x_;
   }
+  /// The same between arrays of the matrix' size.
+  void solve(const double* rhs, double* x) {
+    Eigen::Map<Eigen::VectorXd>(x, x_.size()) =
+        solve(Eigen::Map<const Eigen::VectorXd>(rhs, x_.size()));
+  }
+  void solve_transposed(const double* rhs, double* x) {
+    Eigen::Map<Eigen::VectorXd>(x, x_.size()) =
+        solve_transposed(Eigen::Map<const Eigen::VectorXd>(rhs, x_.size()));
+  }
   /// Sign of the determinant: it changes along a path only where the pilot turns.
   int determinant_sign() const;
 

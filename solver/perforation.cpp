@@ -62,7 +62,7 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
       // The usual case, cheaper than the rank itself: the square Jacobian is regular.
       DenseSolve factors(mechanism.equations);
       factors.factorize(system.jacobian().leftCols(mechanism.equations));
-      const double smallest = SmallestSingularValue(mechanism.equations).of(factors);
+      const double smallest = SmallestSingularValue<double>(mechanism.equations).of(factors);
       if (smallest > kRankThreshold * system.jacobian().norm()) {
         mobility.rank = mechanism.equations;
         return mobility;

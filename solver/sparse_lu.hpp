@@ -124,4 +124,27 @@ class SparseLu {
   std::vector<T> slots_, inverse_pivots_;
 };
 
+/// The same factors as those of the square Jacobian, without the pilot's column.
+template <class T>
+class SquareFactors {
+ public:
+  explicit SquareFactors(const SparseLu<T>& lu)
+      : lu_(lu),
+        equations_(lu.plan().equations),
+        y_(equations_ + 1, T(0)),
+        x_(equations_ + 1, T(0)) {}
+
+  void solve(const T* rhs, T* x) {
+    lu_.forward(rhs, y_.data());
+    lu_.backward(y_.data(), y_[equations_ - 1] / lu_.partner_coefficient(), T(0), x_.data());
+    for (int j = 0; j < equations_; ++j) x[j] = x_[j];
+  }
+  void solve_transposed(const T* rhs, T* x) { lu_.transposed(rhs, y_.data(), x); }
+
+ private:
+  const SparseLu<T>& lu_;
+  const int equations_;
+  std::vector<T> y_, x_;
+};
+
 }  // namespace misalign::solver

@@ -43,7 +43,8 @@ class Tracker {
   ///   bool next(Departure&, int lane)    the next path, for this lane; false: none is left
   ///   bool visit(const Stop&, int lane)  at each stop to be seen; false: seen enough
   ///   void ended(const PathResult&, int lane)
-  /// and may ask in `visit` for the state and what follows from it. Allocates nothing.
+  /// and may ask in `visit` for the state and what follows from it; if it has `arrivals(const T&)`,
+  /// that is called first, with 1 in each lane at a stop and 0 in the others. Allocates nothing.
   template <class Client>
   void run(Client& client) {
     for (int i = 0; i < kWidth; ++i) load(client, i);
@@ -53,6 +54,7 @@ class Tracker {
         moves_[i] = courses_[i].under_way() ? courses_[i].after(reading(i)) : Move{};
       }
       believe();
+      if constexpr (requires(T lanes) { client.arrivals(lanes); }) client.arrivals(arrivals());
       for (int i = 0; i < kWidth; ++i) {
         if (moves_[i].arrived) go_on(client, i);
         if (moves_[i].ended) {
@@ -91,6 +93,12 @@ class Tracker {
     } else {
       moves_[i] = courses_[i].proceed();
     }
+  }
+
+  T arrivals() const {
+    T arrived(0);
+    for (int i = 0; i < kWidth; ++i) lane(arrived, i) = moves_[i].arrived ? 1 : 0;
+    return arrived;
   }
 
   bool any_under_way() const {

@@ -28,7 +28,7 @@ TEST(Numerics, SmallestSingularValueOfTheBaseNearFlat) {
   const TestSheet sheet(6, 6);
   ClosureSystem system(sheet.mechanism);
   DenseSolve factors(sheet.mechanism.equations);
-  SmallestSingularValue smallest(sheet.mechanism.equations);
+  SmallestSingularValue<double> smallest(sheet.mechanism.equations);
   const auto at = [&](double pilot_deg) {
     system.evaluate(sheet.geometry, sheet.folded(pilot_deg));
     factors.factorize(system.jacobian().leftCols(sheet.mechanism.equations));
