@@ -25,7 +25,7 @@ class Coordinator {
       for (int rank = 1; rank < mpi_.ranks(); ++rank) {
         if (!assigned_[rank]) assign(rank);
       }
-      const bool computed = compute_one_draw();
+      const bool computed = compute_one_block();
       const bool received = receive_all();
       if (computed || received) {
         backoff_.reset();
@@ -59,12 +59,12 @@ class Coordinator {
     if (const auto range = take_range(rank)) mpi_.send_range(rank, *range);
   }
 
-  bool compute_one_draw() {
+  bool compute_one_block() {
     if (!own_work_) {
       if (const auto range = take_range(0)) own_work_.emplace(trial_, *range);
     }
     if (!own_work_) return false;
-    own_work_->run_next_draw();
+    own_work_->run_next_block();
     if (own_work_->finished()) {
       const schema::UnitRecord unit = own_work_->take();
       own_work_.reset();

@@ -2,6 +2,8 @@
 
 #include <Random123/philox.h>
 
+#include <algorithm>
+
 namespace misalign::search {
 namespace {
 
@@ -26,14 +28,23 @@ std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw
 }
 
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
-                 Eigen::Matrix2Xd& shifts_mm) {
-  std::array<std::uint32_t, 4> words{};
-  for (std::size_t k = 0; k < misalignment.vertices.size(); ++k) {
-    if (k % 2 == 0) {
-      words = philox_block(seed, draw, static_cast<std::uint32_t>(k / 2), kDrawStream);
+                 double* shifts_mm) {
+  const std::size_t words = 2 * misalignment.vertices.size();
+  for (std::size_t k = 0; k < words; k += 4) {
+    const auto block = philox_block(seed, draw, static_cast<std::uint32_t>(k / 4), kDrawStream);
+    const std::size_t count = std::min<std::size_t>(4, words - k);
+    for (std::size_t i = 0; i < count; ++i) {
+      shifts_mm[k + i] = shift_mm(misalignment, block[i]);
     }
-    shifts_mm.col(misalignment.vertices[k]) = Eigen::Vector2d(
-        shift_mm(misalignment, words[2 * (k % 2)]), shift_mm(misalignment, words[2 * (k % 2) + 1]));
+  }
+}
+
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 Eigen::Matrix2Xd& shifts_mm) {
+  Eigen::Matrix2Xd drawn(2, misalignment.vertices.size());
+  draw_shifts(misalignment, seed, draw, drawn.data());
+  for (std::size_t k = 0; k < misalignment.vertices.size(); ++k) {
+    shifts_mm.col(misalignment.vertices[k]) = drawn.col(static_cast<Eigen::Index>(k));
   }
 }
 

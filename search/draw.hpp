@@ -14,9 +14,14 @@ inline constexpr std::uint32_t kDrawStream = 0;
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
                                           std::uint32_t block, std::uint32_t stream);
 
-/// Shifts of draw d, mm, into `shifts_mm` (2 x vertices of the sheet; columns that the misalignment
-/// does not name are left alone). The k-th vertex takes words 2k (x) and 2k + 1 (y); a ternary
-/// level is floor(3 w / 2^32) - 1, a uniform one (w + 0.5) / 2^31 - 1, times the amplitude.
+/// Shifts of draw d, mm: x and y of each vertex that the misalignment names, in its order. The k-th
+/// vertex takes words 2k (x) and 2k + 1 (y); a ternary level is floor(3 w / 2^32) - 1, a uniform
+/// one (w + 0.5) / 2^31 - 1, times the amplitude.
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 double* shifts_mm);
+
+/// The same into the columns of these vertices (2 x vertices of the sheet); the others are left
+/// alone.
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  Eigen::Matrix2Xd& shifts_mm);
 

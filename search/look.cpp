@@ -116,7 +116,8 @@ void replay(const ReplayOptions& options) {
   Trial trial(schema::read_campaign_of(*database, options.catalogue_path));
   const schema::Campaign& campaign = trial.campaign();
   const auto history = trial.history(options.draw);
-  const schema::FoldingView view{campaign.pattern, trial.shifts_mm(), trial.mechanism(), history,
+  const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(options.draw);
+  const schema::FoldingView view{campaign.pattern, shifts_mm, trial.mechanism(), history,
                                  campaign.sample_deg};
   const bool accepted = trial.accepts(history.verdict);
   if (!options.json) {
@@ -151,7 +152,8 @@ void export_candidates(const ExportOptions& options) {
   }
   for (const std::uint64_t draw : draws) {
     const auto history = trial.history(draw);
-    const schema::FoldingView view{campaign.pattern, trial.shifts_mm(), trial.mechanism(), history,
+    const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
+    const schema::FoldingView view{campaign.pattern, shifts_mm, trial.mechanism(), history,
                                    campaign.sample_deg};
     const std::filesystem::path path =
         std::filesystem::path(options.output) /
@@ -159,7 +161,7 @@ void export_candidates(const ExportOptions& options) {
     if (options.format == "csv") {
       write_file(path, schema::folding_csv(view));
     } else {
-      const auto vertices = campaign.pattern.base.sheet.vertices_mm + trial.shifts_mm();
+      const auto vertices = campaign.pattern.base.sheet.vertices_mm + shifts_mm;
       const auto metrics =
           solver::measure(campaign.pattern.base, vertices, history, campaign.sample_deg);
       write_file(path, schema::candidate_json(campaign, draw, view, metrics).dump(1) + "\n");

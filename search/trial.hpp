@@ -1,61 +1,67 @@
-// The science of one draw: draw -> displaced pattern -> path -> diagonals -> verdict -> metrics.
+// The science of draws: draw -> displaced pattern -> fast tests -> path -> diagonals -> verdict ->
+// metrics.
 #pragma once
 
-#include <optional>
-
 #include "schema/catalogue.hpp"
+#include "solver/batch.hpp"
 #include "solver/reference.hpp"
 
 namespace misalign::search {
 
-/// What became of a draw; `candidate` when it deploys from the campaign's threshold.
-struct Outcome {
-  solver::Verdict verdict;
-  std::optional<schema::Candidate> candidate;
-};
-
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class Trial {
  public:
+  /// In the widest registers of this machine, or in those of `set`.
   explicit Trial(schema::Campaign campaign);
+  Trial(schema::Campaign campaign, solver::InstructionSet set);
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
 
-  Outcome run(std::uint64_t draw);
+  /// How many draws a block may have at most: what it needs stays within a few megabytes.
+  std::uint64_t largest_block() const;
+  /// Settles every draw of a range no larger than that and adds what became of them to `unit`.
+  void run(const schema::DrawRange& block, schema::UnitRecord& unit);
 
+  /// Verdicts of a range of draws, each on its full path.
+  const std::vector<solver::Verdict>& judge(const schema::DrawRange& block);
   /// Everything about one draw, accepted or not.
   solver::FoldingHistory history(std::uint64_t draw);
-  /// Shifts of the draw that was run or looked at last, one column per vertex.
-  const Eigen::Matrix2Xd& shifts_mm() const { return shifts_mm_; }
+  /// Shifts of one draw, one column per vertex of the sheet.
+  Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
 
   const schema::Campaign& campaign() const { return campaign_; }
-  const solver::Mechanism& mechanism() const { return mechanism_; }
+  const solver::Mechanism& mechanism() const { return family_.mechanism(); }
+  const solver::Batch& batch() const { return *batch_; }
 
   /// Whether the campaign wants a draw with this verdict.
   bool accepts(const solver::Verdict& verdict) const;
 
  private:
-  void displace(std::uint64_t draw);
+  void displace(const schema::DrawRange& block);
+  void judge_chosen();
+  void add_candidates(std::uint64_t first_draw, schema::UnitRecord& unit);
 
-  schema::Campaign campaign_;
-  solver::Mechanism mechanism_;
-  solver::PathPlan plan_;
+  const schema::Campaign campaign_;
+  const solver::SheetFamily family_;
+  std::unique_ptr<solver::Batch> batch_;
   solver::Reference reference_;
-  Eigen::Matrix2Xd shifts_mm_;
-  solver::FlatVertices vertices_mm_;
+  solver::ShiftBlock block_;
+  std::vector<int> chosen_, accepted_;     // sheets of the block
+  std::vector<solver::Verdict> verdicts_;  // of the chosen ones
 };
 
 /// Fingerprint of this build's verdicts on fixed draws of a small sheet: whole numbers, the same
 /// for every build whose verdicts can be trusted to agree.
 std::string golden_verdicts();
 
-/// A range of draws being worked off, one draw at a time.
+/// A range of draws being worked off, one block at a time.
 class UnitWork {
  public:
   UnitWork(Trial& trial, const schema::DrawRange& range);
 
   bool finished() const { return next_ == range_.hi; }
-  void run_next_draw();
+  /// As many draws as take about a twentieth of a second: nobody who waits for this waits longer.
+  void run_next_block();
   /// What has been done so far: from the range's start up to the next draw.
   schema::UnitRecord take();
 
@@ -63,6 +69,7 @@ class UnitWork {
   Trial& trial_;
   schema::DrawRange range_;
   std::uint64_t next_;
+  std::uint64_t block_draws_ = 8;
   schema::UnitRecord record_;
 };
 

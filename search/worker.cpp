@@ -9,7 +9,7 @@ void run_worker(const MpiSession& mpi, Trial& trial) {
     const DrawRange range = mpi.receive_range();
     if (range.size() == 0) return;
     UnitWork work(trial, range);
-    while (!work.finished() && !stop_signal_seen() && !mpi.range_waiting()) work.run_next_draw();
+    while (!work.finished() && !stop_signal_seen() && !mpi.range_waiting()) work.run_next_block();
     mpi.send_unit(work.take());
   }
 }

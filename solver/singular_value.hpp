@@ -21,9 +21,8 @@ class SmallestSingularValue {
   void restart(int i) {
     const double size = static_cast<double>(direction_.size());
     for (std::size_t k = 0; k < direction_.size(); ++k) {
-      lane(direction_[k], i) = 1 + static_cast<double>(k) / size;
+      lane(direction_[k], i) = (1 + static_cast<double>(k) / size) / size;
     }
-    scale_to_one(direction_);
   }
 
   /// `factors` of J have `solve(rhs, x)` and `solve_transposed(rhs, x)`. Relative error below 1e-6

@@ -5,23 +5,44 @@
 namespace misalign::search {
 namespace {
 
-schema::Campaign small_campaign() {
+schema::Campaign small_campaign(double threshold_deg = 150) {
   return schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
-                                {"accept", {{"deploys_from_deg", 150}}}},
+                                {"accept", {{"deploys_from_deg", threshold_deg}}}},
                                "a test");
 }
 
-// The accepted pattern's metrics belong to the verdict, and do not depend on what ran before.
+schema::UnitRecord run(Trial& trial, const schema::DrawRange& range) {
+  schema::UnitRecord unit;
+  trial.run(range, unit);
+  return unit;
+}
+
+// The frozen reference's verdict on one draw: dense matrices, every degree.
+solver::Verdict reference_verdict(const schema::Campaign& campaign, const Trial& trial,
+                                  std::uint64_t draw) {
+  const solver::PerforatedSheet& base = campaign.pattern.base;
+  const auto plan =
+      solver::plan_path(trial.mechanism(), base.folding, base.sheet.vertices_mm, campaign.path());
+  solver::Reference reference(trial.mechanism(), plan);
+  return reference.judge(base.sheet.vertices_mm + trial.shifts_mm(draw));
+}
+
+// The accepted patterns are the reference's, their metrics belong to the verdict, and do not depend
+// on what else is in the block.
 TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
   Trial trial(small_campaign());
-  int accepted = 0;
+  const schema::UnitRecord unit = run(trial, {0, 60});
+  EXPECT_EQ(unit.accepted + unit.rejected, 60u);
+  EXPECT_GT(unit.accepted, 10u);
+  std::size_t next = 0;
   for (std::uint64_t draw = 0; draw < 60; ++draw) {
-    const Outcome outcome = trial.run(draw);
-    EXPECT_EQ(outcome.candidate.has_value(), outcome.verdict.deploys_from_sample >= 150);
-    if (!outcome.candidate) continue;
-    ++accepted;
-    const solver::Metrics& m = outcome.candidate->metrics;
-    EXPECT_EQ(m.deploys_from_sample, outcome.verdict.deploys_from_sample);
+    const solver::Verdict verdict = reference_verdict(trial.campaign(), trial, draw);
+    const bool accepted = next < unit.candidates.size() && unit.candidates[next].draw == draw;
+    EXPECT_EQ(accepted, verdict.deploys_from_sample >= 150) << "draw " << draw;
+    if (!accepted) continue;
+    const schema::Candidate& candidate = unit.candidates[next++];
+    const solver::Metrics& m = candidate.metrics;
+    EXPECT_EQ(m.deploys_from_sample, verdict.deploys_from_sample);
     EXPECT_EQ(m.increasing + m.decreasing, 4);
     EXPECT_GE(m.fold_limit_deg, m.deploys_from_deg);
     EXPECT_LE(m.stroke_min, m.stroke_max);
@@ -31,21 +52,21 @@ TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
     EXPECT_LE(m.residual_max, 1e-12);
 
     Trial fresh(small_campaign());
-    const Outcome again = fresh.run(draw);
-    EXPECT_EQ(again.candidate->metrics.stretch_sq_mm2, m.stretch_sq_mm2);
-    EXPECT_EQ(again.candidate->shifts_mm, outcome.candidate->shifts_mm);
+    const schema::UnitRecord again = run(fresh, {draw, draw + 1});
+    ASSERT_EQ(again.candidates.size(), 1u);
+    EXPECT_EQ(again.candidates[0].metrics.stretch_sq_mm2, m.stretch_sq_mm2);
+    EXPECT_EQ(again.candidates[0].metrics.singular_value_min, m.singular_value_min);
+    EXPECT_EQ(again.candidates[0].shifts_mm, candidate.shifts_mm);
   }
-  EXPECT_GT(accepted, 10);
 }
 
 // Metrics again from the history, by loops of their own.
 TEST(Trial, MetricsFromTheHistory) {
   Trial trial(small_campaign());
-  std::uint64_t draw = 0;
-  Outcome outcome = trial.run(draw);
-  while (!outcome.candidate) outcome = trial.run(++draw);
-  const solver::Metrics& m = outcome.candidate->metrics;
-  const auto history = trial.history(draw);
+  const schema::UnitRecord unit = run(trial, {0, 20});
+  ASSERT_FALSE(unit.candidates.empty());
+  const solver::Metrics& m = unit.candidates[0].metrics;
+  const auto history = trial.history(unit.candidates[0].draw);
   const Eigen::Index d_samples = m.deploys_from_sample;
   const Eigen::Map<const Eigen::RowVectorXd> flat(history.flat_mm.data(), 4);
   const Eigen::MatrixXd lengths = history.length_mm.topRows(d_samples);
@@ -64,17 +85,55 @@ TEST(Trial, MetricsFromTheHistory) {
 TEST(Trial, UnitsCountEveryDrawOnce) {
   Trial trial(small_campaign());
   UnitWork work(trial, {1000, 1040});
-  for (int k = 0; k < 30; ++k) work.run_next_draw();
+  work.run_next_block();
+  work.run_next_block();
   EXPECT_FALSE(work.finished());
   const schema::UnitRecord unit = work.take();
-  EXPECT_EQ(unit.range, (schema::DrawRange{1000, 1030}));
-  EXPECT_EQ(unit.accepted + unit.rejected + unit.undecided.size(), 30u);
+  EXPECT_EQ(unit.range.lo, 1000u);
+  EXPECT_GT(unit.range.hi, 1001u);
+  EXPECT_LT(unit.range.hi, 1040u);
+  EXPECT_EQ(unit.accepted + unit.rejected + unit.undecided.size(), unit.range.size());
   EXPECT_EQ(unit.accepted, unit.candidates.size());
-  ASSERT_EQ(unit.fault_sample.size(), 1u);
-  EXPECT_EQ(unit.fault_sample[0].draw, 1024u);
   std::uint64_t screened = 0;
   for (const auto& [seen, draws] : unit.screened) screened += draws;
   EXPECT_EQ(screened, unit.rejected);
+}
+
+// Draws of the fault sample take the full path whatever the fast tests saw: the sample has their
+// first fault, at a threshold that almost all of them miss.
+TEST(Trial, FaultSampleHasTheFirstFault) {
+  Trial trial(small_campaign(180));
+  const schema::UnitRecord unit = run(trial, {1000, 3100});
+  ASSERT_EQ(unit.fault_sample.size(), 3u);
+  for (const schema::DrawVerdict& sampled : unit.fault_sample) {
+    EXPECT_EQ(sampled.draw % 1024, 0u);
+    const solver::Verdict expected = reference_verdict(trial.campaign(), trial, sampled.draw);
+    EXPECT_EQ(sampled.verdict.deploys_from_sample, expected.deploys_from_sample);
+    EXPECT_EQ(sampled.verdict.first_fault, expected.first_fault);
+    EXPECT_EQ(sampled.verdict.where, expected.where);
+  }
+}
+
+// The same draws in the registers of every instruction set of this machine, and in other blocks.
+TEST(Trial, InstructionSetsAndBlocksAgree) {
+  const auto draws_of = [](const schema::UnitRecord& unit) {
+    std::vector<std::pair<std::uint64_t, int>> draws;
+    for (const auto& candidate : unit.candidates) {
+      draws.emplace_back(candidate.draw, candidate.metrics.deploys_from_sample);
+    }
+    return draws;
+  };
+  Trial widest(small_campaign());
+  const auto expected = draws_of(run(widest, {500, 900}));
+  EXPECT_GT(expected.size(), 100u);
+  for (const auto set : solver::available_instruction_sets()) {
+    Trial trial(small_campaign(), set);
+    schema::UnitRecord unit;
+    for (std::uint64_t lo = 500; lo < 900; lo += 57) {
+      trial.run({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit);
+    }
+    EXPECT_EQ(draws_of(unit), expected) << solver::instruction_set_name(set);
+  }
 }
 
 }  // namespace
