@@ -142,8 +142,11 @@ Move Course::walked(const Reading& reading) {
   const double tangent_pilot = sign * reading.tangent_pilot;
   if (tangent_pilot <= 0) {
     const double before = tangent_pilot_[0];
-    if (ds_ * std::max(before, -tangent_pilot) < options_.walk.turn_tolerance_rad) {
-      result_.fold_limit_deg = angle_deg(reading.last_pilot);
+    const double rise = ds_ * std::max(before, -tangent_pilot);
+    const double way_left = 2 * half_sine_between(plan_->stops.back().pilot, reading.last_pilot);
+    if (rise <
+        std::max(options_.walk.turn_tolerance_rad, (1 - options_.turn_certain_share) * way_left)) {
+      result_.fold_limit_deg = angle_deg(reading.last_pilot) + 0.5 * rise / kRadPerDeg;
       return end(PathEnd::fold_limit);
     }
     bend_ = (before - tangent_pilot) / ds_;

@@ -72,7 +72,7 @@ void SheetFamily::choose_tests() {
     const HalfAngle<double> pilot = half_angle_of_deg(sample * sample_deg_);
     TestAngle& test = tests_.emplace_back(TestAngle{
         sample, pilot, base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
-        SparseLu<double>(elimination_), 0});
+        SparseLu<double>(elimination_), 0, sample == far});
     evaluate(mechanism_, geometry, test.base, residual.data(), test.factors.entries());
     test.factors.factorize();
     test.determinant_sign = determinant_sign(test.factors);

@@ -15,6 +15,7 @@ struct TestAngle {
   FoldState<double> base;
   SparseLu<double> factors;
   int determinant_sign;
+  bool with_slopes;  ///< whether the diagonals' rates of change are looked at as well
 };
 
 class SheetFamily {

@@ -90,6 +90,7 @@ CourseOptions approach_options() {
   CourseOptions options;
   options.closure_tolerance = 1e-7;
   options.walk.turn_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
+  options.turn_certain_share = 0.5;
   options.longest_half_sine = 0.5;
   options.longest_correction_rad = 0.15;
   return options;

@@ -1,7 +1,7 @@
 // A fast test: as many sheets as there are lanes, all at one angle, straight from the base folding.
-// One step with the base's factors, two Newton iterations; the second one's size against the first
-// one's tells how far away the solution still is (Newton and Kantorovich: the error is squared each
-// time, with the same constant).
+// One step with the base's factors, then two corrections: the second one's size against the first
+// one's tells how far away the solution still is. Where slopes are wanted both are Newton's, with
+// factors of their own; otherwise the second uses the first one's.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ class LaneTest {
  private:
   void load(const ShiftBlock& block, const OpenSheet* open, int count);
   void solve(const TestAngle& test, const FoldState<T>& base);
-  T correct();
+  T correct(bool new_factors);
   void report(int test, OpenSheet* open, int count, Screening& screening, ApproachDesk& approach);
 
   const SheetFamily& family_;
@@ -47,8 +47,8 @@ class LaneTest {
   std::vector<FoldState<T>> base_;  // per test, in every lane
   std::vector<T> base_x_, base_y_;  // panel widths
   SheetGeometry<T> geometry_;
-  FoldState<T> state_, ahead_;
-  std::vector<T> residual_, y_, turn_, flat_, lengths_, ahead_lengths_;
+  FoldState<T> state_;
+  std::vector<T> residual_, y_, turn_, flat_, lengths_, slopes_;
   SparseLu<T> lu_;
   T first_correction_, second_correction_, determinant_sign_;
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
@@ -60,13 +60,12 @@ LaneTest<T>::LaneTest(const SheetFamily& family)
     : family_(family),
       mechanism_(family.mechanism()),
       state_(flat_state<T>(mechanism_)),
-      ahead_(state_),
       residual_(mechanism_.equations, T(0)),
       y_(mechanism_.unknowns, T(0)),
       turn_(mechanism_.unknowns, T(0)),
       flat_(mechanism_.diagonals.size(), T(0)),
       lengths_(flat_),
-      ahead_lengths_(flat_),
+      slopes_(flat_),
       lu_(family.elimination()) {
   lane_flat_.resize(flat_.size());
   lane_lengths_.resize(flat_.size());
@@ -122,26 +121,32 @@ void LaneTest<T>::solve(const TestAngle& test, const FoldState<T>& base) {
                         turn_.data());
   for (T& turn : turn_) turn = -turn;
   advance(mechanism_, turn_.data(), state_);
-  first_correction_ = correct();
-  second_correction_ = correct();
-  lu_.null_vector(-lu_.pilot_coefficient() / lu_.partner_coefficient(), T(1), y_.data(),
-                  turn_.data());
+  first_correction_ = correct(true);
+  second_correction_ = correct(test.with_slopes);
   determinant_sign_ = T(lu_.plan().permutation_sign);
   for (int k = 0; k < n; ++k) {
     determinant_sign_ = select(lu_.pivot(k) < T(0), -determinant_sign_, determinant_sign_);
   }
-  folded_lengths(mechanism_, geometry_, state_, lengths_.data());
-  for (T& turn : turn_) turn = turn * T(kSlopeStep_rad);
-  ahead_ = state_;
-  advance(mechanism_, turn_.data(), ahead_);
-  folded_lengths(mechanism_, geometry_, ahead_, ahead_lengths_.data());
+  if (test.with_slopes) {
+    lu_.null_vector(-lu_.pilot_coefficient() / lu_.partner_coefficient(), T(1), y_.data(),
+                    turn_.data());
+    folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),
+                              slopes_.data());
+  } else {
+    folded_lengths(mechanism_, geometry_, state_, lengths_.data());
+  }
 }
 
-// One Newton iteration with the pilot held; returns the largest turn it made.
+// One correction with the pilot held, by new factors or those that are there; returns the largest
+// turn it made.
 template <class T>
-T LaneTest<T>::correct() {
-  evaluate(mechanism_, geometry_, state_, residual_.data(), lu_.entries());
-  lu_.factorize();
+T LaneTest<T>::correct(bool new_factors) {
+  if (new_factors) {
+    evaluate(mechanism_, geometry_, state_, residual_.data(), lu_.entries());
+    lu_.factorize();
+  } else {
+    evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
+  }
   lu_.forward(residual_.data(), y_.data());
   lu_.backward(y_.data(), y_[mechanism_.equations - 1] / lu_.partner_coefficient(), T(0),
                turn_.data());
@@ -166,16 +171,18 @@ void LaneTest<T>::report(int test, OpenSheet* open, int count, Screening& screen
       screening.set_flat(sheet, lane_flat_.data());
     }
     effort_.solves += 1;
-    effort_.iterations += 2;
-    const NewtonError error = newton_error(lane(first_correction_, i), lane(second_correction_, i),
-                                           family_.length_per_rad());
+    effort_.iterations += angle.with_slopes ? 2 : 1;
+    const double first = lane(first_correction_, i), second = lane(second_correction_, i);
+    const StateError error = angle.with_slopes
+                                 ? newton_error(first, second, family_.length_per_rad())
+                                 : chord_error(first, second, family_.length_per_rad());
     if (!error.known || lane(determinant_sign_, i) * angle.determinant_sign < 0) continue;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
       lane_lengths_[k] = lane(lengths_[k], i);
-      lane_slopes_[k] = (lane(ahead_lengths_[k], i) - lane_lengths_[k]) / kSlopeStep_rad;
+      lane_slopes_[k] = lane(slopes_[k], i);
     }
-    screening.observe(sheet, {angle.sample, lane_lengths_.data(), error.length, lane_slopes_.data(),
-                              error.slope});
+    screening.observe(sheet, {angle.sample, lane_lengths_.data(), error.length,
+                              angle.with_slopes ? lane_slopes_.data() : nullptr, error.slope});
     if (open[i].kept_state < 0 && !screening.decided(sheet)) {
       copy_lane(state_, i, approach.keep(test, open[i].kept_state));
     }

@@ -6,8 +6,7 @@ std::vector<JacobianEntry> jacobian_entries(const Mechanism& mechanism) {
   std::vector<JacobianEntry> entries;
   for (const Loop& loop : mechanism.loops) {
     for (const Passage& passage : loop.passages) {
-      const int first = passage.ball ? mechanism.balls[passage.joint].column
-                                     : mechanism.creases[passage.joint].column;
+      const int first = mechanism.first_column(passage);
       for (int k = 0; k < (passage.ball ? 3 : 1); ++k) {
         for (int row = 0; row < loop.rows; ++row) {
           entries.push_back({loop.first_row + row, first + k});

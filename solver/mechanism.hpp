@@ -74,6 +74,10 @@ struct Mechanism {
   int unknowns, equations;
   double panel_width_mm;
 
+  /// Column of the first of a passage's unknowns, one or three.
+  int first_column(const Passage& passage) const {
+    return passage.ball ? balls[passage.joint].column : creases[passage.joint].column;
+  }
   int diagonal_count() const { return static_cast<int>(diagonals.size()); }
 };
 

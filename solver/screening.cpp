@@ -30,13 +30,21 @@ constexpr double kSafety = 10;
 
 }  // namespace
 
-NewtonError newton_error(double first_correction_rad, double second_correction_rad,
-                         double length_per_rad) {
+StateError newton_error(double first_correction_rad, double second_correction_rad,
+                        double length_per_rad) {
   const double ratio = second_correction_rad / first_correction_rad;
   if (!(ratio < kLargestRatio)) return {false, 0, 0};
   const double left_rad = kSafety * ratio * ratio * second_correction_rad;
   return {true, length_per_rad * left_rad + kPathLengthError,
           kSlopeErrorShare * ratio * ratio + kPathSlopeError};
+}
+
+StateError chord_error(double first_correction_rad, double second_correction_rad,
+                       double length_per_rad) {
+  const double ratio = second_correction_rad / first_correction_rad;
+  if (!(ratio < kLargestRatio)) return {false, 0, 0};
+  const double left_rad = kSafety * ratio * second_correction_rad;
+  return {true, length_per_rad * left_rad + kPathLengthError, 0};
 }
 
 Screening::Screening(const SheetFamily& family)
@@ -74,7 +82,7 @@ bool Screening::sees_both(int sheet, const Observation& now) {
   // Of so many steps one at least is longer than the band.
   const double flat_margin = now.length_error + kStepBand_widths * family_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
-  const bool slopes_count = family_.sample_deg() <= kLongestSampleForSlopes_deg &&
+  const bool slopes_count = now.slopes && family_.sample_deg() <= kLongestSampleForSlopes_deg &&
                             now.sample < family_.threshold_sample();
   const double slope_margin = now.slope_error + kLeastSlope_widths_per_deg / kRadPerDeg;
   for (std::size_t i = 0; i < diagonals_; ++i) {

@@ -11,7 +11,7 @@
 namespace misalign::solver {
 
 /// Errors of a converged state: of a diagonal (panel widths; 1e-13 was seen) and of its change per
-/// radian of pilot, see kSlopeStep_rad.
+/// radian of pilot.
 inline constexpr double kPathLengthError = 1e-10;
 inline constexpr double kPathSlopeError = 1e-5;
 
@@ -30,20 +30,23 @@ struct Observation {
   int sample;
   const double* lengths;
   double length_error;
-  const double* slopes;
+  const double* slopes;  ///< null: not known
   double slope_error;
 };
 
-/// How far a state is from its solution after two Newton iterations with corrections of these sizes
-/// (rad). Newton squares the error, e' = K e^2: the corrections give K, and what is left. `known`
-/// is false where they do not shrink fast enough for that to be believed.
-struct NewtonError {
+/// How far a state is from its solution after two corrections of these sizes (rad). `known` is
+/// false where they do not shrink fast enough for that to be believed.
+struct StateError {
   bool known;
   double length;  ///< of a diagonal, panel widths
   double slope;   ///< of its change per radian of pilot, by the tangent at the state before
 };
-NewtonError newton_error(double first_correction_rad, double second_correction_rad,
-                         double length_per_rad);
+/// Both by Newton: each squares the error, e' = K e^2, and the corrections give K (Kantorovich).
+StateError newton_error(double first_correction_rad, double second_correction_rad,
+                        double length_per_rad);
+/// Both by the same factors: each shrinks the error by the same ratio.
+StateError chord_error(double first_correction_rad, double second_correction_rad,
+                       double length_per_rad);
 
 /// The memory of a block of sheets while they are tested.
 class Screening {

@@ -27,9 +27,6 @@ struct Departure {
   int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
 };
 
-/// Slopes are differences over this step along the curve: rounding leaves 1e-11 of them.
-inline constexpr double kSlopeStep_rad = 1e-5;
-
 template <class T>
 class Tracker {
  public:
@@ -120,7 +117,7 @@ class Tracker {
   SparseLu<T> lu_;
   SheetGeometry<T> geometry_;
   FoldState<T> trial_, last_, ahead_;
-  std::vector<T> residual_, y_, correction_, null_, move_, lengths_, ahead_lengths_;
+  std::vector<T> residual_, y_, correction_, null_, move_, lengths_, slopes_;
   std::array<std::vector<T>, 3> tangents_;  // newest first
   T open_, largest_correction_, determinant_sign_, orientation_, cosine_, largest_half_sine_;
   bool slopes_known_ = false;

@@ -22,7 +22,7 @@ Tracker<T>::Tracker(const Mechanism& mechanism, const Elimination& elimination,
       null_(correction_),
       move_(correction_),
       lengths_(mechanism.diagonals.size(), T(0)),
-      ahead_lengths_(lengths_),
+      slopes_(lengths_),
       tangents_{correction_, correction_, correction_} {
   courses_.fill(Course(options));
 }
@@ -166,20 +166,16 @@ void Tracker<T>::copy_lengths(int i, double* lengths) const {
   for (const T& length : lengths_) *lengths++ = lane(length, i);
 }
 
-// By one difference for all lanes along their tangents, on first demand.
+// For all lanes at once, on first demand.
 template <class T>
 void Tracker<T>::copy_slopes(int i, double* slopes) {
   if (!slopes_known_) {
-    for (int j = 0; j < unknowns_; ++j) move_[j] = T(kSlopeStep_rad) * tangents_[0][j];
-    ahead_ = last_;
-    advance(mechanism_, move_.data(), ahead_);
-    folded_lengths(mechanism_, geometry_, ahead_, ahead_lengths_.data());
+    folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
+                              slopes_.data());
     slopes_known_ = true;
   }
-  const double pilot_step_rad = kSlopeStep_rad * lane(tangents_[0][unknowns_ - 1], i);
-  for (std::size_t k = 0; k < lengths_.size(); ++k) {
-    slopes[k] = (lane(ahead_lengths_[k], i) - lane(lengths_[k], i)) / pilot_step_rad;
-  }
+  const double pilot_rate = lane(tangents_[0][unknowns_ - 1], i);
+  for (const T& slope : slopes_) *slopes++ = lane(slope, i) / pilot_rate;
 }
 
 }  // namespace misalign::solver
