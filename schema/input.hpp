@@ -28,6 +28,7 @@ inline constexpr int kExitUsage = 2;
 inline constexpr int kExitBadInput = 3;
 inline constexpr int kExitInUse = 4;
 inline constexpr int kExitOtherCampaign = 5;
+inline constexpr int kExitCheckFailed = 6;
 inline constexpr int kExitWorkRemains = 75;
 
 /// What is wrong with a file, collected while reading goes on.

@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "schema/result_table.hpp"
+#include "search/bench.hpp"
 #include "search/build_info.hpp"
 #include "search/look.hpp"
 #include "search/search_run.hpp"
@@ -235,6 +236,24 @@ Action add_config(CLI::App& app) {
   };
 }
 
+Action add_bench(CLI::App& app) {
+  auto* verb = app.add_subcommand("bench", "speed, and agreement with the reference solver");
+  verb->footer(
+      "Examples:\n  misalign bench\n"
+      "  misalign bench search/campaigns/ring-6x6.json --agree 2000 --json");
+  auto options = std::make_shared<BenchOptions>();
+  verb->add_option("CAMPAIGN", options->campaign_path, "campaign file [the default campaign]");
+  verb->add_option("--seconds", options->seconds, "for each solver [3]")
+      ->check(CLI::Range(0.01, 1e6));
+  verb->add_option(
+          "--agree", options->agree_draws,
+          "instead of speed: the verdicts of so many draws, each against the reference's at "
+          "thresholds of every tenth degree, at its own D and one sample above")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}));
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] { return bench(*options) ? 0 : schema::kExitCheckFailed; };
+}
+
 // CLI11's sentence with the contract's exit code.
 int usage_error(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
@@ -257,7 +276,7 @@ int run_command_line(int argc, char** argv) {
   std::map<std::string, Action> verbs = {{"search", add_search(app)}, {"status", add_status(app)},
                                          {"fold", add_fold(app)},     {"replay", add_replay(app)},
                                          {"query", add_query(app)},   {"export", add_export(app)},
-                                         {"config", add_config(app)}};
+                                         {"config", add_config(app)}, {"bench", add_bench(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
