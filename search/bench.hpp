@@ -39,9 +39,10 @@ SpeedReport measure_speed(const schema::Campaign& campaign, double seconds);
 /// Verdicts of the fast path against the reference's, on draws from 0 on.
 struct AgreementReport {
   std::uint64_t draws = 0, undecided = 0;
-  std::uint64_t verdicts_differ = 0;  ///< D, first fault or place, on the full path
-  std::uint64_t decisions = 0;        ///< at thresholds of every tenth degree, at each draw's own D
-                                      ///< and one sample above
+  std::uint64_t verdicts_differ = 0;   ///< D, first fault or place, on the full path
+  std::uint64_t reference_jumped = 0;  ///< they differed until the reference took finer steps
+  std::uint64_t decisions = 0;  ///< at thresholds of every tenth degree, at each draw's own D
+                                ///< and one sample above
   std::uint64_t decisions_differ = 0;
   std::vector<std::uint64_t> differing_draws;  ///< the first few
 };
