@@ -19,6 +19,8 @@ JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
       state_(flat_state<double>(family.mechanism())),
       lengths_(family.mechanism().diagonals.size()) {}
 
+JudgingDesk::~JudgingDesk() = default;
+
 void JudgingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
   block_ = &block;
   chosen_ = &chosen;
@@ -61,6 +63,8 @@ ApproachDesk::ApproachDesk(const SheetFamily& family, int lanes)
       state_(flat_state<double>(family.mechanism())),
       lengths_(family.mechanism().diagonals.size()),
       slopes_(lengths_.size()) {}
+
+ApproachDesk::~ApproachDesk() = default;
 
 void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
   block_ = &block;

@@ -42,6 +42,8 @@ NewtonError newton_error(double first_correction_rad, double second_correction_r
 Screening::Screening(const SheetFamily& family)
     : family_(family), diagonals_(family.mechanism().diagonals.size()) {}
 
+Screening::~Screening() = default;
+
 void Screening::begin(int sheets) {
   const std::size_t count = static_cast<std::size_t>(sheets);
   screened_.assign(count, {});

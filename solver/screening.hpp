@@ -49,6 +49,7 @@ NewtonError newton_error(double first_correction_rad, double second_correction_r
 class Screening {
  public:
   explicit Screening(const SheetFamily& family);
+  ~Screening();
 
   /// Forgets everything; room for `sheets` of them.
   void begin(int sheets);
