@@ -45,6 +45,7 @@ class Walker {
   Course& course() { return course_; }
   const PathResult& result() const { return course_.result(); }
   double last() const { return last_; }
+  double below_top_deg() const { return curve_.top_deg - curve_.pilot(last_) / kRadPerDeg; }
   double longest_step() const { return longest_step_; }
 
   /// From 10 degrees to where the path ends, or the last stop.
@@ -121,6 +122,7 @@ TEST(Walk, FoldLimitIsTheParabolasTop) {
         EXPECT_NEAR(walker.result().fold_limit_deg, 10 + height_deg, tolerance_deg);
         EXPECT_LE(walker.longest_step(), kUsual.longest_step_rad);
         EXPECT_LE(walker.last(), 0) << "the last point believed is on the forward half";
+        EXPECT_LE(walker.below_top_deg(), tolerance_deg) << "which is why the limit can be trusted";
         worst = std::max(worst, std::abs(walker.result().fold_limit_deg - 10 - height_deg));
       }
     }
