@@ -63,6 +63,7 @@ class Walker {
         move = course_.after(depart(move));
       }
     }
+    if (move.believe) last_ = trial_;
   }
 
  private:
