@@ -4,6 +4,8 @@
 
 namespace misalign::solver {
 
+Batch::~Batch() = default;
+
 const char* instruction_set_name(InstructionSet set) {
   switch (set) {
     case InstructionSet::baseline:

@@ -37,7 +37,7 @@ struct Effort {
 
 class Batch {
  public:
-  virtual ~Batch() = default;
+  virtual ~Batch();
 
   /// One result per sheet: rejected for certain, or not decided.
   virtual const std::vector<Screened>& screen(const ShiftBlock& block) = 0;

@@ -18,12 +18,15 @@ void Course::begin(const PathPlan& plan, std::size_t first_stop, int forward_sig
 
 Move Course::after(const Reading& reading) {
   ++result_.newton_iterations;
-  const bool is_closed = reading.open_by <= options_.closure_tolerance;
+  // Where a coordinate or a pivot is no number the tangent is none; the residual's and the
+  // corrections' largest entries may hide it.
+  const bool is_finite = std::isfinite(reading.open_by) && std::isfinite(reading.tangent_pilot);
+  const bool is_closed = is_finite && reading.open_by <= options_.closure_tolerance;
   const bool grows = corrections_ > 1 && !(reading.open_by < last_open_);
   last_open_ = reading.open_by;
   corrected_rad_ += reading.correction_rad;
   if (is_closed) return phase_ == Phase::walking ? walked(reading) : converged(reading);
-  if (grows || !std::isfinite(reading.open_by) || corrections_ == options_.max_corrections) {
+  if (grows || !is_finite || corrections_ == options_.max_corrections) {
     return not_there(reading);
   }
   ++corrections_;

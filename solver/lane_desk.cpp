@@ -25,6 +25,8 @@ JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
       judges_(lanes, Judge(family.mechanism())),
       found_(family.mechanism()) {}
 
+JudgingDesk::~JudgingDesk() = default;
+
 void JudgingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
   block_ = &block;
   chosen_ = &chosen;
@@ -98,6 +100,8 @@ CourseOptions approach_options() {
 
 ApproachDesk::ApproachDesk(const SheetFamily& family, int lanes)
     : family_(family), sheet_of_lane_(lanes), found_(family.mechanism()) {}
+
+ApproachDesk::~ApproachDesk() = default;
 
 void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
   block_ = &block;

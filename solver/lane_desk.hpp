@@ -15,6 +15,7 @@ namespace misalign::solver {
 class JudgingDesk {
  public:
   JudgingDesk(const SheetFamily& family, int lanes);
+  ~JudgingDesk();
 
   void begin(const ShiftBlock& block, const std::vector<int>& chosen);
   bool next(Departure& departure, int lane);
@@ -71,6 +72,7 @@ CourseOptions approach_options();
 class ApproachDesk {
  public:
   ApproachDesk(const SheetFamily& family, int lanes);
+  ~ApproachDesk();
 
   void begin(const ShiftBlock& block, Screening& screening);
   /// Room for a state at the angle of the test with this index; `kept` becomes its number.

@@ -1,6 +1,7 @@
 // One batch for each instruction set, each compiled with its own flags in a file of its own. Those
 // files instantiate nothing but templates on their registers: what they share with the rest of the
-// program is compiled elsewhere, or the linker might keep the copy that this machine cannot run.
+// program is compiled elsewhere (destructors too), or the linker might keep the copy that this
+// machine cannot run: tests/system/instruction_sets.sh looks.
 #pragma once
 
 #include "solver/batch.hpp"

@@ -50,6 +50,8 @@ StateError chord_error(double first_correction_rad, double second_correction_rad
 Screening::Screening(const SheetFamily& family)
     : family_(family), diagonals_(family.mechanism().diagonals.size()) {}
 
+Screening::~Screening() = default;
+
 void Screening::begin(int sheets) {
   const std::size_t count = static_cast<std::size_t>(sheets);
   screened_.assign(count, {});

@@ -52,6 +52,7 @@ StateError chord_error(double first_correction_rad, double second_correction_rad
 class Screening {
  public:
   explicit Screening(const SheetFamily& family);
+  ~Screening();
 
   /// Forgets everything; room for `sheets` of them.
   void begin(int sheets);

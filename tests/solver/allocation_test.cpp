@@ -1,9 +1,10 @@
 // The hot loop owns its memory before it starts: every call of the C library's allocator is
 // counted.
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 
-#include "sheets.hpp"
+#include "blocks.hpp"
 #include "solver/reference.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -62,6 +63,43 @@ TEST(Allocation, NoneInsideAPath) {
   EXPECT_EQ(first.first_fault, Fault::fold_limit);
   EXPECT_EQ(second.first_fault, Fault::inactive_diagonal);
 }
+
+class BatchAllocation : public testing::TestWithParam<InstructionSet> {};
+
+// The threshold is far enough for an approach, and of some sheets the path is lost.
+TEST_P(BatchAllocation, NoneInAWarmBatch) {
+  if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(165);
+  const auto batch = make_batch(GetParam(), family);
+  ShiftBlock block = sheets.draws(600, kSeed);
+  const ShiftBlock large = sheets.draws(10, kSeed, 8);
+  std::copy(large.shifts_mm.begin(), large.shifts_mm.end(), block.shifts_mm.begin());
+  std::vector<int> some = all_of(block);
+  some.resize(64);
+  batch->screen(block);
+  batch->judge(block, some);
+
+  const long before = allocations;
+  const auto& screened = batch->screen(block);
+  const long between = allocations;
+  const auto& verdicts = batch->judge(block, some);
+  const long after = allocations;
+  EXPECT_EQ(between - before, 0) << "screen";
+  EXPECT_EQ(after - between, 0) << "judge";
+  const auto with = [](const auto& results, auto has) {
+    return std::any_of(results.begin(), results.end(), has);
+  };
+  EXPECT_TRUE(with(screened, [](const Screened& s) { return s.fault == Fault::fold_limit; }));
+  EXPECT_TRUE(with(verdicts, [](const Verdict& v) { return v.first_fault == Fault::undecided; }));
+  EXPECT_TRUE(
+      with(verdicts, [](const Verdict& v) { return v.first_fault == Fault::not_monotone; }));
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchAllocation,
+                         testing::ValuesIn(available_instruction_sets()), [](const auto& set) {
+                           return std::string(instruction_set_name(set.param));
+                         });
 
 }  // namespace
 }  // namespace misalign::solver

@@ -1,0 +1,136 @@
+// Batches through their public interface, for every instruction set: bit for bit what one lane of
+// doubles gives, whoever the neighbours are.
+#include "solver/batch.hpp"
+
+#include <limits>
+
+#include "blocks.hpp"
+#include "solver/lane_batch.hpp"
+
+namespace misalign::solver {
+namespace {
+
+/// The definition: a register of one lane.
+using ScalarBatch = LaneBatch<double>;
+
+class BatchTest : public testing::TestWithParam<InstructionSet> {
+ protected:
+  std::unique_ptr<Batch> batch(const SheetFamily& family) const {
+    return make_batch(GetParam(), family);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchTest,
+                         testing::ValuesIn(available_instruction_sets()), [](const auto& set) {
+                           return std::string(instruction_set_name(set.param));
+                         });
+
+TEST(InstructionSets, BaselineIsThereEverywhere) {
+  const auto sets = available_instruction_sets();
+  ASSERT_FALSE(sets.empty());
+  EXPECT_EQ(sets[0], InstructionSet::baseline);
+}
+
+TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(160);
+  const auto batch = this->batch(family);
+  ScalarBatch scalar(family);
+  for (const int count : {1, 2, 3, 7, 8, 9, 17, 40}) {
+    SCOPED_TRACE(count);
+    const ShiftBlock block = sheets.draws(count, kSeed + count);
+    EXPECT_EQ(words(batch->judge(block, all_of(block))), words(scalar.judge(block, all_of(block))));
+    EXPECT_EQ(words(batch->screen(block)), words(scalar.screen(block)));
+  }
+  EXPECT_EQ(batch->judging_effort().solves, scalar.judging_effort().solves);
+  EXPECT_EQ(batch->judging_effort().iterations, scalar.judging_effort().iterations);
+  EXPECT_EQ(batch->screening_effort().iterations, scalar.screening_effort().iterations);
+}
+
+TEST_P(BatchTest, NothingToDo) {
+  const TestFamily sheets(4, 4);
+  const SheetFamily family = sheets.with_threshold(150);
+  const auto batch = this->batch(family);
+  EXPECT_TRUE(batch->judge(sheets.draws(3, kSeed), {}).empty());
+}
+
+// Between ordinary sheets: large shifts, whose paths are lost or turn early, coordinates that are
+// no number, and vertices that fall on each other.
+TEST_P(BatchTest, FailingNeighboursChangeNothing) {
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(160);
+  const auto batch = this->batch(family);
+  const ShiftBlock healthy = sheets.draws(24, kSeed);
+  const std::vector<std::string> alone = words(ScalarBatch(family).judge(healthy, all_of(healthy)));
+  const std::vector<std::string> screened_alone = words(ScalarBatch(family).screen(healthy));
+
+  ShiftBlock mixed = healthy;
+  mixed.sheets = 0;
+  mixed.shifts_mm.clear();
+  std::vector<int> healthy_places;
+  const auto append = [&](const ShiftBlock& from, int i) {
+    mixed.shifts_mm.insert(mixed.shifts_mm.end(), from.of(i),
+                           from.of(i) + 2 * sheets.shifted_vertices.size());
+    return mixed.sheets++;
+  };
+  ShiftBlock broken = sheets.draws(3, kSeed);
+  const std::size_t size = 2 * sheets.shifted_vertices.size();
+  broken.shifts_mm[7] = std::numeric_limits<double>::quiet_NaN();
+  broken.shifts_mm[size + 9] = std::numeric_limits<double>::infinity();
+  broken.shifts_mm[2 * size] = 80;  // A9 on A10
+  broken.shifts_mm[2 * size + 1] = 0;
+  broken.shifts_mm[2 * size + 2] = broken.shifts_mm[2 * size + 3] = 0;
+  const ShiftBlock large = sheets.draws(8, kSeed, 8), huge = sheets.draws(8, kSeed, 12);
+  for (int i = 0; i < healthy.sheets; ++i) {
+    healthy_places.push_back(append(healthy, i));
+    append(i % 3 == 0 ? broken : i % 3 == 1 ? large : huge, (i / 3) % (i % 3 == 0 ? 3 : 8));
+  }
+  const auto& verdicts = batch->judge(mixed, all_of(mixed));
+  const auto& screened = batch->screen(mixed);
+  int lost = 0;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(words(verdicts[healthy_places[i]]), alone[i]);
+    EXPECT_EQ(words(screened[healthy_places[i]]), screened_alone[i]);
+    const Verdict& neighbour = verdicts[healthy_places[i] + 1];
+    lost += neighbour.first_fault == Fault::undecided;
+    if (i % 3 == 0) {
+      EXPECT_EQ(words(neighbour), "D 0, undecided at -1, end 3") << "start_lost, and no verdict";
+      EXPECT_EQ(screened[healthy_places[i] + 1].fault, Fault::none) << "never a no";
+    }
+  }
+  EXPECT_GT(lost, 8 + 3);  // of large shifts too
+  ScalarBatch scalar(family);
+  EXPECT_EQ(words(batch->judge(mixed, all_of(mixed))), words(scalar.judge(mixed, all_of(mixed))));
+}
+
+// Whatever blocks they come in, in whatever order, and whichever are chosen.
+TEST_P(BatchTest, BlocksDoNotMatter) {
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(155);
+  const auto batch = this->batch(family);
+  const ShiftBlock block = sheets.draws(120 / kFewer, kSeed);
+  const std::vector<std::string> verdicts = words(batch->judge(block, all_of(block)));
+  const std::vector<std::string> screened = words(batch->screen(block));
+
+  std::vector<int> order = all_of(block);
+  std::mt19937 shuffle(kSeed);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[shuffle() % i]);
+  for (const std::size_t size : {std::size_t{1}, std::size_t{5}, std::size_t{64}, order.size()}) {
+    SCOPED_TRACE(size);
+    for (std::size_t first = 0; first < order.size(); first += size) {
+      const std::vector<int> some(order.begin() + first,
+                                  order.begin() + std::min(first + size, order.size()));
+      const ShiftBlock part = chosen_of(block, some);
+      const auto part_verdicts = words(batch->judge(part, all_of(part)));
+      EXPECT_EQ(words(batch->judge(block, some)), part_verdicts);
+      const auto part_screened = words(batch->screen(part));
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        EXPECT_EQ(part_verdicts[i], verdicts[some[i]]);
+        EXPECT_EQ(part_screened[i], screened[some[i]]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace misalign::solver

@@ -1,0 +1,251 @@
+// The fast tests' rules on made-up observations, every margin from both sides.
+#include "solver/screening.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "blocks.hpp"
+
+namespace misalign::solver {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// As screening.cpp has it: per degree, so that it can be compared with a sample's step.
+constexpr double kLeastSlope_widths_per_rad = 1e-6 / kRadPerDeg;
+
+// Newton's own sequence e' = K e^2 in one unknown: its corrections are e - e'. The error left must
+// not be more than what is said, whatever K is.
+TEST(NewtonError, BoundsWhatIsLeftOfAQuadraticSequence) {
+  for (const double constant : {1e-3, 0.1, 1.0, 30.0}) {
+    for (double share = 1e-6; share < 0.19; share *= 1.7) {
+      const double e0 = share / constant, e1 = share * e0, e2 = constant * e1 * e1;
+      const double first = e0 - e1, second = e1 - e2;
+      const NewtonError error = newton_error(first, second, 7);
+      ASSERT_TRUE(error.known) << "ratio " << second / first;
+      EXPECT_GE(error.length, 7 * e2 + kPathLengthError);
+      // Not by so much that nothing would ever be rejected: ten times, and what the ratio adds.
+      EXPECT_LE(error.length, 7 * 10 * 1.5 * e2 + kPathLengthError);
+      EXPECT_GE(error.slope, kPathSlopeError);
+    }
+  }
+}
+
+TEST(NewtonError, IsKnownBelowAQuarterOnly) {
+  EXPECT_TRUE(newton_error(0.1, 0.999 * 0.025, 1).known);
+  EXPECT_FALSE(newton_error(0.1, 1.001 * 0.025, 1).known);
+  EXPECT_FALSE(newton_error(0.01, 0.1, 1).known);
+  EXPECT_FALSE(newton_error(0, 0, 1).known);
+  EXPECT_FALSE(newton_error(kNan, 0.1, 1).known);
+  EXPECT_FALSE(newton_error(0.1, kNan, 1).known);
+}
+
+TEST(NewtonError, SlopesAreOffByTheRatiosSquare) {
+  EXPECT_DOUBLE_EQ(newton_error(0.1, 0.01, 1).slope, 8 * 0.01 + kPathSlopeError);
+  EXPECT_DOUBLE_EQ(newton_error(0.1, 0, 1).slope, kPathSlopeError);
+  EXPECT_DOUBLE_EQ(newton_error(0.1, 0, 1).length, kPathLengthError);
+}
+
+// Two sheets of four diagonals: what is said of the second must not touch the first.
+class ScreeningTest : public testing::Test {
+ protected:
+  static constexpr int kThreshold = 150, kSheet = 1;
+
+  ScreeningTest() { begin(screening_); }
+
+  void begin(Screening& screening) {
+    screening.begin(2);
+    for (const int sheet : {0, kSheet}) screening.set_flat(sheet, flat_.data());
+  }
+  /// Diagonal 2 longer than flat by `by`, with this slope; the others do not move.
+  bool rejects(Screening& screening, int sample, double by, double slope = 0,
+               double length_error = 0, double slope_error = 0) {
+    std::array<double, 4> lengths = flat_, slopes = {};
+    lengths[2] += by;
+    slopes[2] = slope;
+    screening.observe(kSheet, {sample, lengths.data(), length_error, slopes.data(), slope_error});
+    EXPECT_FALSE(screening.decided(0));
+    if (screening.decided(kSheet)) {
+      EXPECT_EQ(words(screening.results()[kSheet]),
+                "not_monotone at sample " + std::to_string(sample));
+    }
+    return screening.decided(kSheet);
+  }
+  bool rejects(int sample, double by, double slope = 0, double length_error = 0,
+               double slope_error = 0) {
+    return rejects(screening_, sample, by, slope, length_error, slope_error);
+  }
+
+  TestFamily sheets_{4, 4};
+  SheetFamily family_{sheets_.base, sheets_.shifted_vertices, {}, kThreshold};
+  // Powers of two, so that small differences are exact to 1e-16.
+  std::array<double, 4> flat_ = {1, 1, 1, 1};
+  // What all steps up to the threshold may hide.
+  const double band_ = kStepBand_widths * kThreshold;
+  Screening screening_{family_};
+};
+
+TEST_F(ScreeningTest, GrownThenShrunkIsRejected) {
+  EXPECT_FALSE(rejects(100, 1e-3));
+  EXPECT_TRUE(rejects(140, 0.9e-3));
+}
+
+TEST_F(ScreeningTest, ShrunkThenGrownIsRejectedInAnyOrderOfLooking) {
+  EXPECT_FALSE(rejects(140, -1e-3));
+  EXPECT_TRUE(rejects(30, -2e-3));  // shorter than later: it has grown since
+}
+
+TEST_F(ScreeningTest, OneDirectionIsNotRejected) {
+  EXPECT_FALSE(rejects(140, 3e-3, 1e-2));
+  EXPECT_FALSE(rejects(30, 1e-3, 1e-2));
+  EXPECT_FALSE(rejects(145, 4e-3, 1e-2));
+  EXPECT_EQ(words(screening_.results()[kSheet]), "none at sample 0");
+}
+
+TEST_F(ScreeningTest, NoiseIsNotRejected) {
+  for (const double noise : {0.9, -0.9, 0.5, -0.7}) {
+    EXPECT_FALSE(rejects(10, noise * 0.5 * band_));
+    EXPECT_FALSE(rejects(20, noise * 1e-8, 0, 2e-8));
+    EXPECT_FALSE(rejects(30, 0, noise * kLeastSlope_widths_per_rad));
+    EXPECT_FALSE(rejects(40, 0, noise * 1e-2, 0, 1e-2));
+  }
+  EXPECT_FALSE(rejects(50, 1e-3));
+  EXPECT_FALSE(rejects(60, 1e-3 - 0.9 * band_));
+}
+
+// From flat, and from what was seen before: with the band of every step, and the errors of both.
+TEST_F(ScreeningTest, StepBandFromBothSides) {
+  for (const double error : {0.0, 1e-9}) {
+    SCOPED_TRACE(error);
+    const double margin = error + band_;
+    for (const double by : {0.98 * margin, 1.02 * margin}) {
+      begin(screening_);
+      EXPECT_FALSE(rejects(30, -by, 0, error));  // shorter than flat, if that is certain ...
+      EXPECT_EQ(rejects(30, 1e-3, 0, error), by > margin);  // ... and the same sample: longer
+      begin(screening_);
+      EXPECT_FALSE(rejects(30, 1e-3, 0, error));
+      EXPECT_EQ(rejects(60, 1e-3 - by - error, 0, error), by > margin);
+      begin(screening_);
+      EXPECT_FALSE(rejects(60, 1e-3, 0, error));
+      EXPECT_EQ(rejects(30, 1e-3 + by + error, 0, error), by > margin);
+    }
+  }
+}
+
+// The band is that of every step up to the threshold, wherever the test looks.
+TEST_F(ScreeningTest, StepBandGrowsWithTheThreshold) {
+  for (const int threshold : {20, 180}) {
+    const SheetFamily family = sheets_.with_threshold(threshold);
+    Screening screening(family);
+    for (const double by : {0.98, 1.02}) {
+      begin(screening);
+      EXPECT_FALSE(rejects(screening, 5, 1e-3));
+      EXPECT_EQ(rejects(screening, 6, 1e-3 - by * threshold * kStepBand_widths), by > 1);
+    }
+  }
+}
+
+// Two looks at one sample are one: their lengths are not compared with each other.
+TEST_F(ScreeningTest, EqualSamplesAreOne) {
+  EXPECT_FALSE(rejects(30, 1e-3));
+  EXPECT_FALSE(rejects(30, 0.9e-3));
+  EXPECT_TRUE(rejects(31, 0.8e-3));
+}
+
+TEST_F(ScreeningTest, SlopeMarginFromBothSides) {
+  for (const double error : {0.0, 1e-2}) {
+    for (const double share : {0.999, 1.001}) {
+      begin(screening_);
+      EXPECT_FALSE(rejects(30, 1e-3));
+      EXPECT_EQ(rejects(60, 1e-3, -share * (error + kLeastSlope_widths_per_rad), 0, error),
+                share > 1);
+    }
+  }
+}
+
+// A slope speaks of the step to the next sample, which at the threshold is nobody's business.
+TEST_F(ScreeningTest, SlopesAreIgnoredAtTheThreshold) {
+  for (const int sample : {kThreshold - 1, kThreshold}) {
+    begin(screening_);
+    EXPECT_EQ(rejects(sample, 1e-3, -0.1), sample < kThreshold);
+  }
+}
+
+TEST_F(ScreeningTest, SlopesAreIgnoredForCoarseSamples) {
+  for (const double sample_deg : {1.0, 2.0, 2.5, 5.0}) {
+    PathPlanOptions path;
+    path.sample_deg = sample_deg;
+    const SheetFamily family = sheets_.with_threshold(30, path);
+    Screening screening(family);
+    begin(screening);
+    EXPECT_EQ(rejects(screening, 10, 1e-3, -0.1), sample_deg <= 2) << sample_deg;
+    begin(screening);
+    EXPECT_FALSE(rejects(screening, 10, 1e-3));
+    EXPECT_TRUE(rejects(screening, 12, 0.9e-3)) << "lengths count at any sample_deg";
+  }
+}
+
+TEST_F(ScreeningTest, WhatIsNoNumberIsNoReason) {
+  EXPECT_FALSE(rejects(30, 1e-3));
+  EXPECT_FALSE(rejects(60, kNan, kNan));
+  EXPECT_FALSE(rejects(90, 0.5, -1, kNan, kNan));
+}
+
+TEST_F(ScreeningTest, BeginForgets) {
+  EXPECT_FALSE(rejects(30, 1e-3));
+  begin(screening_);
+  EXPECT_FALSE(rejects(60, -1e-3));
+  EXPECT_TRUE(rejects(90, 1e-3));
+  begin(screening_);
+  EXPECT_FALSE(screening_.decided(kSheet));
+}
+
+// Beyond the verdict's own band by what a fold angle can be off; one of many creases.
+TEST_F(ScreeningTest, OverFoldMarginFromBothSides) {
+  const double margin_deg = 2e-8 / kRadPerDeg;  // 1e-8 of the half angle's cosine
+  for (const double share : {0.99, 1.01}) {
+    begin(screening_);
+    FoldState<double> state = sheets_.folded(120);
+    const int sign = family_.mechanism().creases[5].assignment;
+    state.creases[5] = half_angle_of_deg(sign * (180 + share * (kOverFoldBand_deg + margin_deg)));
+    screening_.observe(kSheet, 120, state);
+    EXPECT_EQ(words(screening_.results()[kSheet]),
+              share > 1 ? "over_folded at sample 120" : "none at sample 0");
+    EXPECT_FALSE(screening_.decided(0));
+  }
+}
+
+TEST_F(ScreeningTest, LostSignFromBothSides) {
+  for (const double share : {0.99, 1.01}) {
+    begin(screening_);
+    FoldState<double> state = sheets_.folded(120);
+    state.creases[3].s = -share * 1e-8 * family_.mechanism().creases[3].assignment;
+    screening_.observe(kSheet, 120, state);
+    EXPECT_EQ(words(screening_.results()[kSheet]),
+              share > 1 ? "assignment_flipped at sample 120" : "none at sample 0");
+  }
+}
+
+TEST_F(ScreeningTest, LimitMarginFromBothSides) {
+  const double margin_deg = 4 * kApproachTurn_deg;
+  for (const double below_deg : {0.0, margin_deg - 1e-9, margin_deg + 1e-9, 20.5}) {
+    begin(screening_);
+    screening_.path_ended(kSheet, {PathEnd::fold_limit, kThreshold - below_deg, 0, 0, 0});
+    // The first sample that is not there.
+    const std::string seen =
+        "fold_limit at sample " + std::to_string(kThreshold - static_cast<int>(below_deg));
+    EXPECT_EQ(words(screening_.results()[kSheet]),
+              below_deg > margin_deg ? seen : "none at sample 0");
+  }
+}
+
+TEST_F(ScreeningTest, OnlyAFoldLimitIsAReason) {
+  for (const PathEnd end :
+       {PathEnd::end_reached, PathEnd::stopped, PathEnd::start_lost, PathEnd::stalled}) {
+    screening_.path_ended(kSheet, {end, 100, 0, 0, 0});
+    EXPECT_FALSE(screening_.decided(kSheet));
+  }
+}
+
+}  // namespace
+}  // namespace misalign::solver
