@@ -47,7 +47,16 @@ std::string version_text() {
          std::to_string(EIGEN_MINOR_VERSION) + ", SQLite " + sqlite3_libversion() +
          ", nlohmann-json " + std::to_string(NLOHMANN_JSON_VERSION_MAJOR) + "." +
          std::to_string(NLOHMANN_JSON_VERSION_MINOR) + "." +
-         std::to_string(NLOHMANN_JSON_VERSION_PATCH) + "\ninstruction set baseline";
+         std::to_string(NLOHMANN_JSON_VERSION_PATCH) + "\ninstruction set " +
+         solver::instruction_set_name(solver::available_instruction_sets().back());
+}
+
+std::map<std::string, solver::InstructionSet> instruction_sets_by_name() {
+  std::map<std::string, solver::InstructionSet> sets;
+  for (const auto set : solver::available_instruction_sets()) {
+    sets[solver::instruction_set_name(set)] = set;
+  }
+  return sets;
 }
 
 void set_up_log(const std::string& level) {
@@ -97,6 +106,9 @@ Action add_search(CLI::App& app) {
   verb->add_option("--unit-draws", options->unit_draws,
                    "draws of one unit of work [about 5 s worth]")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
+  verb->add_option("--instruction-set", options->instruction_set,
+                   "baseline, avx2 or avx512, changes no answer [the widest of this machine]")
+      ->transform(CLI::CheckedTransformer(instruction_sets_by_name()).description(""));
   const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::plain},
                                                        {"plain", ProgressStyle::plain},
                                                        {"none", ProgressStyle::none}};

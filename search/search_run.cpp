@@ -94,7 +94,8 @@ int run_search(const SearchOptions& options) {
     if (const int exit_code = mpi.broadcast(0)) return exit_code;
     const std::string resolved = mpi.broadcast(std::string());
     try {
-      Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"));
+      Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
+                  options.instruction_set);
       run_worker(mpi, trial);
       return 0;
     } catch (const std::exception& error) {
@@ -106,7 +107,7 @@ int run_search(const SearchOptions& options) {
   std::string path;
   int exit_code = 0;
   try {
-    trial.emplace(resolved_campaign(options));
+    trial.emplace(resolved_campaign(options), options.instruction_set);
     path = options.catalogue_path.empty() ? default_catalogue_path(trial->campaign())
                                           : options.catalogue_path;
     if (options.catalogue_path.empty()) {

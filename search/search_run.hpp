@@ -16,6 +16,7 @@ struct SearchOptions {
   std::optional<schema::DrawRange> range;
   std::optional<std::uint64_t> unit_draws;
   ProgressStyle progress = ProgressStyle::plain;
+  solver::InstructionSet instruction_set = solver::available_instruction_sets().back();
 };
 
 /// Runs or resumes; returns the exit code.

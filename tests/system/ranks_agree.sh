@@ -21,6 +21,19 @@ for n in 1 2 3; do
 done
 [ "$(sql ranks-3-37.db 'SELECT count(DISTINCT worker) FROM unit')" = 3 ] || fail "an idle rank"
 
+# The registers of every instruction set give the same, and so does a C library that must do without.
+for set in baseline avx2 avx512; do
+  "$program" search "$campaign" --catalogue set-$set.db --draws $draws --progress none --instruction-set $set \
+    > out 2> err
+  code=$?
+  [ $code = 2 ] && [ $set != baseline ] && grep -q "instruction-set" err && continue  # not this machine's
+  [ $code = 0 ] || fail "$set: exit $code"
+  [ "$(digest_of set-$set.db)" = "$expected" ] || fail "$set: another digest"
+done
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA,-FMA4 "$program" search "$campaign" \
+  --catalogue plain.db --draws $draws --progress none > /dev/null 2>&1 || fail "without FMA and AVX2"
+[ "$(digest_of plain.db)" = "$expected" ] || fail "without FMA and AVX2 in the C library: another digest"
+
 # Candidates agree in every column that a verdict or a person reads.
 rows="SELECT draw, deploys_from_sample, displacements_mm, elongation FROM candidate ORDER BY draw"
 [ "$(sql alone.db "$rows" | cksum)" = "$(sql ranks-3-37.db "$rows" | cksum)" ] || fail "rows differ"
