@@ -198,6 +198,14 @@ TEST_F(ScreeningTest, SlopesAreIgnoredForCoarseSamples) {
   }
 }
 
+TEST_F(ScreeningTest, SlopesNeedNotBeKnown) {
+  std::array<double, 4> lengths = flat_;
+  for (double& length : lengths) length += 1e-3;
+  screening_.observe(kSheet, {30, lengths.data(), 0, nullptr, 0});
+  EXPECT_FALSE(screening_.decided(kSheet));
+  EXPECT_TRUE(rejects(60, 1e-3, -0.1));
+}
+
 TEST_F(ScreeningTest, WhatIsNoNumberIsNoReason) {
   EXPECT_FALSE(rejects(30, 1e-3));
   EXPECT_FALSE(rejects(60, kNan, kNan));

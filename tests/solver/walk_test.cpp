@@ -131,6 +131,31 @@ TEST(Walk, FoldLimitIsTheParabolasTop) {
   }
 }
 
+// A turn far below the plan's end need not be located: it is enough that a share of the way to the
+// end is out of reach. Reported is the middle of where it can be.
+TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
+  constexpr double kEnd_deg = 60;
+  for (const double share : {0.5, 0.9, 0.99}) {
+    CourseOptions options;
+    options.turn_certain_share = share;
+    int roughly = 0;
+    for (const double top_deg : {10.1, 17.0, 40.0, 59.9}) {
+      for (const double curvature : {0.1, 0.5, 2.0, 10.0, 50.0}) {
+        Walker walker({top_deg, curvature}, options);
+        walker.follow(plan_of({10, kEnd_deg}));
+        EXPECT_EQ(walker.result().end, PathEnd::fold_limit);
+        const double way_deg = kEnd_deg - top_deg + walker.below_top_deg();
+        EXPECT_LE(walker.below_top_deg(), std::max(1e-6, (1 - share) * way_deg));
+        const double error_deg = std::abs(walker.result().fold_limit_deg - top_deg);
+        // Half of what the pilot may still rise.
+        EXPECT_LE(error_deg, std::max(1e-6, 0.5 * (1 - share) * way_deg));
+        roughly += error_deg > 1e-6;
+      }
+    }
+    EXPECT_GT(roughly, 0);
+  }
+}
+
 // Below the top a stop is landed on, and the next one walked to again.
 TEST(Walk, LandsOnStopsBelowTheTop) {
   for (const double curvature : {0.1, 2.0, 50.0}) {
