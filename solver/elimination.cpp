@@ -1,29 +1,59 @@
 #include "solver/elimination.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <map>
 #include <random>
 #include <set>
 
+#include "solver/dissection.hpp"
+#include "solver/sparse_lu.hpp"
+
 namespace misalign::solver {
 namespace {
 
-// A pivot is no smaller than this share of the largest entry in its column, at every sample, unless
-// no entry is: multipliers stay below its inverse.
-constexpr double kPivotThreshold = 0.01;
+constexpr int kStates = 10;
 
-// The matrix while it is eliminated, at all samples at once: rows of nonzeros.
+// From flat to closed: where pivots are chosen, and where the choice is tried out. They are chosen
+// on the base folding itself, where every loop closes, not merely near it: some minors vanish on
+// closed states and nowhere else (on 28 x 28 a pivot went from 1e-5 to 6e-10 and 2e-13 as Newton
+// converged). What is large on the closed base is large near it, by continuity.
+using Angles = std::array<double, kStates>;
+constexpr Angles kPlanned_deg = {1, 5, 20, 60, 100, 130, 150, 165, 175, 178};
+constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
+
+// A pivot is no smaller than this share of the largest entry in its column, at every state, unless
+// no entry is: multipliers stay below its inverse. A lower one leaves more choice, and so costs
+// fewer operations.
+constexpr double kPivotThresholds[] = {0.0003, 0.001, 0.003, 0.01};
+
+// Of pivots that cost the same, one replaces another if its share is larger by this factor. On the
+// symmetric base many shares are equal but for rounding, which must not choose; larger factors than
+// 1 also cost fewer operations (6 x 6: 1,712 instead of 1,809).
+constexpr double kMarkedlyLarger = 4;
+
+// Of the trial: |J x - b| / (|J| |x| + |b|), largest entries and row sums. A correction is off by
+// at most this times the condition number, at 1 degree 1.6e5 (6 x 6) to 3.1e7 (28 x 28), from 60
+// degrees on a fiftieth of that: with three digits or more in each Newton converges as with dense
+// factors.
+constexpr double kLargestBackwardError = 1e-11;
+
+// How far the trial's misaligned states are off the base folding.
+constexpr double kOffBase = 0.05;
+
+// A nonzero at every state.
+using Values = std::array<double, kStates>;
+
+// The matrix while it is eliminated: rows of nonzeros.
 class ActiveMatrix {
  public:
-  ActiveMatrix(const std::vector<JacobianEntry>& entries,
-               const std::vector<std::vector<double>>& samples, int equations)
-      : rows_(equations), rows_in_(equations + 1) {
+  ActiveMatrix(const std::vector<JacobianEntry>& entries, const std::vector<Values>& values,
+               int equations)
+      : rows_(equations), rows_in_(equations + 1), candidates_(equations + 1) {
     for (std::size_t e = 0; e < entries.size(); ++e) {
-      std::vector<double>& values = rows_[entries[e].row][entries[e].column];
-      for (const auto& sample : samples) values.push_back(sample[e]);
+      rows_[entries[e].row][entries[e].column] = values[e];
       rows_in_[entries[e].column].insert(entries[e].row);
     }
   }
@@ -32,22 +62,19 @@ class ActiveMatrix {
     int row = -1, column = -1;
   };
 
-  // The cheapest pivot among `columns` that is at least `threshold` times the largest entry in its
-  // column; of equals the largest. No row if there is none.
-  Place choose(const std::vector<int>& columns, double threshold) const {
+  // The cheapest pivot among `columns` whose share of its column is at least `threshold`; of equals
+  // one that is markedly larger. No row if there is none.
+  Place choose(const std::vector<int>& columns, double threshold) {
+    if (threshold != threshold_) candidates_.assign(candidates_.size(), {});
+    threshold_ = threshold;
     Place best;
-    std::size_t least_cost = ~std::size_t{0};
-    double best_share = 0;
+    Candidate least;
     for (const int column : columns) {
-      const auto& candidates = rows_in_[column];
-      for (const int row : candidates) {
-        const std::size_t cost = (rows_[row].size() - 1) * (candidates.size() - 1);
-        if (cost > least_cost) continue;
-        const double share = share_of_column(row, column);
-        if (share < threshold || (cost == least_cost && share <= best_share)) continue;
-        best = {row, column};
-        least_cost = cost;
-        best_share = share;
+      Candidate& candidate = candidates_[column];
+      if (!candidate.known) candidate = best_in(column);
+      if (candidate.row >= 0 && candidate.before(least)) {
+        least = candidate;
+        best = {candidate.row, column};
       }
     }
     return best;
@@ -57,107 +84,65 @@ class ActiveMatrix {
   void eliminate(const Place& pivot) {
     const auto pivot_row = std::move(rows_[pivot.row]);
     for (const auto& [column, values] : pivot_row) rows_in_[column].erase(pivot.row);
-    const std::vector<double>& pivot_values = pivot_row.at(pivot.column);
+    const Values& pivot_values = pivot_row.at(pivot.column);
     for (const int row : rows_in_[pivot.column]) {
-      const std::vector<double> factors = std::move(rows_[row].at(pivot.column));
+      const Values factors = rows_[row].at(pivot.column);
       rows_[row].erase(pivot.column);
       for (const auto& [column, values] : pivot_row) {
         if (column == pivot.column) continue;
-        std::vector<double>& target = rows_[row][column];
-        target.resize(values.size());
+        Values& target = rows_[row][column];
         rows_in_[column].insert(row);
-        for (std::size_t s = 0; s < values.size(); ++s) {
-          target[s] -= factors[s] / pivot_values[s] * values[s];
-        }
+        for (int s = 0; s < kStates; ++s) target[s] -= factors[s] / pivot_values[s] * values[s];
       }
+      for (const auto& [column, values] : rows_[row]) candidates_[column].known = false;
     }
+    for (const auto& [column, values] : pivot_row) candidates_[column].known = false;
     rows_in_[pivot.column].clear();
   }
 
  private:
-  // |entry| over the largest in its column, at the sample where that is least.
-  double share_of_column(int row, int column) const {
-    const std::vector<double>& values = rows_[row].at(column);
-    std::vector<double> largest(values.size(), 0);
-    for (const int other : rows_in_[column]) {
-      const std::vector<double>& entries = rows_[other].at(column);
-      for (std::size_t s = 0; s < entries.size(); ++s) {
-        largest[s] = std::max(largest[s], std::abs(entries[s]));
-      }
+  struct Candidate {
+    bool known = false;
+    int row = -1;
+    std::size_t cost = ~std::size_t{0};
+    double share = 0;
+    bool before(const Candidate& other) const {
+      return cost < other.cost || (cost == other.cost && share > kMarkedlyLarger * other.share);
     }
+  };
+
+  Candidate best_in(int column) const {
+    Values largest{};
+    for (const int row : rows_in_[column]) {
+      const Values& values = rows_[row].at(column);
+      for (int s = 0; s < kStates; ++s) largest[s] = std::max(largest[s], std::abs(values[s]));
+    }
+    Candidate best;
+    best.known = true;
+    for (const int row : rows_in_[column]) {
+      Candidate candidate{true, row, (rows_[row].size() - 1) * (rows_in_[column].size() - 1), 0};
+      if (candidate.cost > best.cost) continue;
+      candidate.share = least_share(rows_[row].at(column), largest);
+      if (candidate.share >= threshold_ && candidate.before(best)) best = candidate;
+    }
+    return best;
+  }
+
+  // At the state where it is least. A pivot that changes its sign between two states is zero
+  // somewhere on the way, and would be close to it there: it counts as a millionth.
+  static double least_share(const Values& values, const Values& largest) {
     double share = 1;
-    for (std::size_t s = 0; s < values.size(); ++s) {
-      share = std::min(share, largest[s] > 0 ? std::abs(values[s]) / largest[s] : 0);
+    for (int s = 0; s < kStates; ++s) {
+      const double here = largest[s] > 0 ? std::abs(values[s]) / largest[s] : 0;
+      share = std::min(share, values[s] * values[0] > 0 ? here : 1e-6 * here);
     }
     return share;
   }
 
-  std::vector<std::map<int, std::vector<double>>> rows_;
+  std::vector<std::map<int, Values>> rows_;
   std::vector<std::set<int>> rows_in_;  // per column
-};
-
-// Nested dissection (George 1973) of the loops by where they lie: unknowns of the left part, of the
-// right part, then those that belong to loops of both. Without it the cost grows like the 2.3rd
-// power of the unknowns on large sheets, with it like the 1.6th.
-class Dissection {
- public:
-  Dissection(const Mechanism& mechanism, const std::vector<JacobianEntry>& entries,
-             const FlatVertices& vertices_mm)
-      : loops_of_(mechanism.unknowns) {
-    std::vector<int> loop_of_row(mechanism.equations);
-    std::vector<int> all;
-    for (const Loop& loop : mechanism.loops) {
-      const int index = static_cast<int>(all.size());
-      all.push_back(index);
-      std::fill_n(loop_of_row.begin() + loop.first_row, loop.rows, index);
-      Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-      for (const Passage& passage : loop.passages) middle += vertices_mm.col(passage.vertex);
-      middles_.push_back(middle / static_cast<double>(loop.passages.size()));
-    }
-    for (const JacobianEntry& entry : entries) {
-      loops_of_[entry.column].insert(loop_of_row[entry.row]);
-    }
-    std::vector<int> unknowns;
-    for (int j = 0; j < mechanism.unknowns; ++j) unknowns.push_back(j);
-    dissect(all, unknowns);
-  }
-
-  /// Columns, a part at a time, in the order of elimination.
-  const std::vector<std::vector<int>>& parts() const { return parts_; }
-
- private:
-  // Below this many loops Markowitz' order alone is as good.
-  static constexpr std::size_t kUndivided = 24;
-
-  void dissect(std::vector<int> loops, const std::vector<int>& unknowns) {
-    if (loops.size() <= kUndivided) {
-      parts_.push_back(unknowns);
-      return;
-    }
-    Eigen::AlignedBox2d box;
-    for (const int loop : loops) box.extend(middles_[loop]);
-    const int along = box.sizes().x() >= box.sizes().y() ? 0 : 1;
-    const auto half = loops.begin() + static_cast<std::ptrdiff_t>(loops.size() / 2);
-    std::sort(loops.begin(), loops.end(), [&](int a, int b) {
-      return std::pair(middles_[a][along], a) < std::pair(middles_[b][along], b);
-    });
-    const std::set<int> left(loops.begin(), half);
-    std::vector<int> in_left, in_right, in_both;
-    for (const int unknown : unknowns) {
-      const auto& mine = loops_of_[unknown];
-      const auto inside =
-          std::count_if(mine.begin(), mine.end(), [&](int loop) { return left.contains(loop); });
-      const bool all_left = inside == static_cast<std::ptrdiff_t>(mine.size());
-      (all_left ? in_left : inside == 0 ? in_right : in_both).push_back(unknown);
-    }
-    dissect({loops.begin(), half}, in_left);
-    dissect({half, loops.end()}, in_right);
-    parts_.push_back(in_both);
-  }
-
-  std::vector<std::set<int>> loops_of_;  // per unknown
-  std::vector<Eigen::Vector2d> middles_;
-  std::vector<std::vector<int>> parts_;
+  std::vector<Candidate> candidates_;   // per column, for the threshold asked for last
+  double threshold_ = 0;
 };
 
 int sign_of(std::vector<int> permutation) {
@@ -217,31 +202,69 @@ void write_program(const std::vector<JacobianEntry>& entries, Elimination& plan)
   }
 }
 
-// Jacobians near the base folding from almost flat to almost closed, misaligned and off the
-// solution by a few per cent so that nothing vanishes by symmetry. The generator's sequence is
-// fixed by the C++ standard: the same plan on every machine.
-std::vector<std::vector<double>> representative_jacobians(const Mechanism& mechanism,
-                                                          const BaseFolding& folding,
-                                                          const FlatVertices& base_vertices_mm) {
+// The Jacobian's values with the pilot at these angles: on the base folding, or with every joint
+// `off` it by up to this part of the way to flat or closed, on a sheet misaligned by up to a tenth
+// of this part of a panel. The generator's sequence is fixed by the C++ standard: the same plan on
+// every machine.
+std::vector<Values> jacobians(const Mechanism& mechanism, const BaseFolding& folding,
+                              const FlatVertices& base_vertices_mm, const Angles& angles_deg,
+                              double off) {
   std::mt19937 generator(1);
-  const auto random = [&] { return static_cast<double>(generator()) / 2147483648.0 - 1.0; };
+  const auto random = [&] { return off * (static_cast<double>(generator()) / 2147483648.0 - 1.0); };
   FlatVertices vertices_mm = base_vertices_mm;
   for (Eigen::Index k = 0; k < vertices_mm.size(); ++k) {
-    vertices_mm.data()[k] += 0.005 * mechanism.panel_width_mm * random();
+    vertices_mm.data()[k] += 0.1 * mechanism.panel_width_mm * random();
   }
   SheetGeometry<double> geometry;
   place(mechanism, vertices_mm, geometry);
-  const std::size_t entries = jacobian_entries(mechanism).size();
+  std::vector<Values> jacobians(jacobian_entries(mechanism).size());
   std::vector<double> residual(mechanism.equations), turn(mechanism.unknowns);
-  std::vector<std::vector<double>> samples;
-  for (const double pilot_deg : {1, 5, 20, 60, 100, 130, 150, 165, 175, 178}) {
-    const HalfAngle<double> pilot = half_angle_of_deg(pilot_deg);
+  std::vector<double> values(jacobians.size());
+  for (int s = 0; s < kStates; ++s) {
+    const HalfAngle<double> pilot = half_angle_of_deg(angles_deg[s]);
     FoldState<double> state = base_state(mechanism, folding, base_vertices_mm, pilot);
-    for (double& angle : turn) angle = 0.05 * pilot.s * pilot.c * random();
+    for (double& angle : turn) angle = pilot.s * pilot.c * random();
     advance(mechanism, turn.data(), state);
-    evaluate(mechanism, geometry, state, residual.data(), samples.emplace_back(entries).data());
+    evaluate(mechanism, geometry, state, residual.data(), values.data());
+    for (std::size_t e = 0; e < values.size(); ++e) jacobians[e][s] = values[e];
   }
-  return samples;
+  return jacobians;
+}
+
+// To |value| if that is larger, to infinity if it is not a number.
+void raise(double& norm, double value) {
+  if (!(std::abs(value) <= norm)) norm = std::isnan(value) ? HUGE_VAL : std::abs(value);
+}
+
+// The worst backward error of solutions for random right-hand sides, the pilot held.
+double worst_backward_error(const Elimination& plan, const std::vector<JacobianEntry>& entries,
+                            const std::vector<Values>& jacobians) {
+  std::mt19937 generator(2);
+  const std::size_t n = static_cast<std::size_t>(plan.equations);
+  std::vector<double> rhs(n), rest(n), row_sums(n), y(n + 1), x(n + 1);
+  const auto largest = [](const std::vector<double>& values) {
+    double norm = 0;
+    for (const double value : values) raise(norm, value);
+    return norm;
+  };
+  SparseLu<double> lu(plan);
+  double worst = 0;
+  for (int s = 0; s < kStates; ++s) {
+    auto entry = lu.entries();
+    for (const Values& values : jacobians) *entry++ = values[s];
+    lu.factorize();
+    for (double& value : rhs) value = static_cast<double>(generator()) / 2147483648.0 - 1.0;
+    lu.forward(rhs.data(), y.data());
+    lu.backward(y.data(), y[n - 1] / lu.partner_coefficient(), 0.0, x.data());
+    rest = rhs;
+    row_sums.assign(n, 0);
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      rest[entries[e].row] -= jacobians[e][s] * x[entries[e].column];
+      row_sums[entries[e].row] += std::abs(jacobians[e][s]);
+    }
+    raise(worst, largest(rest) / (largest(row_sums) * largest(x) + largest(rhs)));
+  }
+  return worst;
 }
 
 // The crease that is far from the pilot and fast near the folded end, where fold angles change like
@@ -260,17 +283,13 @@ int partner_of_pilot(const Mechanism& mechanism, const BaseFolding& folding,
       ->column;
 }
 
-}  // namespace
-
-Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& folding,
-                             const FlatVertices& base_vertices_mm) {
-  const int n = mechanism.equations;
-  const int partner = partner_of_pilot(mechanism, folding, base_vertices_mm);
-  const std::vector<JacobianEntry> entries = jacobian_entries(mechanism);
-  ActiveMatrix active(entries, representative_jacobians(mechanism, folding, base_vertices_mm), n);
+Elimination plan_with(double first_threshold, const std::vector<JacobianEntry>& entries,
+                      const std::vector<Values>& jacobians,
+                      const std::vector<std::vector<int>>& parts, int equations, int partner) {
+  ActiveMatrix active(entries, jacobians, equations);
   Elimination plan{};
-  plan.equations = n;
-  std::vector<bool> row_done(n, false);
+  plan.equations = equations;
+  std::vector<bool> row_done(equations, false);
   std::vector<int> waiting;  // columns of the parts so far that found no pivot yet
   const auto eliminate_waiting = [&](double threshold) {
     for (;;) {
@@ -283,24 +302,51 @@ Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& fold
       std::erase(waiting, pivot.column);
     }
   };
-  const Dissection dissection(mechanism, entries, base_vertices_mm);
-  for (const auto& part : dissection.parts()) {
+  for (const std::vector<int>& part : parts) {
     for (const int column : part) {
-      if (column != partner && column != n) waiting.push_back(column);
+      if (column != partner && column != equations) waiting.push_back(column);
     }
-    eliminate_waiting(kPivotThreshold);
+    eliminate_waiting(first_threshold);
   }
-  for (double threshold = kPivotThreshold; !waiting.empty(); threshold *= 0.1) {
-    assert(threshold > 1e-12 && "the mechanism has more than one degree of freedom");
+  for (double threshold = first_threshold; !waiting.empty(); threshold *= 0.1) {
+    assert(threshold > 1e-15 && "the mechanism has more than one degree of freedom");
     eliminate_waiting(threshold);
   }
   plan.row_of.push_back(
       static_cast<int>(std::find(row_done.begin(), row_done.end(), false) - row_done.begin()));
   plan.column_of.push_back(partner);
   plan.permutation_sign = sign_of(plan.row_of) * sign_of(plan.column_of);
-  plan.column_of.push_back(n);
+  plan.column_of.push_back(equations);
   write_program(entries, plan);
   return plan;
+}
+
+}  // namespace
+
+Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& folding,
+                             const FlatVertices& base_vertices_mm) {
+  const auto jacobians_at = [&](const Angles& angles_deg, double off) {
+    return jacobians(mechanism, folding, base_vertices_mm, angles_deg, off);
+  };
+  const std::vector<JacobianEntry> entries = jacobian_entries(mechanism);
+  const std::vector<Values> planned = jacobians_at(kPlanned_deg, 0);
+  const std::vector<Values> closed = jacobians_at(kTried_deg, 0);
+  const std::vector<Values> misaligned = jacobians_at(kTried_deg, kOffBase);
+  const auto parts = dissect(mechanism, base_vertices_mm);
+  const int partner = partner_of_pilot(mechanism, folding, base_vertices_mm);
+  Elimination best{};
+  double least_error = HUGE_VAL;
+  for (const double threshold : kPivotThresholds) {
+    Elimination plan = plan_with(threshold, entries, planned, parts, mechanism.equations, partner);
+    const double error = std::max(worst_backward_error(plan, entries, closed),
+                                  worst_backward_error(plan, entries, misaligned));
+    if (best.equations == 0 || error < least_error) {
+      best = std::move(plan);
+      least_error = error;
+    }
+    if (least_error <= kLargestBackwardError) break;
+  }
+  return best;
 }
 
 }  // namespace misalign::solver

@@ -45,9 +45,10 @@ struct Elimination {
 };
 
 /// Markowitz' order (least fill first) within the parts of a nested dissection, among pivots that
-/// are large in their column at every one of ten representative states: near the base folding from
-/// 1 to 178 degrees, misaligned so that nothing vanishes by symmetry. The partner is a crease far
-/// from the pilot that moves fast near the folded end.
+/// are large in their column on the base folding at ten angles from 1 to 178 degrees and keep their
+/// sign between them; how large is the least that solves well enough at ten other angles, on the
+/// base folding and off it. The partner is a crease far from the pilot that moves fast near the
+/// folded end. The same on every machine.
 Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm);
 
