@@ -39,7 +39,10 @@ Move Course::converged(const Reading& reading) {
   const double longest_turn =
       phase_ == Phase::landing ? std::min(ds_, kJumpHalfSine) : options_.longest_half_sine;
   if (!(reading.largest_half_sine <= longest_turn)) return not_there(reading);
-  if (tangents_ > 0 && corrected_rad_ > options_.longest_correction_rad) return not_there(reading);
+  if (tangents_ > 0 && (corrected_rad_ > options_.longest_correction_rad ||
+                        !(std::abs(reading.tangent_cosine) >= options_.least_tangent_cosine))) {
+    return not_there(reading);
+  }
   if (forward_sign_ == 0) forward_sign_ = reading.determinant_sign;
   if (reading.determinant_sign != forward_sign_) return not_there(reading);
   return arrive(reading, reading.tangent_pilot < 0 ? -1 : 1);

@@ -15,6 +15,9 @@ struct CourseOptions {
   /// (rad): what has gone farther is not believed without a walk.
   double longest_half_sine = kJumpHalfSine;
   double longest_correction_rad = 2 * kPi;
+  /// Between the tangents of neighbouring stops: where they differ more, a turn may lie between
+  /// them. As for the walk, 15 degrees.
+  double least_tangent_cosine = ArcLengthOptions{}.least_tangent_cosine;
   /// A turn that leaves at least this share of the way to the plan's end is not located any better.
   double turn_certain_share = 1;
   /// Of the walk along the curve: the same as for the reference's.

@@ -40,8 +40,8 @@ std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const SheetGeom
 
 /// Folded lengths in panel widths, one per diagonal, from the corners that each hole's loop passes.
 template <class T>
-[[gnu::flatten]] void folded_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
-                                     const FoldState<T>& state, T* lengths) {
+void folded_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+                    const FoldState<T>& state, T* lengths) {
   int known_loop = -1;
   std::array<Vec3<T>, 4> corners{};
   for (const Diagonal& diagonal : mechanism.diagonals) {
@@ -56,10 +56,8 @@ template <class T>
 /// Folded lengths, and their rates of change (panel widths per unit of `rates`) while every unknown
 /// changes at its rate: each joint moves what comes after it by a screw.
 template <class T>
-[[gnu::flatten]] void folded_lengths_and_slopes(const Mechanism& mechanism,
-                                                const SheetGeometry<T>& geometry,
-                                                const FoldState<T>& state, const T* rates,
-                                                T* lengths, T* slopes) {
+void folded_lengths_and_slopes(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+                               const FoldState<T>& state, const T* rates, T* lengths, T* slopes) {
   int known_loop = -1;
   std::array<Vec3<T>, 4> corners{}, velocities{};
   for (const Diagonal& diagonal : mechanism.diagonals) {

@@ -95,6 +95,7 @@ CourseOptions approach_options() {
   options.turn_certain_share = 0.5;
   options.longest_half_sine = 0.5;
   options.longest_correction_rad = 0.15;
+  options.least_tangent_cosine = 0;
   return options;
 }
 

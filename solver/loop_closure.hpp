@@ -131,8 +131,8 @@ std::vector<JacobianEntry> jacobian_entries(const Mechanism& mechanism);
 /// `values`; without the Jacobian if that is nullptr. Returns how far the worst loop is open (panel
 /// widths, radians): the quantity that is compared with the closure tolerance. Allocates nothing.
 template <class T, class Values>
-[[gnu::flatten]] T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
-                            const FoldState<T>& state, T* residual, Values values) {
+T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const FoldState<T>& state,
+           T* residual, Values values) {
   constexpr bool kWithJacobian = !std::is_null_pointer_v<Values>;
   using std::max;
   T worst(0);

@@ -106,10 +106,11 @@ class Tracker {
   }
 
   void put(const Departure& departure, int i);
-  void iterate();
+  [[gnu::flatten]] void iterate();  // one function is a fifth faster in lanes
+  [[gnu::flatten]] void find_slopes();
   void solve();
   Reading reading(int i) const;
-  void believe();
+  [[gnu::flatten]] void believe();
   void depart();
 
   const Mechanism& mechanism_;

@@ -166,14 +166,17 @@ void Tracker<T>::copy_lengths(int i, double* lengths) const {
   for (const T& length : lengths_) *lengths++ = lane(length, i);
 }
 
+template <class T>
+void Tracker<T>::find_slopes() {
+  folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
+                            slopes_.data());
+  slopes_known_ = true;
+}
+
 // For all lanes at once, on first demand.
 template <class T>
 void Tracker<T>::copy_slopes(int i, double* slopes) {
-  if (!slopes_known_) {
-    folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
-                              slopes_.data());
-    slopes_known_ = true;
-  }
+  if (!slopes_known_) find_slopes();
   const double pilot_rate = lane(tangents_[0][unknowns_ - 1], i);
   for (const T& slope : slopes_) *slopes++ = lane(slope, i) / pilot_rate;
 }
