@@ -1,10 +1,11 @@
-// Speed of the frozen reference on draws of miura-6x6: the whole path, and ending at the first
-// fault.
+// Speed of the frozen reference on draws of miura-6x6, and of the parts of the sparse solver in one
+// lane: residual, Jacobian, factorisation, solves, one path. `misalign bench` has the lanes.
 #include <benchmark/benchmark.h>
 
 #include "search/draw.hpp"
 #include "search/trial.hpp"
 #include "solver/reference.hpp"
+#include "solver/tracker.hpp"
 
 namespace misalign {
 namespace {
@@ -62,6 +63,93 @@ void full_path_with_metrics(benchmark::State& state) {
   }
 }
 BENCHMARK(full_path_with_metrics)->Unit(benchmark::kMillisecond)->Iterations(100);
+
+// The sparse solver at the base folding, 100 degrees, of one misaligned sheet.
+struct Parts : Draws {
+  Parts()
+      : elimination(solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm)),
+        lu(elimination),
+        state(solver::base_state(mechanism, base.folding, base.sheet.vertices_mm,
+                                 solver::half_angle_of_deg(100))),
+        residual(mechanism.equations),
+        y(mechanism.unknowns),
+        x(mechanism.unknowns) {
+    solver::place(mechanism, next(), geometry);
+    solver::evaluate(mechanism, geometry, state, residual.data(), lu.entries());
+    lu.factorize();
+  }
+
+  solver::Elimination elimination;
+  solver::SparseLu<double> lu;
+  solver::FoldState<double> state;
+  solver::SheetGeometry<double> geometry;
+  std::vector<double> residual, y, x;
+};
+
+void residual(benchmark::State& state) {
+  Parts p;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        solver::evaluate(p.mechanism, p.geometry, p.state, p.residual.data(), nullptr));
+  }
+}
+BENCHMARK(residual);
+
+void residual_and_jacobian(benchmark::State& state) {
+  Parts p;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        solver::evaluate(p.mechanism, p.geometry, p.state, p.residual.data(), p.lu.entries()));
+  }
+}
+BENCHMARK(residual_and_jacobian);
+
+void jacobian_and_factorisation(benchmark::State& state) {
+  Parts p;
+  for (auto _ : state) {
+    solver::evaluate(p.mechanism, p.geometry, p.state, p.residual.data(), p.lu.entries());
+    p.lu.factorize();
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(jacobian_and_factorisation);
+
+void solve_with_factors(benchmark::State& state) {
+  Parts p;
+  for (auto _ : state) {
+    p.lu.forward(p.residual.data(), p.y.data());
+    p.lu.backward(p.y.data(), p.y[p.mechanism.equations - 1] / p.lu.partner_coefficient(), 0.0,
+                  p.x.data());
+    benchmark::ClobberMemory();
+  }
+}
+BENCHMARK(solve_with_factors);
+
+// A path to its end, in one lane.
+struct OnePath {
+  const solver::SheetGeometry<double>& geometry;
+  const solver::PathPlan& plan;
+  bool departed = false;
+  bool next(solver::Departure& departure, int) {
+    if (departed) return false;
+    departed = true;
+    departure = {&geometry, &plan.start, &plan};
+    return true;
+  }
+  bool visit(const solver::Stop&, int) { return true; }
+  void ended(const solver::PathResult&, int) {}
+};
+
+void full_path_sparse(benchmark::State& state) {
+  Parts p;
+  solver::Tracker<double> tracker(p.mechanism, p.elimination);
+  for (auto _ : state) {
+    solver::place(p.mechanism, p.next(), p.geometry);
+    OnePath path{p.geometry, p.plan};
+    tracker.run(path);
+  }
+}
+BENCHMARK(full_path_sparse)->Unit(benchmark::kMillisecond)->Iterations(200);
 
 }  // namespace
 }  // namespace misalign
