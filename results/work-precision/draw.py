@@ -17,30 +17,39 @@ BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE = (
 GREY, PALE, INK = "#666666", "#E3E3E3", "#222222"
 
 # Colour: where Newton starts, or whose solver it is. Dashes: what differs within the family.
-SOLID, DASHED, DOTTED = "", "7 4", "2 3"
+SOLID, DASHED, DOTTED, DASH_DOTTED = "", "7 4", "2 3", "9 3 2 3"
 STYLES = {
     "paper": (BLUE, SOLID, "previous solution (the paper)"),
     "paper-fd": (BLUE, DASHED, "previous, finite differences"),
     "paper-float": (BLUE, DOTTED, "previous, in single"),
     "paper-eigen-sparse": (SKY, SOLID, "previous, Eigen SparseLU"),
+    "paper-sparse": (BLUE, DASH_DOTTED, "previous, fixed order"),
     "paper-10deg": (BLUE, SOLID, "previous, 10° steps"),
     "tangent": (GREEN, SOLID, "tangent"),
     "tangent-float": (GREEN, DOTTED, "tangent, in single"),
     "tangent-10deg": (GREEN, SOLID, "tangent, 10° steps"),
     "hermite": (RED, SOLID, "Hermite"),
     "hermite-mixed": (RED, DASHED, "Hermite, factors in single"),
+    "hermite-sparse": (RED, DASH_DOTTED, "Hermite, fixed order"),
     "adaptive": (ORANGE, SOLID, "Hermite, adaptive steps"),
     "adaptive-tangent": (ORANGE, DASHED, "tangent, adaptive steps"),
+    "adaptive-sparse": (ORANGE, DASH_DOTTED, "adaptive, fixed order"),
+    "tracker": (BLACK, SOLID, "the search's own tracker"),
+    "tracker-10deg": (BLACK, SOLID, "tracker, 10° steps"),
+    "lanes": (BLACK, DASHED, "tracker in eight lanes"),
+    "lanes-10deg": (BLACK, DASHED, "eight lanes, 10° steps"),
     "kinsol": (PURPLE, SOLID, "KINSOL"),
     "kinsol-newton": (PURPLE, DASHED, "KINSOL, a Jacobian a step"),
     "kinsol-dq": (PURPLE, DOTTED, "KINSOL, finite differences"),
     "dense LU": (BLUE, SOLID, "step, dense LU"),
     "Eigen SparseLU": (SKY, SOLID, "step, Eigen SparseLU"),
+    "fixed order": (RED, SOLID, "step, fixed order"),
 }
 # Curves that end far from the frame's right side are named at their end: dx, dy, anchor.
 NAMED_IN_PLACE = {"paper-float": (4, -10, "end"), "tangent-float": (0, 18, "middle")}
 DEFAULT_TOLERANCE = 1e-12
 FIT_FROM = 150  # unknowns: from 10 x 10 on, where the leading power rules
+TIMES_MS = (0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)
 STEP_BAND_MM = 8e-11  # kStepBand_widths of a panel of 80 mm: what a verdict sees
 # In-frame words stand on a white rim, clear of the lines behind them.
 RIM = 'paint-order="stroke" stroke="#ffffff" stroke-width="4" stroke-linejoin="round"'
@@ -172,7 +181,7 @@ def methods_panel(axes, rows, title):
     f = axes.figure
     f.text(axes.left, axes.top - 12, title, 14, extra='font-weight="bold"')
     axes.frame([(10.0 ** e, power(e)) for e in range(-12, 1, 2)],
-               [(v, plain(v)) for v in (0.2, 0.5, 1, 2, 5, 10, 20, 50)
+               [(v, plain(v)) for v in TIMES_MS
                 if axes.y_range[0] <= math.log10(v) <= axes.y_range[1]],
                "largest error of any diagonal, mm (more precise to the right)",
                "time per path, ms")
@@ -208,11 +217,13 @@ def draw_methods(rows):
     f.text(30, 34, title, 18, extra='font-weight="bold"')
     f.text(30, 56, "One dot a closure tolerance, 1e-3 to 1e-14 from left to right; ringed: 1e-12, "
            "the default. Hollow: some paths failed.", 13, GREY)
-    for spacing, top, height, y_range, words in (
-            ("1", 104, 440, (0.5, 50), "Lengths wanted at every degree"),
-            ("10", 634, 360, (0.2, 50), "Lengths wanted at every tenth degree")):
-        axes = Axes(f, 90, top, 610, height, (1, 3e-13), y_range)
-        methods_panel(axes, [row for row in rows if row["samples_deg"] == spacing], words)
+    for spacing, top, height, words in (("1", 104, 440, "Lengths wanted at every degree"),
+                                        ("10", 634, 360, "Lengths wanted at every tenth degree")):
+        panel = [row for row in rows if row["samples_deg"] == spacing]
+        times = [float(row["us_per_path"]) / 1000 for row in panel]
+        y_range = (max(v for v in TIMES_MS if v <= min(times)),
+                   min(v for v in TIMES_MS if v >= max(times)))
+        methods_panel(Axes(f, 90, top, 610, height, (1, 3e-13), y_range), panel, words)
     f.write("methods.svg", title)
 
 
@@ -246,6 +257,7 @@ def draw_mesh(rows):
     series.append(("residual and Jacobian", GREY, DASHED, "residual and Jacobian, once",
                    [(float(r["unknowns"]), float(r["evaluate_us"])) for r in rows
                     if r["linear_solver"] == last]))
+    labels = []
     print("cost = factor * unknowns^exponent, least squares of the logarithms")
     for name, colour, dash, words, points in series:
         slope, factor = exponent([(x, y) for x, y in points if x > FIT_FROM])
@@ -255,10 +267,13 @@ def draw_mesh(rows):
         axes.curve([(x, factor * x ** slope) for x in (ends[0], ends[-1])], colour, dash)
         for x, y in points:
             f.dot(axes.x(x), axes.y(y), colour)
-        x, y = axes.x(ends[-1]) + 12, axes.y(points[-1][1])
+        labels.append((axes.y(points[-1][1]), axes.x(ends[-1]) + 12, words, colour,
+                       f"exponent {slope:.2f} ({overall:.2f} over all sizes)"))
+    labels.sort()
+    heights = spread([label[0] for label in labels], 34, axes.top, axes.top + axes.height)
+    for y, (_, x, words, colour, exponents) in zip(heights, labels):
         f.text(x, y - 2, words, 12.5, colour, extra=RIM)
-        f.text(x, y + 14, f"exponent {slope:.2f} ({overall:.2f} over all sizes)", 12, GREY,
-               extra=RIM)
+        f.text(x, y + 14, exponents, 12, GREY, extra=RIM)
     f.write("mesh.svg", title)
 
 

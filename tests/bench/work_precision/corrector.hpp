@@ -97,8 +97,10 @@ class Corrector {
   T evaluate(const solver::SheetGeometry<T>& geometry, const solver::FoldState<T>& state,
              Effort& effort) {
     ++effort.evaluations;
-    return solver::evaluate<T>(mechanism_, geometry, state, residual_.data(),
-                               by_ == JacobianBy::analytic ? values_.data() : nullptr);
+    if (by_ == JacobianBy::forward_differences) {
+      return solver::evaluate<T>(mechanism_, geometry, state, residual_.data(), nullptr);
+    }
+    return solver::evaluate<T>(mechanism_, geometry, state, residual_.data(), values_.data());
   }
 
   // Column by column, one unknown turned by the square root of the rounding unit.

@@ -1,14 +1,15 @@
 // Linear solvers for Newton's step, one type each: made once for a topology, then factorized at
-// every step. One more solver is one more type with these two functions
-// and a name.
+// every step. One more solver is one more type with these two functions and a name.
 #pragma once
 
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
 #include "solver/loop_closure.hpp"
+#include "solver/sparse_lu.hpp"
 
 namespace misalign::bench {
 
@@ -99,6 +100,46 @@ class EigenSparseLinear {
   std::vector<double*> slot_;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
   Eigen::VectorXd x_;
+};
+
+/// solver::SparseLu with factors in S: the order fixed once for the topology.
+template <class S>
+class FixedOrderLinear {
+ public:
+  static constexpr const char* kName =
+      std::is_same_v<S, float> ? "fixed order in single" : "fixed order";
+
+  explicit FixedOrderLinear(const Topology& topology)
+      : plan_(std::make_unique<solver::Elimination>(solver::plan_elimination(
+            topology.mechanism, topology.folding, topology.base_vertices_mm))),
+        lu_(*plan_),
+        rhs_(static_cast<std::size_t>(plan_->equations)),
+        y_(rhs_.size() + 1),
+        x_(rhs_.size() + 1) {}
+
+  template <class T>
+  void factorize(const T* values) {
+    auto entry = lu_.entries();
+    for (std::size_t k = 0; k < plan_->slot_of_value.size(); ++k) {
+      *entry++ = static_cast<S>(values[k]);
+    }
+    lu_.factorize();
+  }
+
+  /// The pilot is held.
+  template <class T>
+  void solve(const T* rhs, T* x) {
+    for (S& entry : rhs_) entry = static_cast<S>(*rhs++);
+    lu_.forward(rhs_.data(), y_.data());
+    const S partner = y_[rhs_.size() - 1] / lu_.partner_coefficient();
+    lu_.backward(y_.data(), partner, S(0), x_.data());
+    for (std::size_t i = 0; i < rhs_.size(); ++i) x[i] = static_cast<T>(x_[i]);
+  }
+
+ private:
+  std::unique_ptr<solver::Elimination> plan_;  // stays where it is
+  solver::SparseLu<S> lu_;
+  std::vector<S> rhs_, y_, x_;
 };
 
 }  // namespace misalign::bench

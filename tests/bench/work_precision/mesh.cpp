@@ -95,6 +95,7 @@ void measure_mesh(int repeats) {
   for (const int n : kSizes) {
     if (n <= kLargestDense) measure<DenseLinear<double>>(n, repeats);
     measure<EigenSparseLinear>(n, repeats);
+    measure<FixedOrderLinear<double>>(n, repeats);
   }
 }
 

@@ -1,9 +1,12 @@
 #include "tests/bench/work_precision/methods.hpp"
 
+#include <algorithm>
 #include <memory>
 
+#include "solver/batch.hpp"
 #include "tests/bench/work_precision/adaptive.hpp"
 #include "tests/bench/work_precision/fixed_steps.hpp"
+#include "tests/bench/work_precision/tracking.hpp"
 #ifdef MISALIGN_WITH_KINSOL
 #include "tests/bench/work_precision/kinsol.hpp"
 #endif
@@ -67,6 +70,29 @@ Method adaptive(const std::string& name, Predictor predictor,
           spacings_deg, kLeastInDouble,     one_by_one<Adaptive<Linear>>(options)};
 }
 
+// One entry for each spacing, because that is its step.
+void add_trackers(const std::string& name, const std::string& linear_solver, const Prepare& prepare,
+                  std::vector<Method>& methods) {
+  for (const int step_deg : {1, 10}) {
+    methods.push_back({name + (step_deg == 10 ? "-10deg" : ""),
+                       linear_solver,
+                       "double",
+                       "analytic",
+                       "Adams-Bashforth",
+                       static_cast<double>(step_deg),
+                       {step_deg},
+                       kLeastInDouble,
+                       prepare});
+  }
+}
+
+#ifdef MISALIGN_X86
+bool has_avx512() {
+  const auto sets = solver::available_instruction_sets();
+  return std::find(sets.begin(), sets.end(), solver::InstructionSet::avx512) != sets.end();
+}
+#endif
+
 #ifdef MISALIGN_WITH_KINSOL
 Method kinsol(const std::string& name, const KinsolOptions& options) {
   return {name,
@@ -89,7 +115,7 @@ std::vector<Method> all_methods() {
   using enum Predictor;
   // One more method is one more entry: a tracker of one sheet after another by `one_by_one`, or a
   // Run of its own where several sheets go side by side.
-  return {
+  std::vector<Method> methods{
       fixed<double>("paper", 1, previous, kEverySpacing),
       fixed<double>("paper-fd", 1, previous, kEverySpacing, JacobianBy::forward_differences),
       fixed<float>("paper-float", 1, previous, kEverySpacing),
@@ -98,7 +124,10 @@ std::vector<Method> all_methods() {
       fixed<float>("tangent-float", 1, tangent, kEverySpacing),
       fixed<double>("hermite", 1, hermite, kEverySpacing),
       fixed<double, DenseLinear<float>>("hermite-mixed", 1, hermite, kEverySpacing),
+      fixed<double, FixedOrderLinear<double>>("paper-sparse", 1, previous, kEverySpacing),
+      fixed<double, FixedOrderLinear<double>>("hermite-sparse", 1, hermite, kEverySpacing),
       adaptive<DenseLinear<double>>("adaptive", hermite, kEverySpacing),
+      adaptive<FixedOrderLinear<double>>("adaptive-sparse", hermite, kEverySpacing),
       adaptive<DenseLinear<double>>("adaptive-tangent", tangent, {10}),
       fixed<double>("paper-10deg", 10, previous, {10}),
       fixed<double>("tangent-10deg", 10, tangent, {10}),
@@ -108,6 +137,11 @@ std::vector<Method> all_methods() {
       kinsol("kinsol-dq", {.analytic = false}),
 #endif
   };
+  add_trackers("tracker", FixedOrderLinear<double>::kName, track_one_by_one, methods);
+#ifdef MISALIGN_X86
+  if (has_avx512()) add_trackers("lanes", "fixed order in lanes", track_in_lanes, methods);
+#endif
+  return methods;
 }
 
 }  // namespace misalign::bench

@@ -1,18 +1,16 @@
 #include "tests/bench/work_precision/truth.hpp"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "solver/diagonals.hpp"
 #include "solver/newton.hpp"
+#include "tests/bench/work_precision/quad.hpp"
 #include "tests/bench/work_precision/scalar.hpp"
 
 namespace misalign::bench {
 namespace {
-
-using Quad = boost::multiprecision::cpp_bin_float_quad;  // 113 bits, as IEEE binary128
 
 constexpr double kTruthTolerance = 1e-28;
 constexpr int kMaxRefinements = 10;
