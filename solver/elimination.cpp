@@ -35,9 +35,9 @@ constexpr double kPivotThresholds[] = {0.0003, 0.001, 0.003, 0.01};
 constexpr double kMarkedlyLarger = 4;
 
 // Of the trial: |J x - b| / (|J| |x| + |b|), largest entries and row sums. A correction is off by
-// at most this times the condition number, at 1 degree 1.6e5 (6 x 6) to 3.1e7 (28 x 28), from 60
-// degrees on a fiftieth of that: with three digits or more in each Newton converges as with dense
-// factors.
+// at most this times the condition number: at 1 degree 1.6e5 (6 x 6) to 3.1e7 (28 x 28), at 60 a
+// fiftieth and at 170 a twentieth of that. With three digits or more in each correction Newton
+// converges as with dense factors.
 constexpr double kLargestBackwardError = 1e-11;
 
 // How far the trial's misaligned states are off the base folding.
