@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds with warnings as errors, runs every test; then the unit tests once
+# Installs what is missing, builds with warnings as errors, runs every test, and the unit tests once
 # more under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."

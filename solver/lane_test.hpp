@@ -38,9 +38,8 @@ class LaneTest {
 
  private:
   void load(const ShiftBlock& block, const OpenSheet* open, int count);
-  // One function each is a fifth faster than calls that pass poses through memory.
-  [[gnu::flatten]] void solve(const TestAngle& test, const FoldState<T>& base);
-  [[gnu::flatten]] T correct(bool new_factors);
+  MISALIGN_FLATTEN void solve(const TestAngle& test, const FoldState<T>& base);
+  MISALIGN_FLATTEN T correct(bool new_factors);
   void report(int test, OpenSheet* open, int count, Screening& screening, ApproachDesk& approach);
 
   const SheetFamily& family_;

@@ -21,7 +21,7 @@ finish() {
 # "${ranks[@]}" N "$program" ...: under mpirun. No function: in the background $! must be mpirun itself.
 ranks=(mpirun --oversubscribe --bind-to none -n)
 
-# quick_campaign FILE: a campaign of short paths, about 1 ms a draw, most of them accepted.
+# quick_campaign FILE: a campaign of short paths, most of them accepted.
 quick_campaign() {
   sed 's/"end_deg": 180/"end_deg": 30/; s/"deploys_from_deg": 150/"deploys_from_deg": 20/' \
     "$source_dir/search/campaigns/miura-4x4.json" > "$1"
