@@ -1,11 +1,10 @@
 #include "search/bench.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <map>
 
 #include "search/draw.hpp"
+#include "search/stopwatch.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {
@@ -13,16 +12,6 @@ namespace {
 
 using schema::DrawRange;
 using schema::Json;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // The frozen reference on a campaign's draws.
 class ReferenceRun {
@@ -172,12 +161,14 @@ class Comparison {
     judge_all(draws);
     for (double angle_deg = 10; angle_deg <= campaign_.end_deg; angle_deg += 10) {
       const int threshold = static_cast<int>(angle_deg / campaign_.sample_deg + 0.5);
-      if (threshold >= 1) decide(threshold, [](std::size_t) { return true; });
+      if (threshold >= 1) decide(threshold, [](const solver::Verdict&) { return true; });
     }
     const int last = static_cast<int>(campaign_.end_deg / campaign_.sample_deg * (1 + 1e-9));
     for (int d = 0; d <= last; ++d) {
-      const auto has_d = [&](std::size_t i) { return expected_[i].deploys_from_sample == d; };
-      if (std::none_of(draws_.begin(), draws_.end(), has_d)) continue;
+      const auto has_d = [&](const solver::Verdict& expected) {
+        return expected.deploys_from_sample == d;
+      };
+      if (std::none_of(expected_.begin(), expected_.end(), has_d)) continue;
       if (d >= 1) decide(d, has_d);
       if (d < last) decide(d + 1, has_d);
     }
@@ -195,7 +186,6 @@ class Comparison {
       full_path_.insert(full_path_.end(), verdicts.begin(), verdicts.end());
     }
     for (std::uint64_t draw = 0; draw < draws; ++draw) {
-      draws_.push_back(draw);
       expected_.push_back(reference.judge(draw));
       const solver::Verdict& found = full_path_[draw];
       if (found.first_fault == solver::Fault::undecided) ++report_.undecided;
@@ -240,8 +230,8 @@ class Comparison {
       in_block.clear();
     };
     constexpr std::size_t kBlock = 4096;
-    for (std::uint64_t draw = 0; draw < draws_.size(); ++draw) {
-      if (!is_chosen(draw)) continue;
+    for (std::uint64_t draw = 0; draw < expected_.size(); ++draw) {
+      if (!is_chosen(expected_[draw])) continue;
       in_block.push_back(draw);
       block.shifts_mm.resize(in_block.size() * 2 * family.shifted().size());
       draw_shifts(campaign_.misalignment, campaign_.seed, draw,
@@ -258,7 +248,6 @@ class Comparison {
   const schema::Campaign& campaign_;
   const solver::InstructionSet set_;
   AgreementReport report_;
-  std::vector<std::uint64_t> draws_;
   std::vector<solver::Verdict> expected_, full_path_;
 };
 

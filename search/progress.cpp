@@ -23,11 +23,7 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(ProgressStyle style) : style_(style), start_(std::chrono::steady_clock::now()) {}
-
-double Progress::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+Progress::Progress(ProgressStyle style) : style_(style) {}
 
 void Progress::show(const ProgressCounts& counts, bool now) {
   constexpr double kEvery_s = 30;

@@ -1,8 +1,9 @@
 // One plain line to stderr now and then.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
+
+#include "search/stopwatch.hpp"
 
 namespace misalign::search {
 
@@ -19,11 +20,11 @@ class Progress {
   explicit Progress(ProgressStyle style);
   /// Prints if 30 s have gone by (10 s the first time), or if `now`.
   void show(const ProgressCounts& counts, bool now = false);
-  double seconds() const;
+  double seconds() const { return watch_.seconds(); }
 
  private:
   ProgressStyle style_;
-  std::chrono::steady_clock::time_point start_;
+  Stopwatch watch_;
   double next_s_ = 10;
 };
 

@@ -1,15 +1,18 @@
 #include "search/trial.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
+#include <ranges>
+#include <span>
 
 #include "search/draw.hpp"
+#include "search/stopwatch.hpp"
 
 namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kMostDraws = 16384;
-constexpr std::ptrdiff_t kHistoriesAtOnce = 64;  // of 60 kB each on 6 x 6
+constexpr std::size_t kHistoriesAtOnce = 64;     // of 60 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
 bool is_sampled(std::uint64_t draw) { return draw % schema::kFaultSampleEvery == 0; }
@@ -32,87 +35,91 @@ std::uint64_t Trial::largest_block() const {
   return std::clamp<std::uint64_t>(kMostNumbers / numbers, 8, kMostDraws);
 }
 
-void Trial::displace(const schema::DrawRange& block) {
+template <class SomeDraws>
+void Trial::displace(const SomeDraws& draws) {
   const std::size_t per_sheet = 2 * family_.shifted().size();
-  block_.sheets = static_cast<int>(block.size());
-  block_.shifts_mm.resize(per_sheet * block.size());
+  block_.sheets = static_cast<int>(std::size(draws));
+  block_.shifts_mm.resize(per_sheet * std::size(draws));
   double* shifts_mm = block_.shifts_mm.data();
-  for (std::uint64_t draw = block.lo; draw < block.hi; ++draw, shifts_mm += per_sheet) {
+  for (const std::uint64_t draw : draws) {
     draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm);
+    shifts_mm += per_sheet;
   }
 }
 
-void Trial::run(const schema::DrawRange& block, schema::UnitRecord& unit) {
-  displace(block);
+void Trial::screen(const schema::DrawRange& block, schema::UnitRecord& unit) {
+  const auto draws = std::views::iota(block.lo, block.hi);
+  displace(draws);
   const std::vector<solver::Screened>& screened = batch_->screen(block_);
-  chosen_.clear();
-  for (int sheet = 0; sheet < block_.sheets; ++sheet) {
-    const solver::Screened& seen = screened[sheet];
-    if (seen.fault == solver::Fault::none || is_sampled(block.lo + sheet)) {
-      chosen_.push_back(sheet);
+  for (const std::uint64_t draw : draws) {
+    const solver::Screened& seen = screened[draw - block.lo];
+    if (seen.fault == solver::Fault::none || is_sampled(draw)) {
+      waiting_.push_back(draw);
     } else {
       ++unit.rejected;
       ++unit.screened[{static_cast<int>(seen.fault), seen.sample}];
     }
   }
-  judge_chosen();
-  accepted_.clear();
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    const std::uint64_t draw = block.lo + static_cast<std::uint64_t>(chosen_[k]);
+}
+
+void Trial::settle(schema::UnitRecord& unit) {
+  displace(waiting_);
+  judge_block();
+  Draws accepted;
+  for (std::size_t k = 0; k < waiting_.size(); ++k) {
+    const std::uint64_t draw = waiting_[k];
     const solver::Verdict& verdict = verdicts_[k];
     if (is_sampled(draw)) unit.fault_sample.push_back({draw, verdict});
     if (verdict.first_fault == solver::Fault::undecided) {
       unit.undecided.push_back({draw, verdict});
     } else if (accepts(verdict)) {
-      accepted_.push_back(chosen_[k]);
+      accepted.push_back(draw);
     } else {
       ++unit.rejected;
       ++unit.screened[{static_cast<int>(verdict.first_fault), verdict.fault_sample()}];
     }
   }
-  add_candidates(block.lo, unit);
+  waiting_.clear();
+  add_candidates(accepted, unit);
 }
 
 // The few paths that the lanes lose are followed by dense matrices.
-void Trial::judge_chosen() {
-  verdicts_ = batch_->judge(block_, chosen_);
+void Trial::judge_block() {
+  verdicts_ = batch_->judge(block_);
   solver::FlatVertices vertices_mm;
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    if (verdicts_[k].first_fault != solver::Fault::undecided) continue;
-    family_.displace(block_.of(chosen_[k]), vertices_mm);
-    verdicts_[k] = reference_.judge(vertices_mm);
+  for (int sheet = 0; sheet < block_.sheets; ++sheet) {
+    if (verdicts_[sheet].first_fault != solver::Fault::undecided) continue;
+    family_.displace(block_.of(sheet), vertices_mm);
+    verdicts_[sheet] = reference_.judge(vertices_mm);
   }
 }
 
-void Trial::add_candidates(std::uint64_t first_draw, schema::UnitRecord& unit) {
+void Trial::add_candidates(const Draws& accepted, schema::UnitRecord& unit) {
   solver::FlatVertices vertices_mm;
-  for (auto next = accepted_.begin(); next != accepted_.end();) {
-    const auto some = next + std::min<std::ptrdiff_t>(kHistoriesAtOnce, accepted_.end() - next);
-    chosen_.assign(next, some);
-    next = some;
-    const std::vector<solver::FoldingHistory>& histories = batch_->record(block_, chosen_);
-    for (std::size_t k = 0; k < chosen_.size(); ++k) {
-      const std::uint64_t draw = first_draw + static_cast<std::uint64_t>(chosen_[k]);
-      family_.displace(block_.of(chosen_[k]), vertices_mm);
+  for (std::size_t first = 0; first < accepted.size(); first += kHistoriesAtOnce) {
+    const std::span some =
+        std::span(accepted).subspan(first, std::min(kHistoriesAtOnce, accepted.size() - first));
+    displace(some);
+    const std::vector<solver::FoldingHistory>& histories = batch_->record(block_);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      family_.displace(block_.of(static_cast<int>(k)), vertices_mm);
       const auto metrics =
           solver::measure(family_.base(), vertices_mm, histories[k], campaign_.sample_deg);
-      unit.candidates.push_back({draw, metrics, shifts_mm(draw)});
+      unit.candidates.push_back({some[k], metrics, shifts_mm(some[k])});
       ++unit.accepted;
     }
   }
 }
 
 const std::vector<solver::Verdict>& Trial::judge(const schema::DrawRange& block) {
-  displace(block);
-  chosen_.clear();
-  for (int sheet = 0; sheet < block_.sheets; ++sheet) chosen_.push_back(sheet);
-  judge_chosen();
+  displace(std::views::iota(block.lo, block.hi));
+  judge_block();
   return verdicts_;
 }
 
 solver::FoldingHistory Trial::history(std::uint64_t draw) {
-  displace({draw, draw + 1});
-  return std::move(batch_->record(block_, {0}).front());
+  displace(Draws{draw});
+  return std::move(batch_->record(block_).front());
 }
 
 Eigen::Matrix2Xd Trial::shifts_mm(std::uint64_t draw) const {
@@ -140,22 +147,35 @@ std::string golden_verdicts() {
 }
 
 UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range)
-    : trial_(trial), range_(range), next_(range.lo) {}
+    : trial_(trial),
+      range_(range),
+      next_(range.lo),
+      seconds_per_path_(std::numeric_limits<double>::infinity()) {}
 
 void UnitWork::run_next_block() {
-  constexpr double kShort_s = 0.03, kLong_s = 0.1;
-  const auto start = std::chrono::steady_clock::now();
+  constexpr double kShort_s = 0.03, kLong_s = 0.2, kPaths_s = 0.1;
+  const Stopwatch watch;
   const std::uint64_t draws = std::min(block_draws_, range_.hi - next_);
-  trial_.run({next_, next_ + draws}, record_);
+  trial_.screen({next_, next_ + draws}, record_);
   next_ += draws;
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  record_.seconds += seconds;
-  if (seconds < kShort_s) block_draws_ = std::min(2 * block_draws_, trial_.largest_block());
-  if (seconds > kLong_s) block_draws_ = std::max<std::uint64_t>(block_draws_ / 2, 1);
+  if (finished() || static_cast<double>(trial_.waiting()) * seconds_per_path_ > kPaths_s) settle();
+  record_.seconds += watch.seconds();
+  if (watch.seconds() < kShort_s) block_draws_ = std::min(2 * block_draws_, trial_.largest_block());
+  if (watch.seconds() > kLong_s) block_draws_ = std::max<std::uint64_t>(block_draws_ / 2, 1);
+}
+
+void UnitWork::settle() {
+  if (trial_.waiting() == 0) return;
+  const double paths = static_cast<double>(trial_.waiting());
+  const Stopwatch watch;
+  trial_.settle(record_);
+  seconds_per_path_ = watch.seconds() / paths;
 }
 
 schema::UnitRecord UnitWork::take() {
+  const Stopwatch watch;
+  settle();
+  record_.seconds += watch.seconds();
   record_.range = {range_.lo, next_};
   return std::move(record_);
 }

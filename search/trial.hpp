@@ -19,10 +19,14 @@ class Trial {
 
   /// How many draws a block may have at most: what it needs stays within a few megabytes.
   std::uint64_t largest_block() const;
-  /// Settles every draw of a range no larger than that and adds what became of them to `unit`.
-  void run(const schema::DrawRange& block, schema::UnitRecord& unit);
+  /// Adds to `unit` what the fast tests reject of a range no larger than that; the other draws wait
+  /// for their full paths.
+  void screen(const schema::DrawRange& block, schema::UnitRecord& unit);
+  std::size_t waiting() const { return waiting_.size(); }
+  /// Follows the full paths of all draws that wait: the more there are, the fuller the lanes.
+  void settle(schema::UnitRecord& unit);
 
-  /// Verdicts of a range of draws, each on its full path.
+  /// Verdicts of a range of draws no larger than a block, each on its full path.
   const std::vector<solver::Verdict>& judge(const schema::DrawRange& block);
   /// Everything about one draw, accepted or not.
   solver::FoldingHistory history(std::uint64_t draw);
@@ -37,17 +41,19 @@ class Trial {
   bool accepts(const solver::Verdict& verdict) const;
 
  private:
-  void displace(const schema::DrawRange& block);
-  void judge_chosen();
-  void add_candidates(std::uint64_t first_draw, schema::UnitRecord& unit);
+  using Draws = std::vector<std::uint64_t>;
+  template <class SomeDraws>
+  void displace(const SomeDraws& draws);
+  void judge_block();
+  void add_candidates(const Draws& accepted, schema::UnitRecord& unit);
 
   const schema::Campaign campaign_;
   const solver::SheetFamily family_;
   std::unique_ptr<solver::Batch> batch_;
   solver::Reference reference_;
   solver::ShiftBlock block_;
-  std::vector<int> chosen_, accepted_;     // sheets of the block
-  std::vector<solver::Verdict> verdicts_;  // of the chosen ones
+  std::vector<solver::Verdict> verdicts_;  // of the block's sheets
+  Draws waiting_;
 };
 
 /// Fingerprint of this build's verdicts on fixed draws of a small sheet: whole numbers, the same
@@ -60,16 +66,19 @@ class UnitWork {
   UnitWork(Trial& trial, const schema::DrawRange& range);
 
   bool finished() const { return next_ == range_.hi; }
-  /// As many draws as take about a twentieth of a second: nobody who waits for this waits longer.
+  /// As many draws as take about a tenth of a second: nobody who waits for this waits much longer.
   void run_next_block();
   /// What has been done so far: from the range's start up to the next draw.
   schema::UnitRecord take();
 
  private:
+  void settle();
+
   Trial& trial_;
   schema::DrawRange range_;
   std::uint64_t next_;
   std::uint64_t block_draws_ = 8;
+  double seconds_per_path_;
   schema::UnitRecord record_;
 };
 

@@ -41,14 +41,12 @@ class Batch {
 
   /// One result per sheet: rejected for certain, or not decided.
   virtual const std::vector<Screened>& screen(const ShiftBlock& block) = 0;
-  /// Verdicts of the chosen sheets on their full paths, in the same order; `undecided` where the
-  /// path was lost, which another solver may settle.
-  virtual const std::vector<Verdict>& judge(const ShiftBlock& block,
-                                            const std::vector<int>& chosen) = 0;
-  /// Their whole histories, past faults: for the few that are worth it. A path that is lost here is
-  /// followed again by dense matrices.
-  virtual std::vector<FoldingHistory>& record(const ShiftBlock& block,
-                                              const std::vector<int>& chosen) = 0;
+  /// Verdicts of all sheets on their full paths; `undecided` where the path was lost, which another
+  /// solver may settle.
+  virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
+  /// Whole histories, past faults: for the few sheets that are worth it. A path that is lost here
+  /// is followed again by dense matrices.
+  virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
   /// Of everything so far.
   virtual Effort screening_effort() const = 0;
   virtual Effort judging_effort() const = 0;

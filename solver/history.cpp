@@ -15,15 +15,15 @@ Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
 // One sheet for a tracker of one lane.
 class SingleRecording {
  public:
-  SingleRecording(const Mechanism& mechanism, const FoldedShape& shape, const PathPlan& plan,
-                  const FlatVertices& vertices_mm)
-      : plan_(plan), recording_(mechanism, shape) {
+  SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm)
+      : plan_(plan), recording_(mechanism) {
+    place(mechanism, vertices_mm, geometry_);
     recording_.begin(vertices_mm);
   }
   bool next(Departure& departure, int) {
     if (departed_) return false;
     departed_ = true;
-    departure = {&recording_.geometry(), &plan_.start, &plan_};
+    departure = {&geometry_, &plan_.start, &plan_};
     return true;
   }
   Recording& of_lane(int) { return recording_; }
@@ -33,37 +33,40 @@ class SingleRecording {
  private:
   const PathPlan& plan_;
   bool departed_ = false;
+  SheetGeometry<double> geometry_;
   Recording recording_;
   FoldingHistory history_;
 };
 
 }  // namespace
 
-Recording::Recording(const Mechanism& mechanism, const FoldedShape& shape)
-    : mechanism_(mechanism), shape_(shape), judge_(mechanism), residual_(mechanism.equations) {}
+Recording::Recording(const Mechanism& mechanism) : mechanism_(mechanism), judge_(mechanism) {}
 
 void Recording::begin(const FlatVertices& vertices_mm) {
   vertices_mm_ = vertices_mm;
-  place(mechanism_, vertices_mm_, geometry_);
   lengths_mm_.clear();
   angles_deg_.clear();
   history_ = {};
+  SheetGeometry<double> geometry;
+  place(mechanism_, vertices_mm_, geometry);
   history_.flat_mm.resize(mechanism_.diagonals.size());
-  flat_lengths(mechanism_, geometry_, history_.flat_mm.data());
+  flat_lengths(mechanism_, geometry, history_.flat_mm.data());
   judge_.begin(history_.flat_mm);
   for (double& length : history_.flat_mm) length *= mechanism_.panel_width_mm;
 }
 
 void Recording::see(const Stop& stop, const FoldState<double>& state,
-                    const std::vector<double>& lengths, double singular_value_min) {
+                    const std::vector<double>& lengths) {
   if (stop.sample > 0) judge_.see(stop, state, lengths);
   history_.stops.push_back(stop);
   for (const double length : lengths) lengths_mm_.push_back(length * mechanism_.panel_width_mm);
   for (const auto& rho : state.creases) angles_deg_.push_back(angle_deg(rho));
-  history_.open_by.push_back(evaluate(mechanism_, geometry_, state, residual_.data(), nullptr));
-  history_.singular_value_min.push_back(singular_value_min);
-  history_.isometry_error_mm.push_back(
-      shape_.isometry_error_mm(vertices_mm_, shape_.vertices_mm(geometry_, state)));
+}
+
+void Recording::add(const Soundness& soundness) {
+  history_.open_by.push_back(soundness.open_by);
+  history_.singular_value_min.push_back(soundness.singular_value_min);
+  history_.isometry_error_mm.push_back(soundness.isometry_error * mechanism_.panel_width_mm);
 }
 
 FoldingHistory Recording::conclude(const PathResult& path) {
@@ -79,8 +82,8 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
   const Elimination elimination = plan_elimination(mechanism, base.folding, base.sheet.vertices_mm);
   const FoldedShape shape(base.sheet, base.holes, mechanism);
   Tracker<double> tracker(mechanism, elimination);
-  SingleRecording single(mechanism, shape, plan, vertices_mm);
-  RecordingClient<double, SingleRecording> client(mechanism, tracker, single);
+  SingleRecording single(mechanism, plan, vertices_mm);
+  RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
   tracker.run(client);
   FoldingHistory history = single.take();
   return history.lost() ? record_densely(mechanism, shape, plan, vertices_mm) : history;
@@ -88,19 +91,24 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
 
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
                               const PathPlan& plan, const FlatVertices& vertices_mm) {
-  Recording recording(mechanism, shape);
+  SheetGeometry<double> geometry;
+  place(mechanism, vertices_mm, geometry);
+  Recording recording(mechanism);
   recording.begin(vertices_mm);
   PathTracker tracker(mechanism);
   ClosureSystem system(mechanism);
   DenseSolve factors(mechanism.equations);
   SmallestSingularValue<double> smallest(mechanism.equations);
+  FoldedPoints<double> points;
   std::vector<double> lengths(mechanism.diagonals.size());
-  const PathResult path = tracker.follow(
-      recording.geometry(), plan, [&](const Stop& stop, const FoldState<double>& state) {
-        system.evaluate(recording.geometry(), state);
+  const PathResult path =
+      tracker.follow(geometry, plan, [&](const Stop& stop, const FoldState<double>& state) {
+        folded_lengths(mechanism, geometry, state, lengths.data());
+        recording.see(stop, state, lengths);
+        const double open_by = system.evaluate(geometry, state);
         factors.factorize(system.jacobian().leftCols(mechanism.equations));
-        folded_lengths(mechanism, recording.geometry(), state, lengths.data());
-        recording.see(stop, state, lengths, smallest.of(factors));
+        shape.place(geometry, state, points);
+        recording.add({open_by, smallest.of(factors), shape.isometry_error(geometry, points)});
         return true;
       });
   return recording.conclude(path);

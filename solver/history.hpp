@@ -27,34 +27,40 @@ struct FoldingHistory {
   Eigen::MatrixXd fold_angle_deg;  ///< stops x creases
   std::vector<double> open_by;     ///< largest closure entry: radians, panel widths
   std::vector<double> singular_value_min;
-  std::vector<double> isometry_error_mm;
+  std::vector<double> isometry_error_mm;  ///< see FoldedShape
 
   /// Whether the solver failed where the path may go on.
   bool lost() const { return path.end == PathEnd::start_lost || path.end == PathEnd::stalled; }
 };
 
+/// How well the state at a stop was solved, and how well it can be.
+struct Soundness {
+  double open_by;             ///< largest closure entry: radians, panel widths
+  double singular_value_min;  ///< of the square Jacobian
+  double isometry_error;      ///< panel widths
+};
+
 /// A history in the making.
 class Recording {
  public:
-  /// Both must outlive this object.
-  Recording(const Mechanism& mechanism, const FoldedShape& shape);
+  /// `mechanism` must outlive this object.
+  explicit Recording(const Mechanism& mechanism);
 
   /// A new sheet.
   void begin(const FlatVertices& vertices_mm);
-  const SheetGeometry<double>& geometry() const { return geometry_; }
+  const FlatVertices& vertices_mm() const { return vertices_mm_; }
   /// The next stop of its path; past faults too.
-  void see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths,
-           double singular_value_min);
+  void see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths);
+  /// The same of the stops seen, in their order; at any time before the path is concluded.
+  void add(const Soundness& soundness);
   /// The whole, once the path has ended.
   FoldingHistory conclude(const PathResult& path);
 
  private:
   const Mechanism& mechanism_;
-  const FoldedShape& shape_;
   Judge judge_;
   FlatVertices vertices_mm_;
-  SheetGeometry<double> geometry_;
-  std::vector<double> residual_, lengths_mm_, angles_deg_;  // the last two stop by stop
+  std::vector<double> lengths_mm_, angles_deg_;  // stop by stop
   FoldingHistory history_;
 };
 

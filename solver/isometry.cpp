@@ -1,9 +1,6 @@
 #include "solver/isometry.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "solver/loop_closure.hpp"
 
 namespace misalign::solver {
 
@@ -46,35 +43,14 @@ FoldedShape::FoldedShape(const CreasePattern& sheet, const std::vector<int>& hol
 
 Eigen::Matrix3Xd FoldedShape::vertices_mm(const SheetGeometry<double>& geometry,
                                           const FoldState<double>& state) const {
-  std::vector<Pose<double>> pose_of(facets_.size(), Pose<double>::identity());
-  for (const Branch& branch : tree_) {
-    pose_of[branch.facet] = pose_of[branch.parent].then_rotate(
-        passage_rotation(mechanism_, geometry, state, branch.joint),
-        flat_point(geometry, branch.joint.vertex));
+  FoldedPoints<double> points;
+  place(geometry, state, points);
+  Eigen::Matrix3Xd vertices_mm(3, static_cast<Eigen::Index>(points.vertices.size()));
+  for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
+    const Vec3<double>& p = points.vertices[v];
+    vertices_mm.col(v) = Eigen::Vector3d(p.x, p.y, p.z) * mechanism_.panel_width_mm;
   }
-  Eigen::Matrix3Xd vertices(3, static_cast<Eigen::Index>(placed_by_.size()));
-  for (int v = 0; v < static_cast<int>(placed_by_.size()); ++v) {
-    const Vec3<double> p = pose_of[placed_by_[v]] * flat_point(geometry, v);
-    vertices.col(v) = Eigen::Vector3d(p.x, p.y, p.z) * mechanism_.panel_width_mm;
-  }
-  return vertices;
-}
-
-double FoldedShape::isometry_error_mm(const FlatVertices& flat_mm,
-                                      const Eigen::Matrix3Xd& folded_mm) const {
-  double worst = 0;
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (!kept_[f]) continue;
-    for (int i = 0; i < 4; ++i) {
-      for (int k = i + 1; k < 4; ++k) {
-        const int a = facets_[f][i], b = facets_[f][k];
-        const double flat = (flat_mm.col(a) - flat_mm.col(b)).norm();
-        const double folded = (folded_mm.col(a) - folded_mm.col(b)).norm();
-        worst = std::max(worst, std::abs(folded - flat));
-      }
-    }
-  }
-  return worst;
+  return vertices_mm;
 }
 
 }  // namespace misalign::solver

@@ -20,7 +20,7 @@ class LaneBatch final : public Batch {
         tracker_(family.mechanism(), family.elimination()),
         approach_tracker_(family.mechanism(), family.elimination(), approach_options()),
         test_(family),
-        recording_client_(family.mechanism(), tracker_, recording_) {}
+        recording_client_(family.mechanism(), recording_.shape(), tracker_, recording_) {}
 
   // Far first: a test turns away four sheets of five. What it leaves is packed into full registers
   // for the next.
@@ -44,17 +44,15 @@ class LaneBatch final : public Batch {
     return screening_.results();
   }
 
-  const std::vector<Verdict>& judge(const ShiftBlock& block,
-                                    const std::vector<int>& chosen) override {
-    judging_.begin(block, chosen);
+  const std::vector<Verdict>& judge(const ShiftBlock& block) override {
+    judging_.begin(block);
     JudgingClient client{judging_, tracker_};
     tracker_.run(client);
     return judging_.verdicts();
   }
 
-  std::vector<FoldingHistory>& record(const ShiftBlock& block,
-                                      const std::vector<int>& chosen) override {
-    recording_.begin(block, chosen);
+  std::vector<FoldingHistory>& record(const ShiftBlock& block) override {
+    recording_.begin(block);
     tracker_.run(recording_client_);
     return recording_.histories();
   }

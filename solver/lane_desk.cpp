@@ -19,29 +19,46 @@ StopCopy::StopCopy(const Mechanism& mechanism)
 
 StopCopy::~StopCopy() = default;
 
+LaneSheets::LaneSheets(const SheetFamily& family, int lanes)
+    : family_(family), sheet_of_lane_(lanes) {}
+
+LaneSheets::~LaneSheets() = default;
+
+void LaneSheets::begin(const ShiftBlock& block) {
+  block_ = &block;
+  next_ = 0;
+}
+
+bool LaneSheets::put_next(int lane) {
+  if (next_ == block_->sheets) return false;
+  put(next_++, lane);
+  return true;
+}
+
+void LaneSheets::put(int sheet, int lane) {
+  sheet_of_lane_[lane] = sheet;
+  family_.displace(block_->of(sheet), vertices_mm_);
+  place(family_.mechanism(), vertices_mm_, geometry_);
+}
+
 JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
     : family_(family),
-      work_of_lane_(lanes),
+      sheets_(family, lanes),
       judges_(lanes, Judge(family.mechanism())),
       found_(family.mechanism()) {}
 
 JudgingDesk::~JudgingDesk() = default;
 
-void JudgingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
-  block_ = &block;
-  chosen_ = &chosen;
-  next_ = 0;
-  verdicts_.assign(chosen.size(), {});
+void JudgingDesk::begin(const ShiftBlock& block) {
+  sheets_.begin(block);
+  verdicts_.assign(block.sheets, {});
 }
 
 bool JudgingDesk::next(Departure& departure, int lane) {
-  if (next_ == chosen_->size()) return false;
-  work_of_lane_[lane] = next_;
-  family_.displace(block_->of((*chosen_)[next_++]), vertices_mm_);
-  place(family_.mechanism(), vertices_mm_, geometry_);
-  flat_lengths(family_.mechanism(), geometry_, found_.lengths.data());
+  if (!sheets_.put_next(lane)) return false;
+  flat_lengths(family_.mechanism(), sheets_.geometry(), found_.lengths.data());
   judges_[lane].begin(found_.lengths);
-  departure = {&geometry_, &family_.path().start, &family_.path(), 0, 0};
+  departure = {&sheets_.geometry(), &family_.path().start, &family_.path(), 0, 0};
   return true;
 }
 
@@ -50,42 +67,37 @@ bool JudgingDesk::visit(const Stop& stop, int lane) {
 }
 
 void JudgingDesk::ended(const PathResult& path, int lane) {
-  verdicts_[work_of_lane_[lane]] = judges_[lane].conclude(path);
+  verdicts_[sheets_.of_lane(lane)] = judges_[lane].conclude(path);
   count(path, effort_);
 }
 
 RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       shape_(family.base().sheet, family.base().holes, family.mechanism()),
-      work_of_lane_(lanes),
-      recordings_(lanes, Recording(family.mechanism(), shape_)) {}
+      sheets_(family, lanes),
+      recordings_(lanes, Recording(family.mechanism())) {}
 
 RecordingDesk::~RecordingDesk() = default;
 
-void RecordingDesk::begin(const ShiftBlock& block, const std::vector<int>& chosen) {
-  block_ = &block;
-  chosen_ = &chosen;
-  next_ = 0;
-  histories_.resize(chosen.size());
+void RecordingDesk::begin(const ShiftBlock& block) {
+  sheets_.begin(block);
+  histories_.resize(block.sheets);
 }
 
 bool RecordingDesk::next(Departure& departure, int lane) {
-  if (next_ == chosen_->size()) return false;
-  work_of_lane_[lane] = next_;
-  FlatVertices vertices_mm;
-  family_.displace(block_->of((*chosen_)[next_++]), vertices_mm);
-  recordings_[lane].begin(vertices_mm);
-  departure = {&recordings_[lane].geometry(), &family_.path().start, &family_.path(), 0, 0};
+  if (!sheets_.put_next(lane)) return false;
+  recordings_[lane].begin(sheets_.vertices_mm());
+  departure = {&sheets_.geometry(), &family_.path().start, &family_.path(), 0, 0};
   return true;
 }
 
 void RecordingDesk::ended(const PathResult& path, int lane) {
-  FoldingHistory& history = histories_[work_of_lane_[lane]];
+  FoldingHistory& history = histories_[sheets_.of_lane(lane)];
   history = recordings_[lane].conclude(path);
-  if (!history.lost()) return;
-  FlatVertices vertices_mm;
-  family_.displace(block_->of((*chosen_)[work_of_lane_[lane]]), vertices_mm);
-  history = record_densely(family_.mechanism(), shape_, family_.path(), vertices_mm);
+  if (history.lost()) {
+    history = record_densely(family_.mechanism(), shape_, family_.path(),
+                             recordings_[lane].vertices_mm());
+  }
 }
 
 CourseOptions approach_options() {
@@ -100,12 +112,12 @@ CourseOptions approach_options() {
 }
 
 ApproachDesk::ApproachDesk(const SheetFamily& family, int lanes)
-    : family_(family), sheet_of_lane_(lanes), found_(family.mechanism()) {}
+    : family_(family), sheets_(family, lanes), found_(family.mechanism()) {}
 
 ApproachDesk::~ApproachDesk() = default;
 
 void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
-  block_ = &block;
+  sheets_.begin(block);
   screening_ = &screening;
   waiting_.clear();
   next_ = 0;
@@ -122,21 +134,19 @@ FoldState<double>& ApproachDesk::keep(int test, int& kept) {
 bool ApproachDesk::next(Departure& departure, int lane) {
   if (next_ == waiting_.size()) return false;
   const Work& work = waiting_[next_++];
-  sheet_of_lane_[lane] = work.sheet;
-  family_.displace(block_->of(work.sheet), vertices_mm_);
-  place(family_.mechanism(), vertices_mm_, geometry_);
+  sheets_.put(work.sheet, lane);
   const Kept& kept = kept_[work.kept];
   const TestAngle& test = family_.tests()[kept.test];
   const auto& stops = family_.approach().stops;
   const auto first = std::find_if(stops.begin(), stops.end(),
                                   [&](const Stop& stop) { return stop.sample == test.sample; });
-  departure = {&geometry_, &kept.state, &family_.approach(),
+  departure = {&sheets_.geometry(), &kept.state, &family_.approach(),
                static_cast<std::size_t>(first - stops.begin()), test.determinant_sign};
   return true;
 }
 
 bool ApproachDesk::visit(const Stop& stop, int lane) {
-  const int sheet = sheet_of_lane_[lane];
+  const int sheet = sheets_.of_lane(lane);
   screening_->observe(sheet, {stop.sample, found_.lengths.data(), kPathLengthError,
                               found_.slopes.data(), kPathSlopeError});
   screening_->observe(sheet, stop.sample, found_.state);
@@ -144,7 +154,7 @@ bool ApproachDesk::visit(const Stop& stop, int lane) {
 }
 
 void ApproachDesk::ended(const PathResult& path, int lane) {
-  screening_->path_ended(sheet_of_lane_[lane], path);
+  screening_->path_ended(sheets_.of_lane(lane), path);
   count(path, effort_);
 }
 

@@ -11,13 +11,38 @@
 
 namespace misalign::solver {
 
-/// Full paths: every sample of the chosen sheets goes to a judge, until it has seen enough.
+/// The sheets of a block on their way to the lanes.
+class LaneSheets {
+ public:
+  LaneSheets(const SheetFamily& family, int lanes);
+  ~LaneSheets();
+
+  void begin(const ShiftBlock& block);
+  /// Puts the block's next sheet into this lane; false: there is none.
+  bool put_next(int lane);
+  /// Puts this sheet into this lane.
+  void put(int sheet, int lane);
+  int of_lane(int lane) const { return sheet_of_lane_[lane]; }
+  /// Of the sheet put last.
+  const FlatVertices& vertices_mm() const { return vertices_mm_; }
+  const SheetGeometry<double>& geometry() const { return geometry_; }
+
+ private:
+  const SheetFamily& family_;
+  const ShiftBlock* block_ = nullptr;
+  int next_ = 0;
+  std::vector<int> sheet_of_lane_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+};
+
+/// Full paths: every sample of every sheet goes to a judge, until it has seen enough.
 class JudgingDesk {
  public:
   JudgingDesk(const SheetFamily& family, int lanes);
   ~JudgingDesk();
 
-  void begin(const ShiftBlock& block, const std::vector<int>& chosen);
+  void begin(const ShiftBlock& block);
   bool next(Departure& departure, int lane);
   /// What is found at the stop goes here.
   StopCopy& found() { return found_; }
@@ -29,14 +54,9 @@ class JudgingDesk {
 
  private:
   const SheetFamily& family_;
-  const ShiftBlock* block_ = nullptr;
-  const std::vector<int>* chosen_ = nullptr;
-  std::size_t next_ = 0;
-  std::vector<std::size_t> work_of_lane_;
-  std::vector<Judge> judges_;
+  LaneSheets sheets_;
+  std::vector<Judge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;
-  FlatVertices vertices_mm_;
-  SheetGeometry<double> geometry_;
   StopCopy found_;
   Effort effort_;
 };
@@ -47,8 +67,9 @@ class RecordingDesk {
   RecordingDesk(const SheetFamily& family, int lanes);
   ~RecordingDesk();
 
-  void begin(const ShiftBlock& block, const std::vector<int>& chosen);
+  void begin(const ShiftBlock& block);
   bool next(Departure& departure, int lane);
+  const FoldedShape& shape() const { return shape_; }
   Recording& of_lane(int lane) { return recordings_[lane]; }
   void ended(const PathResult& path, int lane);
 
@@ -57,11 +78,8 @@ class RecordingDesk {
  private:
   const SheetFamily& family_;
   const FoldedShape shape_;
-  const ShiftBlock* block_ = nullptr;
-  const std::vector<int>* chosen_ = nullptr;
-  std::size_t next_ = 0;
-  std::vector<std::size_t> work_of_lane_;
-  std::vector<Recording> recordings_;
+  LaneSheets sheets_;
+  std::vector<Recording> recordings_;  // of lanes
   std::vector<FoldingHistory> histories_;
 };
 
@@ -96,15 +114,12 @@ class ApproachDesk {
   };
 
   const SheetFamily& family_;
-  const ShiftBlock* block_ = nullptr;
+  LaneSheets sheets_;
   Screening* screening_ = nullptr;
   std::vector<Kept> kept_;  // grows to what a block needs
   int kept_count_ = 0;
   std::vector<Work> waiting_;
   std::size_t next_ = 0;
-  std::vector<int> sheet_of_lane_;
-  FlatVertices vertices_mm_;
-  SheetGeometry<double> geometry_;
   StopCopy found_;
   Effort effort_;
 };

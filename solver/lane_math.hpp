@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-// One function is a fifth faster in lanes than calls that pass poses through memory. Under the address
-// sanitizer the compiler would take minutes for each.
+// One function is a fifth faster in lanes than calls that pass poses through memory. Under the
+// address sanitizer the compiler would take minutes for each.
 #ifdef __SANITIZE_ADDRESS__
 #define MISALIGN_FLATTEN
 #else

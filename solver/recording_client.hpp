@@ -1,5 +1,5 @@
-// Full paths of sheets that somebody looks at, for a tracker of any width: hands each stop, with
-// its diagonals and its smallest singular value, to the recording of its lane.
+// Full paths of sheets that somebody looks at, for a tracker of any width: hands each stop with its
+// diagonals to the recording of its lane, and looks closer at the states of all lanes together.
 #pragma once
 
 #include "solver/history.hpp"
@@ -10,15 +10,23 @@
 namespace misalign::solver {
 
 /// `Desk` says which sheet is next (`next`), whose recording a lane writes (`of_lane`), and takes
-/// the end of each path (`ended`).
+/// the end of each path (`ended`). Lanes arrive at their stops one by one: each one's state and
+/// factors are kept until it arrives again or its path ends, and then all that are kept are looked
+/// at in one go.
 template <class T, class Desk>
 class RecordingClient {
  public:
-  RecordingClient(const Mechanism& mechanism, Tracker<T>& tracker, Desk& desk)
-      : tracker_(tracker),
+  RecordingClient(const Mechanism& mechanism, const FoldedShape& shape, Tracker<T>& tracker,
+                  Desk& desk)
+      : mechanism_(mechanism),
+        shape_(shape),
+        tracker_(tracker),
         desk_(desk),
-        factors_(tracker.factors()),
+        kept_state_(flat_state<T>(mechanism)),
+        kept_factors_(tracker.factors()),
+        square_factors_(kept_factors_),
         smallest_(mechanism.equations),
+        residual_(mechanism.equations, T(0)),
         stop_(mechanism) {}
 
   bool next(Departure& departure, int lane) {
@@ -26,24 +34,52 @@ class RecordingClient {
     return desk_.next(departure, lane);
   }
 
-  /// Singular values of all lanes that have arrived, before their visits.
-  void arrivals(const T& arrived) { singular_value_ = smallest_.of(factors_, arrived); }
+  void arrivals(const T& arrived) {
+    bool again = false;
+    for (int i = 0; i < kLanes<T>; ++i) again = again || lane(arrived, i) * lane(waits_, i) > 0;
+    if (again) look();
+    replace(arrived, tracker_.state(), kept_state_);
+    kept_factors_.replace(arrived, tracker_.factors());
+  }
 
   bool visit(const Stop& stop, int i) {
     tracker_.copy_state(i, stop_.state);
     tracker_.copy_lengths(i, stop_.lengths.data());
-    desk_.of_lane(i).see(stop, stop_.state, stop_.lengths, lane(singular_value_, i));
+    desk_.of_lane(i).see(stop, stop_.state, stop_.lengths);
+    lane(waits_, i) = 1;
     return true;
   }
 
-  void ended(const PathResult& path, int lane) { desk_.ended(path, lane); }
+  void ended(const PathResult& path, int i) {
+    if (lane(waits_, i) > 0) look();
+    desk_.ended(path, i);
+  }
 
  private:
+  MISALIGN_FLATTEN void look() {
+    const SheetGeometry<T>& geometry = tracker_.geometry();
+    const T open_by = evaluate(mechanism_, geometry, kept_state_, residual_.data(), nullptr);
+    const T singular_value = smallest_.of(square_factors_, waits_);
+    shape_.place(geometry, kept_state_, points_);
+    const T isometry_error = shape_.isometry_error(geometry, points_);
+    for (int i = 0; i < kLanes<T>; ++i) {
+      if (!(lane(waits_, i) > 0)) continue;
+      desk_.of_lane(i).add({lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
+    }
+    waits_ = T(0);
+  }
+
+  const Mechanism& mechanism_;
+  const FoldedShape& shape_;
   Tracker<T>& tracker_;
   Desk& desk_;
-  SquareFactors<T> factors_;
+  T waits_ = T(0);  // 1: the lane's kept state has not been looked at
+  FoldState<T> kept_state_;
+  SparseLu<T> kept_factors_;
+  SquareFactors<T> square_factors_;
   SmallestSingularValue<T> smallest_;
-  T singular_value_;
+  FoldedPoints<T> points_;
+  std::vector<T> residual_;
   StopCopy stop_;
 };
 

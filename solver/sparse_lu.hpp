@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/elimination.hpp"
+#include "solver/lane_math.hpp"
 
 namespace misalign::solver {
 
@@ -28,6 +29,17 @@ class SparseLu {
     const std::int32_t* slot_;
   };
   Entry entries() { return {slots_.data(), plan_.slot_of_value.data()}; }
+
+  /// Takes over the factors of `other`, in the lanes where `choice` is positive.
+  void replace(const T& choice, const SparseLu& other) {
+    const auto chosen = choice > T(0);
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      slots_[k] = select(chosen, other.slots_[k], slots_[k]);
+    }
+    for (std::size_t k = 0; k < inverse_pivots_.size(); ++k) {
+      inverse_pivots_[k] = select(chosen, other.inverse_pivots_[k], inverse_pivots_[k]);
+    }
+  }
 
   /// Factors the Jacobian that was written to entries().
   void factorize() {

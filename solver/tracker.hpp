@@ -63,6 +63,9 @@ class Tracker {
     }
   }
 
+  /// The sheets of all lanes, and their states at the last points they found.
+  const SheetGeometry<T>& geometry() const { return geometry_; }
+  const FoldState<T>& state() const { return last_; }
   /// The state at the stop of a lane.
   void copy_state(int i, FoldState<double>& state) const { copy_lane(last_, i, state); }
   /// Its diagonals, panel widths.

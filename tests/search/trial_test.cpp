@@ -13,7 +13,8 @@ schema::Campaign small_campaign(double threshold_deg = 150) {
 
 schema::UnitRecord run(Trial& trial, const schema::DrawRange& range) {
   schema::UnitRecord unit;
-  trial.run(range, unit);
+  trial.screen(range, unit);
+  trial.settle(unit);
   return unit;
 }
 
@@ -130,8 +131,10 @@ TEST(Trial, InstructionSetsAndBlocksAgree) {
     Trial trial(small_campaign(), set);
     schema::UnitRecord unit;
     for (std::uint64_t lo = 500; lo < 900; lo += 57) {
-      trial.run({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit);
+      trial.screen({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit);
+      if (lo % 2 == 0) trial.settle(unit);
     }
+    trial.settle(unit);
     EXPECT_EQ(draws_of(unit), expected) << solver::instruction_set_name(set);
   }
 }

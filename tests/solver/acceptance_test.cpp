@@ -20,7 +20,7 @@ TEST_P(Acceptance, IsTheReferences) {
   Reference reference(sheets.mechanism, plan);
   const SheetFamily any_threshold = sheets.with_threshold(180);
   const auto judging = make_batch(available_instruction_sets().back(), any_threshold);
-  const std::vector<Verdict> judged = judging->judge(block, all_of(block));
+  const std::vector<Verdict> judged = judging->judge(block);
   std::vector<int> deploys_from;
   std::set<int> thresholds = {20, 40, 60, 80, 100, 120, 140, 160, 180};
   for (int i = 0; i < block.sheets; ++i) {

@@ -75,15 +75,16 @@ TEST_P(BatchAllocation, NoneInAWarmBatch) {
   ShiftBlock block = sheets.draws(600, kSeed);
   const ShiftBlock large = sheets.draws(10, kSeed, 8);
   std::copy(large.shifts_mm.begin(), large.shifts_mm.end(), block.shifts_mm.begin());
-  std::vector<int> some = all_of(block);
-  some.resize(64);
+  std::vector<int> numbers = all_of(block);
+  numbers.resize(64);
+  const ShiftBlock some = chosen_of(block, numbers);
   batch->screen(block);
-  batch->judge(block, some);
+  batch->judge(some);
 
   const long before = allocations;
   const auto& screened = batch->screen(block);
   const long between = allocations;
-  const auto& verdicts = batch->judge(block, some);
+  const auto& verdicts = batch->judge(some);
   const long after = allocations;
   EXPECT_EQ(between - before, 0) << "screen";
   EXPECT_EQ(after - between, 0) << "judge";

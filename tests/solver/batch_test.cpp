@@ -39,7 +39,7 @@ TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
   for (const int count : {1, 2, 3, 7, 8, 9, 17, 40}) {
     SCOPED_TRACE(count);
     const ShiftBlock block = sheets.draws(count, kSeed + count);
-    EXPECT_EQ(words(batch->judge(block, all_of(block))), words(scalar.judge(block, all_of(block))));
+    EXPECT_EQ(words(batch->judge(block)), words(scalar.judge(block)));
     EXPECT_EQ(words(batch->screen(block)), words(scalar.screen(block)));
   }
   EXPECT_EQ(batch->judging_effort().solves, scalar.judging_effort().solves);
@@ -51,7 +51,10 @@ TEST_P(BatchTest, NothingToDo) {
   const TestFamily sheets(4, 4);
   const SheetFamily family = sheets.with_threshold(150);
   const auto batch = this->batch(family);
-  EXPECT_TRUE(batch->judge(sheets.draws(3, kSeed), {}).empty());
+  const ShiftBlock none;
+  EXPECT_TRUE(batch->screen(none).empty());
+  EXPECT_TRUE(batch->judge(none).empty());
+  EXPECT_TRUE(batch->record(none).empty());
 }
 
 // Between ordinary sheets: large shifts, whose paths are lost or turn early, coordinates that are
@@ -61,7 +64,7 @@ TEST_P(BatchTest, FailingNeighboursChangeNothing) {
   const SheetFamily family = sheets.with_threshold(160);
   const auto batch = this->batch(family);
   const ShiftBlock healthy = sheets.draws(24, kSeed);
-  const std::vector<std::string> alone = words(ScalarBatch(family).judge(healthy, all_of(healthy)));
+  const std::vector<std::string> alone = words(ScalarBatch(family).judge(healthy));
   const std::vector<std::string> screened_alone = words(ScalarBatch(family).screen(healthy));
 
   ShiftBlock mixed = healthy;
@@ -85,7 +88,7 @@ TEST_P(BatchTest, FailingNeighboursChangeNothing) {
     healthy_places.push_back(append(healthy, i));
     append(i % 3 == 0 ? broken : i % 3 == 1 ? large : huge, (i / 3) % (i % 3 == 0 ? 3 : 8));
   }
-  const auto& verdicts = batch->judge(mixed, all_of(mixed));
+  const auto& verdicts = batch->judge(mixed);
   const auto& screened = batch->screen(mixed);
   int lost = 0;
   for (std::size_t i = 0; i < alone.size(); ++i) {
@@ -100,16 +103,16 @@ TEST_P(BatchTest, FailingNeighboursChangeNothing) {
   }
   EXPECT_GT(lost, 8 + 3);  // of large shifts too
   ScalarBatch scalar(family);
-  EXPECT_EQ(words(batch->judge(mixed, all_of(mixed))), words(scalar.judge(mixed, all_of(mixed))));
+  EXPECT_EQ(words(batch->judge(mixed)), words(scalar.judge(mixed)));
 }
 
-// Whatever blocks they come in, in whatever order, and whichever are chosen.
+// Whatever blocks they come in, in whatever order.
 TEST_P(BatchTest, BlocksDoNotMatter) {
   const TestFamily sheets(6, 6);
   const SheetFamily family = sheets.with_threshold(155);
   const auto batch = this->batch(family);
   const ShiftBlock block = sheets.draws(120 / kFewer, kSeed);
-  const std::vector<std::string> verdicts = words(batch->judge(block, all_of(block)));
+  const std::vector<std::string> verdicts = words(batch->judge(block));
   const std::vector<std::string> screened = words(batch->screen(block));
 
   std::vector<int> order = all_of(block);
@@ -121,8 +124,7 @@ TEST_P(BatchTest, BlocksDoNotMatter) {
       const std::vector<int> some(order.begin() + first,
                                   order.begin() + std::min(first + size, order.size()));
       const ShiftBlock part = chosen_of(block, some);
-      const auto part_verdicts = words(batch->judge(part, all_of(part)));
-      EXPECT_EQ(words(batch->judge(block, some)), part_verdicts);
+      const auto part_verdicts = words(batch->judge(part));
       const auto part_screened = words(batch->screen(part));
       for (std::size_t i = 0; i < some.size(); ++i) {
         EXPECT_EQ(part_verdicts[i], verdicts[some[i]]);
