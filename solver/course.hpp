@@ -9,6 +9,8 @@ namespace misalign::solver {
 
 struct CourseOptions {
   double closure_tolerance = NewtonOptions{}.closure_tolerance;
+  /// The same of the points between stops that a walk goes over.
+  double walk_closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// Extrapolated stops converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
   /// Of a crease from one stop to the next, sin(half of it), and of all its corrections together

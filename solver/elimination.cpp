@@ -187,12 +187,23 @@ void write_program(const std::vector<JacobianEntry>& entries, Elimination& plan)
   for (int k = 0; k < n; ++k) {
     const std::int32_t pivot_slot = slot[k].at(k);
     const std::int32_t row_end = slot[k].rbegin()->second + 1;
-    Pivot pivot{
-        pivot_slot, {pivot_slot + 1, row_end}, {end(plan.lower_slot), 0}, end(plan.targets)};
+    Pivot pivot{pivot_slot,
+                {pivot_slot + 1, row_end},
+                {end(plan.lower_slot), 0},
+                {end(plan.above_slot), 0},
+                end(plan.targets)};
+    for (int i = 0; i < k; ++i) {
+      const auto above = slot[i].find(k);
+      if (above == slot[i].end()) continue;
+      plan.above_slot.push_back(above->second);
+      plan.above_row.push_back(i);
+    }
+    pivot.above.end = end(plan.above_slot);
     for (int i = k + 1; i < n; ++i) {
       const auto below = slot[i].find(k);
       if (below == slot[i].end()) continue;
       plan.lower_slot.push_back(below->second);
+      plan.lower_row.push_back(i);
       for (auto u = slot[k].upper_bound(k); u != slot[k].end(); ++u) {
         plan.targets.push_back(slot[i].at(u->first));
       }

@@ -20,7 +20,8 @@ struct Pivot {
   std::int32_t slot;          ///< of the pivot itself
   Stretch upper;              ///< slots of its row beyond the pivot: neighbours, in column order
   Stretch lower;              ///< places in lower_slot: its column in the rows below
-  std::int32_t first_target;  ///< in `targets`: upper.size() of them for each of these rows
+  Stretch above;              ///< places in above_slot: its column in the rows above
+  std::int32_t first_target;  ///< in `targets`: upper.size() of them for each row below
 };
 
 /// An elimination of the n x (n + 1) Jacobian, pilot's column last: after n - 1 pivots one equation
@@ -37,7 +38,7 @@ struct Elimination {
   std::vector<std::int32_t> fill_slots;     ///< that only the elimination fills
   std::vector<Pivot> pivots;
   std::vector<std::int32_t> column;  ///< per slot
-  std::vector<std::int32_t> lower_slot, targets;
+  std::vector<std::int32_t> lower_slot, lower_row, above_slot, above_row, targets;
 
   int partner() const { return column_of[equations - 1]; }
   /// Multiplications, with one subtraction each, of one factorisation.

@@ -100,13 +100,22 @@ void RecordingDesk::ended(const PathResult& path, int lane) {
   }
 }
 
+// After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only the
+// way on is wanted.
+constexpr double kStopClosure = 1e-7, kWalkClosure = 1e-3;
+
+// What two thirds of a step's way to 150 degrees and steps of 5 degrees beyond it move the creases
+// of paths that stay on their curve, with room (rad; sine of half of it).
+constexpr double kLongestHalfSine = 0.5, kLongestCorrection_rad = 0.15;
+
 CourseOptions approach_options() {
   CourseOptions options;
-  options.closure_tolerance = 1e-7;
+  options.closure_tolerance = kStopClosure;
+  options.walk_closure_tolerance = kWalkClosure;
   options.walk.turn_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
-  options.turn_certain_share = 0.5;
-  options.longest_half_sine = 0.5;
-  options.longest_correction_rad = 0.15;
+  options.turn_certain_share = 0.5;  // half the way to the threshold
+  options.longest_half_sine = kLongestHalfSine;
+  options.longest_correction_rad = kLongestCorrection_rad;
   options.least_tangent_cosine = 0;
   return options;
 }

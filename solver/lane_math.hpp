@@ -1,5 +1,6 @@
 // What the templates need beyond arithmetic: one value for each lane, read and written singly, and
-// choices made lane by lane. A double is a register of one lane.
+// choices made lane by lane. A double or a float is a register of one
+// lane.
 #pragma once
 
 #include <cmath>
@@ -15,19 +16,38 @@
 namespace misalign::solver {
 
 template <class T>
-inline constexpr int kLanes = static_cast<int>(sizeof(T) / sizeof(double));
+struct ScalarOf {
+  using type = typename T::value_type;
+};
+template <class T>
+struct ScalarOf<const T> : ScalarOf<T> {};
+template <>
+struct ScalarOf<double> {
+  using type = double;
+};
+template <>
+struct ScalarOf<float> {
+  using type = float;
+};
+/// What a lane of T holds.
+template <class T>
+using Scalar = typename ScalarOf<T>::type;
 
 template <class T>
-double& lane(T& value, int i) {
-  return reinterpret_cast<double*>(&value)[i];
+inline constexpr int kLanes = static_cast<int>(sizeof(T) / sizeof(Scalar<T>));
+
+template <class T>
+Scalar<T>& lane(T& value, int i) {
+  return reinterpret_cast<Scalar<T>*>(&value)[i];
 }
 template <class T>
-double lane(const T& value, int i) {
-  return reinterpret_cast<const double*>(&value)[i];
+Scalar<T> lane(const T& value, int i) {
+  return reinterpret_cast<const Scalar<T>*>(&value)[i];
 }
 
-/// Registers find their library's `select` by argument; this is the one of a single lane.
+/// Registers find their library's `select` by argument; these are the ones of a single lane.
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
+inline float select(bool condition, float a, float b) { return condition ? a : b; }
 
 /// The larger of two; `a` where either is not a number, in every instruction set.
 template <class T>

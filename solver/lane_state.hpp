@@ -48,14 +48,14 @@ void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
 template <class T>
 void put_lane(const FoldState<double>& from, FoldState<T>& to, int i) {
   for (std::size_t k = 0; k < from.creases.size(); ++k) {
-    lane(to.creases[k].c, i) = from.creases[k].c;
-    lane(to.creases[k].s, i) = from.creases[k].s;
+    lane(to.creases[k].c, i) = static_cast<Scalar<T>>(from.creases[k].c);
+    lane(to.creases[k].s, i) = static_cast<Scalar<T>>(from.creases[k].s);
   }
   for (std::size_t k = 0; k < from.balls.size(); ++k) {
-    lane(to.balls[k].w, i) = from.balls[k].w;
-    lane(to.balls[k].x, i) = from.balls[k].x;
-    lane(to.balls[k].y, i) = from.balls[k].y;
-    lane(to.balls[k].z, i) = from.balls[k].z;
+    lane(to.balls[k].w, i) = static_cast<Scalar<T>>(from.balls[k].w);
+    lane(to.balls[k].x, i) = static_cast<Scalar<T>>(from.balls[k].x);
+    lane(to.balls[k].y, i) = static_cast<Scalar<T>>(from.balls[k].y);
+    lane(to.balls[k].z, i) = static_cast<Scalar<T>>(from.balls[k].z);
   }
 }
 

@@ -29,7 +29,7 @@ class LaneTest {
     for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
       const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
       load(block, open.data() + first, count);
-      solve(family_.tests()[test], base_[test]);
+      solve(test);
       report(test, open.data() + first, count, screening, approach);
     }
   }
@@ -38,14 +38,17 @@ class LaneTest {
 
  private:
   void load(const ShiftBlock& block, const OpenSheet* open, int count);
-  MISALIGN_FLATTEN void solve(const TestAngle& test, const FoldState<T>& base);
+  MISALIGN_FLATTEN void solve(int test);
   MISALIGN_FLATTEN T correct(bool new_factors);
   void report(int test, OpenSheet* open, int count, Screening& screening, ApproachDesk& approach);
 
   const SheetFamily& family_;
   const Mechanism& mechanism_;
-  std::vector<FoldState<T>> base_;  // per test, in every lane
-  std::vector<T> base_x_, base_y_;  // panel widths
+  using Real = Scalar<T>;
+
+  std::vector<FoldState<T>> base_;            // per test, in every lane
+  std::vector<SparseLu<Real>> base_factors_;  // per test
+  std::vector<T> base_x_, base_y_;            // panel widths
   SheetGeometry<T> geometry_;
   FoldState<T> state_;
   std::vector<T> residual_, y_, turn_, flat_, lengths_, slopes_;
@@ -73,11 +76,12 @@ LaneTest<T>::LaneTest(const SheetFamily& family)
   for (const TestAngle& test : family.tests()) {
     FoldState<T>& base = base_.emplace_back(state_);
     for (int i = 0; i < kLanes<T>; ++i) put_lane(test.base, base, i);
+    base_factors_.emplace_back(test.factors);
   }
   const double* const flat_mm = family.base().sheet.vertices_mm.data();
   for (int v = 0; v < mechanism_.vertices; ++v) {
-    base_x_.push_back(T(flat_mm[2 * v] / mechanism_.panel_width_mm));
-    base_y_.push_back(T(flat_mm[2 * v + 1] / mechanism_.panel_width_mm));
+    base_x_.push_back(T(static_cast<Real>(flat_mm[2 * v] / mechanism_.panel_width_mm)));
+    base_y_.push_back(T(static_cast<Real>(flat_mm[2 * v + 1] / mechanism_.panel_width_mm)));
   }
   geometry_ = lane_geometry<T>(mechanism_);
   geometry_.x = base_x_;
@@ -88,15 +92,15 @@ LaneTest<T>::LaneTest(const SheetFamily& family)
 template <class T>
 void LaneTest<T>::load(const ShiftBlock& block, const OpenSheet* open, int count) {
   using std::sqrt;
-  const T per_width(1 / mechanism_.panel_width_mm);
+  const T per_width(static_cast<Real>(1 / mechanism_.panel_width_mm));
   std::array<const double*, kLanes<T>> shifts;
   for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(open[i < count ? i : 0].sheet);
   int k = 0;
   for (const int vertex : family_.shifted()) {
     T dx, dy;
     for (int i = 0; i < kLanes<T>; ++i) {
-      lane(dx, i) = shifts[i][k];
-      lane(dy, i) = shifts[i][k + 1];
+      lane(dx, i) = static_cast<Real>(shifts[i][k]);
+      lane(dy, i) = static_cast<Real>(shifts[i][k + 1]);
     }
     geometry_.x[vertex] = base_x_[vertex] + dx * per_width;
     geometry_.y[vertex] = base_y_[vertex] + dy * per_width;
@@ -112,22 +116,23 @@ void LaneTest<T>::load(const ShiftBlock& block, const OpenSheet* open, int count
 }
 
 template <class T>
-void LaneTest<T>::solve(const TestAngle& test, const FoldState<T>& base) {
+void LaneTest<T>::solve(int test) {
   const int n = mechanism_.equations;
-  state_ = base;
+  const SparseLu<Real>& factors = base_factors_[test];
+  const bool with_slopes = family_.tests()[test].with_slopes;
+  state_ = base_[test];
   evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-  test.factors.forward(residual_.data(), y_.data());
-  test.factors.backward(y_.data(), y_[n - 1] / T(test.factors.partner_coefficient()), T(0),
-                        turn_.data());
+  factors.forward(residual_.data(), y_.data());
+  factors.backward(y_.data(), y_[n - 1] / T(factors.partner_coefficient()), T(0), turn_.data());
   for (T& turn : turn_) turn = -turn;
   advance(mechanism_, turn_.data(), state_);
   first_correction_ = correct(true);
-  second_correction_ = correct(test.with_slopes);
-  determinant_sign_ = T(lu_.plan().permutation_sign);
+  second_correction_ = correct(with_slopes);
+  determinant_sign_ = T(static_cast<Real>(lu_.plan().permutation_sign));
   for (int k = 0; k < n; ++k) {
     determinant_sign_ = select(lu_.pivot(k) < T(0), -determinant_sign_, determinant_sign_);
   }
-  if (test.with_slopes) {
+  if (with_slopes) {
     lu_.null_vector(-lu_.pilot_coefficient() / lu_.partner_coefficient(), T(1), y_.data(),
                     turn_.data());
     folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),

@@ -3,6 +3,7 @@
 // nothing is fused, so a lane has the bits of the scalar code.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "solver/elimination.hpp"
@@ -16,6 +17,15 @@ class SparseLu {
   /// `plan` must outlive this object.
   explicit SparseLu(const Elimination& plan)
       : plan_(plan), slots_(plan.slots, T(0)), inverse_pivots_(plan.equations, T(0)) {}
+
+  /// The factors of another precision, rounded.
+  template <class U>
+  explicit SparseLu(const SparseLu<U>& other) : SparseLu(other.plan()) {
+    std::transform(other.slots_.begin(), other.slots_.end(), slots_.begin(),
+                   [](const U& value) { return static_cast<T>(value); });
+    std::transform(other.inverse_pivots_.begin(), other.inverse_pivots_.end(),
+                   inverse_pivots_.begin(), [](const U& value) { return static_cast<T>(value); });
+  }
 
   /// Where `evaluate` writes the Jacobian's nonzeros, each into its slot.
   class Entry {
@@ -109,22 +119,21 @@ class SparseLu {
   /// column. `work` has room for one value per equation.
   void transposed(const T* rhs, T* work, T* x) const {
     const int n = plan_.equations;
-    for (int i = 0; i < n; ++i) work[i] = rhs[plan_.column_of[i]];
     for (int i = 0; i < n; ++i) {
-      work[i] = work[i] * inverse_pivots_[i];
-      const Stretch& upper = plan_.pivots[i].upper;
-      for (std::int32_t u = upper.begin; u < upper.end; ++u) {
-        if (plan_.column[u] == n) continue;
-        work[plan_.column[u]] = work[plan_.column[u]] - slots_[u] * work[i];
+      const Stretch& above = plan_.pivots[i].above;
+      T sum = rhs[plan_.column_of[i]];
+      for (std::int32_t k = above.begin; k < above.end; ++k) {
+        sum = sum - slots_[plan_.above_slot[k]] * work[plan_.above_row[k]];
       }
+      work[i] = sum * inverse_pivots_[i];
     }
     for (int i = n - 1; i >= 0; --i) {
-      const Pivot& pivot = plan_.pivots[i];
-      const std::int32_t row_begin = i > 0 ? plan_.pivots[i - 1].upper.end : 0;
-      for (std::int32_t slot = row_begin; slot < pivot.slot; ++slot) {
-        work[plan_.column[slot]] = work[plan_.column[slot]] - slots_[slot] * work[i];
+      const Stretch& lower = plan_.pivots[i].lower;
+      T sum = work[i];
+      for (std::int32_t k = lower.begin; k < lower.end; ++k) {
+        sum = sum - slots_[plan_.lower_slot[k]] * work[plan_.lower_row[k]];
       }
-      x[plan_.row_of[i]] = work[i];
+      x[plan_.row_of[i]] = work[i] = sum;
     }
   }
 
@@ -132,6 +141,9 @@ class SparseLu {
   const Elimination& plan() const { return plan_; }
 
  private:
+  template <class U>
+  friend class SparseLu;
+
   const Elimination& plan_;
   std::vector<T> slots_, inverse_pivots_;
 };
