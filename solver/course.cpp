@@ -21,8 +21,9 @@ Move Course::after(const Reading& reading) {
   // Where a coordinate or a pivot is no number the tangent is none; the residual's and the
   // corrections' largest entries may hide it.
   const bool is_finite = std::isfinite(reading.open_by) && std::isfinite(reading.tangent_pilot);
-  const bool is_closed = is_finite && reading.open_by <= (walking() ? options_.walk_closure_tolerance
-                                                                    : options_.closure_tolerance);
+  const bool is_closed =
+      is_finite &&
+      reading.open_by <= (walking() ? options_.walk_closure_tolerance : options_.closure_tolerance);
   const bool grows = corrections_ > 1 && !(reading.open_by < last_open_);
   last_open_ = reading.open_by;
   corrected_rad_ += reading.correction_rad;

@@ -17,12 +17,29 @@ constexpr double kNearShare = 0.2;
 // From the far test to the threshold in steps of about this, if it is farther than the other.
 constexpr double kApproachStep_deg = 5, kApproachFrom_deg = 2;
 
-int determinant_sign(const SparseLu<double>& factors) {
-  int sign = factors.plan().permutation_sign;
-  for (int k = 0; k < factors.plan().equations; ++k) {
-    if (factors.pivot(k) < 0) sign = -sign;
+// Rows d length / d closure of all diagonals, one after another: their gradients, through the
+// Jacobian's factors.
+std::vector<double> lengths_per_closure(const Mechanism& mechanism,
+                                        const SheetGeometry<double>& geometry,
+                                        const FoldState<double>& state,
+                                        const SparseLu<double>& factors) {
+  const int n = mechanism.equations;
+  const std::size_t diagonals = mechanism.diagonals.size();
+  std::vector<double> rates(mechanism.unknowns), lengths(diagonals), slopes(diagonals), misfit(n);
+  std::vector<std::vector<double>> gradients(diagonals, std::vector<double>(n));
+  for (int j = 0; j < n; ++j) {
+    rates.assign(mechanism.unknowns, 0);
+    rates[j] = 1;
+    folded_lengths_and_slopes(mechanism, geometry, state, rates.data(), lengths.data(),
+                              slopes.data(), misfit.data());
+    for (std::size_t d = 0; d < diagonals; ++d) gradients[d][j] = slopes[d];
   }
-  return sign;
+  std::vector<double> work(n), row(n), rows;
+  for (const std::vector<double>& gradient : gradients) {
+    factors.transposed(gradient.data(), work.data(), row.data());
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  return rows;
 }
 
 // Joints of the hole with the most of them, times the largest distance across a hole.
@@ -53,6 +70,7 @@ SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& sh
       path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
+      extent_(base.sheet.vertices_mm.cwiseAbs().maxCoeff() / mechanism_.panel_width_mm),
       length_per_rad_(bound_of_length_per_rad(mechanism_, base.sheet.vertices_mm)) {
   choose_tests();
 }
@@ -70,12 +88,18 @@ void SheetFamily::choose_tests() {
   for (const int sample : {far, near}) {
     if (sample < 1 || sample >= far + (sample == far)) continue;
     const HalfAngle<double> pilot = half_angle_of_deg(sample * sample_deg_);
-    TestAngle& test = tests_.emplace_back(TestAngle{
-        sample, pilot, base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
-        SparseLu<double>(elimination_), 0, sample == far});
+    TestAngle& test = tests_.emplace_back(
+        TestAngle{sample,
+                  pilot,
+                  base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
+                  SparseLu<double>(elimination_),
+                  {},
+                  0,
+                  sample == far});
     evaluate(mechanism_, geometry, test.base, residual.data(), test.factors.entries());
     test.factors.factorize();
-    test.determinant_sign = determinant_sign(test.factors);
+    test.determinant_sign = test.factors.determinant_sign() < 0 ? -1 : 1;
+    test.lengths_per_closure = lengths_per_closure(mechanism_, geometry, test.base, test.factors);
   }
   if (tests_.size() < 2 || (threshold_sample_ - far) * sample_deg_ <= kApproachFrom_deg) return;
   const auto add_stops = [&](int from, int to, double step_deg) {

@@ -14,6 +14,7 @@ struct TestAngle {
   HalfAngle<double> pilot;
   FoldState<double> base;
   SparseLu<double> factors;
+  std::vector<double> lengths_per_closure;  ///< diagonals x equations: how errors of closure show
   int determinant_sign;
   bool with_slopes;  ///< whether the diagonals' rates of change are looked at as well
 };
@@ -41,6 +42,8 @@ class SheetFamily {
   /// Samples from the near test over the far one to the threshold; none if the far test is close
   /// enough to it.
   const PathPlan& approach() const { return approach_; }
+  /// Largest coordinate on the flat sheet, panel widths.
+  double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.
   double length_per_rad() const { return length_per_rad_; }
 
@@ -59,7 +62,7 @@ class SheetFamily {
   const int threshold_sample_;
   std::vector<TestAngle> tests_;
   PathPlan approach_;
-  double length_per_rad_;
+  double extent_, length_per_rad_;
 };
 
 }  // namespace misalign::solver

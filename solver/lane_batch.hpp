@@ -1,5 +1,6 @@
-// Batch in registers of one kind. T is a register of doubles; the fast tests look at as many sheets
-// as it has lanes at the same angle, full paths are followed each at its own.
+// Batch in registers of one kind. T is a register of doubles, Single one of floats; the fast tests
+// look at as many sheets as they have lanes at the same angle, full paths are followed each at its
+// own.
 #pragma once
 
 #include "solver/lane_desk.hpp"
@@ -8,7 +9,7 @@
 
 namespace misalign::solver {
 
-template <class T>
+template <class T, class Single>
 class LaneBatch final : public Batch {
  public:
   explicit LaneBatch(const SheetFamily& family)
@@ -19,21 +20,18 @@ class LaneBatch final : public Batch {
         approach_(family, kLanes<T>),
         tracker_(family.mechanism(), family.elimination()),
         approach_tracker_(family.mechanism(), family.elimination(), approach_options()),
-        test_(family),
+        single_test_(family),
+        double_test_(family),
         recording_client_(family.mechanism(), recording_.shape(), tracker_, recording_) {}
 
-  // Far first: a test turns away four sheets of five. What it leaves is packed into full registers
-  // for the next.
+  // In single precision first, twice as many sheets at once: that turns away nine of ten.
   const std::vector<Screened>& screen(const ShiftBlock& block) override {
     screening_.begin(block.sheets);
     approach_.begin(block, screening_);
     open_.clear();
     for (int sheet = 0; sheet < block.sheets; ++sheet) open_.push_back({sheet, -1});
-    const int tests = static_cast<int>(family_.tests().size());
-    for (int test = 0; test < tests; ++test) {
-      test_.run(test, block, open_, screening_, approach_);
-      std::erase_if(open_, [&](const OpenSheet& open) { return screening_.decided(open.sheet); });
-    }
+    run_tests(single_test_, block);
+    run_tests(double_test_, block);
     if (!family_.approach().stops.empty()) {
       for (const OpenSheet& open : open_) {
         if (open.kept_state >= 0) approach_.add(open.sheet, open.kept_state);
@@ -58,12 +56,25 @@ class LaneBatch final : public Batch {
   }
 
   Effort screening_effort() const override {
-    return {approach_.effort().solves + test_.effort().solves,
-            approach_.effort().iterations + test_.effort().iterations};
+    Effort effort = approach_.effort();
+    for (const Effort& tests : {single_test_.effort(), double_test_.effort()}) {
+      effort.solves += tests.solves;
+      effort.iterations += tests.iterations;
+    }
+    return effort;
   }
   Effort judging_effort() const override { return judging_.effort(); }
 
  private:
+  // Far first. What a test leaves is packed into full registers for the next.
+  template <class Test>
+  void run_tests(Test& test, const ShiftBlock& block) {
+    for (int i = 0; i < static_cast<int>(family_.tests().size()); ++i) {
+      test.run(i, block, open_, screening_, approach_);
+      std::erase_if(open_, [&](const OpenSheet& open) { return screening_.decided(open.sheet); });
+    }
+  }
+
   struct JudgingClient {
     JudgingDesk& desk;
     Tracker<T>& tracker;
@@ -95,7 +106,8 @@ class LaneBatch final : public Batch {
   RecordingDesk recording_;
   ApproachDesk approach_;
   Tracker<T> tracker_, approach_tracker_;
-  LaneTest<T> test_;
+  LaneTest<Single> single_test_;
+  LaneTest<T> double_test_;
   RecordingClient<T, RecordingDesk> recording_client_;
   std::vector<OpenSheet> open_;
 };

@@ -100,8 +100,8 @@ void RecordingDesk::ended(const PathResult& path, int lane) {
   }
 }
 
-// After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only the
-// way on is wanted.
+// After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only
+// the way on is wanted.
 constexpr double kStopClosure = 1e-7, kWalkClosure = 1e-3;
 
 // What two thirds of a step's way to 150 degrees and steps of 5 degrees beyond it move the creases
@@ -134,7 +134,7 @@ void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
 }
 
 FoldState<double>& ApproachDesk::keep(int test, int& kept) {
-  kept = kept_count_++;
+  if (kept < 0) kept = kept_count_++;
   if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, found_.state});
   kept_[kept].test = test;
   return kept_[kept].state;

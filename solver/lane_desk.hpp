@@ -93,7 +93,8 @@ class ApproachDesk {
   ~ApproachDesk();
 
   void begin(const ShiftBlock& block, Screening& screening);
-  /// Room for a state at the angle of the test with this index; `kept` becomes its number.
+  /// Room for a state at the angle of the test with this index: the place `kept`, or if that is -1
+  /// a new one, whose number it becomes.
   FoldState<double>& keep(int test, int& kept);
   /// The path of `sheet` is to be followed from its kept state on.
   void add(int sheet, int kept) { waiting_.push_back({sheet, kept}); }

@@ -1,10 +1,14 @@
 // A fast test: as many sheets as there are lanes, all at one angle, straight from the base folding.
 // One step with the base's factors, then two corrections: the second one's size against the first
 // one's tells how far away the solution still is. Where slopes are wanted both are Newton's, with
-// factors of their own; otherwise the second uses the first one's.
+// factors of their own; otherwise the second uses the first one's. The tangent is not corrected:
+// how far it is from keeping the loops closed, weighted by how that shows in each diagonal of the
+// base folding, corrects the slopes instead (the adjoint correction of Giles & Pierce, Acta
+// Numerica 11, 2002) and says how well they are known, whether Newton or single precision left it.
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "solver/diagonals.hpp"
 #include "solver/lane_desk.hpp"
@@ -12,7 +16,7 @@
 
 namespace misalign::solver {
 
-/// A sheet that is not decided yet, and its state kept for the approach; -1: none is trusted.
+/// A sheet that is not decided yet, and its state kept for the approach; -1: none can be trusted.
 struct OpenSheet {
   int sheet, kept_state;
 };
@@ -22,15 +26,17 @@ class LaneTest {
  public:
   explicit LaneTest(const SheetFamily& family);
 
-  /// Looks at every open sheet at the angle of the test with this index; keeps the first trusted
-  /// state of those that it does not decide.
-  void run(int test, const ShiftBlock& block, std::vector<OpenSheet>& open, Screening& screening,
-           ApproachDesk& approach) {
+  /// Looks at every open sheet at the angle of the test with this index and tells `rules` what it
+  /// sees (a Screening). Of the sheets that are not decided then, `approach` keeps a state that can
+  /// be trusted, the far one if there is a choice (an ApproachDesk).
+  template <class Rules, class Approach>
+  void run(int test, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
+           Approach& approach) {
     for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
       const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
       load(block, open.data() + first, count);
       solve(test);
-      report(test, open.data() + first, count, screening, approach);
+      report(test, open.data() + first, count, rules, approach);
     }
   }
 
@@ -40,7 +46,9 @@ class LaneTest {
   void load(const ShiftBlock& block, const OpenSheet* open, int count);
   MISALIGN_FLATTEN void solve(int test);
   MISALIGN_FLATTEN T correct(bool new_factors);
-  void report(int test, OpenSheet* open, int count, Screening& screening, ApproachDesk& approach);
+  T correct_slopes(int test);
+  template <class Rules, class Approach>
+  void report(int test, OpenSheet* open, int count, Rules& rules, Approach& approach);
 
   const SheetFamily& family_;
   const Mechanism& mechanism_;
@@ -48,12 +56,14 @@ class LaneTest {
 
   std::vector<FoldState<T>> base_;            // per test, in every lane
   std::vector<SparseLu<Real>> base_factors_;  // per test
-  std::vector<T> base_x_, base_y_;            // panel widths
+  std::vector<std::vector<Real>> lengths_per_closure_;
+  std::vector<double> rounding_;
+  std::vector<T> base_x_, base_y_;  // panel widths
   SheetGeometry<T> geometry_;
   FoldState<T> state_;
   std::vector<T> residual_, y_, turn_, flat_, lengths_, slopes_;
   SparseLu<T> lu_;
-  T first_correction_, second_correction_, determinant_sign_;
+  T first_correction_, second_correction_, determinant_sign_, slope_correction_ = T(0);
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
   Effort effort_;
 };
@@ -77,6 +87,10 @@ LaneTest<T>::LaneTest(const SheetFamily& family)
     FoldState<T>& base = base_.emplace_back(state_);
     for (int i = 0; i < kLanes<T>; ++i) put_lane(test.base, base, i);
     base_factors_.emplace_back(test.factors);
+    lengths_per_closure_.emplace_back(test.lengths_per_closure.begin(),
+                                      test.lengths_per_closure.end());
+    rounding_.push_back(
+        rounding_error(std::numeric_limits<Real>::epsilon(), family.extent(), test));
   }
   const double* const flat_mm = family.base().sheet.vertices_mm.data();
   for (int v = 0; v < mechanism_.vertices; ++v) {
@@ -128,15 +142,13 @@ void LaneTest<T>::solve(int test) {
   advance(mechanism_, turn_.data(), state_);
   first_correction_ = correct(true);
   second_correction_ = correct(with_slopes);
-  determinant_sign_ = T(static_cast<Real>(lu_.plan().permutation_sign));
-  for (int k = 0; k < n; ++k) {
-    determinant_sign_ = select(lu_.pivot(k) < T(0), -determinant_sign_, determinant_sign_);
-  }
+  determinant_sign_ = lu_.determinant_sign();
   if (with_slopes) {
     lu_.null_vector(-lu_.pilot_coefficient() / lu_.partner_coefficient(), T(1), y_.data(),
                     turn_.data());
     folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),
-                              slopes_.data());
+                              slopes_.data(), residual_.data());
+    slope_correction_ = correct_slopes(test);
   } else {
     folded_lengths(mechanism_, geometry_, state_, lengths_.data());
   }
@@ -164,31 +176,46 @@ T LaneTest<T>::correct(bool new_factors) {
   return largest;
 }
 
+// Takes off what the tangent's misfit adds to the slopes, weighted as on the base folding; returns
+// the largest change.
 template <class T>
-void LaneTest<T>::report(int test, OpenSheet* open, int count, Screening& screening,
-                         ApproachDesk& approach) {
+T LaneTest<T>::correct_slopes(int test) {
+  T largest(0);
+  const Real* weight = lengths_per_closure_[test].data();
+  for (T& slope : slopes_) {
+    T sum(0);
+    for (const T& misfit : residual_) sum = sum + T(*weight++) * misfit;
+    slope = slope - sum;
+    largest = larger(largest, magnitude(sum));
+  }
+  return largest;
+}
+
+template <class T>
+template <class Rules, class Approach>
+void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, Approach& approach) {
   const TestAngle& angle = family_.tests()[test];
   if (test == 0) flat_lengths(mechanism_, geometry_, flat_.data());
   for (int i = 0; i < count; ++i) {
     const int sheet = open[i].sheet;
     if (test == 0) {
       for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
-      screening.set_flat(sheet, lane_flat_.data());
+      rules.set_flat(sheet, lane_flat_.data());
     }
     effort_.solves += 1;
     effort_.iterations += angle.with_slopes ? 2 : 1;
     const double first = lane(first_correction_, i), second = lane(second_correction_, i);
-    const StateError error = angle.with_slopes
-                                 ? newton_error(first, second, family_.length_per_rad())
-                                 : chord_error(first, second, family_.length_per_rad());
-    if (!error.known || lane(determinant_sign_, i) * angle.determinant_sign < 0) continue;
+    const auto error = angle.with_slopes ? newton_error(first, second, family_.length_per_rad())
+                                         : chord_error(first, second, family_.length_per_rad());
+    if (!error || (lane(determinant_sign_, i) < 0) != (angle.determinant_sign < 0)) continue;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
       lane_lengths_[k] = lane(lengths_[k], i);
       lane_slopes_[k] = lane(slopes_[k], i);
     }
-    screening.observe(sheet, {angle.sample, lane_lengths_.data(), error.length,
-                              angle.with_slopes ? lane_slopes_.data() : nullptr, error.slope});
-    if (open[i].kept_state < 0 && !screening.decided(sheet)) {
+    rules.observe(sheet, {angle.sample, lane_lengths_.data(), *error + rounding_[test],
+                          angle.with_slopes ? lane_slopes_.data() : nullptr,
+                          slope_error(lane(slope_correction_, i)) + rounding_[test]});
+    if ((test == 0 || open[i].kept_state < 0) && !rules.decided(sheet)) {
       copy_lane(state_, i, approach.keep(test, open[i].kept_state));
     }
   }

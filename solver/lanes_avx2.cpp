@@ -7,7 +7,8 @@
 namespace misalign::solver {
 
 std::unique_ptr<Batch> make_avx2_batch(const SheetFamily& family) {
-  return std::make_unique<LaneBatch<xsimd::batch<double, xsimd::avx2>>>(family);
+  return std::make_unique<
+      LaneBatch<xsimd::batch<double, xsimd::avx2>, xsimd::batch<float, xsimd::avx2>>>(family);
 }
 
 }  // namespace misalign::solver

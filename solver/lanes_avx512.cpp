@@ -7,7 +7,8 @@
 namespace misalign::solver {
 
 std::unique_ptr<Batch> make_avx512_batch(const SheetFamily& family) {
-  return std::make_unique<LaneBatch<xsimd::batch<double, xsimd::avx512f>>>(family);
+  return std::make_unique<
+      LaneBatch<xsimd::batch<double, xsimd::avx512f>, xsimd::batch<float, xsimd::avx512f>>>(family);
 }
 
 }  // namespace misalign::solver

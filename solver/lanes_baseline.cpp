@@ -7,7 +7,8 @@
 namespace misalign::solver {
 
 std::unique_ptr<Batch> make_baseline_batch(const SheetFamily& family) {
-  return std::make_unique<LaneBatch<xsimd::batch<double, xsimd::default_arch>>>(family);
+  return std::make_unique<LaneBatch<xsimd::batch<double, xsimd::default_arch>,
+                                    xsimd::batch<float, xsimd::default_arch>>>(family);
 }
 
 }  // namespace misalign::solver

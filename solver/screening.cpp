@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace misalign::solver {
 namespace {
@@ -22,30 +23,43 @@ constexpr double kAngleMargin_rad = 1e-8;
 // Of the second correction to the first: beyond it, nothing is believed.
 constexpr double kLargestRatio = 0.25;
 
-// Error of a slope over (second / first correction)^2: 3.2 at most for 99 of 100 sheets.
-constexpr double kSlopeErrorShare = 8;
-
-// Room for the constant K to be this much larger than it was seen to be.
+// Room for the constant K, and for how much of a rounding shows in a diagonal, to be this much
+// larger than they were seen to be: there by the corrections, here on the base folding.
 constexpr double kSafety = 10;
+
+// The same for a slope that is left of its correction.
+constexpr double kSlopeSafety = 5;
 
 }  // namespace
 
-StateError newton_error(double first_correction_rad, double second_correction_rad,
-                        double length_per_rad) {
+std::optional<double> newton_error(double first_correction_rad, double second_correction_rad,
+                                   double length_per_rad) {
   const double ratio = second_correction_rad / first_correction_rad;
-  if (!(ratio < kLargestRatio)) return {false, 0, 0};
-  const double left_rad = kSafety * ratio * ratio * second_correction_rad;
-  return {true, length_per_rad * left_rad + kPathLengthError,
-          kSlopeErrorShare * ratio * ratio + kPathSlopeError};
+  if (!(ratio < kLargestRatio)) return std::nullopt;
+  return length_per_rad * kSafety * ratio * ratio * second_correction_rad;
 }
 
-StateError chord_error(double first_correction_rad, double second_correction_rad,
-                       double length_per_rad) {
+std::optional<double> chord_error(double first_correction_rad, double second_correction_rad,
+                                  double length_per_rad) {
   const double ratio = second_correction_rad / first_correction_rad;
-  if (!(ratio < kLargestRatio)) return {false, 0, 0};
-  const double left_rad = kSafety * ratio * second_correction_rad;
-  return {true, length_per_rad * left_rad + kPathLengthError, 0};
+  if (!(ratio < kLargestRatio)) return std::nullopt;
+  return length_per_rad * kSafety * ratio * second_correction_rad;
 }
+
+double rounding_error(double epsilon, double extent, const TestAngle& test) {
+  const std::size_t equations = static_cast<std::size_t>(test.factors.plan().equations);
+  double most = 0;
+  for (auto row = test.lengths_per_closure.begin(); row != test.lengths_per_closure.end();
+       row += static_cast<std::ptrdiff_t>(equations)) {
+    const double sum =
+        std::accumulate(row, row + static_cast<std::ptrdiff_t>(equations), 0.0,
+                        [](double all, double share) { return all + std::abs(share); });
+    most = std::max(most, sum);
+  }
+  return kSafety * most * epsilon * extent + kPathLengthError;
+}
+
+double slope_error(double correction) { return kSlopeSafety * correction + kPathSlopeError; }
 
 Screening::Screening(const SheetFamily& family)
     : family_(family), diagonals_(family.mechanism().diagonals.size()) {}

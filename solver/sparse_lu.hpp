@@ -138,6 +138,19 @@ class SparseLu {
   }
 
   const T& pivot(int i) const { return slots_[plan_.pivots[i].slot]; }
+  /// Sign of the determinant of the first n - 1 equations and columns.
+  T orientation() const {
+    T sign(static_cast<Scalar<T>>(plan_.permutation_sign));
+    for (int i = 0; i + 1 < plan_.equations; ++i) {
+      sign = select(pivot(i) < T(0), -sign, sign);
+    }
+    return sign;
+  }
+  /// Sign of the determinant of the Jacobian without the pilot's column.
+  T determinant_sign() const {
+    const T sign = orientation();
+    return select(partner_coefficient() < T(0), -sign, sign);
+  }
   const Elimination& plan() const { return plan_; }
 
  private:

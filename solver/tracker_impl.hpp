@@ -87,10 +87,7 @@ void Tracker<T>::solve() {
   }
   // det J = sign of the permutation times the pivots; the last of them is s_q, the tangent's pilot
   // entry before scaling, and det [J; t] = det J / t_pilot.
-  orientation_ = T(lu_.plan().permutation_sign);
-  for (int k = 0; k + 1 < n; ++k) {
-    orientation_ = select(lu_.pivot(k) < T(0), -orientation_, orientation_);
-  }
+  orientation_ = lu_.orientation();
   determinant_sign_ = select(s_q < T(0), -orientation_, orientation_);
 }
 
@@ -169,7 +166,7 @@ void Tracker<T>::copy_lengths(int i, double* lengths) const {
 template <class T>
 void Tracker<T>::find_slopes() {
   folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
-                            slopes_.data());
+                            slopes_.data(), residual_.data());
   slopes_known_ = true;
 }
 

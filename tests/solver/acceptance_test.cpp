@@ -34,7 +34,7 @@ TEST_P(Acceptance, IsTheReferences) {
   for (const int threshold : thresholds) {
     SCOPED_TRACE("threshold " + std::to_string(threshold));
     const SheetFamily family = sheets.with_threshold(threshold);
-    LaneBatch<double> scalar(family);
+    LaneBatch<double, float> scalar(family);
     const std::vector<Screened>& screened = scalar.screen(block);
     for (int i = 0; i < block.sheets; ++i) {
       const bool passes = screened[i].fault == Fault::none;

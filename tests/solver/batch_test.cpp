@@ -11,7 +11,7 @@ namespace misalign::solver {
 namespace {
 
 /// The definition: a register of one lane.
-using ScalarBatch = LaneBatch<double>;
+using ScalarBatch = LaneBatch<double, float>;
 
 class BatchTest : public testing::TestWithParam<InstructionSet> {
  protected:
