@@ -31,7 +31,7 @@ class SmallestSingularValue {
   template <class Factors>
   T of(Factors& factors, const T& wanted = T(1)) {
     constexpr int kMostIterations = 500;
-    constexpr double kRelativeChange = 1e-7;
+    constexpr double kRelativeChange = 1e-6;
     T inverse(0), open = wanted;
     for (int k = 0; k < kMostIterations && any_positive(open); ++k) {
       const auto is_open = open > T(0);
