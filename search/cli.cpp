@@ -51,12 +51,36 @@ std::string version_text() {
          solver::instruction_set_name(solver::available_instruction_sets().back());
 }
 
-std::map<std::string, solver::InstructionSet> instruction_sets_by_name() {
-  std::map<std::string, solver::InstructionSet> sets;
+using Names =
+    std::vector<std::pair<std::string, std::string>>;  // what is typed, what it stands for
+
+// One of the names; `where` ends the sentence about any other.
+CLI::Validator one_of(const Names& names, const std::string& where = "") {
+  return CLI::Validator(
+      [=](std::string& text) {
+        std::string all;
+        for (const auto& [name, value] : names) {
+          if (text == name) {
+            text = value;
+            return std::string();
+          }
+          all += (all.empty() ? "" : ", ") + name;
+        }
+        return "'" + text + "' is none of " + all + where;
+      },
+      "");
+}
+template <class Enum>
+std::string number_of(Enum value) {
+  return std::to_string(static_cast<int>(value));
+}
+
+CLI::Validator instruction_set_of_this_machine() {
+  Names names;
   for (const auto set : solver::available_instruction_sets()) {
-    sets[solver::instruction_set_name(set)] = set;
+    names.emplace_back(solver::instruction_set_name(set), number_of(set));
   }
-  return sets;
+  return one_of(names, ", which this machine has");
 }
 
 void set_up_log(const std::string& level) {
@@ -108,12 +132,11 @@ Action add_search(CLI::App& app) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
   verb->add_option("--instruction-set", options->instruction_set,
                    "baseline, avx2 or avx512, changes no answer [the widest of this machine]")
-      ->transform(CLI::CheckedTransformer(instruction_sets_by_name()).description(""));
-  const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::plain},
-                                                       {"plain", ProgressStyle::plain},
-                                                       {"none", ProgressStyle::none}};
+      ->transform(instruction_set_of_this_machine());
   verb->add_option("--progress", options->progress, "auto, plain or none [auto]")
-      ->transform(CLI::CheckedTransformer(styles).description(""));
+      ->transform(one_of({{"auto", number_of(ProgressStyle::plain)},
+                          {"plain", number_of(ProgressStyle::plain)},
+                          {"none", number_of(ProgressStyle::none)}}));
   return [options, range] {
     if (!range->empty()) options->range = parse_range(*range);
     return run_search(*options);
