@@ -43,6 +43,8 @@ class LaneTest {
   const Effort& effort() const { return effort_; }
 
  private:
+  using Real = Scalar<T>;
+
   void load(const ShiftBlock& block, const OpenSheet* open, int count);
   MISALIGN_FLATTEN void solve(int test);
   MISALIGN_FLATTEN T correct(bool new_factors);
@@ -52,10 +54,10 @@ class LaneTest {
 
   const SheetFamily& family_;
   const Mechanism& mechanism_;
-  using Real = Scalar<T>;
-
-  std::vector<FoldState<T>> base_;            // per test, in every lane
-  std::vector<SparseLu<Real>> base_factors_;  // per test
+  // Per test: what TestAngle has, in this precision, the base folding in every lane; and its
+  // rounding.
+  std::vector<FoldState<T>> base_;
+  std::vector<SparseLu<Real>> base_factors_;
   std::vector<std::vector<Real>> lengths_per_closure_;
   std::vector<double> rounding_;
   std::vector<T> base_x_, base_y_;  // panel widths
