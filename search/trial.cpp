@@ -11,7 +11,7 @@
 namespace misalign::search {
 namespace {
 
-constexpr std::uint64_t kMostDraws = 16384;
+constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones are slower
 constexpr std::size_t kHistoriesAtOnce = 64;     // of 60 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
