@@ -12,7 +12,7 @@ program=build/release/misalign
 
 cores=$(nproc)
 summary=$(mpirun --bind-to none -n "$cores" "$program" search search/campaigns/miura-6x6.json \
-  --max-time "${1:-60}")
+  --draws 1000000000 --max-time "${1:-60}")
 catalogue=${summary%%:*}
 
 echo

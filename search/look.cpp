@@ -83,7 +83,8 @@ std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Export
           schema::kExitUsage,
           "--by " + options.by + ": is no column of a candidate; choose one of " + names);
     }
-    sql += " ORDER BY " + options.by + " DESC, draw LIMIT " + std::to_string(*options.best);
+    sql += " ORDER BY " + options.by + " DESC, slope_min_mm_per_deg DESC, draw LIMIT " +
+           std::to_string(*options.best);
   } else {
     sql += " WHERE (" + options.where + ") ORDER BY draw";
   }

@@ -21,7 +21,7 @@ done
 [ $? = 2 ] || fail "status --at below the threshold"
 
 # A candidate again: replay, export and fold of what was exported give the same verdict.
-draw=$(sql "$file" 'SELECT draw FROM candidate ORDER BY deploys_from_sample DESC, draw LIMIT 1')
+draw=$(sql "$file" 'SELECT draw FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC LIMIT 1')
 deploys=$(sql "$file" "SELECT deploys_from_deg FROM candidate WHERE draw = $draw")
 field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 "$program" replay "$file" "$draw" --json > replay.json || fail "replay"
