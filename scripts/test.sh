@@ -13,9 +13,7 @@ cmake --build --preset release
 cmake --preset asan -DMISALIGN_WERROR=ON > /dev/null
 cmake --build --preset asan --target solver_test schema_test search_test
 
-# What the address sanitizer sees by itself (null, objects of the wrong size or type) is left out of
-# the other one: a quarter of its build. The isometry of all golden patterns takes a minute under the
-# sanitizers and runs no code of its own.
+# The isometry of all golden patterns takes a minute under the sanitizers and runs no code of its own.
 echo "== sanitizers: unit tests"
 ctest --preset asan -E '^system|NOT_BUILT|IsometryOnEverySample' -j 2
 echo "== release: every test"

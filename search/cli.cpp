@@ -51,8 +51,8 @@ std::string version_text() {
          solver::instruction_set_name(solver::available_instruction_sets().back());
 }
 
-using Names =
-    std::vector<std::pair<std::string, std::string>>;  // what is typed, what it stands for
+// What is typed, and what it stands for.
+using Names = std::vector<std::pair<std::string, std::string>>;
 
 // One of the names; `where` ends the sentence about any other.
 CLI::Validator one_of(const Names& names, const std::string& where = "") {
@@ -70,6 +70,7 @@ CLI::Validator one_of(const Names& names, const std::string& where = "") {
       },
       "");
 }
+
 template <class Enum>
 std::string number_of(Enum value) {
   return std::to_string(static_cast<int>(value));

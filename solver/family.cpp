@@ -11,7 +11,7 @@ namespace {
 constexpr double kSafeFromBase_deg = 150;
 
 // Where the first test at the far angle lets a sheet pass, this share of it shows in which
-// direction its diagonals set out: with both, 19 of 20 sheets are decided.
+// direction its diagonals set out: with both, nine of ten sheets are decided.
 constexpr double kNearShare = 0.2;
 
 // From the far test to the threshold in steps of about this, if it is farther than the other.

@@ -24,7 +24,7 @@ class LaneBatch final : public Batch {
         double_test_(family),
         recording_client_(family.mechanism(), recording_.shape(), tracker_, recording_) {}
 
-  // In single precision first, twice as many sheets at once: that turns away nine of ten.
+  // In single precision first, twice as many sheets at once: that turns away six of seven.
   const std::vector<Screened>& screen(const ShiftBlock& block) override {
     screening_.begin(block.sheets);
     approach_.begin(block, screening_);
