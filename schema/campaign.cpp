@@ -80,7 +80,8 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
   reader.refuse_unknown_keys();
 }
 
-void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, Campaign& campaign) {
+void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
+                             Campaign& campaign) {
   InputFaults& faults = path.faults();
   const std::size_t before = faults.sentences().size();
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
@@ -104,6 +105,12 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, Campaign&
     }
   };
   check(path, "end_deg", campaign.end_deg, 180);
+  if (campaign.end_deg > base_end_deg) {
+    faults.add(path.name("end_deg") + " = " + shown_number(campaign.end_deg),
+               "the unshifted sheet folds to " + shown_number(base_end_deg) + " only",
+               "try " + shown_number(std::floor(base_end_deg / campaign.sample_deg) *
+                                     campaign.sample_deg));
+  }
   check(accept, "deploys_from_deg", campaign.threshold_deg, campaign.end_deg);
 }
 
@@ -153,7 +160,8 @@ int Campaign::threshold_sample() const {
   return static_cast<int>(std::lround(threshold_deg / sample_deg));
 }
 
-Campaign read_campaign(const Json& value, const std::string& source) {
+Campaign read_campaign(const Json& value, const std::string& source,
+                       const std::filesystem::path& directory) {
   static const Json kEmpty = Json::object();
   InputFaults faults;
   Campaign campaign;
@@ -170,14 +178,16 @@ Campaign read_campaign(const Json& value, const std::string& source) {
   reader.require("pattern", "write what is folded; `misalign config --default` shows one");
   const Json* pattern = reader.find("pattern");
   if (pattern) {
-    campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, faults);
+    campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, directory, faults);
   }
   const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
   const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
   read_misalignment(ObjectReader(part("misalignment"), "misalignment", faults),
                     has_sheet ? &sheet : nullptr, campaign.misalignment);
   ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
-  read_path_and_threshold(path, accept, campaign);
+  // A sheet that is refused for other reasons is not held against its path.
+  const double base_end_deg = campaign.pattern.base.folding.end_deg();
+  read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   reader.refuse_unknown_keys();
@@ -186,7 +196,7 @@ Campaign read_campaign(const Json& value, const std::string& source) {
 }
 
 Campaign read_campaign_file(const std::string& path) {
-  return read_campaign(read_json_file(path), path);
+  return read_campaign(read_json_file(path), path, std::filesystem::path(path).parent_path());
 }
 
 Campaign default_campaign() {

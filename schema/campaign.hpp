@@ -49,8 +49,10 @@ struct Campaign {
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
 
-/// Reads and checks a campaign; UserError (3) naming `source` with every fault.
-Campaign read_campaign(const Json& value, const std::string& source);
+/// Reads and checks a campaign; UserError (3) naming `source` with every fault. A FOLD file that
+/// its pattern names is looked for in `directory`.
+Campaign read_campaign(const Json& value, const std::string& source,
+                       const std::filesystem::path& directory = {});
 Campaign read_campaign_file(const std::string& path);
 
 /// The default campaign: the paper's.

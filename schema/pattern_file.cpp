@@ -3,22 +3,60 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
+#include "schema/fold_format.hpp"
+#include "solver/miura.hpp"
 #include "solver/perforation.hpp"
 
 namespace misalign::schema {
 namespace {
 
-constexpr double kMostSide = 40;  // 3,900 unknowns: a dense Jacobian of 120 MB
+constexpr int kMostSide = 40;  // 3,900 unknowns: a dense Jacobian of 120 MB
 constexpr double kLeastLength_mm = 1e-3, kMostLength_mm = 1e6;
 
-void read_shape(ObjectReader& reader, solver::MiuraShape& shape) {
-  std::string family = "miura";
-  reader.require("family", "write \"miura\"");
-  reader.text("family", family, "write \"miura\"");
-  if (family != "miura") {
-    reader.faults().add(reader.shown("family"), "is no pattern family", "write \"miura\"");
+// What a family's function gives: the whole sheet, and which facets it says are missing.
+struct Mesh {
+  Json family;
+  solver::CreasePattern sheet;
+  std::vector<int> assignment;  // per edge
+  std::vector<int> missing;
+};
+
+// A length for all panels of a row or column, or a list with one for each.
+void read_lengths(ObjectReader& reader, const char* key, double usual, int count,
+                  const std::string& suggestion, std::vector<double>& lengths) {
+  const Json* value = reader.find(key);
+  if (!value || !value->is_array()) {
+    reader.number(key, usual, kLeastLength_mm, kMostLength_mm, suggestion);
+    lengths.assign(count, usual);
+    return;
   }
+  if (static_cast<int>(value->size()) != count) {
+    reader.faults().add(reader.name(key) + " has " + std::to_string(value->size()) + " lengths",
+                        "there must be one for each of " + std::to_string(count),
+                        "write a list of that length, or one number");
+  }
+  for (const Json& length : *value) {
+    const double number = length.is_number() ? length.get<double>() : 0;
+    if (!(number >= kLeastLength_mm && number <= kMostLength_mm)) {
+      reader.faults().add(reader.name(key) + " has " + length.dump(),
+                          "must be a number from " + shown_number(kLeastLength_mm) + " to " +
+                              shown_number(kMostLength_mm),
+                          suggestion);
+    }
+    lengths.push_back(number);
+  }
+}
+
+Json lengths_json(const std::vector<double>& lengths) {
+  const bool equal =
+      std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<>()) == lengths.end();
+  return equal ? Json(lengths.front()) : Json(lengths);
+}
+
+Mesh read_miura(ObjectReader& reader) {
+  int rows = 6, columns = 6;
   const auto side = [&](const char* key, int& into) {
     reader.require(key, "write how many panels, for example 6");
     const Json* value = reader.find(key);
@@ -30,26 +68,73 @@ void read_shape(ObjectReader& reader, solver::MiuraShape& shape) {
                           "must be at least 3: only panels away from the border can be taken out",
                           "try 6");
     } else if (n > kMostSide) {
-      reader.faults().add(reader.shown(key), "must be at most " + shown_number(kMostSide), "try 6");
+      reader.faults().add(reader.shown(key), "must be at most " + std::to_string(kMostSide),
+                          "try 6");
     } else {
       into = static_cast<int>(n);
     }
   };
-  side("rows", shape.rows);
-  side("columns", shape.columns);
-  reader.number("panel_width_mm", shape.panel_width_mm, kLeastLength_mm, kMostLength_mm, "try 80");
-  reader.number("panel_height_mm", shape.panel_height_mm, kLeastLength_mm, kMostLength_mm,
-                "try 80");
-  reader.number("zigzag_offset_mm", shape.zigzag_offset_mm, kLeastLength_mm, kMostLength_mm,
-                "try half of the panel width");
+  const std::size_t before = reader.faults().sentences().size();
+  side("rows", rows);
+  side("columns", columns);
+  solver::MiuraShape shape;
+  read_lengths(reader, "panel_width_mm", 80, columns, "try 80", shape.width_mm);
+  read_lengths(reader, "panel_height_mm", 80, rows, "try 80", shape.height_mm);
+  read_lengths(reader, "zigzag_offset_mm", 40, rows, "try half of the panel width",
+               shape.offset_mm);
+  if (reader.faults().sentences().size() > before) return {};
+  Mesh mesh;
+  mesh.family = {{"family", "miura"},
+                 {"rows", rows},
+                 {"columns", columns},
+                 {"panel_width_mm", lengths_json(shape.width_mm)},
+                 {"panel_height_mm", lengths_json(shape.height_mm)},
+                 {"zigzag_offset_mm", lengths_json(shape.offset_mm)}};
+  mesh.sheet = solver::miura_sheet(shape);
+  mesh.assignment = solver::miura_assignment(shape, mesh.sheet);
+  return mesh;
 }
 
-std::vector<int> read_holes(ObjectReader& reader, const solver::MiuraShape& shape) {
+// A FOLD file, or its contents as "mesh": what a catalogue keeps.
+Mesh read_fold_mesh(ObjectReader& reader, const std::filesystem::path& directory) {
+  const Json* file = reader.find("file");
+  const Json* inline_mesh = reader.find("mesh");
+  double mm_per_unit = 1;
+  reader.number("mm_per_unit", mm_per_unit, 1e-6, 1e6, "write how many mm one unit is");
+  if ((file == nullptr) == (inline_mesh == nullptr)) {
+    reader.faults().add(file ? reader.name("mesh") : reader.name("file"),
+                        file ? "is there beside a file" : "is missing",
+                        "name the FOLD file with the mesh in \"file\"");
+    return {};
+  }
+  if (file && !file->is_string()) {
+    reader.faults().add(reader.shown("file"), "must be a text", "name a FOLD file");
+    return {};
+  }
+  const std::size_t before = reader.faults().sentences().size();
+  const std::string name = file ? file->get<std::string>() : "";
+  const Json document = file ? read_json_file((directory / name).string()) : *inline_mesh;
+  FoldMesh fold =
+      read_fold(document, file ? name : reader.name("mesh"), mm_per_unit, reader.faults());
+  if (reader.faults().sentences().size() > before) return {};
+  return {{{"family", "fold"}},
+          std::move(fold.sheet),
+          std::move(fold.assignment),
+          std::move(fold.missing)};
+}
+
+std::vector<int> read_holes(ObjectReader& reader, const Mesh& mesh) {
   const char* const kForms =
       "write \"checkerboard-odd\", \"checkerboard-even\" or a list of [row, column]";
   const Json* value = reader.find("holes");
-  if (!value || *value == "checkerboard-odd") return solver::checkerboard(shape, 1);
-  if (*value == "checkerboard-even") return solver::checkerboard(shape, 0);
+  if (value && !mesh.missing.empty()) {
+    reader.faults().add(reader.name("holes"), "the file lacks faces already, which are the holes",
+                        "take the key out, or give the file all of its faces");
+    return mesh.missing;
+  }
+  if (!value && !mesh.missing.empty()) return mesh.missing;
+  if (!value || *value == "checkerboard-odd") return solver::checkerboard(mesh.sheet, 1);
+  if (*value == "checkerboard-even") return solver::checkerboard(mesh.sheet, 0);
   if (!value->is_array()) {
     reader.faults().add(reader.shown("holes"), "is no perforation", kForms);
     return {};
@@ -61,15 +146,23 @@ std::vector<int> read_holes(ObjectReader& reader, const solver::MiuraShape& shap
       reader.faults().add(reader.name("holes") + " has " + hole.dump(), "is no facet", kForms);
       continue;
     }
-    const double r = hole[0].get<double>(), c = hole[1].get<double>();
-    if (!(r >= 0 && r < shape.rows && c >= 0 && c < shape.columns)) {
+    const double row = hole[0].get<double>(), column = hole[1].get<double>();
+    const auto at =
+        std::find_if(mesh.sheet.places.begin(), mesh.sheet.places.end(),
+                     [&](const auto& place) { return place[0] == row && place[1] == column; });
+    if (at == mesh.sheet.places.end()) {
+      int last_row = 0, last_column = 0;
+      for (const auto& place : mesh.sheet.places) {
+        last_row = std::max(last_row, place[0]);
+        last_column = std::max(last_column, place[1]);
+      }
       reader.faults().add(reader.name("holes") + " has " + hole.dump(),
-                          "the sheet has rows 0 to " + std::to_string(shape.rows - 1) +
-                              " and columns 0 to " + std::to_string(shape.columns - 1),
+                          "the sheet has rows 0 to " + std::to_string(last_row) +
+                              " and columns 0 to " + std::to_string(last_column),
                           "rows and columns count from 0");
       continue;
     }
-    holes.push_back(static_cast<int>(r) * shape.columns + static_cast<int>(c));
+    holes.push_back(static_cast<int>(at - mesh.sheet.places.begin()));
   }
   std::sort(holes.begin(), holes.end());
   if (std::adjacent_find(holes.begin(), holes.end()) != holes.end()) {
@@ -78,31 +171,95 @@ std::vector<int> read_holes(ObjectReader& reader, const solver::MiuraShape& shap
   return holes;
 }
 
+// Edge of the pilot that is asked for; -1 after a fault.
+int read_pilot(ObjectReader& reader, const solver::CreasePattern& sheet,
+               const std::vector<int>& holes) {
+  const int usual = solver::default_pilot(sheet, holes);
+  const Json* value = reader.find("pilot");
+  if (!value) return usual;
+  const auto refuse = [&](const char* why) {
+    reader.faults().add(
+        reader.shown("pilot"), why,
+        usual < 0 ? "take it out"
+                  : "write a crease as \"" +
+                        solver::line_label(sheet.edges[usual].a, sheet.edges[usual].b) + "\"");
+    return -1;
+  };
+  const std::string text = value->is_string() ? value->get<std::string>() : "";
+  const auto dash = text.find('-');
+  if (dash == std::string::npos) return refuse("names no crease");
+  const int a = vertex_of_label(text.substr(0, dash), sheet.vertex_count());
+  const int b = vertex_of_label(text.substr(dash + 1), sheet.vertex_count());
+  const int e = a < 0 || b < 0 ? -1 : solver::find_edge(sheet, a, b);
+  if (e < 0) return refuse("is no edge of this sheet");
+  const solver::Edge& edge = sheet.edges[e];
+  const auto is_open = [&](int f) {
+    return f < 0 || std::binary_search(holes.begin(), holes.end(), f);
+  };
+  if (is_open(edge.left) || is_open(edge.right)) return refuse("does not join two panels");
+  return e;
+}
+
+// The base folding, or a sentence that names the vertex where there is none.
+void fold_base(const std::string& where, const std::vector<int>& assignment, int pilot,
+               Pattern& pattern, InputFaults& faults) {
+  auto folded = solver::fold_sequentially(pattern.base.sheet, assignment, pilot);
+  if (auto* folding = std::get_if<solver::BaseFolding>(&folded)) {
+    pattern.base.folding = std::move(*folding);
+    return;
+  }
+  const auto& none = std::get<solver::NoBaseFolding>(folded);
+  const std::string vertex = "vertex " + solver::vertex_label(none.vertex);
+  const auto edge_label = [&] {
+    const solver::Edge& edge = pattern.base.sheet.edges[none.edge];
+    return solver::line_label(edge.a, edge.b);
+  };
+  const auto tenth = [](double value) { return shown_number(std::round(value * 1e4) / 1e4); };
+  switch (none.cause) {
+    case solver::NoBaseFolding::Cause::assignment:
+      faults.add(where, vertex + " cannot fold with its mountains and valleys",
+                 "check the assignments round it: three of a kind and one of the other");
+      break;
+    case solver::NoBaseFolding::Cause::open:
+      faults.add(where,
+                 "the unperforated sheet does not fold rigidly: with the pilot at " +
+                     tenth(none.pilot_deg) + " deg " + vertex + " folds " + edge_label() + " by " +
+                     tenth(none.angle_deg) + " deg, its other end by " +
+                     tenth(none.other_angle_deg),
+                 "correct the coordinates or the assignments there");
+      break;
+    case solver::NoBaseFolding::Cause::ambiguous:
+      faults.add(where, vertex + " can fold in two ways that agree with all assignments known",
+                 none.edge < 0 ? "give the edges of holes an assignment, M or V"
+                               : "give " + edge_label() + " an assignment, M or V");
+      break;
+    case solver::NoBaseFolding::Cause::unconnected:
+      faults.add(where, vertex + " is not reached from the pilot over inner creases",
+                 "give a sheet whose inner vertices hang together");
+  }
+}
+
 // Counting first, then the rank of the Jacobian, which has the last word.
 void check_mobility(const std::string& where, const Pattern& pattern, InputFaults& faults) {
   const solver::PerforatedSheet& base = pattern.base;
-  const auto hole_faults = solver::hole_faults(base.sheet, base.holes);
-  for (const std::string& fault : hole_faults) {
-    faults.add(where, fault, "take out inner panels that meet at corners only");
-  }
-  if (!hole_faults.empty()) return;
-  const int counted = solver::counted_mobility(base.sheet, base.holes);
-  const int inner = (pattern.shape.rows - 2) * (pattern.shape.columns - 2);
+  const int inner = static_cast<int>(solver::inner_facets(base.sheet).size());
   if (base.holes.empty()) {
     faults.add(where, "there is no hole, so there is no diagonal to measure",
                "take out " + std::to_string(inner / 2) + " inner panels");
     return;
   }
+  const int counted = solver::counted_mobility(base.sheet, base.holes);
   const solver::Mobility measured = solver::measured_mobility(base.sheet, base.holes, base.folding);
-  if (measured.rank == measured.equations && measured.degrees_of_freedom() == 1) return;
+  if (measured.is_one()) return;
   const std::string numbers = "the Jacobian has rank " + std::to_string(measured.rank) + " with " +
                               std::to_string(measured.unknowns) + " unknowns and " +
                               std::to_string(measured.equations) +
                               " equations; counting (2.1) gives " + std::to_string(counted);
-  const bool odd = pattern.shape.rows % 2 == 1 || pattern.shape.columns % 2 == 1;
-  const std::string suggestion = odd ? "make rows and columns even"
-                                     : "take out " + std::to_string(inner / 2) +
-                                           " of the inner panels, for example \"checkerboard-odd\"";
+  const auto& places = base.sheet.places;
+  const bool odd = pattern.family["family"] == "miura" &&
+                   (places.back()[0] % 2 == 0 || places.back()[1] % 2 == 0);
+  const std::string suggestion =
+      odd ? "make rows and columns even" : "`misalign perforations` lists those that leave one";
   if (measured.rank < measured.equations && measured.degrees_of_freedom() == 1) {
     faults.add(where,
                "the perforation leaves too many constraints, so that shifted sheets do not fold: " +
@@ -154,54 +311,85 @@ void read_displacements(ObjectReader& reader, Pattern& pattern) {
 }  // namespace
 
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
-                     InputFaults& faults) {
+                     const std::filesystem::path& directory, InputFaults& faults,
+                     Perforations perforations) {
   Pattern pattern;
   ObjectReader reader(value, where, faults);
   const std::size_t before = faults.sentences().size();
-  read_shape(reader, pattern.shape);
-  const bool shape_good = faults.sentences().size() == before;
-  std::vector<int> holes = read_holes(reader, pattern.shape);
-  if (shape_good && faults.sentences().size() == before) {
-    pattern.base.sheet = solver::miura_sheet(pattern.shape);
-    pattern.base.folding = solver::miura_folding(pattern.shape, pattern.base.sheet);
-    pattern.base.holes = std::move(holes);
-    pattern.shifts_mm.setZero(2, pattern.base.sheet.vertex_count());
-    check_mobility(reader.name("holes"), pattern, faults);
-    if (displacements == Displacements::allowed) read_displacements(reader, pattern);
-  } else if (displacements == Displacements::allowed) {
-    reader.find("displacements_mm");  // not judged on a sheet that is refused, but a known key
+  const auto good = [&] { return faults.sentences().size() == before; };
+  std::string family = "miura";
+  reader.require("family", "write \"miura\" or \"fold\"");
+  reader.text("family", family, "write \"miura\" or \"fold\"");
+  Mesh mesh;
+  if (family == "miura") {
+    mesh = read_miura(reader);
+  } else if (family == "fold") {
+    mesh = read_fold_mesh(reader, directory);
+  } else {
+    faults.add(reader.shown("family"), "is no pattern family", "write \"miura\" or \"fold\"");
   }
+  if (good()) {
+    pattern.base.holes = read_holes(reader, mesh);
+    for (const std::string& fault : solver::hole_faults(mesh.sheet, pattern.base.holes)) {
+      faults.add(reader.name("holes"), fault, "take out inner panels that meet at corners only");
+    }
+  }
+  const int pilot = good() ? read_pilot(reader, mesh.sheet, pattern.base.holes) : -1;
+  if (good()) {
+    pattern.base.sheet = std::move(mesh.sheet);
+    pattern.shifts_mm.setZero(2, pattern.base.sheet.vertex_count());
+    fold_base(reader.name("family") + " = \"" + family + "\"", mesh.assignment, pilot, pattern,
+              faults);
+  }
+  if (good()) {
+    pattern.family = std::move(mesh.family);
+    if (family == "fold") {
+      const solver::BaseFolding& folding = pattern.base.folding;
+      std::vector<int> assignment = folding.assignment();
+      for (int& sign : assignment) sign *= folding.side();
+      pattern.family["mesh"] = fold_json(pattern.base.sheet, assignment);
+    }
+    if (perforations == Perforations::of_one_freedom) {
+      check_mobility(reader.name("holes"), pattern, faults);
+    }
+  }
+  if (good() && displacements == Displacements::allowed) read_displacements(reader, pattern);
   if (displacements == Displacements::refused && reader.find("displacements_mm")) {
     faults.add(reader.name("displacements_mm"), "a campaign draws its own displacements",
                "take it out, or give the pattern to `misalign fold`");
+  }
+  // Not judged on a sheet that is refused, but known.
+  for (const char* key : {"holes", "pilot", "displacements_mm", "rows", "columns", "panel_width_mm",
+                          "panel_height_mm", "zigzag_offset_mm", "file", "mesh", "mm_per_unit"}) {
+    if (!good()) reader.find(key);
   }
   reader.refuse_unknown_keys();
   return pattern;
 }
 
-Pattern read_pattern_file(const std::string& path) {
+Pattern read_pattern_file(const std::string& path, Perforations perforations) {
   InputFaults faults;
-  Pattern pattern = read_pattern(read_json_file(path), "", Displacements::allowed, faults);
+  Pattern pattern = read_pattern(read_json_file(path), "", Displacements::allowed,
+                                 std::filesystem::path(path).parent_path(), faults, perforations);
   faults.refuse(path);
   return pattern;
 }
 
 Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm) {
-  Json holes = Json::array();
-  if (base.base.holes == solver::checkerboard(base.shape, 1)) {
-    holes = "checkerboard-odd";
-  } else if (base.base.holes == solver::checkerboard(base.shape, 0)) {
-    holes = "checkerboard-even";
+  const solver::CreasePattern& sheet = base.base.sheet;
+  Json json = base.family;
+  if (base.base.holes == solver::checkerboard(sheet, 1)) {
+    json["holes"] = "checkerboard-odd";
+  } else if (base.base.holes == solver::checkerboard(sheet, 0)) {
+    json["holes"] = "checkerboard-even";
   } else {
-    for (const int f : base.base.holes) holes.push_back(facet_json(base, f));
+    json["holes"] = Json::array();
+    for (const int f : base.base.holes) json["holes"].push_back(facet_json(base, f));
   }
-  Json json = {{"family", "miura"},
-               {"rows", base.shape.rows},
-               {"columns", base.shape.columns},
-               {"panel_width_mm", base.shape.panel_width_mm},
-               {"panel_height_mm", base.shape.panel_height_mm},
-               {"zigzag_offset_mm", base.shape.zigzag_offset_mm},
-               {"holes", holes}};
+  const int pilot = base.base.folding.pilot_edge();
+  if (pilot != solver::default_pilot(sheet, base.base.holes)) {
+    json["pilot"] = solver::line_label(sheet.edges[pilot].a, sheet.edges[pilot].b);
+  }
   const Json displacements = displacements_json(shifts_mm);
   if (!displacements.empty()) json["displacements_mm"] = displacements;
   return json;
@@ -217,9 +405,7 @@ Json displacements_json(const Eigen::Matrix2Xd& shifts_mm) {
   return shifts;
 }
 
-Json facet_json(const Pattern& pattern, int facet) {
-  return {facet / pattern.shape.columns, facet % pattern.shape.columns};
-}
+Json facet_json(const Pattern& pattern, int facet) { return pattern.base.sheet.places[facet]; }
 
 int vertex_of_label(const std::string& label, int vertex_count) {
   int number = 0;

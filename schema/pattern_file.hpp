@@ -1,17 +1,16 @@
 // A pattern as people write it, and the perforated sheet it stands for.
 #pragma once
 
-#include <map>
+#include <filesystem>
 #include <string>
 
 #include "schema/input.hpp"
 #include "solver/history.hpp"
-#include "solver/miura.hpp"
 
 namespace misalign::schema {
 
 struct Pattern {
-  solver::MiuraShape shape{6, 6, 80, 80, 40};
+  Json family;  ///< "family" and the keys of that family, resolved: no default, no file left
   solver::PerforatedSheet base;
   Eigen::Matrix2Xd shifts_mm;  ///< the file's displacements, one column per vertex
 
@@ -20,12 +19,18 @@ struct Pattern {
 
 enum class Displacements { allowed, refused };
 
+/// Whether a perforation that leaves another number of degrees of freedom than one is a fault.
+enum class Perforations { of_one_freedom, any };
+
 /// Reads and checks a pattern object at `where`. Only when it added no fault is the result usable.
+/// A FOLD file that it names is looked for in `directory`.
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
-                     InputFaults& faults);
+                     const std::filesystem::path& directory, InputFaults& faults,
+                     Perforations perforations = Perforations::of_one_freedom);
 
 /// A pattern file; UserError (3) with every fault.
-Pattern read_pattern_file(const std::string& path);
+Pattern read_pattern_file(const std::string& path,
+                          Perforations perforations = Perforations::of_one_freedom);
 
 /// The base with these shifts, in the contract's names; displacements only where there are some.
 /// Reading it again gives the same pattern.

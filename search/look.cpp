@@ -103,7 +103,7 @@ void fold(const FoldOptions& options) {
       solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding);
   solver::PathPlanOptions path;
   path.sample_deg = kSample_deg;
-  path.end_deg = options.to_deg;
+  path.end_deg = std::min(options.to_deg, pattern.base.folding.end_deg());
   path.look_deg = options.step_deg;
   const auto plan =
       solver::plan_path(mechanism, pattern.base.folding, pattern.base.sheet.vertices_mm, path);

@@ -22,6 +22,7 @@ struct Edge {
 struct CreasePattern {
   FlatVertices vertices_mm;
   std::vector<std::array<int, 4>> facets;  ///< corners counter-clockwise seen from +z
+  std::vector<std::array<int, 2>> places;  ///< row and column of each facet
   std::vector<Edge> edges;                 ///< sorted by (a, b)
   double panel_width_mm;                   ///< the length that closure and bands are measured in
 
@@ -37,6 +38,9 @@ int find_edge(const CreasePattern& sheet, int vertex, int other_vertex);
 
 /// Facets around a vertex, counter-clockwise; empty for a vertex on the perimeter.
 std::vector<int> facets_around(const CreasePattern& sheet, int vertex);
+
+/// Facet at this row and column, -1 if there is none.
+int facet_at(const CreasePattern& sheet, int row, int column);
 
 /// Vertices not on the perimeter, ascending.
 std::vector<int> interior_vertices(const CreasePattern& sheet);

@@ -20,6 +20,7 @@ constexpr int kStates = 10;
 // on the base folding itself, where every loop closes, not merely near it: some minors vanish on
 // closed states and nowhere else (on 28 x 28 a pivot went from 1e-5 to 6e-10 and 2e-13 as Newton
 // converged). What is large on the closed base is large near it, by continuity.
+// Of 180 degrees, in proportion where the base folding ends earlier.
 using Angles = std::array<double, kStates>;
 constexpr Angles kPlanned_deg = {1, 5, 20, 60, 100, 130, 150, 165, 175, 178};
 constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
@@ -232,7 +233,7 @@ std::vector<Values> jacobians(const Mechanism& mechanism, const BaseFolding& fol
   std::vector<double> residual(mechanism.equations), turn(mechanism.unknowns);
   std::vector<double> values(jacobians.size());
   for (int s = 0; s < kStates; ++s) {
-    const HalfAngle<double> pilot = half_angle_of_deg(angles_deg[s]);
+    const HalfAngle<double> pilot = half_angle_of_deg(angles_deg[s] / 180 * folding.end_deg());
     FoldState<double> state = base_state(mechanism, folding, base_vertices_mm, pilot);
     for (double& angle : turn) angle = pilot.s * pilot.c * random();
     advance(mechanism, turn.data(), state);
@@ -278,20 +279,28 @@ double worst_backward_error(const Elimination& plan, const std::vector<JacobianE
   return worst;
 }
 
+// Of merits that differ by less than this part the first counts: rounding must not choose.
+constexpr double kEqualMerit = 1e-9;
+
 // The crease that is far from the pilot and fast near the folded end, where fold angles change like
-// the inverse of their tangent ratio.
+// the inverse of their tangents' ratio to the pilot's.
 int partner_of_pilot(const Mechanism& mechanism, const BaseFolding& folding,
                      const FlatVertices& vertices_mm) {
   const auto middle = [&](const Crease& crease) -> Eigen::Vector2d {
     return 0.5 * (vertices_mm.col(crease.a) + vertices_mm.col(crease.b));
   };
+  const auto angles = folding.fold_angles(half_angle_of_deg(0.5 * folding.end_deg()));
   const Crease& pilot = mechanism.creases[mechanism.pilot];
-  const auto merit = [&](const Crease& crease) {
-    return (middle(crease) - middle(pilot)).norm() / std::abs(folding.tangent_ratio[crease.edge]);
-  };
-  return std::max_element(mechanism.creases.begin(), mechanism.creases.end(),
-                          [&](const Crease& a, const Crease& b) { return merit(a) < merit(b); })
-      ->column;
+  double most = 0;
+  int partner = -1;
+  for (const Crease& crease : mechanism.creases) {
+    const HalfAngle<double>& rho = angles[crease.edge];
+    const double merit = (middle(crease) - middle(pilot)).norm() * rho.c / std::abs(rho.s);
+    if (merit <= most * (1 + kEqualMerit)) continue;
+    most = merit;
+    partner = crease.column;
+  }
+  return partner;
 }
 
 Elimination plan_with(double first_threshold, const std::vector<JacobianEntry>& entries,

@@ -6,8 +6,9 @@
 namespace misalign::solver {
 namespace {
 
-// Beyond this angle the state next to the base folding may lie on another branch than the path's
-// own (35 of 1,722 at 170 degrees, none of 2,500 at 150).
+// Of 180 degrees, in proportion where the base folding ends earlier: beyond it the state next to
+// the base folding may lie on another branch than the path's own (35 of 1,722 at 170 degrees, none
+// of 2,500 at 150).
 constexpr double kSafeFromBase_deg = 150;
 
 // Where the first test at the far angle lets a sheet pass, this share of it shows in which
@@ -80,7 +81,8 @@ void SheetFamily::choose_tests() {
     return static_cast<int>(std::floor(angle_deg / sample_deg_ * (1 + 1e-9)));
   };
   // One sample short of the threshold: a slope there speaks of the samples on both sides.
-  const int far = std::min(sample_at(kSafeFromBase_deg), threshold_sample_ - 1);
+  const int far =
+      std::min(sample_at(kSafeFromBase_deg / 180 * base_.folding.end_deg()), threshold_sample_ - 1);
   const int near = static_cast<int>(std::lround(kNearShare * far));
   SheetGeometry<double> geometry;
   place(mechanism_, base_.sheet.vertices_mm, geometry);

@@ -60,7 +60,7 @@ void Recording::see(const Stop& stop, const FoldState<double>& state,
   if (stop.sample > 0) judge_.see(stop, state, lengths);
   history_.stops.push_back(stop);
   for (const double length : lengths) lengths_mm_.push_back(length * mechanism_.panel_width_mm);
-  for (const auto& rho : state.creases) angles_deg_.push_back(angle_deg(rho));
+  for (const auto& rho : state.creases) angles_deg_.push_back(mechanism_.side * angle_deg(rho));
 }
 
 void Recording::add(const Soundness& soundness) {

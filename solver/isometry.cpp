@@ -48,7 +48,8 @@ Eigen::Matrix3Xd FoldedShape::vertices_mm(const SheetGeometry<double>& geometry,
   Eigen::Matrix3Xd vertices_mm(3, static_cast<Eigen::Index>(points.vertices.size()));
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
     const Vec3<double>& p = points.vertices[v];
-    vertices_mm.col(v) = Eigen::Vector3d(p.x, p.y, p.z) * mechanism_.panel_width_mm;
+    vertices_mm.col(v) =
+        Eigen::Vector3d(p.x, p.y, mechanism_.side * p.z) * mechanism_.panel_width_mm;
   }
   return vertices_mm;
 }

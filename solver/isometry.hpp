@@ -58,7 +58,7 @@ class FoldedShape {
     return worst;
   }
 
-  /// 3 x N vertex coordinates in mm.
+  /// 3 x N vertex coordinates in mm, valleys and mountains as seen from +z.
   Eigen::Matrix3Xd vertices_mm(const SheetGeometry<double>& geometry,
                                const FoldState<double>& state) const;
 

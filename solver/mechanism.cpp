@@ -17,6 +17,7 @@ class Builder {
     mechanism_.edges = sheet.edges;
     mechanism_.vertices = sheet.vertex_count();
     mechanism_.panel_width_mm = sheet.panel_width_mm;
+    mechanism_.side = folding.side();
     add_creases(folding);
     for (const int v : interior_vertices(sheet)) add_ball_or_vertex_loop(v);
     for (const int f : holes) add_hole_loop(f);
@@ -33,9 +34,9 @@ class Builder {
       const Edge& edge = sheet_.edges[e];
       if (edge.on_perimeter() || is_hole_[edge.left] || is_hole_[edge.right]) continue;
       crease_of_edge_[e] = static_cast<int>(mechanism_.creases.size());
-      if (e == folding.pilot_edge) mechanism_.pilot = crease_of_edge_[e];
-      const int assignment = folding.tangent_ratio[e] > 0 ? 1 : -1;
-      mechanism_.creases.push_back({e, edge.a, edge.b, edge.left, edge.right, assignment, 0});
+      if (e == folding.pilot_edge()) mechanism_.pilot = crease_of_edge_[e];
+      mechanism_.creases.push_back(
+          {e, edge.a, edge.b, edge.left, edge.right, folding.assignment()[e], 0});
     }
     assert(mechanism_.pilot >= 0);
   }
@@ -159,15 +160,13 @@ Mechanism build_mechanism(const CreasePattern& sheet, const std::vector<int>& ho
 
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot) {
+  const std::vector<HalfAngle<double>> angles = folding.fold_angles(pilot);
   FoldState<double> state;
-  for (const Crease& crease : mechanism.creases) {
-    state.creases.push_back(folding.half_angle(crease.edge, pilot));
-  }
+  for (const Crease& crease : mechanism.creases) state.creases.push_back(angles[crease.edge]);
   for (const BallJoint& ball : mechanism.balls) {
     Quaternion<double> q{1, 0, 0, 0};
     for (const Crossing& crossing : ball.through) {
-      q = q * crossing_rotation(mechanism, base_vertices_mm, crossing,
-                                folding.half_angle(crossing.edge, pilot));
+      q = q * crossing_rotation(mechanism, base_vertices_mm, crossing, angles[crossing.edge]);
     }
     state.balls.push_back(q.normalized());
   }

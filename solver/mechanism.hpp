@@ -18,7 +18,7 @@ struct Crease {
   int edge;
   int a, b;         ///< its vertices, a < b
   int left, right;  ///< facets seen walking from a to b
-  int assignment;   ///< +1 valley, -1 mountain in the base folding
+  int assignment;   ///< +1 valley, -1 mountain in the base folding, seen from `side`
   int column;       ///< of its unknown
 };
 
@@ -72,6 +72,7 @@ struct Mechanism {
   int pilot;      ///< index of the pilot crease; its unknown is the last column
   int vertices;   ///< of the sheet
   int unknowns, equations;
+  int side;  ///< -1: fold angles are those seen from below, where the pilot is a valley
   double panel_width_mm;
 
   /// Column of the first of a passage's unknowns, one or three.

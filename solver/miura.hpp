@@ -1,28 +1,34 @@
-// The Miura-ori of the paper (section 4, figure 12) at any size.
+// The Miura-ori of the paper (section 4, figure 12) at any size, its columns and rows of any width
+// and height.
 #pragma once
 
 #include <vector>
 
-#include "solver/base_folding.hpp"
 #include "solver/crease_pattern.hpp"
 
 namespace misalign::solver {
 
-/// Vertex (i, j) lies at y = height i, x = width j, plus the offset when i is odd and 0 < j <
-/// columns; the right border is straight at x = width columns + offset, the left one at x = 0.
+/// Line i of vertices lies at y = the heights of the rows below it, shifted along x by the offsets
+/// of those rows, of even rows to the right and of odd ones back to the left; its vertex j at x =
+/// the widths of the columns before it. The left and the right border are straight lines, as far
+/// out as the lines of vertices go.
 struct MiuraShape {
-  int rows, columns;
-  double panel_width_mm, panel_height_mm, zigzag_offset_mm;
+  std::vector<double> width_mm;   ///< per column
+  std::vector<double> height_mm;  ///< per row
+  std::vector<double> offset_mm;  ///< per row: atan(height / offset) is its sector angle
+
+  int rows() const { return static_cast<int>(height_mm.size()); }
+  int columns() const { return static_cast<int>(width_mm.size()); }
+  /// Equal panels.
+  static MiuraShape uniform(int rows, int columns, double width_mm, double height_mm,
+                            double offset_mm);
 };
 
-/// Vertices and facets row by row; the panel width is the length scale.
+/// Vertices and facets row by row; the mean panel width is the length scale.
 CreasePattern miura_sheet(const MiuraShape& shape);
 
-/// Zigzag creases fold by the pilot's angle, straight ones by tan(rho/2) = cos(alpha) tan(rho_1/2)
-/// with alpha = atan(height / offset); the pilot is A2-A9 on six columns, (0,1)-(1,1) in general.
-BaseFolding miura_folding(const MiuraShape& shape, const CreasePattern& sheet);
-
-/// Inner facets (r, c) with r + c odd (remainder 1) or even (0), ascending.
-std::vector<int> checkerboard(const MiuraShape& shape, int remainder);
+/// Mountains and valleys, per edge of the sheet; 0 on the perimeter. Zigzag lines are valley and
+/// mountain in turn, the first a valley; straight creases change their sign at every vertex.
+std::vector<int> miura_assignment(const MiuraShape& shape, const CreasePattern& sheet);
 
 }  // namespace misalign::solver

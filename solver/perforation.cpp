@@ -15,6 +15,35 @@ constexpr double kRankThreshold = 1e-9;
 
 }  // namespace
 
+std::vector<int> inner_facets(const CreasePattern& sheet) {
+  const std::vector<int> interior = interior_vertices(sheet);
+  std::vector<int> inner;
+  for (int f = 0; f < sheet.facet_count(); ++f) {
+    const auto& corners = sheet.facets[f];
+    if (std::all_of(corners.begin(), corners.end(), [&](int v) {
+          return std::binary_search(interior.begin(), interior.end(), v);
+        })) {
+      inner.push_back(f);
+    }
+  }
+  return inner;
+}
+
+std::vector<int> checkerboard(const CreasePattern& sheet, int remainder) {
+  std::vector<int> holes = inner_facets(sheet);
+  std::erase_if(holes,
+                [&](int f) { return (sheet.places[f][0] + sheet.places[f][1]) % 2 != remainder; });
+  return holes;
+}
+
+int default_pilot(const CreasePattern& sheet, const std::vector<int>& holes) {
+  const auto is_hole = [&](int f) { return std::binary_search(holes.begin(), holes.end(), f); };
+  const auto first = std::find_if(sheet.edges.begin(), sheet.edges.end(), [&](const Edge& edge) {
+    return !edge.on_perimeter() && !is_hole(edge.left) && !is_hole(edge.right);
+  });
+  return first == sheet.edges.end() ? -1 : static_cast<int>(first - sheet.edges.begin());
+}
+
 std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vector<int>& holes) {
   std::vector<bool> is_hole(sheet.facet_count(), false);
   for (const int f : holes) is_hole[f] = true;
@@ -24,18 +53,17 @@ std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vect
            "-" + vertex_label(v[3]);
   };
   std::vector<std::string> faults;
-  std::vector<bool> on_perimeter(sheet.facet_count(), false);
   for (const Edge& edge : sheet.edges) {
-    const int facet = std::max(edge.left, edge.right);
-    if (edge.on_perimeter()) {
-      on_perimeter[facet] = true;
-    } else if (is_hole[edge.left] && is_hole[edge.right]) {
+    if (!edge.on_perimeter() && is_hole[edge.left] && is_hole[edge.right]) {
       faults.push_back(name(edge.left) + " shares the edge " + line_label(edge.a, edge.b) +
                        " with another hole");
     }
   }
+  const std::vector<int> inner = inner_facets(sheet);
   for (const int f : holes) {
-    if (on_perimeter[f]) faults.push_back(name(f) + " lies on the perimeter");
+    if (!std::binary_search(inner.begin(), inner.end(), f)) {
+      faults.push_back(name(f) + " lies on the perimeter");
+    }
   }
   return faults;
 }
@@ -54,7 +82,8 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
   place(mechanism, sheet.vertices_mm, geometry);
   ClosureSystem system(mechanism);
   Mobility mobility{mechanism.unknowns, mechanism.equations, 0};
-  for (const double pilot_deg : {40.0, 75.0, 110.0}) {
+  for (const double of_180 : {40.0, 75.0, 110.0}) {
+    const double pilot_deg = of_180 / 180 * folding.end_deg();
     const auto state =
         base_state(mechanism, folding, sheet.vertices_mm, half_angle_of_deg(pilot_deg));
     system.evaluate(geometry, state);

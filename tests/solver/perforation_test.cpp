@@ -6,7 +6,7 @@ namespace misalign::solver {
 namespace {
 
 TEST(Perforation, CheckerboardsOfThePaper) {
-  const MiuraShape paper{6, 6, 80, 80, 40};
+  const CreasePattern paper = miura_sheet(MiuraShape::uniform(6, 6, 80, 80, 40));
   EXPECT_EQ(checkerboard(paper, 1), (std::vector<int>{8, 10, 13, 15, 20, 22, 25, 27}));
   EXPECT_EQ(checkerboard(paper, 0), (std::vector<int>{7, 9, 14, 16, 19, 21, 26, 28}));
   // A9 and A41 stay whole with the odd one, A13 and A37 with the even one.

@@ -10,6 +10,7 @@
 
 #include "solver/history.hpp"
 #include "solver/miura.hpp"
+#include "solver/perforation.hpp"
 
 namespace misalign::solver {
 
@@ -30,10 +31,12 @@ inline std::string scientific(double value) {
 struct TestSheet {
   TestSheet(int rows, int columns, const std::string& holes = "checkerboard-odd",
             double width_mm = 80)
-      : shape{rows, columns, width_mm, width_mm, width_mm / 2} {
+      : width_mm_(width_mm) {
+    const auto shape = MiuraShape::uniform(rows, columns, width_mm, width_mm, width_mm / 2);
     base.sheet = miura_sheet(shape);
-    base.folding = miura_folding(shape, base.sheet);
-    base.holes = checkerboard(shape, holes == "checkerboard-odd" ? 1 : 0);
+    base.holes = checkerboard(base.sheet, holes == "checkerboard-odd" ? 1 : 0);
+    base.folding = std::get<BaseFolding>(fold_sequentially(
+        base.sheet, miura_assignment(shape, base.sheet), default_pilot(base.sheet, base.holes)));
     mechanism = build_mechanism(base.sheet, base.holes, base.folding);
     place(mechanism, base.sheet.vertices_mm, geometry);
   }
@@ -50,16 +53,18 @@ struct TestSheet {
     FlatVertices vertices = base.sheet.vertices_mm;
     for (const auto& [label, shift] : displacements_mm.items()) {
       const int vertex = std::stoi(label.substr(1)) - 1;
-      vertices.col(vertex) += Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>()) *
-                              (shape.panel_width_mm / 80);
+      vertices.col(vertex) +=
+          Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>()) * (width_mm_ / 80);
     }
     return vertices;
   }
 
-  MiuraShape shape;
   PerforatedSheet base;
   Mechanism mechanism;
   SheetGeometry<double> geometry;
+
+ private:
+  double width_mm_;
 };
 
 }  // namespace misalign::solver

@@ -26,12 +26,14 @@ struct MeshSheet {
 
 // Draw 0 of the paper's kind of misalignment on n x n panels.
 MeshSheet mesh_sheet(int n) {
-  const solver::MiuraShape shape{n, n, 80, 80, 40};
+  const auto shape = solver::MiuraShape::uniform(n, n, 80, 80, 40);
   MeshSheet mesh;
   mesh.sheet = solver::miura_sheet(shape);
-  mesh.folding = solver::miura_folding(shape, mesh.sheet);
-  mesh.mechanism =
-      solver::build_mechanism(mesh.sheet, solver::checkerboard(shape, 1), mesh.folding);
+  const std::vector<int> holes = solver::checkerboard(mesh.sheet, 1);
+  mesh.folding = std::get<solver::BaseFolding>(
+      solver::fold_sequentially(mesh.sheet, solver::miura_assignment(shape, mesh.sheet),
+                                solver::default_pilot(mesh.sheet, holes)));
+  mesh.mechanism = solver::build_mechanism(mesh.sheet, holes, mesh.folding);
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, mesh.sheet.vertex_count());
   search::draw_shifts({.vertices = solver::interior_vertices(mesh.sheet)}, 1, 0, shifts_mm);
   solver::place(mesh.mechanism, mesh.sheet.vertices_mm + shifts_mm, mesh.geometry);
