@@ -87,6 +87,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
+  accept.flag("between_samples", campaign.between_samples);
   const bool numbers_good = faults.sentences().size() == before;
   path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
@@ -223,7 +224,9 @@ Json campaign_json(const Campaign& campaign) {
             {"amplitude_mm", campaign.misalignment.amplitude_mm},
             {"levels", campaign.misalignment.levels == Levels::ternary ? "ternary" : "uniform"}}},
           {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
-          {"accept", {{"deploys_from_deg", campaign.threshold_deg}}},
+          {"accept",
+           {{"deploys_from_deg", campaign.threshold_deg},
+            {"between_samples", campaign.between_samples}}},
           {"seed", campaign.seed},
           {"stop",
            {{"draws", or_null(campaign.stop.draws)},

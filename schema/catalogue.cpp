@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "schema/carried_files.hpp"
 #include "schema/folding_json.hpp"
@@ -82,7 +83,10 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
       lock_(path),
       database_(open_for_writing(path)) {
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
-  if (!is_new) check_same_campaign(path);
+  if (!is_new) {
+    check_same_campaign(path);
+    migrate(path);
+  }
   database_->exec("PRAGMA journal_mode = WAL");
   if (is_new) create();
 }
@@ -98,6 +102,23 @@ void Catalogue::check_same_campaign(const std::string& path) const {
   throw UserError(kExitOtherCampaign, path + ": holds another campaign, " + held.substr(0, 8) +
                                           " (they differ in " + differences +
                                           "); give this one a file of its own with --catalogue");
+}
+
+// The file as it was is kept beside it; then all steps to the present schema, or none.
+void Catalogue::migrate(const std::string& path) {
+  const int version = database_->execAndGet("PRAGMA user_version").getInt();
+  if (version == kSchemaVersion) return;
+  const std::string backup = path + ".version-" + std::to_string(version);
+  if (!std::filesystem::exists(backup)) {
+    SQLite::Statement copy(*database_, "VACUUM INTO ?");
+    copy.bind(1, backup);
+    copy.exec();
+  }
+  SQLite::Transaction transaction(*database_);
+  for (int next = version + 1; next <= kSchemaVersion; ++next) {
+    database_->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
+  }
+  transaction.commit();
 }
 
 void Catalogue::create() {
@@ -196,7 +217,7 @@ void Catalogue::commit(const UnitRecord& unit, int worker) {
   insert_unit.exec();
 
   SQLite::Statement insert_candidate(
-      *database_, "INSERT INTO candidate VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+      *database_, "INSERT INTO candidate VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   for (const Candidate& candidate : unit.candidates) {
     const solver::Metrics& m = candidate.metrics;
     int column = 0;
@@ -208,11 +229,10 @@ void Catalogue::commit(const UnitRecord& unit, int worker) {
                                m.elongation_max, m.stroke_min, m.stroke_max}) {
       bind(value);
     }
-    if (m.slope_min_mm_per_deg) {
-      bind(*m.slope_min_mm_per_deg);
-    } else {
-      insert_candidate.bind(++column);
-    }
+    const auto bind_optional = [&](const std::optional<double>& value) {
+      value ? bind(*value) : insert_candidate.bind(++column);
+    };
+    bind_optional(m.slope_min_mm_per_deg);
     for (const double value : {m.stretch_sq_mm2, m.singular_value_min, m.residual_max,
                                m.isometry_error_mm, m.kawasaki_defect_deg}) {
       bind(value);
@@ -220,6 +240,8 @@ void Catalogue::commit(const UnitRecord& unit, int worker) {
     for (const int value : {m.shifted_vertices, m.increasing, m.decreasing}) bind(value);
     bind(displacements_json(candidate.shifts_mm).dump());
     bind(elongations_json(m.elongation).dump());
+    bind_optional(m.slope_between_min_mm_per_deg);
+    bind_optional(m.bump_deg);
     insert_candidate.exec();
     insert_candidate.reset();
   }

@@ -57,8 +57,8 @@ struct RunInfo {
 /// The writer, on rank 0 only.
 class Catalogue {
  public:
-  /// Opens or creates. UserError: see WriterLock and open_for_writing; 5 if another campaign is in
-  /// it.
+  /// Opens or creates. An older schema is brought up to date, after a copy of the file.
+  /// UserError: see WriterLock and open_for_writing; 5 if another campaign is in it.
   Catalogue(const std::string& path, const Campaign& campaign, const solver::Mechanism& mechanism);
 
   /// Ranges of draws that are done, ascending.
@@ -76,6 +76,7 @@ class Catalogue {
 
  private:
   void check_same_campaign(const std::string& path) const;
+  void migrate(const std::string& path);
   void create();
   void update_goal_end();
 

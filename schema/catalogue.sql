@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 1. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 2. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -98,7 +98,10 @@ CREATE TABLE candidate (
   increasing INTEGER NOT NULL,
   decreasing INTEGER NOT NULL,
   displacements_mm TEXT NOT NULL CHECK (json_valid(displacements_mm)),  -- {"A10": [x, y], ...}, exact
-  elongation TEXT NOT NULL CHECK (json_valid(elongation))  -- [...], of each diagonal at D
+  elongation TEXT NOT NULL CHECK (json_valid(elongation)),  -- [...], of each diagonal at D
+  -- Since version 2; null in rows that were written before.
+  slope_between_min_mm_per_deg REAL,  -- and when it deploys from less than 6 degrees
+  bump_deg REAL  -- null when no bump was seen between two samples
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
@@ -106,7 +109,8 @@ CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
 -- For people.
 
 CREATE VIEW candidates AS
-SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg, stroke_min, stroke_max,
+SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg,
+       slope_between_min_mm_per_deg, bump_deg, stroke_min, stroke_max,
        elongation_min, elongation_max, stretch_sq_mm2, shifted_vertices, increasing, decreasing,
        kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm
 FROM candidate;

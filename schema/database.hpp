@@ -12,7 +12,7 @@
 namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// A catalogue opened for reading: it cannot write, attach other files or load extensions.
 /// UserError: 3 no such file or no catalogue, 5 a newer schema.

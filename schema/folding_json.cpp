@@ -17,10 +17,15 @@ Json diagonals_json(const FoldingView& view, bool histories) {
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
     list.push_back(diagonal_json(view.base, view.mechanism, view.mechanism.diagonals[d],
                                  view.history.flat_mm[d]));
-    if (histories) list.back()["length_mm"] = column_json(view.history.length_mm, d);
+    if (histories) {
+      list.back()["length_mm"] = column_json(view.history.length_mm, d);
+      list.back()["slope_mm_per_deg"] = column_json(view.history.slope_mm_per_deg, d);
+    }
   }
   return list;
 }
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -40,6 +45,7 @@ std::string where_label(const solver::Mechanism& mechanism, const solver::Verdic
   if (verdict.where < 0) return "";
   switch (verdict.first_fault) {
     case solver::Fault::not_monotone:
+    case solver::Fault::bump:
     case solver::Fault::inactive_diagonal:
       return solver::line_label(mechanism.diagonals[verdict.where].from,
                                 mechanism.diagonals[verdict.where].to);
@@ -68,6 +74,14 @@ Json verdict_json(const FoldingView& view) {
   return json;
 }
 
+Json bump_json(const FoldingView& view) {
+  const solver::Between& between = view.history.between;
+  if (between.bump_where < 0) return Json();
+  const solver::Diagonal& diagonal = view.mechanism.diagonals[between.bump_where];
+  return {{"from_deg", between.bump_deg},
+          {"where", solver::line_label(diagonal.from, diagonal.to)}};
+}
+
 Json folding_json(const FoldingView& view) {
   const solver::FoldingHistory& history = view.history;
   Json stops = Json::array();
@@ -86,6 +100,7 @@ Json folding_json(const FoldingView& view) {
           {"equations", view.mechanism.equations},
           {"degrees_of_freedom", view.mechanism.unknowns - view.mechanism.equations},
           {"verdict", verdict_json(view)},
+          {"bump_between_samples", bump_json(view)},
           {"fold_limit_deg", history.path.fold_limit_deg},
           {"samples_deg", stops},
           {"diagonals", diagonals_json(view, true)},
@@ -127,7 +142,9 @@ Json metrics_json(const solver::Metrics& m) {
           {"elongation_max", m.elongation_max},
           {"stroke_min", m.stroke_min},
           {"stroke_max", m.stroke_max},
-          {"slope_min_mm_per_deg", m.slope_min_mm_per_deg ? Json(*m.slope_min_mm_per_deg) : Json()},
+          {"slope_min_mm_per_deg", or_null(m.slope_min_mm_per_deg)},
+          {"slope_between_min_mm_per_deg", or_null(m.slope_between_min_mm_per_deg)},
+          {"bump_deg", or_null(m.bump_deg)},
           {"stretch_sq_mm2", m.stretch_sq_mm2},
           {"singular_value_min", m.singular_value_min},
           {"residual_max", m.residual_max},

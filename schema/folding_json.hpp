@@ -30,6 +30,9 @@ const char* undecided_cause(const solver::Verdict& verdict);
 /// {"deploys_from_deg", "first_fault", "fault_deg", "where", ...}; fault_deg and where may be null.
 Json verdict_json(const FoldingView& view);
 
+/// {"from_deg", "where"} of the first bump between samples up to D; null if none was seen.
+Json bump_json(const FoldingView& view);
+
 /// The contract's `fold --json`.
 Json folding_json(const FoldingView& view);
 

@@ -6,6 +6,7 @@
 #include "search/draw.hpp"
 #include "search/stopwatch.hpp"
 #include "search/trial.hpp"
+#include "solver/reference.hpp"
 
 namespace misalign::search {
 namespace {

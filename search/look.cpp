@@ -28,6 +28,11 @@ void print_folding(const schema::FoldingView& view) {
   }
   if (!verdict["where"].is_null()) std::printf(", %s", verdict["where"].get<std::string>().c_str());
   if (verdict.contains("cause")) std::printf(", %s", verdict["cause"].get<std::string>().c_str());
+  const Json bump = schema::bump_json(view);
+  if (!bump.is_null()) {
+    std::printf("\nbump between samples from %.4f deg, %s", bump["from_deg"].get<double>(),
+                bump["where"].get<std::string>().c_str());
+  }
   const char* const limit =
       history.path.end == solver::PathEnd::fold_limit ? "fold limit" : "followed to";
   std::printf("\n%s %.4f deg\n\n%9s", limit, history.path.fold_limit_deg, "pilot_deg");

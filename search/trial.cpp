@@ -25,9 +25,9 @@ Trial::Trial(schema::Campaign campaign)
 Trial::Trial(schema::Campaign campaign, solver::InstructionSet set)
     : campaign_(std::move(campaign)),
       family_(campaign_.pattern.base, campaign_.misalignment.vertices, campaign_.path(),
-              campaign_.threshold_sample()),
+              campaign_.threshold_sample(), campaign_.between_samples),
       batch_(solver::make_batch(set, family_)),
-      reference_(family_.mechanism(), family_.path()) {}
+      shape_(family_.base().sheet, family_.base().holes, family_.mechanism()) {}
 
 std::uint64_t Trial::largest_block() const {
   const std::uint64_t numbers =
@@ -90,7 +90,9 @@ void Trial::judge_block() {
   for (int sheet = 0; sheet < block_.sheets; ++sheet) {
     if (verdicts_[sheet].first_fault != solver::Fault::undecided) continue;
     family_.displace(block_.of(sheet), vertices_mm);
-    verdicts_[sheet] = reference_.judge(vertices_mm);
+    verdicts_[sheet] = solver::record_densely(family_.mechanism(), shape_, family_.path(),
+                                              vertices_mm, family_.bump_is_fault())
+                           .verdict;
   }
 }
 

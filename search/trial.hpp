@@ -4,7 +4,6 @@
 
 #include "schema/catalogue.hpp"
 #include "solver/batch.hpp"
-#include "solver/reference.hpp"
 
 namespace misalign::search {
 
@@ -50,7 +49,7 @@ class Trial {
   const schema::Campaign campaign_;
   const solver::SheetFamily family_;
   std::unique_ptr<solver::Batch> batch_;
-  solver::Reference reference_;
+  const solver::FoldedShape shape_;
   solver::ShiftBlock block_;
   std::vector<solver::Verdict> verdicts_;  // of the block's sheets
   Draws waiting_;

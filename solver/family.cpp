@@ -63,7 +63,7 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
 }  // namespace
 
 SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& shifted,
-                         const PathPlanOptions& path, int threshold_sample)
+                         const PathPlanOptions& path, int threshold_sample, bool bump_is_fault)
     : base_(base),
       mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
       elimination_(plan_elimination(mechanism_, base.folding, base.sheet.vertices_mm)),
@@ -71,6 +71,7 @@ SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& sh
       path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
+      bump_is_fault_(bump_is_fault),
       extent_(base.sheet.vertices_mm.cwiseAbs().maxCoeff() / mechanism_.panel_width_mm),
       length_per_rad_(bound_of_length_per_rad(mechanism_, base.sheet.vertices_mm)) {
   choose_tests();

@@ -22,9 +22,9 @@ struct TestAngle {
 class SheetFamily {
  public:
   /// `shifted` are the vertices that differ from sheet to sheet; D of at least `threshold_sample`
-  /// is wanted.
+  /// is wanted, which a bump between samples ends if it is a fault.
   SheetFamily(const PerforatedSheet& base, const std::vector<int>& shifted,
-              const PathPlanOptions& path, int threshold_sample);
+              const PathPlanOptions& path, int threshold_sample, bool bump_is_fault = false);
   SheetFamily(const SheetFamily&) = delete;
   SheetFamily& operator=(const SheetFamily&) = delete;
 
@@ -36,6 +36,7 @@ class SheetFamily {
   const PathPlan& path() const { return path_; }
   double sample_deg() const { return sample_deg_; }
   int threshold_sample() const { return threshold_sample_; }
+  bool bump_is_fault() const { return bump_is_fault_; }
 
   /// The far one, then the near one; none where the threshold is close to flat.
   const std::vector<TestAngle>& tests() const { return tests_; }
@@ -60,6 +61,7 @@ class SheetFamily {
   const PathPlan path_;
   const double sample_deg_;
   const int threshold_sample_;
+  const bool bump_is_fault_;
   std::vector<TestAngle> tests_;
   PathPlan approach_;
   double extent_, length_per_rad_;

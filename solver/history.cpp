@@ -1,5 +1,8 @@
 #include "solver/history.hpp"
 
+#include <optional>
+
+#include "solver/dense_look.hpp"
 #include "solver/recording_client.hpp"
 #include "solver/tracker.hpp"
 
@@ -16,7 +19,7 @@ Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
 class SingleRecording {
  public:
   SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm)
-      : plan_(plan), recording_(mechanism) {
+      : mechanism_(mechanism), plan_(plan), recording_(mechanism) {
     place(mechanism, vertices_mm, geometry_);
     recording_.begin(vertices_mm);
   }
@@ -27,24 +30,33 @@ class SingleRecording {
     return true;
   }
   Recording& of_lane(int) { return recording_; }
+  const DenseLook& densely(int, const FoldState<double>& state) {
+    if (!dense_) dense_.emplace(mechanism_);
+    dense_->at(geometry_, state);
+    return *dense_;
+  }
   void ended(const PathResult& path, int) { history_ = recording_.conclude(path); }
   FoldingHistory take() { return std::move(history_); }
 
  private:
+  const Mechanism& mechanism_;
   const PathPlan& plan_;
   bool departed_ = false;
   SheetGeometry<double> geometry_;
   Recording recording_;
   FoldingHistory history_;
+  std::optional<DenseLook> dense_;
 };
 
 }  // namespace
 
-Recording::Recording(const Mechanism& mechanism) : mechanism_(mechanism), judge_(mechanism) {}
+Recording::Recording(const Mechanism& mechanism, bool bump_is_fault)
+    : mechanism_(mechanism), judge_(mechanism, bump_is_fault) {}
 
 void Recording::begin(const FlatVertices& vertices_mm) {
   vertices_mm_ = vertices_mm;
   lengths_mm_.clear();
+  slopes_mm_per_deg_.clear();
   angles_deg_.clear();
   history_ = {};
   SheetGeometry<double> geometry;
@@ -55,24 +67,27 @@ void Recording::begin(const FlatVertices& vertices_mm) {
   for (double& length : history_.flat_mm) length *= mechanism_.panel_width_mm;
 }
 
-void Recording::see(const Stop& stop, const FoldState<double>& state,
-                    const std::vector<double>& lengths) {
-  if (stop.sample > 0) judge_.see(stop, state, lengths);
-  history_.stops.push_back(stop);
-  for (const double length : lengths) lengths_mm_.push_back(length * mechanism_.panel_width_mm);
-  for (const auto& rho : state.creases) angles_deg_.push_back(mechanism_.side * angle_deg(rho));
-}
-
-void Recording::add(const Soundness& soundness) {
-  history_.open_by.push_back(soundness.open_by);
-  history_.singular_value_min.push_back(soundness.singular_value_min);
-  history_.isometry_error_mm.push_back(soundness.isometry_error * mechanism_.panel_width_mm);
+void Recording::see(const SeenStop& seen) {
+  const double width_mm = mechanism_.panel_width_mm;
+  if (seen.stop.sample > 0) judge_.see(seen.stop, seen.state, seen.lengths, &seen.slopes);
+  history_.stops.push_back(seen.stop);
+  for (const double length : seen.lengths) lengths_mm_.push_back(length * width_mm);
+  for (const double slope : seen.slopes) {
+    slopes_mm_per_deg_.push_back(slope * width_mm * kRadPerDeg);
+  }
+  for (const auto& rho : seen.state.creases)
+    angles_deg_.push_back(mechanism_.side * angle_deg(rho));
+  history_.open_by.push_back(seen.open_by);
+  history_.singular_value_min.push_back(seen.singular_value_min);
+  history_.isometry_error_mm.push_back(seen.isometry_error * width_mm);
 }
 
 FoldingHistory Recording::conclude(const PathResult& path) {
   history_.path = path;
   history_.verdict = judge_.conclude(path);
+  history_.between = judge_.between();
   history_.length_mm = rows_of(lengths_mm_, history_.stops.size());
+  history_.slope_mm_per_deg = rows_of(slopes_mm_per_deg_, history_.stops.size());
   history_.fold_angle_deg = rows_of(angles_deg_, history_.stops.size());
   return std::move(history_);
 }
@@ -90,25 +105,21 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
 }
 
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
-                              const PathPlan& plan, const FlatVertices& vertices_mm) {
+                              const PathPlan& plan, const FlatVertices& vertices_mm,
+                              bool bump_is_fault) {
   SheetGeometry<double> geometry;
   place(mechanism, vertices_mm, geometry);
-  Recording recording(mechanism);
+  Recording recording(mechanism, bump_is_fault);
   recording.begin(vertices_mm);
   PathTracker tracker(mechanism);
-  ClosureSystem system(mechanism);
-  DenseSolve factors(mechanism.equations);
-  SmallestSingularValue<double> smallest(mechanism.equations);
+  DenseLook look(mechanism);
   FoldedPoints<double> points;
-  std::vector<double> lengths(mechanism.diagonals.size());
   const PathResult path =
       tracker.follow(geometry, plan, [&](const Stop& stop, const FoldState<double>& state) {
-        folded_lengths(mechanism, geometry, state, lengths.data());
-        recording.see(stop, state, lengths);
-        const double open_by = system.evaluate(geometry, state);
-        factors.factorize(system.jacobian().leftCols(mechanism.equations));
+        look.at(geometry, state);
         shape.place(geometry, state, points);
-        recording.add({open_by, smallest.of(factors), shape.isometry_error(geometry, points)});
+        recording.see({stop, state, look.lengths(), look.slopes(), look.open_by(),
+                       look.singular_value(), shape.isometry_error(geometry, points)});
         return true;
       });
   return recording.conclude(path);

@@ -21,11 +21,13 @@ struct PerforatedSheet {
 struct FoldingHistory {
   Verdict verdict;
   PathResult path;
+  Between between;
   std::vector<double> flat_mm;  ///< per diagonal
   std::vector<Stop> stops;
-  Eigen::MatrixXd length_mm;       ///< stops x diagonals
-  Eigen::MatrixXd fold_angle_deg;  ///< stops x creases
-  std::vector<double> open_by;     ///< largest closure entry: radians, panel widths
+  Eigen::MatrixXd length_mm;         ///< stops x diagonals
+  Eigen::MatrixXd slope_mm_per_deg;  ///< the same: their rates of change
+  Eigen::MatrixXd fold_angle_deg;    ///< stops x creases
+  std::vector<double> open_by;       ///< largest closure entry: radians, panel widths
   std::vector<double> singular_value_min;
   std::vector<double> isometry_error_mm;  ///< see FoldedShape
 
@@ -33,26 +35,28 @@ struct FoldingHistory {
   bool lost() const { return path.end == PathEnd::start_lost || path.end == PathEnd::stalled; }
 };
 
-/// How well the state at a stop was solved, and how well it can be.
-struct Soundness {
-  double open_by;             ///< largest closure entry: radians, panel widths
-  double singular_value_min;  ///< of the square Jacobian
-  double isometry_error;      ///< panel widths
+/// The state at a stop, what follows from it, and how well it was solved and can be.
+struct SeenStop {
+  const Stop& stop;
+  const FoldState<double>& state;
+  const std::vector<double>& lengths;  ///< per diagonal, panel widths
+  const std::vector<double>& slopes;   ///< panel widths per radian of pilot
+  double open_by;                      ///< largest closure entry: radians, panel widths
+  double singular_value_min;           ///< of the square Jacobian
+  double isometry_error;               ///< panel widths
 };
 
 /// A history in the making.
 class Recording {
  public:
   /// `mechanism` must outlive this object.
-  explicit Recording(const Mechanism& mechanism);
+  explicit Recording(const Mechanism& mechanism, bool bump_is_fault = false);
 
   /// A new sheet.
   void begin(const FlatVertices& vertices_mm);
   const FlatVertices& vertices_mm() const { return vertices_mm_; }
   /// The next stop of its path; past faults too.
-  void see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths);
-  /// The same of the stops seen, in their order; at any time before the path is concluded.
-  void add(const Soundness& soundness);
+  void see(const SeenStop& seen);
   /// The whole, once the path has ended.
   FoldingHistory conclude(const PathResult& path);
 
@@ -60,7 +64,7 @@ class Recording {
   const Mechanism& mechanism_;
   Judge judge_;
   FlatVertices vertices_mm_;
-  std::vector<double> lengths_mm_, angles_deg_;  // stop by stop
+  std::vector<double> lengths_mm_, slopes_mm_per_deg_, angles_deg_;  // stop by stop
   FoldingHistory history_;
 };
 
@@ -72,6 +76,7 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
 /// The same by dense matrices with pivoting: for the rare sheet that the fixed order of elimination
 /// does not suit.
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
-                              const PathPlan& plan, const FlatVertices& vertices_mm);
+                              const PathPlan& plan, const FlatVertices& vertices_mm,
+                              bool bump_is_fault = false);
 
 }  // namespace misalign::solver

@@ -82,7 +82,9 @@ class LaneBatch final : public Batch {
     bool visit(const Stop& stop, int lane) {
       tracker.copy_state(lane, desk.found().state);
       tracker.copy_lengths(lane, desk.found().lengths.data());
-      return desk.visit(stop, lane);
+      const double misfit =
+          desk.wants_slopes() ? tracker.copy_slopes(lane, desk.found().slopes.data()) : 0;
+      return desk.visit(stop, lane, misfit);
     }
     void ended(const PathResult& path, int lane) { desk.ended(path, lane); }
   };

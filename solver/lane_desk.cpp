@@ -41,11 +41,28 @@ void LaneSheets::put(int sheet, int lane) {
   place(family_.mechanism(), vertices_mm_, geometry_);
 }
 
+const FlatVertices& LaneSheets::vertices_mm_of_lane(int lane) {
+  family_.displace(block_->of(sheet_of_lane_[lane]), vertices_mm_);
+  return vertices_mm_;
+}
+
+DenseLooks::DenseLooks(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+DenseLooks::~DenseLooks() = default;
+
+const DenseLook& DenseLooks::at(const FlatVertices& vertices_mm, const FoldState<double>& state) {
+  if (!look_) look_ = std::make_unique<DenseLook>(mechanism_);
+  place(mechanism_, vertices_mm, geometry_);
+  look_->at(geometry_, state);
+  return *look_;
+}
+
 JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       sheets_(family, lanes),
-      judges_(lanes, Judge(family.mechanism())),
-      found_(family.mechanism()) {}
+      judges_(lanes, Judge(family.mechanism(), family.bump_is_fault())),
+      found_(family.mechanism()),
+      dense_(family.mechanism()) {}
 
 JudgingDesk::~JudgingDesk() = default;
 
@@ -62,8 +79,13 @@ bool JudgingDesk::next(Departure& departure, int lane) {
   return true;
 }
 
-bool JudgingDesk::visit(const Stop& stop, int lane) {
-  return stop.sample == 0 || judges_[lane].see(stop, found_.state, found_.lengths);
+bool JudgingDesk::visit(const Stop& stop, int lane, double misfit) {
+  if (stop.sample == 0) return true;
+  const std::vector<double>* slopes = wants_slopes() ? &found_.slopes : nullptr;
+  if (slopes && !(misfit <= kLargestMisfit)) {
+    slopes = &dense_.at(sheets_.vertices_mm_of_lane(lane), found_.state).slopes();
+  }
+  return judges_[lane].see(stop, found_.state, found_.lengths, slopes);
 }
 
 void JudgingDesk::ended(const PathResult& path, int lane) {
@@ -75,7 +97,8 @@ RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       shape_(family.base().sheet, family.base().holes, family.mechanism()),
       sheets_(family, lanes),
-      recordings_(lanes, Recording(family.mechanism())) {}
+      recordings_(lanes, Recording(family.mechanism(), family.bump_is_fault())),
+      dense_(family.mechanism()) {}
 
 RecordingDesk::~RecordingDesk() = default;
 
@@ -96,7 +119,7 @@ void RecordingDesk::ended(const PathResult& path, int lane) {
   history = recordings_[lane].conclude(path);
   if (history.lost()) {
     history = record_densely(family_.mechanism(), shape_, family_.path(),
-                             recordings_[lane].vertices_mm());
+                             recordings_[lane].vertices_mm(), family_.bump_is_fault());
   }
 }
 

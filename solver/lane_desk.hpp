@@ -2,9 +2,11 @@
 // and who judges what their paths show.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "solver/batch.hpp"
+#include "solver/dense_look.hpp"
 #include "solver/history.hpp"
 #include "solver/stop_copy.hpp"
 #include "solver/tracker.hpp"
@@ -23,6 +25,7 @@ class LaneSheets {
   /// Puts this sheet into this lane.
   void put(int sheet, int lane);
   int of_lane(int lane) const { return sheet_of_lane_[lane]; }
+  const FlatVertices& vertices_mm_of_lane(int lane);
   /// Of the sheet put last.
   const FlatVertices& vertices_mm() const { return vertices_mm_; }
   const SheetGeometry<double>& geometry() const { return geometry_; }
@@ -36,6 +39,19 @@ class LaneSheets {
   SheetGeometry<double> geometry_;
 };
 
+/// Dense factors for the rare state that needs them: made when first asked for.
+class DenseLooks {
+ public:
+  explicit DenseLooks(const Mechanism& mechanism);
+  ~DenseLooks();
+  const DenseLook& at(const FlatVertices& vertices_mm, const FoldState<double>& state);
+
+ private:
+  const Mechanism& mechanism_;
+  SheetGeometry<double> geometry_;
+  std::unique_ptr<DenseLook> look_;
+};
+
 /// Full paths: every sample of every sheet goes to a judge, until it has seen enough.
 class JudgingDesk {
  public:
@@ -46,7 +62,9 @@ class JudgingDesk {
   bool next(Departure& departure, int lane);
   /// What is found at the stop goes here.
   StopCopy& found() { return found_; }
-  bool visit(const Stop& stop, int lane);
+  bool wants_slopes() const { return family_.bump_is_fault(); }
+  /// `misfit` tells what the slopes found are worth, if they are wanted.
+  bool visit(const Stop& stop, int lane, double misfit);
   void ended(const PathResult& path, int lane);
 
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
@@ -58,6 +76,7 @@ class JudgingDesk {
   std::vector<Judge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;
   StopCopy found_;
+  DenseLooks dense_;
   Effort effort_;
 };
 
@@ -71,6 +90,9 @@ class RecordingDesk {
   bool next(Departure& departure, int lane);
   const FoldedShape& shape() const { return shape_; }
   Recording& of_lane(int lane) { return recordings_[lane]; }
+  const DenseLook& densely(int lane, const FoldState<double>& state) {
+    return dense_.at(recordings_[lane].vertices_mm(), state);
+  }
   void ended(const PathResult& path, int lane);
 
   std::vector<FoldingHistory>& histories() { return histories_; }
@@ -80,6 +102,7 @@ class RecordingDesk {
   const FoldedShape shape_;
   LaneSheets sheets_;
   std::vector<Recording> recordings_;  // of lanes
+  DenseLooks dense_;
   std::vector<FoldingHistory> histories_;
 };
 

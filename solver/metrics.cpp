@@ -76,6 +76,11 @@ Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
     ++(elongation > 0 ? m.increasing : m.decreasing);
     m.elongation.push_back(elongation);
   }
+  if (std::isfinite(history.between.least_slope)) {
+    m.slope_between_min_mm_per_deg =
+        history.between.least_slope * base.sheet.panel_width_mm * kRadPerDeg;
+  }
+  if (history.between.bump_where >= 0) m.bump_deg = history.between.bump_deg;
   m.singular_value_min = std::numeric_limits<double>::infinity();
   for (const Eigen::Index row : rows) {
     m.singular_value_min = std::min(m.singular_value_min, history.singular_value_min[row]);

@@ -1,7 +1,10 @@
-// Full paths of sheets that somebody looks at, for a tracker of any width: hands each stop with its
-// diagonals to the recording of its lane, and looks closer at the states of all lanes together.
+// Full paths of sheets that somebody looks at, for a tracker of any width: looks closer at the
+// stops of all lanes together, and hands each to the recording of its lane.
 #pragma once
 
+#include <array>
+
+#include "solver/dense_look.hpp"
 #include "solver/history.hpp"
 #include "solver/singular_value.hpp"
 #include "solver/stop_copy.hpp"
@@ -12,7 +15,7 @@ namespace misalign::solver {
 /// `Desk` says which sheet is next (`next`), whose recording a lane writes (`of_lane`), and takes
 /// the end of each path (`ended`). Lanes arrive at their stops one by one: each one's state and
 /// factors are kept until it arrives again or its path ends, and then all that are kept are looked
-/// at in one go.
+/// at in one go; with dense factors (`densely`) where the kept ones are worth nothing.
 template <class T, class Desk>
 class RecordingClient {
  public:
@@ -27,7 +30,11 @@ class RecordingClient {
         square_factors_(kept_factors_),
         smallest_(mechanism.equations),
         residual_(mechanism.equations, T(0)),
-        stop_(mechanism) {}
+        work_(mechanism.unknowns, T(0)),
+        rates_(work_),
+        lengths_(mechanism.diagonals.size(), T(0)),
+        slopes_(lengths_),
+        copy_(mechanism) {}
 
   bool next(Departure& departure, int lane) {
     smallest_.restart(lane);
@@ -43,9 +50,7 @@ class RecordingClient {
   }
 
   bool visit(const Stop& stop, int i) {
-    tracker_.copy_state(i, stop_.state);
-    tracker_.copy_lengths(i, stop_.lengths.data());
-    desk_.of_lane(i).see(stop, stop_.state, stop_.lengths);
+    stops_[i] = stop;
     lane(waits_, i) = 1;
     return true;
   }
@@ -60,11 +65,30 @@ class RecordingClient {
     const SheetGeometry<T>& geometry = tracker_.geometry();
     const T open_by = evaluate(mechanism_, geometry, kept_state_, residual_.data(), nullptr);
     const T singular_value = smallest_.of(square_factors_, waits_);
+    kept_factors_.null_vector(
+        -kept_factors_.pilot_coefficient() / kept_factors_.partner_coefficient(), T(1),
+        work_.data(), rates_.data());
+    folded_lengths_and_slopes(mechanism_, geometry, kept_state_, rates_.data(), lengths_.data(),
+                              slopes_.data(), residual_.data());
+    T misfit(0);
+    for (const T& rest : residual_) misfit = larger(misfit, magnitude(rest));
     shape_.place(geometry, kept_state_, points_);
     const T isometry_error = shape_.isometry_error(geometry, points_);
     for (int i = 0; i < kLanes<T>; ++i) {
       if (!(lane(waits_, i) > 0)) continue;
-      desk_.of_lane(i).add({lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
+      copy_lane(kept_state_, i, copy_.state);
+      if (lane(misfit, i) <= kLargestMisfit && std::isfinite(lane(singular_value, i))) {
+        for (std::size_t k = 0; k < lengths_.size(); ++k) {
+          copy_.lengths[k] = lane(lengths_[k], i);
+          copy_.slopes[k] = lane(slopes_[k], i);
+        }
+        desk_.of_lane(i).see({stops_[i], copy_.state, copy_.lengths, copy_.slopes, lane(open_by, i),
+                              lane(singular_value, i), lane(isometry_error, i)});
+      } else {
+        const DenseLook& dense = desk_.densely(i, copy_.state);
+        desk_.of_lane(i).see({stops_[i], copy_.state, dense.lengths(), dense.slopes(),
+                              lane(open_by, i), dense.singular_value(), lane(isometry_error, i)});
+      }
     }
     waits_ = T(0);
   }
@@ -79,8 +103,9 @@ class RecordingClient {
   SquareFactors<T> square_factors_;
   SmallestSingularValue<T> smallest_;
   FoldedPoints<T> points_;
-  std::vector<T> residual_;
-  StopCopy stop_;
+  std::vector<T> residual_, work_, rates_, lengths_, slopes_;
+  std::array<Stop, kLanes<T>> stops_{};
+  StopCopy copy_;
 };
 
 }  // namespace misalign::solver

@@ -72,8 +72,9 @@ class Tracker {
   void copy_lengths(int i, double* lengths) const;
   /// Factors of the Jacobian there, but for the last correction (1e-12 / its singular values).
   const SparseLu<T>& factors() const { return lu_; }
-  /// Change of its diagonals per radian of the pilot.
-  void copy_slopes(int i, double* slopes);
+  /// Change of its diagonals per radian of the pilot; returns how far the tangent is from one, the
+  /// largest entry of J times it.
+  double copy_slopes(int i, double* slopes);
 
  private:
   template <class Client>
@@ -123,7 +124,8 @@ class Tracker {
   FoldState<T> trial_, last_, ahead_;
   std::vector<T> residual_, y_, correction_, null_, move_, lengths_, slopes_;
   std::array<std::vector<T>, 3> tangents_;  // newest first
-  T open_, largest_correction_, determinant_sign_, orientation_, cosine_, largest_half_sine_;
+  T open_, largest_correction_, misfit_, determinant_sign_, orientation_, cosine_,
+      largest_half_sine_;
   bool slopes_known_ = false;
   std::array<Course, kWidth> courses_;
   std::array<Move, kWidth> moves_;

@@ -167,15 +167,18 @@ template <class T>
 void Tracker<T>::find_slopes() {
   folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
                             slopes_.data(), residual_.data());
+  misfit_ = T(0);
+  for (const T& rest : residual_) misfit_ = larger(misfit_, magnitude(rest));
   slopes_known_ = true;
 }
 
 // For all lanes at once, on first demand.
 template <class T>
-void Tracker<T>::copy_slopes(int i, double* slopes) {
+double Tracker<T>::copy_slopes(int i, double* slopes) {
   if (!slopes_known_) find_slopes();
   const double pilot_rate = lane(tangents_[0][unknowns_ - 1], i);
   for (const T& slope : slopes_) *slopes++ = lane(slope, i) / pilot_rate;
+  return lane(misfit_, i) / pilot_rate;
 }
 
 }  // namespace misalign::solver

@@ -17,6 +17,8 @@ const char* fault_name(Fault fault) {
       return "assignment_flipped";
     case Fault::not_monotone:
       return "not_monotone";
+    case Fault::bump:
+      return "bump_between_samples";
     case Fault::inactive_diagonal:
       return "inactive_diagonal";
     case Fault::undecided:
@@ -25,7 +27,8 @@ const char* fault_name(Fault fault) {
   return "";
 }
 
-Judge::Judge(const Mechanism& mechanism) : mechanism_(mechanism) {}
+Judge::Judge(const Mechanism& mechanism, bool bump_is_fault)
+    : mechanism_(mechanism), bump_is_fault_(bump_is_fault) {}
 
 void Judge::begin(const std::vector<double>& flat_lengths) {
   samples_in_order_ = 0;
@@ -34,13 +37,25 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
   where_ = -1;
   last_ = least_ = most_ = flat_lengths;
   direction_.assign(flat_lengths.size(), 0);
+  last_slopes_.assign(flat_lengths.size(), 0);  // lengths begin like the square of the angle
+  between_ = {};
 }
 
 bool Judge::see(const Stop& stop, const FoldState<double>& state,
-                const std::vector<double>& lengths) {
+                const std::vector<double>& lengths, const std::vector<double>* slopes) {
   if (fault_ != Fault::none) return false;
   fault_ = fault_in(state, lengths, where_);
   if (fault_ != Fault::none) return false;
+  if (slopes) {
+    const Between between = seen_between(stop, lengths, *slopes);
+    if (bump_is_fault_ && between.bump_where >= 0) {
+      fault_ = Fault::bump;
+      where_ = between.bump_where;
+      return false;
+    }
+    between_ = between;
+    last_slopes_ = *slopes;
+  }
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     least_[i] = std::min(least_[i], lengths[i]);
     most_[i] = std::max(most_[i], lengths[i]);
@@ -80,6 +95,27 @@ Fault Judge::fault_in(const FoldState<double>& state, const std::vector<double>&
     }
   }
   return largest_step_back > 0 ? Fault::not_monotone : Fault::none;
+}
+
+Between Judge::seen_between(const Stop& stop, const std::vector<double>& lengths,
+                            const std::vector<double>& slopes) const {
+  const double step_deg = stop.pilot_deg - last_pilot_deg_;
+  Between between = between_;
+  double earliest = 1, longest = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (direction_[i] == 0) continue;
+    const BetweenSamples seen = look_between({last_[i], last_slopes_[i]}, {lengths[i], slopes[i]},
+                                             step_deg * kRadPerDeg, direction_[i]);
+    if (last_pilot_deg_ >= kInactiveFrom_deg) {
+      between.least_slope = std::min(between.least_slope, seen.least_slope);
+    }
+    if (between_.bump_where >= 0 || seen.back < kBumpBand_widths || seen.back <= longest) continue;
+    longest = seen.back;
+    earliest = seen.from;
+    between.bump_where = static_cast<int>(i);
+  }
+  if (longest > 0) between.bump_deg = last_pilot_deg_ + earliest * step_deg;
+  return between;
 }
 
 Verdict Judge::conclude(const PathResult& path) const {

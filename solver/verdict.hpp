@@ -1,8 +1,10 @@
 // The verdict on one folding path, from its samples alone (the paper's criterion, made exact).
 #pragma once
 
+#include <limits>
 #include <vector>
 
+#include "solver/between.hpp"
 #include "solver/path.hpp"
 
 namespace misalign::solver {
@@ -26,6 +28,8 @@ enum class Fault {
   over_folded,         ///< a crease with |rho| > 180 degrees + kOverFoldBand_deg
   assignment_flipped,  ///< a crease without its base mountain-valley sign
   not_monotone,        ///< a diagonal steps back against its direction by kStepBand_widths or more
+  bump,                ///< it goes back between two samples by kBumpBand_widths or more, where that
+                       ///< was asked for
   inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
                        ///< kInactiveBand_widths up to it; then D = 0
   undecided            ///< a numerical failure (PathEnd says which): never a "no"
@@ -36,36 +40,52 @@ const char* fault_name(Fault fault);
 struct Verdict {
   int deploys_from_sample = 0;  ///< D: every sample up to it is in order
   Fault first_fault = Fault::none;
-  int where = -1;  ///< crease (over_folded, assignment_flipped), diagonal (not_monotone, inactive)
+  int where = -1;  ///< crease (over_folded, assignment_flipped) or diagonal (the others)
   PathEnd path_end = PathEnd::end_reached;  ///< the cause, when undecided
 
   /// The sample that shows the fault; 0 when there is none.
   int fault_sample() const { return first_fault == Fault::none ? 0 : deploys_from_sample + 1; }
 };
 
+/// What the cubics between the samples showed, up to D.
+struct Between {
+  /// Least rate of change of any diagonal in its direction from kInactiveFrom_deg on, panel widths
+  /// per radian; infinite if D lies below.
+  double least_slope = std::numeric_limits<double>::infinity();
+  double bump_deg = 0;  ///< pilot angle where the first bump begins; 0: none was seen
+  int bump_where = -1;  ///< its diagonal
+};
+
 /// Follows the samples of one path and keeps the first fault. Owns its memory; reused from draw to
 /// draw.
 class Judge {
  public:
-  explicit Judge(const Mechanism& mechanism);
+  explicit Judge(const Mechanism& mechanism, bool bump_is_fault = false);
 
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
-  /// The next sample in order; false once a fault is known. Nothing changes after that.
-  bool see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths);
+  /// The next sample in order; false once a fault is known. Nothing changes after that. With the
+  /// diagonals' slopes (panel widths per radian of pilot) it looks between the samples as well.
+  bool see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths,
+           const std::vector<double>* slopes = nullptr);
   /// The verdict, once the path has ended or `see` has said false.
   Verdict conclude(const PathResult& path) const;
+  const Between& between() const { return between_; }
 
  private:
   Fault fault_in(const FoldState<double>& state, const std::vector<double>& lengths, int& where);
+  Between seen_between(const Stop& stop, const std::vector<double>& lengths,
+                       const std::vector<double>& slopes) const;
 
   const Mechanism& mechanism_;
+  const bool bump_is_fault_;
   int samples_in_order_ = 0;
   double last_pilot_deg_ = 0;
   Fault fault_ = Fault::none;
   int where_ = -1;
-  std::vector<double> last_, least_, most_;
+  std::vector<double> last_, last_slopes_, least_, most_;
   std::vector<int> direction_;
+  Between between_;
 };
 
 }  // namespace misalign::solver

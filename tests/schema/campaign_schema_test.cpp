@@ -160,11 +160,12 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
   const Json schema = campaign_schema(), good = campaign_json(default_campaign());
   walk(good, [&](const Pointer& at, const Json& value) {
     const std::string key = at.empty() ? "the document" : dotted(at);
-    // No key holds a boolean, an object where it holds none now, or the other kind of scalar.
-    std::vector<Json> wrong = {true, Json::array({true})};
+    // No key holds an object where it holds none now, or another kind of scalar.
+    std::vector<Json> wrong = {Json::array({true})};
+    if (!value.is_boolean()) wrong.push_back(true);
     if (!value.is_object()) wrong.push_back(Json::object({{"a", 1}}));
     if (!value.is_string()) wrong.push_back("text");
-    if (value.is_string() || value.is_object()) wrong.push_back(7);
+    if (value.is_string() || value.is_object() || value.is_boolean()) wrong.push_back(7);
     if (key.find("stop.") != 0) wrong.push_back(nullptr);
     for (const Json& other : wrong) {
       expect_refused_by_both(schema, at.empty() ? other : with(good, at.to_string(), other), key);

@@ -96,6 +96,7 @@ class CatalogueTest : public testing::Test {
     Candidate c{draw, {}, Eigen::Matrix2Xd::Zero(2, campaign_.pattern.base.sheet.vertex_count())};
     c.metrics.deploys_from_sample = sample_of(draw);
     c.metrics.deploys_from_deg = sample_of(draw);
+    c.metrics.slope_between_min_mm_per_deg = 0.001;
     c.metrics.elongation.assign(mechanism_.diagonals.size(), 0.25);
     c.shifts_mm(0, 9) = 0.4;
     return c;

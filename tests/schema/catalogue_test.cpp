@@ -312,9 +312,10 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
   record.candidates = {candidate(0), candidate(1)};
   solver::Metrics& m = record.candidates[0].metrics;
   // All different, so that no two columns can be exchanged.
-  m = {171, 171.5, 172.5, -0.1, 0.2, 0.3, 0.4, 0.5,         6.5,
-       7.5, 8.5,   9.5,   10.5, 11,  12,  13,  m.elongation};
+  m = {171, 171.5, 172.5, -0.1, 0.2,  0.3, 0.4, 0.5, -1.5,        2.5,
+       6.5, 7.5,   8.5,   9.5,  10.5, 11,  12,  13,  m.elongation};
   record.candidates[1].metrics.slope_min_mm_per_deg.reset();
+  record.candidates[1].metrics.slope_between_min_mm_per_deg.reset();
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 2, {}});
@@ -331,6 +332,8 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
                                                      {"stroke_min", 0.3},
                                                      {"stroke_max", 0.4},
                                                      {"slope_min_mm_per_deg", 0.5},
+                                                     {"slope_between_min_mm_per_deg", -1.5},
+                                                     {"bump_deg", 2.5},
                                                      {"stretch_sq_mm2", 6.5},
                                                      {"singular_value_min", 7.5},
                                                      {"residual_max", 8.5},
@@ -340,7 +343,47 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
                                                      {"increasing", 12},
                                                      {"decreasing", 13}};
   for (const auto& [name, value] : kColumns) EXPECT_EQ(rows[0].at(name), value) << name;
-  EXPECT_TRUE(rows[1].at("slope_min_mm_per_deg").is_null());
+  for (const char* name : {"slope_min_mm_per_deg", "slope_between_min_mm_per_deg", "bump_deg"}) {
+    EXPECT_TRUE(rows[1].at(name).is_null()) << name;
+  }
+}
+
+// A file that the program wrote when the schema had version 1 (draws 0 to 40 of miura-4x4).
+TEST_F(CatalogueTest, OlderSchemaIsBroughtUpToDateAndNothingLost) {
+  const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-1.db";
+  std::filesystem::copy_file(old, path());
+  const auto rows = [](const std::string& file, const std::string& columns) {
+    return query_table(*open_for_reading(file), "SELECT " + columns + " FROM candidate",
+                       TableStyle::csv);
+  };
+  const std::string columns =
+      "draw, unit, deploys_from_sample, slope_min_mm_per_deg, displacements_mm, elongation";
+  const std::string before = rows(path(), columns);
+  const CatalogueState state_before = read_state(*open_for_reading(path()));
+  const Campaign campaign = read_campaign_of(*open_for_reading(path()), "fixture");
+  const solver::Mechanism mechanism = mechanism_of(campaign);
+  { Catalogue catalogue(path(), campaign, mechanism); }
+  EXPECT_EQ(open_for_reading(path())->execAndGet("PRAGMA user_version").getInt(), kSchemaVersion);
+  EXPECT_EQ(rows(path(), columns), before);
+  EXPECT_EQ(state().digest, state_before.digest);
+  EXPECT_EQ(count("candidates WHERE bump_deg IS NULL"), count("candidate"));
+  EXPECT_GT(count("candidate"), 10);
+  // As a new file is laid out.
+  { Catalogue fresh = open("fresh.db"); }
+  const std::string layout =
+      "SELECT name FROM pragma_table_info('candidate') UNION ALL "
+      "SELECT name FROM pragma_table_info('candidates')";
+  const auto names = [&](const std::string& file) {
+    SQLite::Database database(file);
+    SQLite::Statement statement(database, layout);
+    std::string all;
+    while (statement.executeStep()) all += statement.getColumn(0).getString() + " ";
+    return all;
+  };
+  EXPECT_EQ(names(path()), names(path("fresh.db")));
+  // The file as it was is kept, once.
+  EXPECT_EQ(rows(path() + ".version-1", "*"), rows(old, "*"));
+  { Catalogue again(path(), campaign, mechanism); }
 }
 
 TEST_F(CatalogueTest, FaultsSayWhereAndWhen) {

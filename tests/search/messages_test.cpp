@@ -17,6 +17,8 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
     metrics.stretch_sq_mm2 = 1.0 / 3;
     metrics.decreasing = 9;
     if (draw == 1) metrics.slope_min_mm_per_deg = 2e-5;
+    if (draw == 2) metrics.bump_deg = 42.5;
+    metrics.slope_between_min_mm_per_deg = -0.25;
     metrics.elongation = {0.1, -0.2, 1e-300};
     unit.candidates.push_back({draw, metrics, Eigen::Matrix2Xd::Random(2, 49)});
   }
@@ -36,6 +38,8 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
     EXPECT_EQ(came.deploys_from_sample, 151);
     EXPECT_EQ(came.stretch_sq_mm2, sent.stretch_sq_mm2);
     EXPECT_EQ(came.slope_min_mm_per_deg, sent.slope_min_mm_per_deg);
+    EXPECT_EQ(came.slope_between_min_mm_per_deg, sent.slope_between_min_mm_per_deg);
+    EXPECT_EQ(came.bump_deg, sent.bump_deg);
     EXPECT_EQ(came.decreasing, 9);
     EXPECT_EQ(came.elongation, sent.elongation);
     EXPECT_EQ(got.candidates[k].shifts_mm, unit.candidates[k].shifts_mm);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/reference.hpp"
+
 namespace misalign::search {
 namespace {
 

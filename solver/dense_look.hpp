@@ -1,0 +1,40 @@
+// What a state says beyond its own numbers, from dense factors of its Jacobian: the yardstick of
+// the fixed order's, and the way out where that order does not suit (at 180 degrees its pivots
+// vanish).
+#pragma once
+
+#include <vector>
+
+#include "solver/diagonals.hpp"
+#include "solver/newton.hpp"
+#include "solver/singular_value.hpp"
+
+namespace misalign::solver {
+
+/// J times the tangent that factors give is zero but for what they are worth: beyond this (per
+/// radian of pilot) what follows from them is asked of dense ones.
+inline constexpr double kLargestMisfit = 1e-9;
+
+class DenseLook {
+ public:
+  explicit DenseLook(const Mechanism& mechanism);
+  ~DenseLook();
+
+  /// Looks at a solution.
+  void at(const SheetGeometry<double>& geometry, const FoldState<double>& state);
+
+  double open_by() const { return open_by_; }
+  double singular_value() const { return singular_value_; }
+  const std::vector<double>& lengths() const { return lengths_; }  ///< panel widths
+  const std::vector<double>& slopes() const { return slopes_; }    ///< per radian of pilot
+
+ private:
+  const Mechanism& mechanism_;
+  ClosureSystem system_;
+  DenseSolve factors_;
+  SmallestSingularValue<double> smallest_;
+  double open_by_ = 0, singular_value_ = 0;
+  std::vector<double> rates_, misfit_, lengths_, slopes_;
+};
+
+}  // namespace misalign::solver
