@@ -17,6 +17,28 @@ inline constexpr int kFewer = 1;
 /// Of every test's draws; the sheets are the same on every machine.
 inline constexpr unsigned kSeed = 20150235;
 
+/// Of so many vertices: every coordinate -1, 0 or +1 times the amplitude.
+inline ShiftBlock ternary_draws(std::size_t vertices, int sheets, unsigned seed,
+                                double amplitude_mm) {
+  std::mt19937 words(seed);
+  ShiftBlock block{std::vector<double>(2 * vertices * sheets), sheets};
+  for (double& shift : block.shifts_mm) {
+    shift = amplitude_mm * (static_cast<int>(words() % 3) - 1);
+  }
+  return block;
+}
+
+/// Sheet number `i` of a block: its base with the shifts of these vertices.
+inline FlatVertices displaced(FlatVertices vertices_mm, const std::vector<int>& shifted,
+                              const ShiftBlock& block, int i) {
+  const double* shift = block.of(i);
+  for (const int vertex : shifted) {
+    vertices_mm.col(vertex) += Eigen::Vector2d(shift[0], shift[1]);
+    shift += 2;
+  }
+  return vertices_mm;
+}
+
 enum class Shifted { interior, ring };
 
 struct TestFamily : TestSheet {
@@ -30,23 +52,11 @@ struct TestFamily : TestSheet {
     return SheetFamily(base, shifted_vertices, path, sample);
   }
 
-  /// Every coordinate -1, 0 or +1 times the amplitude.
   ShiftBlock draws(int sheets, unsigned seed, double amplitude_mm = 0.4) const {
-    std::mt19937 words(seed);
-    ShiftBlock block{std::vector<double>(2 * shifted_vertices.size() * sheets), sheets};
-    for (double& shift : block.shifts_mm) {
-      shift = amplitude_mm * (static_cast<int>(words() % 3) - 1);
-    }
-    return block;
+    return ternary_draws(shifted_vertices.size(), sheets, seed, amplitude_mm);
   }
   FlatVertices vertices(const ShiftBlock& block, int i) const {
-    FlatVertices vertices_mm = base.sheet.vertices_mm;
-    const double* shift = block.of(i);
-    for (const int vertex : shifted_vertices) {
-      vertices_mm.col(vertex) += Eigen::Vector2d(shift[0], shift[1]);
-      shift += 2;
-    }
-    return vertices_mm;
+    return displaced(base.sheet.vertices_mm, shifted_vertices, block, i);
   }
 
   std::vector<int> shifted_vertices;
