@@ -25,7 +25,9 @@ Move Course::after(const Reading& reading) {
   const bool is_closed =
       is_finite &&
       reading.open_by <= (walking() ? options_.walk_closure_tolerance : options_.closure_tolerance);
-  const bool grows = corrections_ > 1 && !(reading.open_by < last_open_);
+  // Near flat a first step from the base folding closes the loops better than its error in the
+  // joints lets the second: that one may open them again on the way to the solution.
+  const bool grows = corrections_ > (tangents_ > 0 ? 1 : 2) && !(reading.open_by < last_open_);
   last_open_ = reading.open_by;
   corrected_rad_ += reading.correction_rad;
   if (is_closed) return phase_ == Phase::walking ? walked(reading) : converged(reading);

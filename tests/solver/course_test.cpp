@@ -84,7 +84,18 @@ TEST_F(CourseTest, ClosureToleranceFromBothSides) {
   EXPECT_TRUE(course.after(open_by(kUsual.closure_tolerance, at_10_)).arrived);
 }
 
-// One that grows in the first iteration may still converge; later it is lost.
+// From the base folding the second correction may open the loops again, the third not.
+TEST_F(CourseTest, GrowingResidualAtTheStart) {
+  Course course;
+  course.begin(plan_, 0, 0);
+  for (const double open : {1e-4, 1e-7, 2e-7}) {
+    EXPECT_TRUE(does_nothing(course.after(open_by(open, at_10_))));
+  }
+  EXPECT_TRUE(course.after(open_by(2e-7, at_10_)).ended);
+  EXPECT_EQ(course.result().end, PathEnd::start_lost);
+}
+
+// Later one that grows in the first iteration may still converge; after that it is lost.
 TEST_F(CourseTest, GrowingResidualWalks) {
   Course course;
   arrive_at_first_stop(course);

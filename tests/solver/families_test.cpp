@@ -143,6 +143,18 @@ TEST_P(Families, SamplesDoNotMoveThePath) {
   RecordProperty("worst_mm", scientific(worst_mm));
 }
 
+// No path needs dense matrices: one of these angle-array sheets opens again at its second step.
+TEST_P(Families, FixedOrderFollowsEveryPath) {
+  const CarriedFamily family(GetParam());
+  PathPlanOptions options;
+  options.end_deg = family.end_deg();
+  const SheetFamily sheets = family.with(options);
+  const auto batch = make_batch(available_instruction_sets().back(), sheets);
+  for (const Verdict& verdict : batch->judge(family.draws(100 / kFewer, kSeed))) {
+    EXPECT_NE(verdict.first_fault, Fault::undecided);
+  }
+}
+
 /// Follows a plan from a state near its first stop, and keeps the states at its stops.
 class Walked {
  public:
