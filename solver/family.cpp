@@ -72,7 +72,10 @@ SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& sh
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
       bump_is_fault_(bump_is_fault),
-      extent_(base.sheet.vertices_mm.cwiseAbs().maxCoeff() / mechanism_.panel_width_mm),
+      extent_((base.sheet.vertices_mm.colwise() - base.sheet.vertices_mm.col(0).eval())
+                  .cwiseAbs()
+                  .maxCoeff() /
+              mechanism_.panel_width_mm),
       length_per_rad_(bound_of_length_per_rad(mechanism_, base.sheet.vertices_mm)) {
   choose_tests();
 }

@@ -43,7 +43,7 @@ class SheetFamily {
   /// Samples from the near test over the far one to the threshold; none if the far test is close
   /// enough to it.
   const PathPlan& approach() const { return approach_; }
-  /// Largest coordinate on the flat sheet, panel widths.
+  /// Largest coordinate on the flat sheet from A1, panel widths.
   double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.
   double length_per_rad() const { return length_per_rad_; }

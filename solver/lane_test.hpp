@@ -96,8 +96,9 @@ LaneTest<T>::LaneTest(const SheetFamily& family)
   }
   const double* const flat_mm = family.base().sheet.vertices_mm.data();
   for (int v = 0; v < mechanism_.vertices; ++v) {
-    base_x_.push_back(T(static_cast<Real>(flat_mm[2 * v] / mechanism_.panel_width_mm)));
-    base_y_.push_back(T(static_cast<Real>(flat_mm[2 * v + 1] / mechanism_.panel_width_mm)));
+    const double x_mm = flat_mm[2 * v] - flat_mm[0], y_mm = flat_mm[2 * v + 1] - flat_mm[1];
+    base_x_.push_back(T(static_cast<Real>(x_mm / mechanism_.panel_width_mm)));
+    base_y_.push_back(T(static_cast<Real>(y_mm / mechanism_.panel_width_mm)));
   }
   geometry_ = lane_geometry<T>(mechanism_);
   geometry_.x = base_x_;

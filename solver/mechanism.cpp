@@ -181,8 +181,10 @@ void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
   geometry.axis_x.resize(mechanism.edges.size());
   geometry.axis_y.resize(mechanism.edges.size());
   for (std::size_t v = 0; v < vertices; ++v) {
-    geometry.x[v] = vertices_mm(0, static_cast<Eigen::Index>(v)) / mechanism.panel_width_mm;
-    geometry.y[v] = vertices_mm(1, static_cast<Eigen::Index>(v)) / mechanism.panel_width_mm;
+    const Eigen::Vector2d from_first =
+        vertices_mm.col(static_cast<Eigen::Index>(v)) - vertices_mm.col(0);
+    geometry.x[v] = from_first.x() / mechanism.panel_width_mm;
+    geometry.y[v] = from_first.y() / mechanism.panel_width_mm;
   }
   for (std::size_t e = 0; e < mechanism.edges.size(); ++e) {
     const Edge& edge = mechanism.edges[e];

@@ -107,7 +107,9 @@ FoldState<T> flat_state(const Mechanism& mechanism) {
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot);
 
-/// Where the vertices lie on the flat sheet and the unit axes of its edges, in panel widths.
+/// Where the vertices lie on the flat sheet, A1 at the origin, and the unit axes of its edges, in
+/// panel widths: loops close to rounding of the coordinates, which must not grow with where a sheet
+/// was drawn.
 template <class T>
 struct SheetGeometry {
   std::vector<T> x, y;            ///< per vertex
