@@ -54,8 +54,9 @@ class Course {
  public:
   explicit Course(const CourseOptions& options = {}) : options_(options) {}
 
-  /// A path whose start lies near the plan's stop number `first_stop`; its stops ascend, or descend. `forward_sign` is the
-  /// determinant's on this half of the curve, 0 if it is not known yet.
+  /// A path whose start lies near the plan's stop number `first_stop`; its stops ascend, or
+  /// descend. `forward_sign` is the determinant's on this half of the curve, 0 if it is not known
+  /// yet.
   void begin(const PathPlan& plan, std::size_t first_stop, int forward_sign);
   Move after(const Reading& reading);
   /// From the stop where it arrived to the next one.
@@ -97,7 +98,7 @@ class Course {
   int tangents_ = 0;                     // known at the stops before, newest first
   double tangent_pilot_[3] = {1, 1, 1};  // their pilot entries
   double step_rad_[2] = {0, 0};          // pilot steps between those stops
-  double ds_ = 0, bend_ = 0;  // of the walk, along the heading: see ArcLength
+  double ds_ = 0, bend_ = 0;             // of the walk, along the heading: see ArcLength
   int walk_steps_ = 0;
   PathResult result_{};
 };

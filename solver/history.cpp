@@ -1,9 +1,11 @@
 #include "solver/history.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "solver/dense_look.hpp"
 #include "solver/recording_client.hpp"
+#include "solver/start.hpp"
 #include "solver/tracker.hpp"
 
 namespace misalign::solver {
@@ -18,15 +20,20 @@ Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
 // One sheet for a tracker of one lane.
 class SingleRecording {
  public:
-  SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm)
-      : mechanism_(mechanism), plan_(plan), recording_(mechanism) {
+  SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm,
+                  StartFinder& finder)
+      : mechanism_(mechanism),
+        plan_(plan),
+        vertices_mm_(vertices_mm),
+        finder_(finder),
+        start_(&plan.start),
+        recording_(mechanism) {
     place(mechanism, vertices_mm, geometry_);
-    recording_.begin(vertices_mm);
   }
   bool next(Departure& departure, int) {
-    if (departed_) return false;
-    departed_ = true;
-    departure = {&geometry_, &plan_.start, &plan_};
+    if (!start_) return false;
+    recording_.begin(vertices_mm_);
+    departure = {&geometry_, std::exchange(start_, nullptr), &plan_};
     return true;
   }
   Recording& of_lane(int) { return recording_; }
@@ -35,13 +42,28 @@ class SingleRecording {
     dense_->at(geometry_, state);
     return *dense_;
   }
-  void ended(const PathResult& path, int) { history_ = recording_.conclude(path); }
+  // Where the base folding is too far off, once more from a start that is found from there.
+  void ended(PathResult path, int) {
+    if (path.end == PathEnd::start_lost && !has_searched_) {
+      has_searched_ = true;
+      const StartEnd end = finder_.find(vertices_mm_);
+      if (end == StartEnd::branch_ended) path.end = PathEnd::fold_limit;
+      if (end == StartEnd::found) {
+        start_ = &finder_.state();
+        return;
+      }
+    }
+    history_ = recording_.conclude(path);
+  }
   FoldingHistory take() { return std::move(history_); }
 
  private:
   const Mechanism& mechanism_;
   const PathPlan& plan_;
-  bool departed_ = false;
+  const FlatVertices& vertices_mm_;
+  StartFinder& finder_;
+  const FoldState<double>* start_;  // to depart from next
+  bool has_searched_ = false;
   SheetGeometry<double> geometry_;
   Recording recording_;
   FoldingHistory history_;
@@ -97,7 +119,8 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
   const Elimination elimination = plan_elimination(mechanism, base.folding, base.sheet.vertices_mm);
   const FoldedShape shape(base.sheet, base.holes, mechanism);
   Tracker<double> tracker(mechanism, elimination);
-  SingleRecording single(mechanism, plan, vertices_mm);
+  StartFinder finder(mechanism, elimination, plan, base.sheet.vertices_mm);
+  SingleRecording single(mechanism, plan, vertices_mm, finder);
   RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
   tracker.run(client);
   FoldingHistory history = single.take();

@@ -20,19 +20,46 @@ StopCopy::StopCopy(const Mechanism& mechanism)
 StopCopy::~StopCopy() = default;
 
 LaneSheets::LaneSheets(const SheetFamily& family, int lanes)
-    : family_(family), sheet_of_lane_(lanes) {}
+    : family_(family),
+      sheet_of_lane_(lanes),
+      finder_(family.mechanism(), family.elimination(), family.path(),
+              family.base().sheet.vertices_mm) {}
 
 LaneSheets::~LaneSheets() = default;
 
 void LaneSheets::begin(const ShiftBlock& block) {
   block_ = &block;
   next_ = 0;
+  found_count_ = next_found_ = 0;
 }
 
-bool LaneSheets::put_next(int lane) {
-  if (next_ == block_->sheets) return false;
-  put(next_++, lane);
+bool LaneSheets::put_next(Departure& departure, int lane) {
+  const FoldState<double>* start = &family_.path().start;
+  if (next_ < block_->sheets) {
+    put(next_++, lane);
+  } else if (next_found_ < found_count_) {
+    const Found& found = found_[next_found_++];
+    put(found.sheet, lane);
+    start = &found.start;
+  } else {
+    return false;
+  }
+  departure = {&geometry_, start, &family_.path(), 0, 0};
   return true;
+}
+
+bool LaneSheets::has_ended(PathResult& path, int lane) {
+  if (path.end != PathEnd::start_lost) return true;
+  const int sheet = sheet_of_lane_[lane];
+  for (std::size_t k = 0; k < found_count_; ++k) {
+    if (found_[k].sheet == sheet) return true;
+  }
+  const StartEnd end = finder_.find(vertices_mm_of_lane(lane));
+  if (end == StartEnd::branch_ended) path.end = PathEnd::fold_limit;
+  if (end != StartEnd::found) return true;
+  if (found_count_ == found_.size()) found_.push_back({sheet, finder_.state()});
+  found_[found_count_++] = {sheet, finder_.state()};
+  return false;
 }
 
 void LaneSheets::put(int sheet, int lane) {
@@ -72,10 +99,9 @@ void JudgingDesk::begin(const ShiftBlock& block) {
 }
 
 bool JudgingDesk::next(Departure& departure, int lane) {
-  if (!sheets_.put_next(lane)) return false;
+  if (!sheets_.put_next(departure, lane)) return false;
   flat_lengths(family_.mechanism(), sheets_.geometry(), found_.lengths.data());
   judges_[lane].begin(found_.lengths);
-  departure = {&sheets_.geometry(), &family_.path().start, &family_.path(), 0, 0};
   return true;
 }
 
@@ -88,9 +114,10 @@ bool JudgingDesk::visit(const Stop& stop, int lane, double misfit) {
   return judges_[lane].see(stop, found_.state, found_.lengths, slopes);
 }
 
-void JudgingDesk::ended(const PathResult& path, int lane) {
-  verdicts_[sheets_.of_lane(lane)] = judges_[lane].conclude(path);
+void JudgingDesk::ended(PathResult path, int lane) {
   count(path, effort_);
+  if (!sheets_.has_ended(path, lane)) return;
+  verdicts_[sheets_.of_lane(lane)] = judges_[lane].conclude(path);
 }
 
 RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
@@ -108,13 +135,13 @@ void RecordingDesk::begin(const ShiftBlock& block) {
 }
 
 bool RecordingDesk::next(Departure& departure, int lane) {
-  if (!sheets_.put_next(lane)) return false;
+  if (!sheets_.put_next(departure, lane)) return false;
   recordings_[lane].begin(sheets_.vertices_mm());
-  departure = {&sheets_.geometry(), &family_.path().start, &family_.path(), 0, 0};
   return true;
 }
 
-void RecordingDesk::ended(const PathResult& path, int lane) {
+void RecordingDesk::ended(PathResult path, int lane) {
+  if (!sheets_.has_ended(path, lane)) return;
   FoldingHistory& history = histories_[sheets_.of_lane(lane)];
   history = recordings_[lane].conclude(path);
   if (history.lost()) {

@@ -8,20 +8,26 @@
 #include "solver/batch.hpp"
 #include "solver/dense_look.hpp"
 #include "solver/history.hpp"
+#include "solver/start.hpp"
 #include "solver/stop_copy.hpp"
 #include "solver/tracker.hpp"
 
 namespace misalign::solver {
 
-/// The sheets of a block on their way to the lanes.
+/// The sheets of a block on their way to the lanes, each with the state it departs from: of the
+/// base folding, or where that is too far off, found from there.
 class LaneSheets {
  public:
   LaneSheets(const SheetFamily& family, int lanes);
   ~LaneSheets();
 
   void begin(const ShiftBlock& block);
-  /// Puts the block's next sheet into this lane; false: there is none.
-  bool put_next(int lane);
+  /// Puts the block's next sheet into this lane, to depart along the family's path; false: there is
+  /// none.
+  bool put_next(Departure& departure, int lane);
+  /// The path of this lane's sheet has ended. False if it only lost its start, and will depart from
+  /// a better one; where there is none, `path` says that it cannot fold next to flat.
+  bool has_ended(PathResult& path, int lane);
   /// Puts this sheet into this lane.
   void put(int sheet, int lane);
   int of_lane(int lane) const { return sheet_of_lane_[lane]; }
@@ -33,8 +39,16 @@ class LaneSheets {
  private:
   const SheetFamily& family_;
   const ShiftBlock* block_ = nullptr;
+  struct Found {
+    int sheet;
+    FoldState<double> start;
+  };
   int next_ = 0;
   std::vector<int> sheet_of_lane_;
+  StartFinder finder_;
+  // Starts to depart from when the block's own are done; grows to what a block needs.
+  std::vector<Found> found_;
+  std::size_t found_count_ = 0, next_found_ = 0;
   FlatVertices vertices_mm_;
   SheetGeometry<double> geometry_;
 };
@@ -65,7 +79,7 @@ class JudgingDesk {
   bool wants_slopes() const { return family_.bump_is_fault(); }
   /// `misfit` tells what the slopes found are worth, if they are wanted.
   bool visit(const Stop& stop, int lane, double misfit);
-  void ended(const PathResult& path, int lane);
+  void ended(PathResult path, int lane);
 
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
   const Effort& effort() const { return effort_; }
@@ -93,7 +107,7 @@ class RecordingDesk {
   const DenseLook& densely(int lane, const FoldState<double>& state) {
     return dense_.at(recordings_[lane].vertices_mm(), state);
   }
-  void ended(const PathResult& path, int lane);
+  void ended(PathResult path, int lane);
 
   std::vector<FoldingHistory>& histories() { return histories_; }
 

@@ -23,11 +23,11 @@ TEST(Perforation, CheckerboardsOfThePaper) {
 
 // model.md: with an odd side counting is right and the rank is not.
 TEST(Perforation, RankOfTheBaseSheet) {
-  struct Case {
+  struct Sheet {
     int rows, columns, rank, equations;
   };
-  for (const Case& c : {Case{4, 4, 18, 18}, Case{6, 6, 54, 54}, Case{8, 6, 78, 78},
-                        Case{3, 4, 11, 12}, Case{5, 6, 40, 42}, Case{7, 6, 64, 66}}) {
+  for (const Sheet& c : {Sheet{4, 4, 18, 18}, Sheet{6, 6, 54, 54}, Sheet{8, 6, 78, 78},
+                         Sheet{3, 4, 11, 12}, Sheet{5, 6, 40, 42}, Sheet{7, 6, 64, 66}}) {
     for (const char* holes : {"checkerboard-odd", "checkerboard-even"}) {
       const TestSheet sheet(c.rows, c.columns, holes);
       const Mobility mobility =
