@@ -386,6 +386,30 @@ Campaign read_campaign_of(SQLite::Database& database, const std::string& path) {
   return read_campaign(Json::parse(row.getColumn(0).getString()), path + ", its configuration");
 }
 
+std::vector<std::uint64_t> candidate_draws(SQLite::Database& database) {
+  std::vector<std::uint64_t> draws;
+  SQLite::Statement row(database, "SELECT draw FROM candidate ORDER BY draw");
+  while (row.executeStep()) {
+    draws.push_back(static_cast<std::uint64_t>(row.getColumn(0).getInt64()));
+  }
+  return draws;
+}
+
+Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
+  SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
+  row.bind(1, stored(draw));
+  if (!row.executeStep()) return nullptr;
+  Json json;
+  for (int k = 0; k < row.getColumnCount(); ++k) {
+    const SQLite::Column value = row.getColumn(k);
+    Json& into = json[row.getColumnName(k)];
+    if (value.isInteger()) into = value.getInt64();
+    if (value.isFloat()) into = value.getDouble();
+    if (value.isText()) into = value.getString();
+  }
+  return json;
+}
+
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {
   SQLite::Statement row(database,
                         "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "

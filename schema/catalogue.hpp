@@ -109,6 +109,12 @@ CatalogueState read_state(SQLite::Database& database);
 /// The campaign that a catalogue belongs to.
 Campaign read_campaign_of(SQLite::Database& database, const std::string& path);
 
+/// The draws of all candidates, ascending.
+std::vector<std::uint64_t> candidate_draws(SQLite::Database& database);
+
+/// A candidate's row, every column under its name; null if there is none.
+Json read_candidate(SQLite::Database& database, std::uint64_t draw);
+
 /// Accepted draws below the goal's end that deploy from `sample` or more.
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample);
 

@@ -57,6 +57,7 @@ int authorize_reading(void*, int action, const char* name, const char*, const ch
       return name && (std::strcmp(name, "table_info") == 0 ||
                       std::strcmp(name, "table_list") == 0 ||
                       std::strcmp(name, "user_version") == 0 ||
+                      std::strcmp(name, "foreign_key_check") == 0 ||
                       std::strcmp(name, "integrity_check") == 0)
                  ? SQLITE_OK
                  : SQLITE_DENY;

@@ -3,7 +3,7 @@
 
 build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
-  libxxhash-dev libboost-math-dev libxsimd-dev"
+  libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev"
 test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps"
 
 need_packages() {

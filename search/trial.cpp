@@ -91,7 +91,7 @@ void Trial::judge_block() {
     if (verdicts_[sheet].first_fault != solver::Fault::undecided) continue;
     family_.displace(block_.of(sheet), vertices_mm);
     verdicts_[sheet] = solver::record_densely(family_.mechanism(), shape_, family_.path(),
-                                              vertices_mm, family_.bump_is_fault())
+                                              vertices_mm, {family_.bump_is_fault(), {}})
                            .verdict;
   }
 }

@@ -21,13 +21,13 @@ Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
 class SingleRecording {
  public:
   SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm,
-                  StartFinder& finder)
+                  StartFinder& finder, const RecordingOptions& options)
       : mechanism_(mechanism),
         plan_(plan),
         vertices_mm_(vertices_mm),
         finder_(finder),
         start_(&plan.start),
-        recording_(mechanism) {
+        recording_(mechanism, options) {
     place(mechanism, vertices_mm, geometry_);
   }
   bool next(Departure& departure, int) {
@@ -72,8 +72,10 @@ class SingleRecording {
 
 }  // namespace
 
-Recording::Recording(const Mechanism& mechanism, bool bump_is_fault)
-    : mechanism_(mechanism), judge_(mechanism, bump_is_fault) {}
+Recording::Recording(const Mechanism& mechanism, RecordingOptions options)
+    : mechanism_(mechanism),
+      visit_(std::move(options.visit)),
+      judge_(mechanism, options.bump_is_fault) {}
 
 void Recording::begin(const FlatVertices& vertices_mm) {
   vertices_mm_ = vertices_mm;
@@ -102,6 +104,7 @@ void Recording::see(const SeenStop& seen) {
   history_.open_by.push_back(seen.open_by);
   history_.singular_value_min.push_back(seen.singular_value_min);
   history_.isometry_error_mm.push_back(seen.isometry_error * width_mm);
+  if (visit_) visit_(seen.stop, seen.state);
 }
 
 FoldingHistory Recording::conclude(const PathResult& path) {
@@ -115,24 +118,25 @@ FoldingHistory Recording::conclude(const PathResult& path) {
 }
 
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
-                              const PathPlan& plan, const FlatVertices& vertices_mm) {
+                              const PathPlan& plan, const FlatVertices& vertices_mm,
+                              const RecordingOptions& options) {
   const Elimination elimination = plan_elimination(mechanism, base.folding, base.sheet.vertices_mm);
   const FoldedShape shape(base.sheet, base.holes, mechanism);
   Tracker<double> tracker(mechanism, elimination);
   StartFinder finder(mechanism, elimination, plan, base.sheet.vertices_mm);
-  SingleRecording single(mechanism, plan, vertices_mm, finder);
+  SingleRecording single(mechanism, plan, vertices_mm, finder, options);
   RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
   tracker.run(client);
   FoldingHistory history = single.take();
-  return history.lost() ? record_densely(mechanism, shape, plan, vertices_mm) : history;
+  return history.lost() ? record_densely(mechanism, shape, plan, vertices_mm, options) : history;
 }
 
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
                               const PathPlan& plan, const FlatVertices& vertices_mm,
-                              bool bump_is_fault) {
+                              const RecordingOptions& options) {
   SheetGeometry<double> geometry;
   place(mechanism, vertices_mm, geometry);
-  Recording recording(mechanism, bump_is_fault);
+  Recording recording(mechanism, options);
   recording.begin(vertices_mm);
   PathTracker tracker(mechanism);
   DenseLook look(mechanism);

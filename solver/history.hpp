@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "solver/isometry.hpp"
@@ -46,11 +47,19 @@ struct SeenStop {
   double isometry_error;               ///< panel widths
 };
 
+/// Called at each stop of a path, in order.
+using StopVisitor = std::function<void(const Stop&, const FoldState<double>&)>;
+
+struct RecordingOptions {
+  bool bump_is_fault = false;  ///< see Judge
+  StopVisitor visit;           ///< if there is one
+};
+
 /// A history in the making.
 class Recording {
  public:
   /// `mechanism` must outlive this object.
-  explicit Recording(const Mechanism& mechanism, bool bump_is_fault = false);
+  explicit Recording(const Mechanism& mechanism, RecordingOptions options = {});
 
   /// A new sheet.
   void begin(const FlatVertices& vertices_mm);
@@ -62,6 +71,7 @@ class Recording {
 
  private:
   const Mechanism& mechanism_;
+  StopVisitor visit_;
   Judge judge_;
   FlatVertices vertices_mm_;
   std::vector<double> lengths_mm_, slopes_mm_per_deg_, angles_deg_;  // stop by stop
@@ -69,14 +79,16 @@ class Recording {
 };
 
 /// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
-/// faults.
+/// faults. A path that is lost is followed again by dense matrices: then `visit` sees it from the
+/// first stop once more.
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
-                              const PathPlan& plan, const FlatVertices& vertices_mm);
+                              const PathPlan& plan, const FlatVertices& vertices_mm,
+                              const RecordingOptions& options = {});
 
 /// The same by dense matrices with pivoting: for the rare sheet that the fixed order of elimination
 /// does not suit.
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
                               const PathPlan& plan, const FlatVertices& vertices_mm,
-                              bool bump_is_fault = false);
+                              const RecordingOptions& options = {});
 
 }  // namespace misalign::solver

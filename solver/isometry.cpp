@@ -41,17 +41,34 @@ FoldedShape::FoldedShape(const CreasePattern& sheet, const std::vector<int>& hol
   }
 }
 
+Eigen::Vector3d FoldedShape::seen_mm(const Vec3<double>& point) const {
+  return Eigen::Vector3d(point.x, point.y, mechanism_.side * point.z) * mechanism_.panel_width_mm;
+}
+
 Eigen::Matrix3Xd FoldedShape::vertices_mm(const SheetGeometry<double>& geometry,
                                           const FoldState<double>& state) const {
   FoldedPoints<double> points;
   place(geometry, state, points);
   Eigen::Matrix3Xd vertices_mm(3, static_cast<Eigen::Index>(points.vertices.size()));
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
-    const Vec3<double>& p = points.vertices[v];
-    vertices_mm.col(v) =
-        Eigen::Vector3d(p.x, p.y, mechanism_.side * p.z) * mechanism_.panel_width_mm;
+    vertices_mm.col(v) = seen_mm(points.vertices[v]);
   }
   return vertices_mm;
+}
+
+Eigen::Matrix3Xd FoldedShape::corners_mm(const SheetGeometry<double>& geometry,
+                                         const FoldState<double>& state) const {
+  FoldedPoints<double> points;
+  place(geometry, state, points);
+  Eigen::Matrix3Xd corners_mm(3, 4 * std::count(kept_.begin(), kept_.end(), true));
+  Eigen::Index corner = 0;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (!kept_[f]) continue;
+    for (const int v : facets_[f]) {
+      corners_mm.col(corner++) = seen_mm(points.facets[f] * flat_point(geometry, v));
+    }
+  }
+  return corners_mm;
 }
 
 }  // namespace misalign::solver

@@ -62,11 +62,18 @@ class FoldedShape {
   Eigen::Matrix3Xd vertices_mm(const SheetGeometry<double>& geometry,
                                const FoldState<double>& state) const;
 
+  /// 3 x (4 kept facets) coordinates in mm of the corners of each kept facet in turn, placed by
+  /// that facet: where facets meet, they agree as far as all joints between them close.
+  Eigen::Matrix3Xd corners_mm(const SheetGeometry<double>& geometry,
+                              const FoldState<double>& state) const;
+
  private:
   struct Branch {
     Passage joint;
     int parent, facet;
   };
+  Eigen::Vector3d seen_mm(const Vec3<double>& point) const;
+
   const Mechanism& mechanism_;
   std::vector<std::array<int, 4>> facets_;
   std::vector<bool> kept_;

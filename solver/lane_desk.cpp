@@ -124,7 +124,7 @@ RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       shape_(family.base().sheet, family.base().holes, family.mechanism()),
       sheets_(family, lanes),
-      recordings_(lanes, Recording(family.mechanism(), family.bump_is_fault())),
+      recordings_(lanes, Recording(family.mechanism(), {family.bump_is_fault(), {}})),
       dense_(family.mechanism()) {}
 
 RecordingDesk::~RecordingDesk() = default;
@@ -146,7 +146,7 @@ void RecordingDesk::ended(PathResult path, int lane) {
   history = recordings_[lane].conclude(path);
   if (history.lost()) {
     history = record_densely(family_.mechanism(), shape_, family_.path(),
-                             recordings_[lane].vertices_mm(), family_.bump_is_fault());
+                             recordings_[lane].vertices_mm(), {family_.bump_is_fault(), {}});
   }
 }
 

@@ -1,0 +1,198 @@
+#include "schema/ledger_check.hpp"
+
+namespace misalign::schema {
+namespace {
+
+std::uint64_t draw_in(const SQLite::Statement& row, int column) {
+  return static_cast<std::uint64_t>(row.getColumn(column).getInt64());
+}
+
+// Multiples of kFaultSampleEvery below `end`.
+std::uint64_t sampled_below(std::uint64_t end) {
+  return (end + kFaultSampleEvery - 1) / kFaultSampleEvery;
+}
+
+class LedgerCheck {
+ public:
+  LedgerCheck(SQLite::Database& database, const Campaign& campaign)
+      : database_(database), campaign_(campaign) {}
+
+  std::vector<Finding> take() {
+    check_file();
+    check_campaign();
+    read_units();
+    sum_candidates();
+    count("undecided", &Unit::undecided);
+    count("fault_sample", &Unit::fault_sample);
+    check_units();
+    check_fault_sample();
+    check_digest();
+    return std::move(findings_);
+  }
+
+ private:
+  // As the row says, and as the rows that belong to it say.
+  struct Part {
+    std::uint64_t stored, counted = 0;
+  };
+  struct Unit {
+    DrawRange range;
+    Part accepted, undecided, fault_sample;
+    CandidateSum stored, summed;
+  };
+
+  void add(const std::string& where, const std::string& column, const Json& stored,
+           const Json& recomputed) {
+    findings_.push_back(differs(where, column, stored, recomputed));
+  }
+
+  void check_file() {
+    SQLite::Statement integrity(database_, "PRAGMA integrity_check");
+    while (integrity.executeStep()) {
+      const std::string answer = integrity.getColumn(0).getString();
+      if (answer != "ok") add("file", "integrity_check", answer, "ok");
+    }
+    SQLite::Statement keys(database_, "PRAGMA foreign_key_check");
+    while (keys.executeStep()) {
+      add("table " + keys.getColumn(0).getString() + ", row " + keys.getColumn(1).getString(),
+          "key into " + keys.getColumn(2).getString(), "no such row", "a row");
+    }
+  }
+
+  void check_campaign() {
+    SQLite::Statement row(database_, "SELECT identity FROM campaign");
+    row.executeStep();
+    const std::string stored = row.getColumn(0).getString(), of_this = identity(campaign_);
+    if (stored != of_this) add("campaign", "identity", stored, of_this);
+  }
+
+  void read_units() {
+    SQLite::Statement row(database_,
+                          "SELECT lo, hi, accepted, undecided, rejected, digest_part FROM unit "
+                          "ORDER BY lo");
+    std::uint64_t end = 0;
+    while (row.executeStep()) {
+      const DrawRange range{draw_in(row, 0), draw_in(row, 1)};
+      if (range.lo < end) add(name(range.lo), "lo", range.lo, "not below " + std::to_string(end));
+      end = std::max(end, range.hi);
+      const std::uint64_t rejected = range.size() - draw_in(row, 2) - draw_in(row, 3);
+      if (rejected != draw_in(row, 4)) add(name(range.lo), "rejected", draw_in(row, 4), rejected);
+      Unit unit{range, {draw_in(row, 2)}, {draw_in(row, 3)}, {}, {}, {}};
+      unit.fault_sample.stored = sampled_below(range.hi) - sampled_below(range.lo);
+      if (row.getColumn(5).getBytes() == 16) {
+        unit.stored =
+            CandidateSum::from_bytes(static_cast<const unsigned char*>(row.getColumn(5).getBlob()));
+      }
+      units_.emplace(range.lo, unit);
+    }
+  }
+
+  static std::string name(std::uint64_t unit) { return "unit " + std::to_string(unit); }
+
+  // The unit that a row names, if it is there and holds the row's draw.
+  Unit* unit_of(const std::string& table, std::uint64_t draw, std::uint64_t unit) {
+    const auto at = units_.find(unit);
+    if (at == units_.end()) return nullptr;  // foreign_key_check has said so
+    const DrawRange& range = at->second.range;
+    if (draw >= range.lo && draw < range.hi) return &at->second;
+    const std::string draws =
+        "draws " + std::to_string(range.lo) + " to " + std::to_string(range.hi);
+    add("draw " + std::to_string(draw), table + ".unit", unit, "another: this one holds " + draws);
+    return nullptr;
+  }
+
+  void sum_candidates() {
+    SQLite::Statement row(database_, "SELECT draw, unit, deploys_from_sample FROM candidate");
+    while (row.executeStep()) {
+      const std::uint64_t draw = draw_in(row, 0);
+      const int sample = row.getColumn(2).getInt();
+      if (sample < campaign_.threshold_sample()) {
+        add("draw " + std::to_string(draw), "deploys_from_sample", sample,
+            "the campaign's " + std::to_string(campaign_.threshold_sample()) + " or more");
+      }
+      if (Unit* unit = unit_of("candidate", draw, draw_in(row, 1))) {
+        ++unit->accepted.counted;
+        unit->summed.add(draw, sample);
+      }
+    }
+  }
+
+  void count(const std::string& table, Part Unit::*part) {
+    SQLite::Statement row(database_, "SELECT draw, unit FROM " + table);
+    while (row.executeStep()) {
+      if (Unit* unit = unit_of(table, draw_in(row, 0), draw_in(row, 1))) ++(unit->*part).counted;
+    }
+  }
+
+  void check_units() {
+    for (const auto& [lo, unit] : units_) {
+      const auto compare = [&, where = name(lo)](const char* column, const Part& part) {
+        if (part.stored != part.counted) add(where, column, part.stored, part.counted);
+      };
+      compare("accepted", unit.accepted);
+      compare("undecided", unit.undecided);
+      compare("rows of fault_sample", {unit.fault_sample.counted, unit.fault_sample.stored});
+      if (unit.stored != unit.summed) {
+        add(name(lo), "digest_part", shown(unit.stored), shown(unit.summed));
+      }
+    }
+  }
+
+  static std::string shown(const CandidateSum& sum) {
+    static const char* const kDigits = "0123456789abcdef";
+    std::string text;
+    for (const unsigned char byte : sum.bytes()) {
+      text += {kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+    return text;
+  }
+
+  void check_fault_sample() {
+    SQLite::Statement row(database_,
+                          "SELECT draw, fault_sample.deploys_from_sample, "
+                          "candidate.deploys_from_sample FROM fault_sample JOIN candidate USING "
+                          "(draw) WHERE fault_sample.deploys_from_sample != "
+                          "candidate.deploys_from_sample");
+    while (row.executeStep()) {
+      add("draw " + std::to_string(draw_in(row, 0)), "fault_sample.deploys_from_sample",
+          row.getColumn(1).getInt(), row.getColumn(2).getInt());
+    }
+  }
+
+  void check_digest() {
+    const CatalogueState state = read_state(database_);
+    std::vector<DrawRange> ranges;
+    for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
+    CandidateSum sum;
+    std::uint64_t accepted = 0;
+    SQLite::Statement row(database_, "SELECT draw, deploys_from_sample FROM candidate");
+    while (row.executeStep()) {
+      if (draw_in(row, 0) >= state.goal_end) continue;
+      ++accepted;
+      sum.add(draw_in(row, 0), row.getColumn(1).getInt());
+    }
+    const std::string digest = catalogue_digest(
+        identity(campaign_), merged_up_to(ranges, state.goal_end), accepted, state.undecided, sum);
+    if (digest != state.digest) add("catalogue", "digest", state.digest, digest);
+  }
+
+  SQLite::Database& database_;
+  const Campaign& campaign_;
+  std::map<std::uint64_t, Unit> units_;  // by lo
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+Finding differs(const std::string& where, const std::string& column, const Json& stored,
+                const Json& recomputed) {
+  return {where + ": " + column + " is " + stored.dump() + " as stored, " + recomputed.dump() +
+              " recomputed",
+          {{"where", where}, {"column", column}, {"stored", stored}, {"recomputed", recomputed}}};
+}
+
+std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
+  return LedgerCheck(database, campaign).take();
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,28 @@
+// What a catalogue says of itself, checked without following any path: that nothing was added,
+// deleted or altered where the ledger would show it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/catalogue.hpp"
+
+namespace misalign::schema {
+
+/// Something that is not as it should be.
+struct Finding {
+  std::string sentence;
+  Json details;  ///< its parts: "where", "column", "stored", "recomputed"
+};
+
+/// `where` is like "draw 17".
+Finding differs(const std::string& where, const std::string& column, const Json& stored,
+                const Json& recomputed);
+
+/// The file's integrity and foreign keys (SQLite looks at no CHECK of a table while it only reads);
+/// the campaign's identity; for every unit the number of its candidates, its part of the digest,
+/// its undecided draws and its fault sample; and the digest of the whole against the candidates
+/// alone.
+std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign);
+
+}  // namespace misalign::schema

@@ -1,0 +1,230 @@
+#include "search/candidate_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/folding_json.hpp"
+#include "search/draw.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Finding;
+using schema::Json;
+
+// By how much a stored number may differ from the recomputed one. Whole numbers must be equal.
+struct Allowance {
+  double absolute, relative;
+
+  bool allows(double stored, double recomputed) const {
+    return std::abs(stored - recomputed) <= absolute + relative * std::abs(recomputed);
+  }
+};
+
+// Where two solvers that share no arithmetic (lanes, and dense matrices) differed by w at most on
+// 1,008 candidates, the limit is about 10 w.
+Allowance allowance_of(const std::string& column, double width_mm, double sample_deg) {
+  const auto is_ratio = column.starts_with("elongation") || column.starts_with("stroke");
+  if (is_ratio) return {3e-11, 0};                         // w = 3e-12
+  if (column == "deploys_from_deg") return {0, 1e-15};     // a product of two exact numbers
+  if (column == "fold_limit_deg") return {1e-6, 0};        // located to 1e-7
+  if (column == "stretch_sq_mm2") return {0, 2e-9};        // w = 1.4e-10
+  if (column == "singular_value_min") return {0, 1e-5};    // its iteration ends at changes of 1e-6
+  if (column == "residual_max") return {1e-12, 0};         // rounding, up to the closure tolerance
+  if (column == "kawasaki_defect_deg") return {1e-11, 0};  // a sum of two angles, each to 1e-13
+  const double slope = 1e-12 * width_mm / sample_deg;      // w = 8e-14 widths a degree
+  if (column == "slope_min_mm_per_deg") return {slope, 0};
+  // Rates of change, from the tangent: its error is the closure's over the singular value, 1e-12 /
+  // 1e-4 radians a radian; where a bump begins is known by the root of it.
+  if (column == "slope_between_min_mm_per_deg") return {1e-8 * width_mm / 57, 0};
+  if (column == "bump_deg") return {1e-3, 0};
+  const double isometry = 2e-11 * width_mm;  // rounding: w = 1.6e-12 widths
+  if (column == "isometry_error_mm") return {isometry, 0};
+  return {0, 1e-9};
+}
+
+// Elongations are stored to nine decimals.
+constexpr Allowance kElongations{0.5e-9 + 3e-11, 0};
+
+Finding exceeds(const std::string& where, const std::string& what, double value, double limit) {
+  return {where + ": " + what + " is " + Json(value).dump() +
+              " on the folded shape, must be below " + Json(limit).dump(),
+          {{"where", where}, {"column", what}, {"stored", nullptr}, {"recomputed", value}}};
+}
+
+// The displacements of a row; nothing if they are no displacements of this sheet.
+std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
+  const Json json = Json::parse(text.get<std::string>(), nullptr, false);
+  if (!json.is_object()) return {};
+  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
+  for (const auto& [label, shift] : json.items()) {
+    const int vertex = schema::vertex_of_label(label, vertices);
+    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+        !shift[1].is_number()) {
+      return {};
+    }
+    shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
+  }
+  return shifts_mm;
+}
+
+bool agree(const Json& stored, const Json& recomputed, const Allowance& allowance) {
+  if (!stored.is_number() || !recomputed.is_number() || recomputed.is_number_integer()) {
+    return stored == recomputed;
+  }
+  return allowance.allows(stored.get<double>(), recomputed.get<double>());
+}
+
+solver::Mechanism mechanism_of(const solver::PerforatedSheet& base) {
+  return solver::build_mechanism(base.sheet, base.holes, base.folding);
+}
+
+}  // namespace
+
+CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
+    : campaign_(campaign),
+      mechanism_(mechanism_of(campaign.pattern.base)),
+      plan_(solver::plan_path(mechanism_, campaign.pattern.base.folding,
+                              campaign.pattern.base.sheet.vertices_mm, campaign.path())),
+      shape_(campaign.pattern.base.sheet, campaign.pattern.base.holes, mechanism_) {
+  const solver::PerforatedSheet& base = campaign.pattern.base;
+  std::vector<int> panel_of(base.sheet.facets.size(), -1);
+  for (int f = 0; f < base.sheet.facet_count(); ++f) {
+    if (std::binary_search(base.holes.begin(), base.holes.end(), f)) continue;
+    panel_of[f] = static_cast<int>(panels_.size());
+    kept_.push_back(f);
+    panels_.push_back(base.sheet.facets[f]);
+  }
+  for (const solver::Crease& crease : mechanism_.creases) {
+    folds_.push_back({crease.a, crease.b, panel_of[crease.left], panel_of[crease.right],
+                      base.folding.side() * base.folding.assignment()[crease.edge]});
+  }
+}
+
+CandidateReport CandidateCheck::check(const Json& row) const {
+  CandidateReport report;
+  const auto draw = row.at("draw").get<std::uint64_t>();
+  const std::string where = "draw " + std::to_string(draw);
+  const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
+    report.findings.push_back(schema::differs(where, column, stored, recomputed));
+  };
+  const solver::PerforatedSheet& base = campaign_.pattern.base;
+  Eigen::Matrix2Xd drawn_mm = Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count());
+  draw_shifts(campaign_.misalignment, campaign_.seed, draw, drawn_mm);
+  const auto shifts_mm = read_shifts(row.at("displacements_mm"), base.sheet.vertex_count());
+  if (!shifts_mm || *shifts_mm != drawn_mm) {
+    differs("displacements_mm", row.at("displacements_mm"),
+            schema::displacements_json(drawn_mm).dump());
+  }
+  if (!shifts_mm) return report;
+  const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + *shifts_mm;
+  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) return report;
+
+  std::vector<solver::FoldState<double>> states;  // of the samples in turn
+  const solver::FoldingHistory history = solver::record_history(
+      base, mechanism_, plan_, vertices_mm,
+      {campaign_.between_samples,
+       [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
+         if (stop.sample == 0) return;
+         states.resize(stop.sample);
+         states.back() = state;
+       }});
+  if (history.verdict.deploys_from_sample == 0) {
+    differs("deploys_from_sample", row.at("deploys_from_sample"), 0);
+    return report;
+  }
+  check_metrics(row, solver::measure(base, vertices_mm, history, campaign_.sample_deg), report);
+  check_shapes(where, vertices_mm, history, states, report);
+  return report;
+}
+
+void CandidateCheck::check_metrics(const Json& row, const solver::Metrics& metrics,
+                                   CandidateReport& report) const {
+  const std::string where = "draw " + row.at("draw").dump();
+  const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
+    report.findings.push_back(schema::differs(where, column, stored, recomputed));
+  };
+  const Json recomputed = schema::metrics_json(metrics);
+  for (const auto& [column, value] : recomputed.items()) {
+    const Json stored = row.value(column, Json("no such column"));
+    const Allowance allowance =
+        allowance_of(column, mechanism_.panel_width_mm, campaign_.sample_deg);
+    if (!agree(stored, value, allowance)) differs(column, stored, value);
+  }
+  const Json stored = Json::parse(row.at("elongation").get<std::string>(), nullptr, false);
+  const Json elongation = metrics.elongation;
+  const bool equal =
+      stored.is_array() && stored.size() == elongation.size() &&
+      std::equal(stored.begin(), stored.end(), elongation.begin(),
+                 [](const Json& a, const Json& b) { return agree(a, b, kElongations); });
+  if (!equal) differs("elongation", row.at("elongation"), elongation.dump());
+  for (const auto& [column, value] : row.items()) {
+    static const std::vector<std::string> kOthers = {"draw", "unit", "displacements_mm",
+                                                     "elongation"};
+    const bool known = recomputed.contains(column) ||
+                       std::find(kOthers.begin(), kOthers.end(), column) != kOthers.end();
+    if (!known) differs(column, value, "a column that this program does not know");
+  }
+}
+
+void CandidateCheck::check_shapes(const std::string& where, const solver::FlatVertices& vertices_mm,
+                                  const solver::FoldingHistory& history,
+                                  const std::vector<solver::FoldState<double>>& states,
+                                  CandidateReport& report) const {
+  solver::ShapeCheck shape_check(vertices_mm, panels_, folds_);
+  ContactCheck contact_check(vertices_mm, panels_);
+  solver::SheetGeometry<double> geometry;
+  place(mechanism_, vertices_mm, geometry);
+  std::vector<double> claimed_deg(folds_.size());
+  for (Eigen::Index k = 0; k < history.verdict.deploys_from_sample; ++k) {
+    const solver::FoldState<double>& state = states[static_cast<std::size_t>(k)];
+    const Eigen::Matrix3Xd folded_mm = shape_.vertices_mm(geometry, state);
+    const Eigen::Matrix3Xd corners_mm = shape_.corners_mm(geometry, state);
+    for (std::size_t i = 0; i < folds_.size(); ++i) {
+      claimed_deg[i] = history.fold_angle_deg(k, static_cast<Eigen::Index>(i));
+    }
+    shape_check.see(folded_mm, corners_mm, claimed_deg);
+    for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
+      const solver::Diagonal& diagonal = mechanism_.diagonals[d];
+      const double length_mm = (folded_mm.col(diagonal.from) - folded_mm.col(diagonal.to)).norm();
+      report.diagonal_mm =
+          std::max(report.diagonal_mm, std::abs(length_mm - history.length_mm(k, d)));
+    }
+    if (report.first_contact_deg) continue;
+    if (const auto panels = contact_check.crossing(corners_mm)) {
+      const auto place_of = [&](int panel) {
+        return schema::facet_json(campaign_.pattern, kept_[panel]).dump();
+      };
+      report.first_contact_deg = static_cast<double>(k + 1) * campaign_.sample_deg;
+      report.contact = place_of(panels->first) + " and " + place_of(panels->second);
+    }
+  }
+  report.shape = shape_check.worst();
+  add_shape_findings(where, report);
+}
+
+// A chain of joints passes at most as many loops as there are panels, each open by no more than the
+// closure tolerance.
+void CandidateCheck::add_shape_findings(const std::string& where, CandidateReport& report) const {
+  const double limit_rad =
+      solver::NewtonOptions{}.closure_tolerance * static_cast<double>(panels_.size());
+  const double limit_mm = limit_rad * mechanism_.panel_width_mm;
+  const double limit_deg = limit_rad / solver::kRadPerDeg;
+  const solver::ShapeErrors& shape = report.shape;
+  const auto compare = [&](const char* what, double value, double limit) {
+    if (!(value <= limit)) report.findings.push_back(exceeds(where, what, value, limit));
+  };
+  compare("length_mm", shape.length_mm, limit_mm);
+  compare("planarity_mm", shape.planarity_mm, limit_mm);
+  compare("coincidence_mm", shape.coincidence_mm, limit_mm);
+  compare("diagonal_mm", report.diagonal_mm, limit_mm);
+  compare("angle_deg", shape.angle_deg, limit_deg);
+  compare("beyond_deg", shape.beyond_deg, solver::kOverFoldBand_deg);
+  if (shape.wrong_sign >= 0) {
+    const solver::FoldLine& fold = folds_[static_cast<std::size_t>(shape.wrong_sign)];
+    report.findings.push_back(schema::differs(where, "fold " + solver::line_label(fold.a, fold.b),
+                                              fold.sign > 0 ? "valley" : "mountain", "the other"));
+  }
+}
+
+}  // namespace misalign::search

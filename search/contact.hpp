@@ -1,0 +1,36 @@
+// Panels that pass through each other: the paper assumes that they do not.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace misalign::search {
+
+/// Touching is no crossing: panels are shrunk by this part of their size, and each must reach
+/// through the other's plane by as much of it.
+inline constexpr double kTouch = 1e-6;
+
+/// One sheet of rigid panels without thickness. Panels with a common vertex are not compared: they
+/// meet there in every state.
+class ContactCheck {
+ public:
+  /// Panels are convex quadrilaterals of the flat vertices (2 x vertices, mm).
+  ContactCheck(const Eigen::Matrix2Xd& flat_mm, const std::vector<std::array<int, 4>>& panels);
+  ~ContactCheck();
+  ContactCheck(const ContactCheck&) = delete;
+  ContactCheck& operator=(const ContactCheck&) = delete;
+
+  /// Two panels that cross in this state, if there are any; 3 x (4 panels) corners in mm, in the
+  /// panels' order.
+  std::optional<std::pair<int, int>> crossing(const Eigen::Matrix3Xd& corners_mm);
+
+ private:
+  struct Scene;
+  std::unique_ptr<Scene> scene_;
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,54 @@
+// A folded sheet judged from coordinates alone: what is flat and rigid stays so, panels meet at
+// their corners, and fold angles are what is claimed of them. Knows no mechanism and no equation of
+// closure.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace misalign::solver {
+
+/// A fold line a -> b (vertices) between two panels, seen from +z on the flat sheet.
+struct FoldLine {
+  int a, b;
+  int left, right;  ///< panels seen walking from a to b
+  int sign;         ///< what it must be: +1 valley, -1 mountain
+};
+
+/// The largest errors of all shapes seen.
+struct ShapeErrors {
+  double length_mm = 0;       ///< change of a panel's edge or diagonal from flat to folded
+  double planarity_mm = 0;    ///< how far apart a panel's two diagonals pass
+  double coincidence_mm = 0;  ///< between a panel's own corner and the vertex it belongs to
+  double angle_deg = 0;       ///< claimed fold angle against the one between the panels' normals
+  double beyond_deg = 0;      ///< how far a fold angle lies beyond +-180 degrees
+  int wrong_sign = -1;        ///< a fold line folded the wrong way; -1 if there is none
+};
+
+class ShapeCheck {
+ public:
+  /// `flat_mm` is 2 x vertices, panels counter-clockwise seen from +z.
+  ShapeCheck(const Eigen::Matrix2Xd& flat_mm, std::vector<std::array<int, 4>> panels,
+             std::vector<FoldLine> folds);
+
+  /// The next shape of a folding from flat on, in which no fold angle changes by 180 degrees or
+  /// more from shape to shape: this tells angles beyond 180 degrees from those of the other sign.
+  /// `vertices_mm` is 3 x vertices; `corners_mm` 3 x (4 panels), where each panel has its own
+  /// corners; `claimed_deg` one angle per fold line.
+  void see(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd& corners_mm,
+           const std::vector<double>& claimed_deg);
+
+  const ShapeErrors& worst() const { return worst_; }
+
+ private:
+  void see_panels(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd& corners_mm);
+
+  Eigen::Matrix3Xd flat_mm_;
+  std::vector<std::array<int, 4>> panels_;
+  std::vector<FoldLine> folds_;
+  std::vector<double> angles_deg_;  // of the last shape, not cut off at 180
+  ShapeErrors worst_;
+};
+
+}  // namespace misalign::solver

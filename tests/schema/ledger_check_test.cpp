@@ -1,0 +1,87 @@
+#include "schema/ledger_check.hpp"
+
+#include "catalogue_fixture.hpp"
+
+namespace misalign::schema {
+namespace {
+
+class LedgerCheckTest : public CatalogueTest {
+ protected:
+  void write() {
+    Catalogue catalogue = open();
+    catalogue.begin_run(kRun, {{0, 6000}, {}, {}});
+    for (const std::uint64_t lo : {0, 2000, 4000}) catalogue.commit(unit(lo, lo + 2000), 0);
+    catalogue.end_run("complete");
+  }
+  std::vector<Finding> findings() { return check_ledger(*open_for_reading(path()), campaign_); }
+  /// Whether some finding names this column after these statements, made past keys and checks.
+  testing::AssertionResult finds(const std::string& sql, const std::string& column) {
+    std::filesystem::remove(path());
+    write();
+    {
+      SQLite::Database database(path(), SQLite::OPEN_READWRITE);
+      database.exec("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON;" + sql);
+    }
+    std::string all;
+    for (const Finding& finding : findings()) {
+      if (finding.details.at("column") == column) return testing::AssertionSuccess();
+      all += finding.sentence + "\n";
+    }
+    return testing::AssertionFailure() << "found only: " << all;
+  }
+};
+
+TEST_F(LedgerCheckTest, GoodOnesRaiseNothing) {
+  write();
+  for (const Finding& finding : findings()) ADD_FAILURE() << finding.sentence;
+  // Also where the goal's end cuts a unit.
+  open().begin_run(kRun, {{0, 4500}, {}, {}});
+  for (const Finding& finding : findings()) ADD_FAILURE() << finding.sentence;
+}
+
+TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
+  const std::string first = " WHERE draw = (SELECT min(draw) FROM candidate)";
+  EXPECT_TRUE(finds("DELETE FROM candidate" + first, "accepted"));
+  EXPECT_TRUE(finds("DELETE FROM candidate" + first, "digest_part"));
+  EXPECT_TRUE(finds("DELETE FROM candidate" + first, "digest"));
+  EXPECT_TRUE(finds("UPDATE candidate SET draw = draw + 1" + first, "digest_part"));
+  EXPECT_TRUE(finds("UPDATE candidate SET draw = 2001" + first, "candidate.unit"));
+  EXPECT_TRUE(finds("UPDATE candidate SET unit = 2000" + first, "candidate.unit"));
+  EXPECT_TRUE(finds("UPDATE candidate SET unit = 3" + first, "key into unit"));
+  EXPECT_TRUE(finds("UPDATE candidate SET deploys_from_sample = 176" + first, "digest_part"));
+  EXPECT_TRUE(finds("UPDATE candidate SET deploys_from_sample = 7" + first, "deploys_from_sample"));
+  EXPECT_TRUE(
+      finds("PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, "
+            "'deploys_from_sample', 'draw') WHERE name = 'candidate_by_deploys_from'",
+            "integrity_check"));
+  EXPECT_TRUE(
+      finds("UPDATE unit SET accepted = accepted + 1, rejected = rejected - 1 "
+            "WHERE lo = 2000",
+            "accepted"));
+  EXPECT_TRUE(
+      finds("UPDATE unit SET undecided = undecided + 1, rejected = rejected - 1 "
+            "WHERE lo = 2000",
+            "undecided"));
+  EXPECT_TRUE(finds("UPDATE unit SET rejected = rejected + 1 WHERE lo = 0", "rejected"));
+  EXPECT_TRUE(finds("UPDATE unit SET digest_part = zeroblob(16) WHERE lo = 0", "digest_part"));
+  EXPECT_TRUE(finds("UPDATE unit SET hi = hi + 1, rejected = rejected + 1 WHERE lo = 0", "lo"));
+  EXPECT_TRUE(finds("DELETE FROM undecided WHERE draw = 3", "undecided"));
+  EXPECT_TRUE(finds("DELETE FROM fault_sample WHERE draw = 1024", "rows of fault_sample"));
+  EXPECT_TRUE(
+      finds("UPDATE campaign SET identity = replace(hex(zeroblob(16)), '0', 'a')", "identity"));
+  EXPECT_TRUE(
+      finds("INSERT INTO candidate SELECT 11, unit, 171, 171, 180, 0, 0, 0, 0, 0, 0, 0, 0, "
+            "0, 0, 1, 1, 0, '{}', '[]' FROM candidate LIMIT 1",
+            "accepted"));
+}
+
+// A fault sample and a candidate are one draw's verdict.
+TEST_F(LedgerCheckTest, FaultSampleAndCandidateAgree) {
+  EXPECT_TRUE(
+      finds("UPDATE candidate SET draw = 1024 WHERE draw = (SELECT max(draw) FROM "
+            "candidate WHERE draw < 1024)",
+            "fault_sample.deploys_from_sample"));
+}
+
+}  // namespace
+}  // namespace misalign::schema

@@ -1,0 +1,110 @@
+#include "search/candidate_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "schema/folding_json.hpp"
+#include "search/trial.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+// Candidates of a small campaign, as rows of a catalogue.
+class CandidateRows : public testing::Test {
+ protected:
+  static schema::Campaign campaign() {
+    return schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+                                  {"path", {{"end_deg", 60}}},
+                                  {"accept", {{"deploys_from_deg", 40}}}},
+                                 "a test");
+  }
+  static std::vector<Json> rows() {
+    Trial trial(campaign());
+    schema::UnitRecord unit;
+    trial.screen({0, 40}, unit);
+    trial.settle(unit);
+    std::vector<Json> rows;
+    for (const schema::Candidate& candidate : unit.candidates) {
+      Json row = schema::metrics_json(candidate.metrics);
+      row["draw"] = candidate.draw;
+      row["unit"] = 0;
+      row["displacements_mm"] = schema::displacements_json(candidate.shifts_mm).dump();
+      Json elongation = Json::array();
+      for (const double e : candidate.metrics.elongation) {
+        elongation.push_back(std::round(e * 1e9) / 1e9);
+      }
+      row["elongation"] = elongation.dump();
+      rows.push_back(row);
+    }
+    return rows;
+  }
+  const schema::Campaign campaign_ = campaign();
+  const CandidateCheck check_{campaign_};
+};
+
+TEST_F(CandidateRows, GoodOnesRaiseNothing) {
+  const auto all = rows();
+  ASSERT_GT(all.size(), 10u);
+  for (const Json& row : all) {
+    const CandidateReport report = check_.check(row);
+    EXPECT_TRUE(report.findings.empty()) << report.findings.front().sentence;
+    EXPECT_GT(report.shape.length_mm, 0);  // rounding: something was looked at
+    EXPECT_GT(report.shape.angle_deg, 0);
+    EXPECT_FALSE(report.first_contact_deg);
+  }
+}
+
+// One cell at a time: that column is named, and no other.
+TEST_F(CandidateRows, EveryAlteredColumnIsNamed) {
+  const Json row = rows().front();
+  for (const auto& [column, value] : row.items()) {
+    if (column == "draw" || column == "unit") continue;  // the ledger's
+    Json altered = row;
+    if (value.is_number_integer()) {
+      altered[column] = value.get<int>() + 1;
+    } else if (column == "residual_max") {
+      altered[column] = 3e-12;
+    } else if (value.is_number()) {
+      altered[column] = value.get<double>() * (1 + 1e-4) + 1e-8;
+    } else if (column == "elongation") {
+      Json list = Json::parse(value.get<std::string>());
+      list[2] = list[2].get<double>() + 1e-9;  // the last digit stored
+      altered[column] = list.dump();
+    } else {
+      Json shifts = Json::parse(value.get<std::string>());
+      shifts.begin().value()[0] = -shifts.begin().value()[0].get<double>() + 0.1;
+      altered[column] = shifts.dump();
+    }
+    const auto findings = check_.check(altered).findings;
+    ASSERT_FALSE(findings.empty()) << column;
+    EXPECT_EQ(findings.front().details.at("column"), column);
+    if (column != "displacements_mm") {
+      EXPECT_EQ(findings.size(), 1u) << column;
+    }
+    EXPECT_NE(findings.front().sentence.find("draw " + row.at("draw").dump()), std::string::npos);
+  }
+}
+
+TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
+  const Json row = rows().front();
+  for (const auto& [column, value] : {std::pair("slope_min_mm_per_deg", Json()),
+                                      {"displacements_mm", Json("3")},
+                                      {"displacements_mm", Json(R"({"A99": [1, 2]})")},
+                                      {"displacements_mm", Json("{")},
+                                      {"elongation", Json("[1]")},
+                                      {"elongation", Json("{}")},
+                                      {"later", Json(1)}}) {
+    Json altered = row;
+    altered[column] = value;
+    const auto findings = check_.check(altered).findings;
+    ASSERT_FALSE(findings.empty()) << column;
+    EXPECT_EQ(findings.front().details.at("column"), column);
+  }
+  Json less = row;
+  less.erase("stroke_max");
+  EXPECT_EQ(check_.check(less).findings.size(), 1u);
+}
+
+}  // namespace
+}  // namespace misalign::search
