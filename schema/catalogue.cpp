@@ -178,8 +178,9 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal) {
   SQLite::Statement insert(
       *database_,
       "INSERT INTO run (started_at, host, ranks, version, \"commit\", compiler, flags, "
-      "golden_verdicts, configuration) VALUES (strftime('%Y-%m-%dT%H:%M:%fZ'), :host, :ranks, "
-      ":version, :commit, :compiler, :flags, :golden, :configuration)");
+      "golden_verdicts, configuration, schema_version) VALUES (strftime('%Y-%m-%dT%H:%M:%fZ'), "
+      ":host, :ranks, "
+      ":version, :commit, :compiler, :flags, :golden, :configuration, :schema)");
   insert.bind(":host", run.host);
   insert.bind(":ranks", run.ranks);
   insert.bind(":version", run.version);
@@ -188,6 +189,7 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal) {
   insert.bind(":flags", run.flags);
   insert.bind(":golden", run.golden_verdicts);
   insert.bind(":configuration", configuration);
+  insert.bind(":schema", kSchemaVersion);
   insert.exec();
   run_ = database_->getLastInsertRowid();
   transaction.commit();
@@ -393,6 +395,15 @@ std::vector<std::uint64_t> candidate_draws(SQLite::Database& database) {
     draws.push_back(static_cast<std::uint64_t>(row.getColumn(0).getInt64()));
   }
   return draws;
+}
+
+int schema_version_of(SQLite::Database& database, std::uint64_t draw) {
+  if (database.execAndGet("PRAGMA user_version").getInt() < 2) return 1;
+  SQLite::Statement row(database,
+                        "SELECT schema_version FROM candidate JOIN unit ON unit.lo = "
+                        "candidate.unit JOIN run ON run.id = unit.run WHERE draw = ?");
+  row.bind(1, stored(draw));
+  return row.executeStep() ? row.getColumn(0).getInt() : kSchemaVersion;
 }
 
 Json read_candidate(SQLite::Database& database, std::uint64_t draw) {

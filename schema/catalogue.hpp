@@ -115,6 +115,9 @@ std::vector<std::uint64_t> candidate_draws(SQLite::Database& database);
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 
+/// The schema that a candidate was written with: columns that came later are null in it.
+int schema_version_of(SQLite::Database& database, std::uint64_t draw);
+
 /// Accepted draws below the goal's end that deploy from `sample` or more.
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample);
 

@@ -29,7 +29,8 @@ CREATE TABLE run (
   compiler TEXT NOT NULL,
   flags TEXT NOT NULL,
   golden_verdicts TEXT NOT NULL,  -- fingerprint of what this build answers on fixed draws
-  configuration TEXT NOT NULL CHECK (json_valid(configuration))
+  configuration TEXT NOT NULL CHECK (json_valid(configuration)),
+  schema_version INTEGER NOT NULL  -- whose columns its rows fill
 ) STRICT;
 
 -- The ledger: ranges of draws that are done. A unit and its candidates are one transaction.

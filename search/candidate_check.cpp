@@ -101,7 +101,7 @@ CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
   }
 }
 
-CandidateReport CandidateCheck::check(const Json& row) const {
+CandidateReport CandidateCheck::check(const Json& row, int schema_version) const {
   CandidateReport report;
   const auto draw = row.at("draw").get<std::uint64_t>();
   const std::string where = "draw " + std::to_string(draw);
@@ -133,18 +133,25 @@ CandidateReport CandidateCheck::check(const Json& row) const {
     differs("deploys_from_sample", row.at("deploys_from_sample"), 0);
     return report;
   }
-  check_metrics(row, solver::measure(base, vertices_mm, history, campaign_.sample_deg), report);
+  check_metrics(row, schema_version,
+                solver::measure(base, vertices_mm, history, campaign_.sample_deg), report);
   check_shapes(where, vertices_mm, history, states, report);
   return report;
 }
 
-void CandidateCheck::check_metrics(const Json& row, const solver::Metrics& metrics,
-                                   CandidateReport& report) const {
+void CandidateCheck::check_metrics(const Json& row, int schema_version,
+                                   const solver::Metrics& metrics, CandidateReport& report) const {
   const std::string where = "draw " + row.at("draw").dump();
   const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
     report.findings.push_back(schema::differs(where, column, stored, recomputed));
   };
-  const Json recomputed = schema::metrics_json(metrics);
+  Json recomputed = schema::metrics_json(metrics);
+  if (schema_version < 2) {
+    for (const char* column : {"slope_between_min_mm_per_deg", "bump_deg"}) {
+      recomputed.erase(column);
+      if (row.contains(column)) recomputed[column] = nullptr;
+    }
+  }
   for (const auto& [column, value] : recomputed.items()) {
     const Json stored = row.value(column, Json("no such column"));
     const Allowance allowance =

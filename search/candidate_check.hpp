@@ -23,11 +23,11 @@ class CandidateCheck {
   CandidateCheck(const CandidateCheck&) = delete;
   CandidateCheck& operator=(const CandidateCheck&) = delete;
 
-  /// `row` is the candidate's row, see read_candidate.
-  CandidateReport check(const schema::Json& row) const;
+  /// `row` is the candidate's row, see read_candidate, with the columns of this schema filled.
+  CandidateReport check(const schema::Json& row, int schema_version = schema::kSchemaVersion) const;
 
  private:
-  void check_metrics(const schema::Json& row, const solver::Metrics& metrics,
+  void check_metrics(const schema::Json& row, int schema_version, const solver::Metrics& metrics,
                      CandidateReport& report) const;
   void check_shapes(const std::string& where, const solver::FlatVertices& vertices_mm,
                     const solver::FoldingHistory& history,

@@ -17,6 +17,7 @@
 #include "search/look.hpp"
 #include "search/search_run.hpp"
 #include "search/status.hpp"
+#include "search/tolerance.hpp"
 #include "search/verify.hpp"
 
 namespace misalign::search {
@@ -282,6 +283,49 @@ Action add_verify(CLI::App& app) {
   };
 }
 
+Action add_tolerance(CLI::App& app) {
+  auto* verb =
+      app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
+  verb->footer(
+      "Every vertex, of the perimeter too, is moved by a random error, uniform on [-MM, MM] in x "
+      "and\n"
+      "in y; then each vertex alone. Trial t makes the same errors for every candidate of a "
+      "campaign:\n"
+      "they are numbers of the campaign's seed and of t. The intervals are exact ones of 95 %.\n"
+      "Example:\n"
+      "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --trials 1000");
+  auto path = std::make_shared<std::string>();
+  auto draw = std::make_shared<std::uint64_t>(), trials = std::make_shared<std::uint64_t>(1000);
+  auto amplitude_mm = std::make_shared<double>();
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  verb->add_option("DRAW", *draw, "number of the candidate's draw")
+      ->required()
+      ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_option("--amplitude", *amplitude_mm, "largest error, mm")
+      ->required()
+      ->check(within(0, 1e6));
+  verb->add_option("--trials", *trials, "copies with every vertex off its place [1000]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}));
+  verb->add_flag("--json", *json, "as JSON");
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const schema::Campaign campaign = schema::read_campaign_of(*database, *path);
+    if (schema::read_candidate(*database, *draw).is_null()) {
+      const std::string number = std::to_string(*draw);
+      throw UserError(schema::kExitUsage, *path + ": draw " + number +
+                                              " is no candidate; `misalign replay " + *path + " " +
+                                              number + "` shows what became of it");
+    }
+    const Tolerance tolerance = study_tolerance(campaign, *draw, *amplitude_mm, *trials,
+                                                solver::available_instruction_sets().back());
+    std::fputs(*json ? (tolerance_json(tolerance).dump(1) + "\n").c_str()
+                     : tolerance_text(tolerance).c_str(),
+               stdout);
+    return 0;
+  };
+}
+
 Action add_config(CLI::App& app) {
   auto* verb = app.add_subcommand("config", "the default campaign, or every fault of a file");
   verb->footer(
@@ -343,9 +387,10 @@ int run_command_line(int argc, char** argv) {
   app.add_option("--log-level", level, "debug, info, warning, error or off [info]")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
   std::map<std::string, Action> verbs = {
-      {"search", add_search(app)}, {"status", add_status(app)}, {"fold", add_fold(app)},
-      {"replay", add_replay(app)}, {"query", add_query(app)},   {"export", add_export(app)},
-      {"config", add_config(app)}, {"bench", add_bench(app)},   {"verify", add_verify(app)}};
+      {"search", add_search(app)},      {"status", add_status(app)}, {"fold", add_fold(app)},
+      {"replay", add_replay(app)},      {"query", add_query(app)},   {"export", add_export(app)},
+      {"config", add_config(app)},      {"bench", add_bench(app)},   {"verify", add_verify(app)},
+      {"tolerance", add_tolerance(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

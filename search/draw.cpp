@@ -28,10 +28,10 @@ std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw
 }
 
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
-                 double* shifts_mm) {
+                 double* shifts_mm, std::uint32_t stream) {
   const std::size_t words = 2 * misalignment.vertices.size();
   for (std::size_t k = 0; k < words; k += 4) {
-    const auto block = philox_block(seed, draw, static_cast<std::uint32_t>(k / 4), kDrawStream);
+    const auto block = philox_block(seed, draw, static_cast<std::uint32_t>(k / 4), stream);
     const std::size_t count = std::min<std::size_t>(4, words - k);
     for (std::size_t i = 0; i < count; ++i) {
       shifts_mm[k + i] = shift_mm(misalignment, block[i]);

@@ -10,7 +10,7 @@ namespace misalign::search {
 
 /// Philox4x32-10 (Random123), key = (low, high half of the seed), counter = (low, high half of the
 /// draw, block, stream). Stream 0 is draws; 1 is tolerance trials; the rest is reserved.
-inline constexpr std::uint32_t kDrawStream = 0;
+inline constexpr std::uint32_t kDrawStream = 0, kToleranceStream = 1;
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
                                           std::uint32_t block, std::uint32_t stream);
 
@@ -18,7 +18,7 @@ std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw
 /// vertex takes words 2k (x) and 2k + 1 (y); a ternary level is floor(3 w / 2^32) - 1, a uniform
 /// one (w + 0.5) / 2^31 - 1, times the amplitude.
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
-                 double* shifts_mm);
+                 double* shifts_mm, std::uint32_t stream = kDrawStream);
 
 /// The same into the columns of these vertices (2 x vertices of the sheet); the others are left
 /// alone.

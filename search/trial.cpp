@@ -19,6 +19,23 @@ bool is_sampled(std::uint64_t draw) { return draw % schema::kFaultSampleEvery ==
 
 }  // namespace
 
+std::vector<solver::Verdict> judge_to_the_end(const solver::SheetFamily& family,
+                                              solver::Batch& batch,
+                                              const solver::ShiftBlock& block) {
+  std::vector<solver::Verdict> verdicts = batch.judge(block);
+  for (int sheet = 0; sheet < block.sheets; ++sheet) {
+    if (verdicts[sheet].first_fault != solver::Fault::undecided) continue;
+    const solver::PerforatedSheet& base = family.base();
+    const solver::FoldedShape shape(base.sheet, base.holes, family.mechanism());
+    solver::FlatVertices vertices_mm;
+    family.displace(block.of(sheet), vertices_mm);
+    verdicts[sheet] = solver::record_densely(family.mechanism(), shape, family.path(), vertices_mm,
+                                             {family.bump_is_fault(), {}})
+                          .verdict;
+  }
+  return verdicts;
+}
+
 Trial::Trial(schema::Campaign campaign)
     : Trial(std::move(campaign), solver::available_instruction_sets().back()) {}
 
@@ -26,8 +43,7 @@ Trial::Trial(schema::Campaign campaign, solver::InstructionSet set)
     : campaign_(std::move(campaign)),
       family_(campaign_.pattern.base, campaign_.misalignment.vertices, campaign_.path(),
               campaign_.threshold_sample(), campaign_.between_samples),
-      batch_(solver::make_batch(set, family_)),
-      shape_(family_.base().sheet, family_.base().holes, family_.mechanism()) {}
+      batch_(solver::make_batch(set, family_)) {}
 
 std::uint64_t Trial::largest_block() const {
   const std::uint64_t numbers =
@@ -64,7 +80,7 @@ void Trial::screen(const schema::DrawRange& block, schema::UnitRecord& unit) {
 
 void Trial::settle(schema::UnitRecord& unit) {
   displace(waiting_);
-  judge_block();
+  verdicts_ = judge_to_the_end(family_, *batch_, block_);
   Draws accepted;
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     const std::uint64_t draw = waiting_[k];
@@ -81,19 +97,6 @@ void Trial::settle(schema::UnitRecord& unit) {
   }
   waiting_.clear();
   add_candidates(accepted, unit);
-}
-
-// The few paths that the lanes lose are followed by dense matrices.
-void Trial::judge_block() {
-  verdicts_ = batch_->judge(block_);
-  solver::FlatVertices vertices_mm;
-  for (int sheet = 0; sheet < block_.sheets; ++sheet) {
-    if (verdicts_[sheet].first_fault != solver::Fault::undecided) continue;
-    family_.displace(block_.of(sheet), vertices_mm);
-    verdicts_[sheet] = solver::record_densely(family_.mechanism(), shape_, family_.path(),
-                                              vertices_mm, {family_.bump_is_fault(), {}})
-                           .verdict;
-  }
 }
 
 void Trial::add_candidates(const Draws& accepted, schema::UnitRecord& unit) {
@@ -115,7 +118,7 @@ void Trial::add_candidates(const Draws& accepted, schema::UnitRecord& unit) {
 
 const std::vector<solver::Verdict>& Trial::judge(const schema::DrawRange& block) {
   displace(std::views::iota(block.lo, block.hi));
-  judge_block();
+  verdicts_ = judge_to_the_end(family_, *batch_, block_);
   return verdicts_;
 }
 

@@ -7,6 +7,12 @@
 
 namespace misalign::search {
 
+/// Verdicts of the block's sheets, each on its full path: in lanes, and the few paths that those
+/// lose by dense matrices.
+std::vector<solver::Verdict> judge_to_the_end(const solver::SheetFamily& family,
+                                              solver::Batch& batch,
+                                              const solver::ShiftBlock& block);
+
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class Trial {
  public:
@@ -43,13 +49,11 @@ class Trial {
   using Draws = std::vector<std::uint64_t>;
   template <class SomeDraws>
   void displace(const SomeDraws& draws);
-  void judge_block();
   void add_candidates(const Draws& accepted, schema::UnitRecord& unit);
 
   const schema::Campaign campaign_;
   const solver::SheetFamily family_;
   std::unique_ptr<solver::Batch> batch_;
-  const solver::FoldedShape shape_;
   solver::ShiftBlock block_;
   std::vector<solver::Verdict> verdicts_;  // of the block's sheets
   Draws waiting_;

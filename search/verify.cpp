@@ -52,7 +52,9 @@ Verification verify(SQLite::Database& database, const std::string& path,
     const CandidateCheck check(campaign);
     for (std::uint64_t k = 0; k < chosen; ++k) {
       const std::uint64_t draw = draws[k * draws.size() / chosen];
-      add(check.check(schema::read_candidate(database, draw)), draw, verification);
+      add(check.check(schema::read_candidate(database, draw),
+                      schema::schema_version_of(database, draw)),
+          draw, verification);
     }
   } catch (const SQLite::Exception& error) {
     verification.findings.push_back(

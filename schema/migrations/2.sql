@@ -1,6 +1,7 @@
 -- From version 1 to 2: what the cubics between the samples show.
 ALTER TABLE candidate ADD COLUMN slope_between_min_mm_per_deg REAL;
 ALTER TABLE candidate ADD COLUMN bump_deg REAL;
+ALTER TABLE run ADD COLUMN schema_version INTEGER NOT NULL DEFAULT 1;
 
 DROP VIEW candidates;
 CREATE VIEW candidates AS
