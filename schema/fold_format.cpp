@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostFaces = 1600;  // as many as a 40 x 40 Miura-ori has
 constexpr double kMostCoordinate_mm = 1e6;
+constexpr double kLeastSize_mm = 1e-3;  // far above what products of coordinates underflow at
 // Vertices closer than this part of the sheet's size are the same point.
 constexpr double kSamePoint = 1e-7;
 // So many faults of a kind are told.
@@ -177,13 +178,18 @@ class Reader {
   void check_vertices() {
     double size = 0;
     for (const Point& p : points_) size = std::max(size, (p - points_[0]).cwiseAbs().maxCoeff());
+    if (!(size >= kLeastSize_mm)) {
+      add("the mesh", "is smaller than " + shown_number(kLeastSize_mm) + " mm",
+          "say how long a unit is in frame_unit or mm_per_unit");
+      return;
+    }
     std::vector<int> order(points_.size());
     for (int v = 0; v < vertex_count(); ++v) order[v] = v;
     std::sort(order.begin(), order.end(), [&](int a, int b) {
       return std::pair(points_[a].x(), a) < std::pair(points_[b].x(), b);
     });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      for (std::size_t k = i + 1; k < order.size(); ++k) {
+    for (std::size_t i = 0; i < order.size() && told_ < kMostOfAKind; ++i) {
+      for (std::size_t k = i + 1; k < order.size() && told_ < kMostOfAKind; ++k) {
         const Point apart = points_[order[k]] - points_[order[i]];
         if (apart.x() > kSamePoint * size) break;
         if (std::abs(apart.y()) > kSamePoint * size) continue;

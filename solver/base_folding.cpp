@@ -198,6 +198,8 @@ class SequentialMethod {
       const auto angles = folding.fold_angles(half_angle_of_deg(pilot_deg));
       for (const BaseFolding::Step& step : folding.steps_) {
         const auto others = step.folds.others(angles[step.edges[0]]);
+        // Short of the end everything folds, but for what rounding does where the end is near flat.
+        if (!others) return NoBaseFolding{NoBaseFolding::Cause::assignment, step.vertex};
         for (int k = 0; k < 3; ++k) {
           const int edge = step.edges[k + 1];
           const double here = angle_deg((*others)[k]), there = angle_deg(angles[edge]);
