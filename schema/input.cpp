@@ -151,12 +151,16 @@ Json read_json_file(const std::string& path) {
   }
   std::stringstream text;
   text << file.rdbuf();
+  return parse_json(text.str(), path);
+}
+
+Json parse_json(const std::string& text, const std::string& source) {
   try {
-    return Json::parse(text.str(), StructureGuard{path});
+    return Json::parse(text, StructureGuard{source});
   } catch (const Json::exception& error) {
     std::string what = error.what();
     what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
-    throw UserError(kExitBadInput, path + ": is not JSON (" + what + "); mend it there");
+    throw UserError(kExitBadInput, source + ": is not JSON (" + what + "); mend it there");
   }
 }
 

@@ -79,6 +79,9 @@ class ObjectReader {
 /// The JSON in a file; UserError (3) if it is missing, unreadable or not JSON.
 Json read_json_file(const std::string& path);
 
+/// The JSON in a text that came from `source`; UserError (3) if it is none.
+Json parse_json(const std::string& text, const std::string& source);
+
 /// A number as people write it: 80, 0.4, 1e-09.
 std::string shown_number(double value);
 
