@@ -6,8 +6,8 @@ namespace misalign::solver {
 namespace {
 
 // Sines of sums of sectors below this are zero: creases that are one straight line, along which
-// another crease stays flat.
-constexpr double kCollinear = 1e-9;
+// another crease stays flat, but for what is left of coordinates as they are written.
+constexpr double kCollinear = kFlatFoldable_rad;
 
 // An angle as its cosine and sine.
 struct Turn {
@@ -29,33 +29,24 @@ DegreeFourVertex::DegreeFourVertex(const std::array<Eigen::Vector2d, 4>& u, int 
              d = between(u[3], u[0]);
   flat_foldable_ = std::abs((a + c).s) < kFlatFoldable_rad;
   opposite_square_ = flat_foldable_ ? 1 : a.s * d.s / (b.s * c.s);
+  const bool minus_root = opposite_sign < 0;
   const auto adjacent = [&](const Turn& a_, const Turn& b_, const Turn& d_) {
     return Adjacent{flat_foldable_ ? 0 : a_.s * (b_ + d_).s, (a_ + b_).s * d_.s, (a_ + d_).s * b_.s,
-                    b_.s * d_.s, false};
+                    b_.s * d_.s, minus_root};
   };
   second_ = adjacent(a, b, d);
   fourth_ = adjacent(d, c, a);
-  // Next to flat fold angles are a self-stress of the creases, sum rho_i u_i = 0: with rho_1 = 1
-  // and rho_3 of the wanted sign, two equations for the other two.
-  const Eigen::Vector2d rest = -u[0] - opposite_sign * std::sqrt(opposite_square_) * u[2];
-  const double area = u[1].x() * u[3].y() - u[1].y() * u[3].x();
-  if (std::abs(area) > kCollinear) {
-    const double second = (rest.x() * u[3].y() - rest.y() * u[3].x()) / area;
-    const double fourth = (u[1].x() * rest.y() - u[1].y() * rest.x()) / area;
-    if (std::abs(second) < kCollinear || std::abs(fourth) < kCollinear) return;
-    // Of the roots t_2 / t_1 = (-p11 -+ sqrt(p11^2 - p20 p02)) / p02 the one that this is.
-    const auto is_minus = [](const Adjacent& p, double ratio) { return ratio * p.p02 < -p.p11; };
-    second_.minus_root = is_minus(second_, second);
-    fourth_.minus_root = is_minus(fourth_, fourth);
-  } else if (std::abs(rest.x() * u[1].y() - rest.y() * u[1].x()) > kFlatFoldable_rad) {
-    return;  // creases 2 and 4 are one line, which 1 and 3 would have to leave flat
-  }
-  const auto initial_sign = [](const Adjacent& p) {
-    return p.minus_root ? -sign_of(p.p02) : -sign_of(p.p20);
-  };
+  // Folded alike, creases 1 and 3 leave the other two flat where they are one line themselves;
+  // folded unlike, they have to stay flat where the other two are one.
+  if (std::abs(minus_root ? (a + d).s : (a + b).s) < kCollinear) return;
+  const auto initial_sign = [&](const Adjacent& p) { return -sign_of(minus_root ? p.p02 : p.p20); };
   signs_ = {initial_sign(second_), opposite_sign, initial_sign(fourth_)};
 }
 
+// Next to flat t_2 / t_1 = (-p11 -+ sqrt(p11^2 - p20 p02)) / p02, where the square is sin a sin b
+// sin c sin d sin b sin d and never zero: each way of folding keeps its root from vertex to vertex,
+// and where creases 1 and 3 are one line it is seen to be the upper one that folds them unlike.
+//
 // Of the two roots each in the form that does not cancel; the denominator is positive next to flat,
 // and reaches zero where the crease does 180 degrees. Without p22, at vertices that fold flat, the
 // cosine is a factor of all terms, taken out so that 180 degrees is no zero over zero.

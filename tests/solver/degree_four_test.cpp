@@ -284,5 +284,20 @@ TEST(DegreeFour, StraightLinesFoldOneWayOnly) {
   }
 }
 
+// Whether creases 1 and 3 are one line does not depend on the crease that is asked, and what
+// written coordinates leave of it is none.
+TEST(DegreeFour, NearlyStraightLinesAreOneFromEveryCrease) {
+  for (const double off : {0.0, 1e-12, -1e-9, 1e-8, -1e-6, 0.9e-5, 1.1e-5, -1e-4}) {
+    const auto u = directions({1.1, kHalfTurn - 1.1 + off, 1.9, kHalfTurn - 1.9 - off}, 0.4);
+    for (int first = 0; first < 4; ++first) {
+      const std::array turned = {u[first], u[(first + 1) % 4], u[(first + 2) % 4],
+                                 u[(first + 3) % 4]};
+      const int alike = first % 2 == 0 ? 1 : -1;  // creases 1 and 3, whoever is first
+      EXPECT_EQ(DegreeFourVertex(turned, alike).signs().has_value(), std::abs(off) > 1e-5) << off;
+      EXPECT_TRUE(DegreeFourVertex(turned, -alike).signs()) << off;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace misalign::solver
