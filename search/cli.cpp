@@ -192,6 +192,21 @@ Action add_fold(CLI::App& app) {
   };
 }
 
+Action add_perforations(CLI::App& app) {
+  auto* verb = app.add_subcommand("perforations", "which holes leave one degree of freedom");
+  verb->footer(
+      "Lists every set of inner panels, no two sharing an edge, that counts to one degree of\n"
+      "freedom and has one by the rank of the Jacobian. The pattern's own holes do not matter.\n"
+      "Example:\n  misalign perforations search/patterns/turned-quads-6x6.json");
+  auto options = std::make_shared<PerforationsOptions>();
+  verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] {
+    list_perforations(*options);
+    return 0;
+  };
+}
+
 Action add_replay(CLI::App& app) {
   auto* verb = app.add_subcommand("replay", "any draw of a campaign again, from its number");
   verb->footer("Example:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
@@ -387,10 +402,12 @@ int run_command_line(int argc, char** argv) {
   app.add_option("--log-level", level, "debug, info, warning, error or off [info]")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
   std::map<std::string, Action> verbs = {
-      {"search", add_search(app)},      {"status", add_status(app)}, {"fold", add_fold(app)},
-      {"replay", add_replay(app)},      {"query", add_query(app)},   {"export", add_export(app)},
-      {"config", add_config(app)},      {"bench", add_bench(app)},   {"verify", add_verify(app)},
-      {"tolerance", add_tolerance(app)}};
+      {"search", add_search(app)}, {"status", add_status(app)},
+      {"fold", add_fold(app)},     {"perforations", add_perforations(app)},
+      {"replay", add_replay(app)}, {"query", add_query(app)},
+      {"export", add_export(app)}, {"verify", add_verify(app)},
+      {"config", add_config(app)}, {"tolerance", add_tolerance(app)},
+      {"bench", add_bench(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,4 +1,4 @@
-// Verbs that look at single patterns: `fold`, `replay` and `export`.
+// Verbs that look at single patterns: `fold`, `perforations`, `replay` and `export`.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,12 @@ struct FoldOptions {
   bool json = false;
 };
 void fold(const FoldOptions& options);
+
+struct PerforationsOptions {
+  std::string pattern_path;  ///< its holes are not looked at
+  bool json = false;
+};
+void list_perforations(const PerforationsOptions& options);
 
 struct ReplayOptions {
   std::string catalogue_path;

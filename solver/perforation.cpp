@@ -13,6 +13,79 @@ namespace {
 // looked at is above 1e-4, rounding below 1e-14.
 constexpr double kRankThreshold = 1e-9;
 
+// Steps of the search for perforations, each over all inner facets: seconds on the largest sheets.
+constexpr int kMostSteps = 200'000;
+
+// Takes inner facets one after the other, with and without each.
+class SeparateFacets {
+ public:
+  SeparateFacets(const CreasePattern& sheet, int count, std::size_t most)
+      : inner_(inner_facets(sheet)), count_(count), most_(most), blocked_(inner_.size(), 0) {
+    neighbours_.resize(inner_.size());
+    const auto number = [&](int f) {
+      const auto at = std::lower_bound(inner_.begin(), inner_.end(), f);
+      return at != inner_.end() && *at == f ? static_cast<int>(at - inner_.begin()) : -1;
+    };
+    for (const Edge& edge : sheet.edges) {
+      const int i = number(edge.left), k = number(edge.right);
+      if (i < 0 || k < 0) continue;
+      neighbours_[i].push_back(k);
+      neighbours_[k].push_back(i);
+    }
+  }
+
+  std::optional<std::vector<std::vector<int>>> all() {
+    if (count_ >= 0) extend(0);
+    if (found_.size() > most_ || steps_ > kMostSteps) return std::nullopt;
+    return std::move(found_);
+  }
+
+ private:
+  void extend(int next) {
+    if (static_cast<int>(chosen_.size()) == count_) {
+      found_.push_back(chosen_);
+      return;
+    }
+    const int missing = count_ - static_cast<int>(chosen_.size());
+    for (; next < static_cast<int>(inner_.size()); ++next) {
+      if (found_.size() > most_ || ++steps_ > kMostSteps || most_from(next) < missing) return;
+      if (blocked_[next] > 0) continue;
+      chosen_.push_back(inner_[next]);
+      for (const int k : neighbours_[next]) ++blocked_[k];
+      extend(next + 1);
+      for (const int k : neighbours_[next]) --blocked_[k];
+      chosen_.pop_back();
+    }
+  }
+
+  // A bound of how many can still be taken: one of each two neighbours, every facet in one pair at
+  // most.
+  int most_from(int next) {
+    paired_.assign(inner_.size(), false);
+    int most = 0;
+    for (int i = next; i < static_cast<int>(inner_.size()); ++i) {
+      if (blocked_[i] > 0 || paired_[i]) continue;
+      ++most;
+      for (const int k : neighbours_[i]) {
+        if (k < i || blocked_[k] > 0 || paired_[k]) continue;
+        paired_[k] = true;
+        break;
+      }
+    }
+    return most;
+  }
+
+  const std::vector<int> inner_;
+  const int count_;
+  const std::size_t most_;
+  std::vector<std::vector<int>> neighbours_;  // by number of an inner facet, as below
+  std::vector<int> blocked_;                  // chosen neighbours
+  std::vector<bool> paired_;
+  std::vector<int> chosen_;
+  std::vector<std::vector<int>> found_;
+  int steps_ = 0;
+};
+
 }  // namespace
 
 std::vector<int> inner_facets(const CreasePattern& sheet) {
@@ -73,6 +146,16 @@ int counted_mobility(const CreasePattern& sheet, const std::vector<int>& holes) 
   const int kept = sheet.facet_count() - static_cast<int>(holes.size());
   const int members = static_cast<int>(sheet.edges.size()) + 2 * kept;
   return 3 * joints - (members + 6);
+}
+
+int holes_that_count_to_one(const CreasePattern& sheet) {
+  const int lacking = 1 - counted_mobility(sheet, {});  // each hole gives two back
+  return lacking >= 0 && lacking % 2 == 0 ? lacking / 2 : -1;
+}
+
+std::optional<std::vector<std::vector<int>>> separate_facets(const CreasePattern& sheet, int count,
+                                                             std::size_t most) {
+  return SeparateFacets(sheet, count, most).all();
 }
 
 Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,

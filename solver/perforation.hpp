@@ -1,6 +1,7 @@
 // Which facets are holes, and how many degrees of freedom that leaves.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ int default_pilot(const CreasePattern& sheet, const std::vector<int>& holes);
 /// d.f. = 3j - (t + 6) of the panel truss, equation (2.1): j joints, t members, of which two are
 /// the diagonals of each kept facet.
 int counted_mobility(const CreasePattern& sheet, const std::vector<int>& holes);
+
+/// How many holes make a sheet count to one degree of freedom; -1 if no number does.
+int holes_that_count_to_one(const CreasePattern& sheet);
+
+/// All sets of `count` inner facets of which no two share an edge: each ascending, in lexicographic
+/// order. None if there are more than `most`, or the search for them is longer than a few seconds.
+std::optional<std::vector<std::vector<int>>> separate_facets(const CreasePattern& sheet, int count,
+                                                             std::size_t most);
 
 /// What the Jacobian says where the base sheet is folded to generic angles.
 struct Mobility {

@@ -1,5 +1,7 @@
 #include "solver/perforation.hpp"
 
+#include <set>
+
 #include "sheets.hpp"
 
 namespace misalign::solver {
@@ -47,6 +49,75 @@ TEST(Perforation, HolesThatCannotBe) {
   EXPECT_EQ(hole_faults(sheet.base.sheet, {7, 13}).size(), 1u);  // one above the other
   EXPECT_EQ(hole_faults(sheet.base.sheet, {7, 14}).size(), 0u);  // meeting at a corner
   EXPECT_EQ(hole_faults(sheet.base.sheet, {5, 11}).size(), 3u);  // on the border and side by side
+}
+
+// All subsets of the inner facets, one by one: of the right size, and without fault.
+TEST(Perforation, SeparateFacetsAgainstAllSubsets) {
+  for (int rows = 3; rows <= 6; ++rows) {
+    for (int columns = 3; columns <= 6; ++columns) {
+      const CreasePattern sheet = miura_sheet(MiuraShape::uniform(rows, columns, 80, 80, 40));
+      const std::vector<int> inner = inner_facets(sheet);
+      std::vector<std::set<std::vector<int>>> expected(inner.size() + 2);  // by size
+      for (unsigned subset = 0; subset < 1u << inner.size(); ++subset) {
+        std::vector<int> holes;
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+          if (subset >> i & 1) holes.push_back(inner[i]);
+        }
+        // Side by side or one above the other, by their places alone.
+        const bool apart = std::none_of(holes.begin(), holes.end(), [&](int f) {
+          return std::any_of(holes.begin(), holes.end(), [&](int g) {
+            return std::abs(sheet.places[f][0] - sheet.places[g][0]) +
+                       std::abs(sheet.places[f][1] - sheet.places[g][1]) ==
+                   1;
+          });
+        });
+        if (apart) expected[holes.size()].insert(holes);
+      }
+      for (int count = 0; count < static_cast<int>(expected.size()); ++count) {
+        const auto found = separate_facets(sheet, count, 10000);
+        ASSERT_TRUE(found);
+        EXPECT_TRUE(std::is_sorted(found->begin(), found->end()));
+        EXPECT_EQ(found->size(), expected[count].size()) << rows << " x " << columns;
+        EXPECT_EQ(std::set(found->begin(), found->end()), expected[count]);
+        for (const auto& holes : *found) EXPECT_TRUE(hole_faults(sheet, holes).empty());
+      }
+      // (2.1) is 1 - (m - 2)(n - 2), and each hole gives 2.
+      const int lacking = (rows - 2) * (columns - 2);
+      EXPECT_EQ(holes_that_count_to_one(sheet), lacking % 2 == 0 ? lacking / 2 : -1);
+    }
+  }
+}
+
+TEST(Perforation, SeparateFacetsOfLargeSheets) {
+  const auto sheet = [](int rows, int columns) {
+    return miura_sheet(MiuraShape::uniform(rows, columns, 80, 80, 40));
+  };
+  // With even sides every two neighbours have exactly one hole: the two checkerboards remain.
+  const CreasePattern large = sheet(40, 40);
+  const auto found = separate_facets(large, holes_that_count_to_one(large), 10);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(*found, (std::vector{checkerboard(large, 0), checkerboard(large, 1)}));
+  // In one row of 2k inner panels k + 1 sets: one place where the step from hole to hole is 3.
+  EXPECT_EQ(separate_facets(sheet(3, 40), 19, 100)->size(), 20u);
+  // Fewer holes than fit are too many sets, which is said in time.
+  EXPECT_FALSE(separate_facets(large, 100, 1000));
+  EXPECT_FALSE(separate_facets(sheet(6, 6), 4, 10));
+  EXPECT_TRUE(separate_facets(large, -1, 10)->empty());
+}
+
+// No perforation of a Miura-ori with an odd side has mobility 1.
+TEST(Perforation, OddSidesHaveNone) {
+  for (const auto& [rows, columns] : {std::pair(3, 4), {3, 6}, {3, 8}, {4, 5}, {5, 6}, {6, 5}}) {
+    const TestSheet sheet(rows, columns);
+    const auto sets =
+        separate_facets(sheet.base.sheet, holes_that_count_to_one(sheet.base.sheet), 100);
+    ASSERT_TRUE(sets);
+    EXPECT_GE(sets->size(), 2u);
+    for (const auto& holes : *sets) {
+      EXPECT_EQ(counted_mobility(sheet.base.sheet, holes), 1);
+      EXPECT_FALSE(measured_mobility(sheet.base.sheet, holes, sheet.base.folding).is_one());
+    }
+  }
 }
 
 }  // namespace

@@ -80,6 +80,37 @@ refused 3 "A99 (is no vertex" fold ../p.json
 echo '{ "family": "miura", "rows": 6, "columns": 6, "displacements_mm": { "A9": [90, 0] } }' > ../p.json
 refused 3 "no convex quadrilateral" fold ../p.json
 
+# FOLD meshes: mesh SED-SCRIPT makes ../p.json of a good one with one change.
+mesh() {
+  sed "$1" "$source_dir/search/patterns/turned-quads-6x6.fold" > ../mesh.fold
+  echo '{ "family": "fold", "file": "mesh.fold" }' > ../p.json
+}
+mesh ''
+"$program" fold ../p.json > ../out 2> ../err || { fail "the mesh without a change"; cat ../err; }
+while IFS='|' read -r script words; do
+  mesh "$script"
+  refused 3 "$words" fold ../p.json
+  refused 3 "$words" perforations ../p.json
+  echo '{ "name": "x", "pattern": { "family": "fold", "file": "mesh.fold" } }' > ../campaign.json
+  refused 3 "$words" search ../campaign.json
+done <<'CASES'
+s/\[\[0.0, 0.0\]/[[NaN, 0.0]/|mesh.fold: is not JSON
+s/\[\[0.0, 0.0\]/[[1e999, 0.0]/|mesh.fold: is not JSON
+s/\[\[0.0, 0.0\]/[[1e308, 0.0]/|vertex A1 = .1e+308,0.0. (lies farther out
+s/\[\[0.0, 0.0\]/[[0.0, 0.0, 2]/|vertex A1 has z = 2
+s/"mm"/"furlong"/|frame_unit = "furlong" (is no unit
+s/\[\[0, 1, 8, 7\]/[[0, 1, 8]/|face 0 = .0,1,8. (must be four vertices
+s/\[\[0, 1, 8, 7\]/[[0, 8, 1, 7]/|is no convex quadrilateral
+s/\[1, 2, 9, 8\], //|edge A2-A3 (belongs to no face
+s/90.697145317, /95.697145317, /|does not fold rigidly: .*vertex A
+s/"vertices_coords": .*/"vertices_coords": [],/|vertices_coords (must be a list that is not empty
+s/"V"/"F"/|is "F" (must be a mountain or a valley
+CASES
+printf 'not { JSON' > ../mesh.fold
+refused 3 "mesh.fold: is not JSON" fold ../p.json
+rm ../mesh.fold
+refused 3 "mesh.fold: cannot be opened" fold ../p.json
+
 # Catalogues.
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 50 --catalogue ../held.db \
   --progress none > /dev/null 2>&1 || fail "a catalogue to hold"

@@ -8,7 +8,7 @@ grep -q "1200 draws" summary || fail "the summary"
 [ "$(wc -l < summary)" = 1 ] || fail "more than the summary on stdout"
 
 "$program" --help | grep -q replay || fail "--help"
-for verb in search status fold replay query export verify tolerance config; do
+for verb in search status fold perforations replay query export verify tolerance config; do
   "$program" $verb --help | grep -q Example || fail "$verb --help has no example"
 done
 "$program" --version | grep -q "^compiler" || fail "--version"
@@ -62,6 +62,23 @@ done
 [ "$(field half.json 'samples_deg[#-1]')" = 90.0 ] || fail "fold --to"
 [ "$(sqlite3 :memory: "SELECT json_array_length(readfile('half.json'), '\$.samples_deg')")" = 180 ] ||
   fail "fold --step"
+
+# Perforations: those of a sheet with even sides can be folded, odd sides have none.
+pattern() { echo "{ \"family\": \"miura\", \"rows\": $1, \"columns\": $2 ${3:-} }" > p.json; }
+pattern 4 4 && "$program" perforations p.json > list || fail "perforations"
+[ "$(head -3 list | tail -2 | tr -s ' ' | cut -c2-)" = "19 18 18 [[1,1],[2,2]]
+19 18 18 [[1,2],[2,1]]" ] || fail "perforations of 4 x 4: $(cat list)"
+tail -1 list | grep -q "^2 leave one degree of freedom; 0 more" || fail "perforations: the last line"
+for holes in $(sed -n 's/.*\(\[\[.*\)/\1/p' list); do
+  pattern 4 4 ", \"holes\": $holes" && "$program" fold p.json > /dev/null || fail "fold with $holes"
+done
+pattern 5 6 && "$program" perforations p.json > list || fail "perforations of 5 x 6"
+[ "$(cat list)" = "0 leave one degree of freedom; 2 more count to 1 by (2.1) but are not 1: 2 of rank 40 with 42 equations" ] ||
+  fail "perforations of 5 x 6: $(cat list)"
+"$program" perforations p.json --json > list.json || fail "perforations --json"
+[ "$(field list.json 'count_to_one_only[1].degrees_of_freedom')" = 3 ] || fail "perforations --json"
+"$program" perforations "$source_dir/search/patterns/double-corrugation-6x6.json" --json > list.json
+[ "$(field list.json 'perforations[0].holes[0][1]')" = 1 ] || fail "perforations of a FOLD mesh"
 
 # A finished catalogue can be read where nobody may write: one plain file, no -wal beside it.
 [ "$(ls results)" = "$(basename "$file")" ] || fail "files beside the finished catalogue: $(ls results)"
