@@ -9,9 +9,10 @@
 namespace misalign::solver {
 namespace {
 
-// Singular values below this part of the largest count as zero: the least true one at the angles
-// looked at is above 1e-4, rounding below 1e-14.
-constexpr double kRankThreshold = 1e-9;
+// Singular values below this (rad and panel widths) count as zero. The least true one at the angles
+// looked at is 1e-2 on 6 x 6, 7e-4 on 20 x 20 and goes like the number of facets; of a sheet that
+// lacks rank, coordinates written to 1e-4 mm on 80 mm panels leave 2e-6.
+constexpr double kLeastSingularValue = 1e-5;
 
 // Steps of the search for perforations, each over all inner facets: seconds on the largest sheets.
 constexpr int kMostSteps = 200'000;
@@ -175,13 +176,13 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
       DenseSolve factors(mechanism.equations);
       factors.factorize(system.jacobian().leftCols(mechanism.equations));
       const double smallest = SmallestSingularValue<double>(mechanism.equations).of(factors);
-      if (smallest > kRankThreshold * system.jacobian().norm()) {
+      if (smallest > kLeastSingularValue) {
         mobility.rank = mechanism.equations;
         return mobility;
       }
     }
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(system.jacobian());
-    qr.setThreshold(kRankThreshold);
+    qr.setThreshold(kLeastSingularValue / qr.maxPivot());
     mobility.rank = std::max(mobility.rank, static_cast<int>(qr.rank()));
   }
   return mobility;

@@ -1,5 +1,6 @@
 #include "solver/perforation.hpp"
 
+#include <random>
 #include <set>
 
 #include "sheets.hpp"
@@ -117,6 +118,20 @@ TEST(Perforation, OddSidesHaveNone) {
       EXPECT_EQ(counted_mobility(sheet.base.sheet, holes), 1);
       EXPECT_FALSE(measured_mobility(sheet.base.sheet, holes, sheet.base.folding).is_one());
     }
+  }
+}
+
+// Coordinates written to 1e-4 mm give a sheet that lacks rank none back.
+TEST(Perforation, RankOfRoundedCoordinates) {
+  for (const auto& [rows, columns] : {std::pair(3, 4), {5, 6}, {4, 4}, {6, 6}}) {
+    TestSheet sheet(rows, columns);
+    const auto exact = measured_mobility(sheet.base.sheet, sheet.base.holes, sheet.base.folding);
+    std::mt19937 words(5);
+    for (double& x : sheet.base.sheet.vertices_mm.reshaped()) {
+      x += 1e-4 * (std::generate_canonical<double, 53>(words) - 0.5);
+    }
+    const auto rounded = measured_mobility(sheet.base.sheet, sheet.base.holes, sheet.base.folding);
+    EXPECT_EQ(rounded.rank, exact.rank) << rows << " x " << columns;
   }
 }
 
