@@ -119,26 +119,26 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
       solver::SheetGeometry<double> geometry;
       solver::place(mechanism, vertices_mm, geometry);
       ContactCheck check(vertices_mm, panels);
-      solver::record_history(base, mechanism, plan, vertices_mm,
-                             [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
-                               if (stop.sample % 3 != 0) return;
-                               const Eigen::Matrix3Xd corners = shape.corners_mm(geometry, state);
-                               bool expected = false;
-                               for (int a = 0; a < static_cast<int>(panels.size()); ++a) {
-                                 for (int b = 0; b < a; ++b) {
-                                   if (shared(a, b)) continue;
-                                   expected = expected || edge_through(corners, a, b) ||
-                                              edge_through(corners, b, a);
-                                 }
-                               }
-                               const auto found = check.crossing(corners);
-                               EXPECT_EQ(found.has_value(), expected)
-                                   << name << ", draw " << draw << " at " << stop.pilot_deg;
-                               if (found) {
-                                 EXPECT_FALSE(shared(found->first, found->second));
-                               }
-                               ++(expected ? crossing : clear);
-                             });
+      solver::record_history(
+          base, mechanism, plan, vertices_mm,
+          {false, [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
+             if (stop.sample % 3 != 0) return;
+             const Eigen::Matrix3Xd corners = shape.corners_mm(geometry, state);
+             bool expected = false;
+             for (int a = 0; a < static_cast<int>(panels.size()); ++a) {
+               for (int b = 0; b < a; ++b) {
+                 if (shared(a, b)) continue;
+                 expected = expected || edge_through(corners, a, b) || edge_through(corners, b, a);
+               }
+             }
+             const auto found = check.crossing(corners);
+             EXPECT_EQ(found.has_value(), expected)
+                 << name << ", draw " << draw << " at " << stop.pilot_deg;
+             if (found) {
+               EXPECT_FALSE(shared(found->first, found->second));
+             }
+             ++(expected ? crossing : clear);
+           }});
     }
   }
   EXPECT_GE(crossing, 10);

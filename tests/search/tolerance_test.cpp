@@ -7,6 +7,7 @@
 #include <set>
 
 #include "search/draw.hpp"
+#include "solver/reference.hpp"
 
 namespace misalign::search {
 namespace {
