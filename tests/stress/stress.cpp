@@ -1,0 +1,431 @@
+// The stress suite: sheets of every family at the hard places, each path checked by its own loops,
+// by the lengths of its panels, and against dense matrices in small steps. Prints a table.
+//   stress          the short form
+//   stress --long   the long one, more than 100,000 cases; PART PARTS after it: a share of the rows
+// Fails if a path is undecided or on a wrong branch, or a shape is not rigid.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "bases.hpp"
+#include "curve.hpp"
+#include "solver/batch.hpp"
+#include "solver/start.hpp"
+
+namespace misalign::stress {
+namespace {
+
+using solver::FlatVertices;
+using solver::SheetFamily;
+using solver::ShiftBlock;
+using solver::Verdict;
+
+// One row of the table.
+struct Setting {
+  std::string place, name;
+  std::function<solver::PerforatedSheet()> base;
+  solver::PathPlanOptions path;
+  double share;  // of the largest amplitude that cannot spoil a facet; ternary
+  int short_cases, long_cases;
+  bool against_dense = true;
+};
+
+struct Row {
+  int cases = 0, undecided = 0, wrong = 0, to_the_end = 0, dense_failed = 0;
+  double residual = 0, isometry_mm = 0, length_mm = 0;
+};
+
+// Lengths may differ by this between two solvers that closed all loops to 1e-12, or between two
+// ways of stepping (panel widths; 80 mm: 1e-9 mm), where the curve is not about to turn.
+constexpr double kLengthBand_widths = 1.25e-11;
+// Edges and diagonals of panels: the closure tolerance adds up over the panels on the way (400 on
+// 20 x 20).
+constexpr double kIsometryPerPanel_widths = 1e-12;
+
+ShiftBlock draws(const solver::PerforatedSheet& base, const std::vector<int>& shifted, double share,
+                 int sheets, unsigned seed) {
+  const double amplitude_mm = share * solver::largest_safe_amplitude_mm(base.sheet, shifted);
+  std::mt19937 words(seed);
+  ShiftBlock block{std::vector<double>(2 * shifted.size() * static_cast<std::size_t>(sheets)),
+                   sheets};
+  for (double& shift : block.shifts_mm) {
+    shift = amplitude_mm * (static_cast<int>(words() % 3) - 1);
+  }
+  return block;
+}
+
+// The lengths of a history at its samples up to D, for comparison.
+class LengthsOf {
+ public:
+  explicit LengthsOf(const solver::FoldingHistory& history, double width_mm)
+      : history_(history), width_mm_(width_mm) {}
+
+  /// Panel widths; 0 beyond D.
+  double largest_difference(const solver::Stop& stop, const std::vector<double>& lengths) const {
+    if (stop.sample > history_.verdict.deploys_from_sample) return 0;
+    const auto at =
+        std::find_if(history_.stops.begin(), history_.stops.end(),
+                     [&](const solver::Stop& seen) { return seen.sample == stop.sample; });
+    if (at == history_.stops.end()) return 0;
+    double largest = 0;
+    for (std::size_t d = 0; d < lengths.size(); ++d) {
+      const double there_mm =
+          history_.length_mm(at - history_.stops.begin(), static_cast<Eigen::Index>(d));
+      largest = std::max(largest, std::abs(lengths[d] - there_mm / width_mm_));
+    }
+    return largest;
+  }
+
+ private:
+  const solver::FoldingHistory& history_;
+  const double width_mm_;
+};
+
+// The path by dense matrices from sample to sample: its verdict, and how far the lengths up to D
+// are from the history's.
+class DensePath {
+ public:
+  DensePath(const SheetFamily& family, const solver::PathPlan& plan)
+      : family_(family), plan_(plan), tracker_(family.mechanism()), judge_(family.mechanism()) {}
+
+  Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
+    const solver::Mechanism& mechanism = family_.mechanism();
+    solver::SheetGeometry<double> geometry;
+    solver::place(mechanism, vertices_mm, geometry);
+    std::vector<double> lengths(mechanism.diagonals.size());
+    solver::flat_lengths(mechanism, geometry, lengths.data());
+    judge_.begin(lengths);
+    length_error_ = 0;
+    return judge_.conclude(tracker_.follow(
+        geometry, plan_, [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
+          if (stop.sample == 0) return true;
+          solver::folded_lengths(mechanism, geometry, state, lengths.data());
+          length_error_ = std::max(length_error_, history.largest_difference(stop, lengths));
+          return judge_.see(stop, state, lengths);
+        }));
+  }
+  double length_error() const { return length_error_; }
+
+ private:
+  const SheetFamily& family_;
+  const solver::PathPlan& plan_;
+  solver::PathTracker tracker_;
+  solver::Judge judge_;
+  double length_error_ = 0;
+};
+
+// The same along the curve itself, which no step can leave: slow, for the sheets where dense
+// matrices in steps of a degree and the lanes differ.
+class CurvePath {
+ public:
+  CurvePath(const SheetFamily& family, const solver::PathPlan& plan)
+      : family_(family),
+        plan_(plan),
+        newton_(family.mechanism()),
+        judge_(family.mechanism()),
+        finder_(family.mechanism(), family.elimination(), plan, family.base().sheet.vertices_mm) {}
+
+  Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
+    const solver::Mechanism& mechanism = family_.mechanism();
+    solver::SheetGeometry<double> geometry;
+    solver::place(mechanism, vertices_mm, geometry);
+    solver::FoldState<double> state = plan_.start;
+    if (newton_.correct(geometry, state).end != solver::NewtonEnd::converged) {
+      if (finder_.find(vertices_mm) != solver::StartEnd::found) return judge_.conclude({});
+      state = finder_.state();
+    }
+    std::vector<double> lengths(mechanism.diagonals.size());
+    solver::flat_lengths(mechanism, geometry, lengths.data());
+    judge_.begin(lengths);
+    length_error_ = 0;
+    Curve curve(mechanism, geometry, state);
+    constexpr double kStep_rad = 0.02;
+    for (auto stop = plan_.stops.begin(); stop != plan_.stops.end(); ++stop) {
+      if (stop->sample == 0) continue;
+      while (curve.pilot_deg() < stop->pilot_deg - 1e-9) {
+        if (!curve.step(kStep_rad)) return judge_.conclude({solver::PathEnd::stalled, 0, 0, 0, 0});
+        if (curve.pilot_rate() <= 0) {
+          return judge_.conclude({solver::PathEnd::fold_limit, curve.pilot_deg(), 0, 0, 0});
+        }
+      }
+      state = curve.state();
+      state.creases[mechanism.pilot] = stop->pilot;
+      if (newton_.correct(geometry, state).end != solver::NewtonEnd::converged) break;
+      solver::folded_lengths(mechanism, geometry, state, lengths.data());
+      length_error_ = std::max(length_error_, history.largest_difference(*stop, lengths));
+      if (!judge_.see(*stop, state, lengths)) break;
+    }
+    return judge_.conclude({solver::PathEnd::end_reached, 0, 0, 0, 0});
+  }
+  double length_error() const { return length_error_; }
+
+ private:
+  const SheetFamily& family_;
+  const solver::PathPlan& plan_;
+  solver::Newton newton_;
+  solver::Judge judge_;
+  solver::StartFinder finder_;
+  double length_error_ = 0;
+};
+
+bool same(const Verdict& a, const Verdict& b) {
+  return a.deploys_from_sample == b.deploys_from_sample && a.first_fault == b.first_fault &&
+         a.where == b.where;
+}
+
+Row run(const Setting& setting, int cases, unsigned seed) {
+  const solver::PerforatedSheet base = setting.base();
+  solver::PathPlanOptions path = setting.path;
+  path.end_deg = std::min(path.end_deg, base.folding.end_deg());
+  const std::vector<int> shifted = solver::interior_vertices(base.sheet);
+  const SheetFamily family(base, shifted, path, 1);
+  const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
+  const int kept = base.sheet.facet_count() - static_cast<int>(base.holes.size());
+  DensePath dense(family, family.path());
+  CurvePath curve(family, family.path());
+  Row row;
+  FlatVertices vertices_mm;
+  constexpr int kAtOnce = 64;
+  for (int first = 0; first < cases; first += kAtOnce) {
+    const ShiftBlock block =
+        draws(base, shifted, setting.share, std::min(kAtOnce, cases - first), seed + first);
+    const std::vector<Verdict> verdicts = batch->judge(block);
+    const std::vector<solver::FoldingHistory>& histories = batch->record(block);
+    for (int i = 0; i < block.sheets; ++i) {
+      ++row.cases;
+      const solver::FoldingHistory& history = histories[i];
+      row.undecided += verdicts[i].first_fault == solver::Fault::undecided || history.lost();
+      row.to_the_end += history.path.end == solver::PathEnd::end_reached;
+      bool wrong = !same(verdicts[i], history.verdict);
+      for (std::size_t k = 0; k < history.stops.size(); ++k) {
+        row.residual = std::max(row.residual, history.open_by[k]);
+        row.isometry_mm = std::max(row.isometry_mm, history.isometry_error_mm[k]);
+        wrong = wrong || !(history.isometry_error_mm[k] <=
+                           kIsometryPerPanel_widths * kept * base.sheet.panel_width_mm);
+      }
+      // A sheet without a start next to the base is lost to the dense path by its definition.
+      const bool has_path = !history.stops.empty();
+      if (setting.against_dense && has_path) {
+        family.displace(block.of(i), vertices_mm);
+        const LengthsOf lengths(history, base.sheet.panel_width_mm);
+        bool agrees = same(dense.judge(vertices_mm, lengths), history.verdict) &&
+                      dense.length_error() <= kLengthBand_widths;
+        double error = dense.length_error();
+        if (!agrees) {
+          const Verdict other = curve.judge(vertices_mm, lengths);
+          error = curve.length_error();
+          agrees = same(other, history.verdict) && error <= kLengthBand_widths;
+          row.dense_failed += agrees;
+          if (!agrees) {
+            std::fprintf(stderr,
+                         "%s, %s, sheet %d of seed %u: D %d %s, along its curve D %d %s, "
+                         "lengths differ by %.1e\n",
+                         setting.place.c_str(), setting.name.c_str(), i, seed + first,
+                         history.verdict.deploys_from_sample,
+                         solver::fault_name(history.verdict.first_fault), other.deploys_from_sample,
+                         solver::fault_name(other.first_fault), error);
+          }
+        }
+        row.length_mm = std::max(row.length_mm, error * base.sheet.panel_width_mm);
+        wrong = wrong || !agrees;
+      }
+      row.wrong += wrong;
+    }
+  }
+  return row;
+}
+
+// Turning points: from the first sample over the turn down the other half and all the way back.
+struct TurnRow {
+  int cases = 0, wrong = 0;
+  double limit_deg = 0, return_rad = 0;
+};
+
+TurnRow run_turns(const solver::PerforatedSheet& base, double share, int cases, unsigned seed) {
+  const std::vector<int> shifted = solver::interior_vertices(base.sheet);
+  const SheetFamily family(base, shifted, {}, 1);
+  const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
+  const solver::Mechanism& mechanism = family.mechanism();
+  TurnRow row;
+  for (unsigned next = seed; row.cases < cases && next < seed + 100; ++next) {
+    const ShiftBlock block = draws(base, shifted, share, 64, next);
+    const auto& histories = batch->record(block);
+    for (int i = 0; i < block.sheets && row.cases < cases; ++i) {
+      if (histories[i].path.end != solver::PathEnd::fold_limit || histories[i].stops.empty()) {
+        continue;
+      }
+      ++row.cases;
+      FlatVertices vertices_mm;
+      family.displace(block.of(i), vertices_mm);
+      solver::SheetGeometry<double> geometry;
+      solver::place(mechanism, vertices_mm, geometry);
+      solver::FoldState<double> start = family.path().start;
+      solver::Newton newton(mechanism);
+      newton.correct(geometry, start);
+      newton.correct(geometry, start);  // to rounding: a closure of 1e-12 leaves 4e-9 next to flat
+      Curve curve(mechanism, geometry, start);
+      constexpr double kStep_rad = 0.03;
+      const double limit_deg = curve.walk_to_turn(kStep_rad);
+      const double error_deg = std::abs(limit_deg - histories[i].path.fold_limit_deg);
+      // Some way down the other half, and all the way back over the turn.
+      bool good = error_deg < 1e-6;
+      for (int k = 0; k < 60 && good; ++k) good = curve.step(kStep_rad);
+      curve.reverse();
+      for (int k = 0; good && !(curve.pilot_deg() < 1 && curve.pilot_rate() < 0); ++k) {
+        good = k < 20000 &&
+               curve.step(std::min(kStep_rad, 0.5 * curve.pilot_deg() * solver::kRadPerDeg));
+      }
+      solver::FoldState<double> back = curve.state();
+      back.creases[mechanism.pilot] = start.creases[mechanism.pilot];
+      for (int k = 0; k < 2; ++k) newton.correct(geometry, back);
+      const double apart_rad = 2 * solver::largest_half_sine(back, start);
+      row.limit_deg = std::max(row.limit_deg, error_deg);
+      row.return_rad = std::max(row.return_rad, apart_rad);
+      if (!good || !(apart_rad <= 1e-10)) {
+        ++row.wrong;
+        std::fprintf(stderr, "turn: case %d of seed %u: limit off by %.1e deg, back off by %.1e\n",
+                     i, next, error_deg, apart_rad);
+      }
+    }
+  }
+  return row;
+}
+
+// The share of its safe amplitude that 0.4 mm is on the paper's sheet.
+constexpr double kPaperShare = 0.025;
+
+std::vector<Setting> settings() {
+  using solver::PathPlanOptions;
+  std::vector<Setting> all;
+  const auto paper66 = [] { return paper(6, 6, "checkerboard-odd"); };
+  const std::vector<std::pair<std::string, std::function<solver::PerforatedSheet(int, int)>>>
+      families = {{"Miura, odd", [](int m, int n) { return paper(m, n, "checkerboard-odd"); }},
+                  {"Miura, even", [](int m, int n) { return paper(m, n, "checkerboard-even"); }},
+                  {"Miura, wide", [](int m, int n) { return miura(m, n, 70, 200); }},
+                  {"Miura, narrow", [](int m, int n) { return miura(m, n, 50, 40); }},
+                  {"Miura, graded", graded},
+                  {"double corrugation", double_corrugation},
+                  {"angle array", [](int m, int n) { return turned_quads(m, n, 110, 100, 80); }},
+                  {"turned quads", [](int m, int n) { return turned_quads(m, n, 104, 100, 84); }}};
+  for (const auto& [name, make] : families) {
+    for (const auto& [m, n, few, many] : {std::tuple(4, 4, 32, 2000),
+                                          {6, 6, 16, 4000},
+                                          {8, 6, 4, 1000},
+                                          {8, 8, 4, 500},
+                                          {10, 10, 2, 100}}) {
+      all.push_back({"family and size",
+                     name + " " + std::to_string(m) + " x " + std::to_string(n),
+                     [=, make = make] { return make(m, n); },
+                     {},
+                     kPaperShare,
+                     few,
+                     many});
+    }
+  }
+  for (const int n : {20, 28, 40}) {
+    for (const auto& [name, make] : {families[0], families[5]}) {
+      all.push_back({"large sheets",
+                     name + " " + std::to_string(n) + " x " + std::to_string(n),
+                     [=, make = make] { return make(n, n); },
+                     {},
+                     kPaperShare,
+                     0,
+                     n == 40 ? 2 : 8,
+                     false});
+    }
+  }
+  for (const double deg : {0.5, 1.0, 5.0, 20.0, 45.0, 75.0, 85.0, 89.0, 89.5}) {
+    char name[40];
+    std::snprintf(name, sizeof name, "sector angle %g deg", deg);
+    all.push_back(
+        {"sector angle", name, [=] { return miura(6, 6, deg); }, {}, kPaperShare, 8, 3000});
+  }
+  for (const auto& [sample_deg, end_deg, few, many] : {std::tuple(0.01, 5.0, 4, 1000),
+                                                       {0.1, 180.0, 2, 400},
+                                                       {0.3, 180.0, 2, 500},
+                                                       {3.0, 180.0, 8, 3000},
+                                                       {5.0, 180.0, 8, 3000},
+                                                       {10.0, 180.0, 8, 3000},
+                                                       {20.0, 180.0, 8, 3000}}) {
+    PathPlanOptions path;
+    path.sample_deg = sample_deg;
+    path.end_deg = end_deg;
+    char name[60];
+    std::snprintf(name, sizeof name, "samples of %g deg to %g", sample_deg, end_deg);
+    all.push_back({"start and samples", name, paper66, path, kPaperShare, few, many});
+  }
+  for (const double share : {1e-10, 1e-7, 1e-5, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 0.95}) {
+    char name[40];
+    std::snprintf(name, sizeof name, "%.0e of the safe amplitude", share);
+    all.push_back({"amplitude", name, paper66, {}, share, 8, 3000});
+    if (share <= 1e-3) {
+      std::snprintf(name, sizeof name, "%.0e, angle array", share);
+      all.push_back(
+          {"amplitude", name, [] { return turned_quads(6, 6, 110, 100, 80); }, {}, share, 4, 1000});
+    }
+  }
+  for (const double below : {1e-2, 1e-4, 1e-6, 0.0}) {
+    PathPlanOptions path;
+    path.end_deg = 180 - below;
+    for (const double share : {1e-7, 1e-4, 2e-3}) {
+      char name[60];
+      std::snprintf(name, sizeof name, "end 180 - %g deg, %.0e", below, share);
+      all.push_back({"next to 180 deg", name, paper66, path, share, 4, 1000});
+    }
+  }
+  return all;
+}
+
+int run_all(bool is_long, int part, int parts) {
+  bool good = true;
+  long cases = 0, undecided = 0, wrong = 0;
+  std::printf(
+      "| place | sheets | cases | to the end | worst residual | worst panel error, mm | worst "
+      "length "
+      "against dense, mm | dense jumped or had no start | undecided | wrong "
+      "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+  int number = 0;
+  for (const Setting& setting : settings()) {
+    const int wanted = is_long ? setting.long_cases : setting.short_cases;
+    if (number++ % parts != part || wanted == 0) continue;
+    const Row row = run(setting, wanted, 20150235);
+    std::printf("| %s | %s | %d | %d | %.1e | %.1e | %.1e | %d | %d | %d |\n",
+                setting.place.c_str(), setting.name.c_str(), row.cases, row.to_the_end,
+                row.residual, row.isometry_mm, row.length_mm, row.dense_failed, row.undecided,
+                row.wrong);
+    std::fflush(stdout);
+    cases += row.cases;
+    undecided += row.undecided;
+    wrong += row.wrong;
+  }
+  std::printf(
+      "\n| turning points of | cases | worst limit, deg | worst return, rad | wrong "
+      "|\n|---|---|---|---|---|\n");
+  const std::vector<std::pair<std::string, std::function<solver::PerforatedSheet()>>> turning = {
+      {"Miura 4 x 4", [] { return paper(4, 4, "checkerboard-odd"); }},
+      {"Miura 6 x 6", [] { return paper(6, 6, "checkerboard-odd"); }},
+      {"double corrugation 6 x 6", [] { return double_corrugation(6, 6); }},
+      {"angle array 6 x 6", [] { return turned_quads(6, 6, 110, 100, 80); }}};
+  for (const auto& [name, make] : turning) {
+    if (number++ % parts != part) continue;
+    const TurnRow row = run_turns(make(), kPaperShare, is_long ? 200 : 2, 7);
+    std::printf("| %s | %d | %.1e | %.1e | %d |\n", name.c_str(), row.cases, row.limit_deg,
+                row.return_rad, row.wrong);
+    std::fflush(stdout);
+    cases += row.cases;
+    wrong += row.wrong;
+    good = good && row.cases > 0;
+  }
+  std::printf("\n%ld cases, %ld undecided, %ld wrong\n", cases, undecided, wrong);
+  return good && cases > 0 && undecided == 0 && wrong == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+}  // namespace misalign::stress
+
+int main(int argc, char** argv) {
+  const bool is_long = argc > 1 && std::strcmp(argv[1], "--long") == 0;
+  const int part = argc > 3 ? std::atoi(argv[2]) : 0, parts = argc > 3 ? std::atoi(argv[3]) : 1;
+  return misalign::stress::run_all(is_long, part, parts);
+}
