@@ -1,6 +1,6 @@
 // What a state says beyond its own numbers, from dense factors of its Jacobian: the yardstick of
-// the fixed order's, and the way out where that order does not suit (at 180 degrees its pivots
-// vanish).
+// the fixed order's, and the way out where that order does not suit (next to 180 degrees its
+// pivots vanish: there a last correction was seen to open closed loops to 2e-10).
 #pragma once
 
 #include <vector>
@@ -11,6 +11,9 @@
 
 namespace misalign::solver {
 
+/// From here on states that the fixed order's last correction left are looked at once more.
+inline constexpr double kPoorFactorsFrom_deg = 179;
+
 /// J times the tangent that factors give is zero but for what they are worth: beyond this (per
 /// radian of pilot) what follows from them is asked of dense ones.
 inline constexpr double kLargestMisfit = 1e-9;
@@ -20,8 +23,10 @@ class DenseLook {
   explicit DenseLook(const Mechanism& mechanism);
   ~DenseLook();
 
-  /// Looks at a solution.
+  /// Looks at a solution, or what is near one: closes it first, its pilot held, if it is open.
   void at(const SheetGeometry<double>& geometry, const FoldState<double>& state);
+
+  const FoldState<double>& state() const { return state_; }  ///< closed
 
   double open_by() const { return open_by_; }
   double singular_value() const { return singular_value_; }
@@ -31,6 +36,8 @@ class DenseLook {
  private:
   const Mechanism& mechanism_;
   ClosureSystem system_;
+  Newton newton_;
+  FoldState<double> state_, trial_;
   DenseSolve factors_;
   SmallestSingularValue<double> smallest_;
   double open_by_ = 0, singular_value_ = 0;

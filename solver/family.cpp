@@ -15,7 +15,8 @@ constexpr double kSafeFromBase_deg = 150;
 // direction its diagonals set out: with both, nine of ten sheets are decided.
 constexpr double kNearShare = 0.2;
 
-// From the far test to the threshold in steps of about this, if it is farther than the other.
+// From the far test to the threshold in steps of about this, if it is farther than the other;
+// before it, where less happens, in steps of three times that.
 constexpr double kApproachStep_deg = 5, kApproachFrom_deg = 2;
 
 // Rows d length / d closure of all diagonals, one after another: their gradients, through the
@@ -107,7 +108,7 @@ void SheetFamily::choose_tests() {
     test.determinant_sign = test.factors.determinant_sign() < 0 ? -1 : 1;
     test.lengths_per_closure = lengths_per_closure(mechanism_, geometry, test.base, test.factors);
   }
-  if (tests_.size() < 2 || (threshold_sample_ - far) * sample_deg_ <= kApproachFrom_deg) return;
+  if (tests_.size() < 2) return;
   const auto add_stops = [&](int from, int to, double step_deg) {
     const int step = std::max(1, sample_at(step_deg));
     for (int k = from; k < to; k += step) {
@@ -115,6 +116,11 @@ void SheetFamily::choose_tests() {
     }
   };
   add_stops(near, far, kApproachStep_deg * 3);
+  if ((threshold_sample_ - far) * sample_deg_ <= kApproachFrom_deg) {
+    departs_from_ = 1;
+    add_stops(far, far + 1, kApproachStep_deg);
+    return;
+  }
   add_stops(far, threshold_sample_, kApproachStep_deg);
   add_stops(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
 }

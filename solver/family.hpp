@@ -40,9 +40,10 @@ class SheetFamily {
 
   /// The far one, then the near one; none where the threshold is close to flat.
   const std::vector<TestAngle>& tests() const { return tests_; }
-  /// Samples from the near test over the far one to the threshold; none if the far test is close
-  /// enough to it.
+  /// Samples from the near test to the far one, and on to the threshold if that is farther.
   const PathPlan& approach() const { return approach_; }
+  /// The test from whose states sheets depart on it: the far one, if the threshold is farther.
+  int departs_from() const { return departs_from_; }
   /// Largest coordinate on the flat sheet from A1, panel widths.
   double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.
@@ -64,6 +65,7 @@ class SheetFamily {
   const bool bump_is_fault_;
   std::vector<TestAngle> tests_;
   PathPlan approach_;
+  int departs_from_ = 0;
   double extent_, length_per_rad_;
 };
 

@@ -1,6 +1,5 @@
 #include "solver/history.hpp"
 
-#include <optional>
 #include <utility>
 
 #include "solver/dense_look.hpp"
@@ -37,11 +36,6 @@ class SingleRecording {
     return true;
   }
   Recording& of_lane(int) { return recording_; }
-  const DenseLook& densely(int, const FoldState<double>& state) {
-    if (!dense_) dense_.emplace(mechanism_);
-    dense_->at(geometry_, state);
-    return *dense_;
-  }
   // Where the base folding is too far off, once more from a start that is found from there.
   void ended(PathResult path, int) {
     if (path.end == PathEnd::start_lost && !has_searched_) {
@@ -67,7 +61,6 @@ class SingleRecording {
   SheetGeometry<double> geometry_;
   Recording recording_;
   FoldingHistory history_;
-  std::optional<DenseLook> dense_;
 };
 
 }  // namespace
@@ -107,6 +100,18 @@ void Recording::see(const SeenStop& seen) {
   if (visit_) visit_(seen.stop, seen.state);
 }
 
+void Recording::see_densely(const Stop& stop, const FoldState<double>& state,
+                            const FoldedShape& shape) {
+  if (!dense_) dense_ = std::make_shared<DenseLook>(mechanism_);
+  SheetGeometry<double> geometry;
+  place(mechanism_, vertices_mm_, geometry);
+  dense_->at(geometry, state);
+  FoldedPoints<double> points;
+  shape.place(geometry, dense_->state(), points);
+  see({stop, dense_->state(), dense_->lengths(), dense_->slopes(), dense_->open_by(),
+       dense_->singular_value(), shape.isometry_error(geometry, points)});
+}
+
 FoldingHistory Recording::conclude(const PathResult& path) {
   history_.path = path;
   history_.verdict = judge_.conclude(path);
@@ -115,6 +120,11 @@ FoldingHistory Recording::conclude(const PathResult& path) {
   history_.slope_mm_per_deg = rows_of(slopes_mm_per_deg_, history_.stops.size());
   history_.fold_angle_deg = rows_of(angles_deg_, history_.stops.size());
   return std::move(history_);
+}
+
+// False turns were seen within 1e-4 degrees of 180.
+bool is_for_dense_to_confirm(const PathResult& path) {
+  return path.end == PathEnd::fold_limit && path.fold_limit_deg > 180 - 1e-3;
 }
 
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
@@ -128,7 +138,9 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
   RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
   tracker.run(client);
   FoldingHistory history = single.take();
-  return history.lost() ? record_densely(mechanism, shape, plan, vertices_mm, options) : history;
+  if (!history.lost() && !is_for_dense_to_confirm(history.path)) return history;
+  FoldingHistory dense = record_densely(mechanism, shape, plan, vertices_mm, options);
+  return history.lost() || !dense.lost() ? dense : history;
 }
 
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
@@ -139,14 +151,9 @@ FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& sha
   Recording recording(mechanism, options);
   recording.begin(vertices_mm);
   PathTracker tracker(mechanism);
-  DenseLook look(mechanism);
-  FoldedPoints<double> points;
   const PathResult path =
       tracker.follow(geometry, plan, [&](const Stop& stop, const FoldState<double>& state) {
-        look.at(geometry, state);
-        shape.place(geometry, state, points);
-        recording.see({stop, state, look.lengths(), look.slopes(), look.open_by(),
-                       look.singular_value(), shape.isometry_error(geometry, points)});
+        recording.see_densely(stop, state, shape);
         return true;
       });
   return recording.conclude(path);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "solver/isometry.hpp"
@@ -10,6 +11,8 @@
 #include "solver/verdict.hpp"
 
 namespace misalign::solver {
+
+class DenseLook;
 
 /// A correct sheet with holes: what a pattern file or a campaign describes, before any shift.
 struct PerforatedSheet {
@@ -66,6 +69,8 @@ class Recording {
   const FlatVertices& vertices_mm() const { return vertices_mm_; }
   /// The next stop of its path; past faults too.
   void see(const SeenStop& seen);
+  /// The same from the state alone, by dense factors.
+  void see_densely(const Stop& stop, const FoldState<double>& state, const FoldedShape& shape);
   /// The whole, once the path has ended.
   FoldingHistory conclude(const PathResult& path);
 
@@ -74,9 +79,14 @@ class Recording {
   StopVisitor visit_;
   Judge judge_;
   FlatVertices vertices_mm_;
+  std::shared_ptr<DenseLook> dense_;                                 // made when first needed
   std::vector<double> lengths_mm_, slopes_mm_per_deg_, angles_deg_;  // stop by stop
   FoldingHistory history_;
 };
+
+/// Whether a path ended next to 180 degrees, where the fixed order's factors are poor and false
+/// turns were seen: dense matrices have the last word, if they have one.
+bool is_for_dense_to_confirm(const PathResult& path);
 
 /// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
 /// faults. A path that is lost is followed again by dense matrices: then `visit` sees it from the

@@ -73,7 +73,8 @@ const FlatVertices& LaneSheets::vertices_mm_of_lane(int lane) {
   return vertices_mm_;
 }
 
-DenseLooks::DenseLooks(const Mechanism& mechanism) : mechanism_(mechanism) {}
+DenseLooks::DenseLooks(const Mechanism& mechanism)
+    : mechanism_(mechanism), residual_(mechanism.equations) {}
 
 DenseLooks::~DenseLooks() = default;
 
@@ -84,11 +85,17 @@ const DenseLook& DenseLooks::at(const FlatVertices& vertices_mm, const FoldState
   return *look_;
 }
 
+double DenseLooks::open_by(const FlatVertices& vertices_mm, const FoldState<double>& state) {
+  place(mechanism_, vertices_mm, geometry_);
+  return evaluate(mechanism_, geometry_, state, residual_.data(), nullptr);
+}
+
 JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       sheets_(family, lanes),
       judges_(lanes, Judge(family.mechanism(), family.bump_is_fault())),
       found_(family.mechanism()),
+      shape_(family.base().sheet, family.base().holes, family.mechanism()),
       dense_(family.mechanism()) {}
 
 JudgingDesk::~JudgingDesk() = default;
@@ -107,25 +114,38 @@ bool JudgingDesk::next(Departure& departure, int lane) {
 
 bool JudgingDesk::visit(const Stop& stop, int lane, double misfit) {
   if (stop.sample == 0) return true;
-  const std::vector<double>* slopes = wants_slopes() ? &found_.slopes : nullptr;
-  if (slopes && !(misfit <= kLargestMisfit)) {
-    slopes = &dense_.at(sheets_.vertices_mm_of_lane(lane), found_.state).slopes();
+  const bool is_poor = !(misfit <= kLargestMisfit) ||
+                       (stop.pilot_deg > kPoorFactorsFrom_deg &&
+                        !(dense_.open_by(sheets_.vertices_mm_of_lane(lane), found_.state) <=
+                          NewtonOptions{}.closure_tolerance));
+  if (is_poor) {
+    const DenseLook& dense = dense_.at(sheets_.vertices_mm_of_lane(lane), found_.state);
+    found_.state = dense.state();
+    found_.lengths = dense.lengths();
+    found_.slopes = dense.slopes();
   }
-  return judges_[lane].see(stop, found_.state, found_.lengths, slopes);
+  return judges_[lane].see(stop, found_.state, found_.lengths,
+                           wants_slopes() ? &found_.slopes : nullptr);
 }
 
 void JudgingDesk::ended(PathResult path, int lane) {
   count(path, effort_);
   if (!sheets_.has_ended(path, lane)) return;
-  verdicts_[sheets_.of_lane(lane)] = judges_[lane].conclude(path);
+  Verdict& verdict = verdicts_[sheets_.of_lane(lane)];
+  verdict = judges_[lane].conclude(path);
+  if (!is_for_dense_to_confirm(path)) return;
+  const Verdict dense =
+      record_densely(family_.mechanism(), shape_, family_.path(), sheets_.vertices_mm_of_lane(lane),
+                     {family_.bump_is_fault(), {}})
+          .verdict;
+  if (dense.first_fault != Fault::undecided) verdict = dense;
 }
 
 RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
     : family_(family),
       shape_(family.base().sheet, family.base().holes, family.mechanism()),
       sheets_(family, lanes),
-      recordings_(lanes, Recording(family.mechanism(), {family.bump_is_fault(), {}})),
-      dense_(family.mechanism()) {}
+      recordings_(lanes, Recording(family.mechanism(), {family.bump_is_fault(), {}})) {}
 
 RecordingDesk::~RecordingDesk() = default;
 
@@ -144,10 +164,11 @@ void RecordingDesk::ended(PathResult path, int lane) {
   if (!sheets_.has_ended(path, lane)) return;
   FoldingHistory& history = histories_[sheets_.of_lane(lane)];
   history = recordings_[lane].conclude(path);
-  if (history.lost()) {
-    history = record_densely(family_.mechanism(), shape_, family_.path(),
-                             recordings_[lane].vertices_mm(), {family_.bump_is_fault(), {}});
-  }
+  if (!history.lost() && !is_for_dense_to_confirm(path)) return;
+  FoldingHistory dense =
+      record_densely(family_.mechanism(), shape_, family_.path(), recordings_[lane].vertices_mm(),
+                     {family_.bump_is_fault(), {}});
+  if (history.lost() || !dense.lost()) history = std::move(dense);
 }
 
 // After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only

@@ -59,10 +59,13 @@ class DenseLooks {
   explicit DenseLooks(const Mechanism& mechanism);
   ~DenseLooks();
   const DenseLook& at(const FlatVertices& vertices_mm, const FoldState<double>& state);
+  /// How far a state's loops are open.
+  double open_by(const FlatVertices& vertices_mm, const FoldState<double>& state);
 
  private:
   const Mechanism& mechanism_;
   SheetGeometry<double> geometry_;
+  std::vector<double> residual_;
   std::unique_ptr<DenseLook> look_;
 };
 
@@ -90,6 +93,7 @@ class JudgingDesk {
   std::vector<Judge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;
   StopCopy found_;
+  const FoldedShape shape_;
   DenseLooks dense_;
   Effort effort_;
 };
@@ -104,9 +108,6 @@ class RecordingDesk {
   bool next(Departure& departure, int lane);
   const FoldedShape& shape() const { return shape_; }
   Recording& of_lane(int lane) { return recordings_[lane]; }
-  const DenseLook& densely(int lane, const FoldState<double>& state) {
-    return dense_.at(recordings_[lane].vertices_mm(), state);
-  }
   void ended(PathResult path, int lane);
 
   std::vector<FoldingHistory>& histories() { return histories_; }
@@ -116,7 +117,6 @@ class RecordingDesk {
   const FoldedShape shape_;
   LaneSheets sheets_;
   std::vector<Recording> recordings_;  // of lanes
-  DenseLooks dense_;
   std::vector<FoldingHistory> histories_;
 };
 

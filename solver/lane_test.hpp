@@ -218,7 +218,7 @@ void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, App
     rules.observe(sheet, {angle.sample, lane_lengths_.data(), *error + rounding_[test],
                           angle.with_slopes ? lane_slopes_.data() : nullptr,
                           slope_error(lane(slope_correction_, i)) + rounding_[test]});
-    if ((test == 0 || open[i].kept_state < 0) && !rules.decided(sheet)) {
+    if ((test == family_.departs_from() || open[i].kept_state < 0) && !rules.decided(sheet)) {
       copy_lane(state_, i, approach.keep(test, open[i].kept_state));
     }
   }

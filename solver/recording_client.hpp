@@ -15,7 +15,7 @@ namespace misalign::solver {
 /// `Desk` says which sheet is next (`next`), whose recording a lane writes (`of_lane`), and takes
 /// the end of each path (`ended`). Lanes arrive at their stops one by one: each one's state and
 /// factors are kept until it arrives again or its path ends, and then all that are kept are looked
-/// at in one go; with dense factors (`densely`) where the kept ones are worth nothing.
+/// at in one go; with dense factors (`see_densely`) where the kept ones are worth nothing.
 template <class T, class Desk>
 class RecordingClient {
  public:
@@ -77,7 +77,8 @@ class RecordingClient {
     for (int i = 0; i < kLanes<T>; ++i) {
       if (!(lane(waits_, i) > 0)) continue;
       copy_lane(kept_state_, i, copy_.state);
-      if (lane(misfit, i) <= kLargestMisfit && std::isfinite(lane(singular_value, i))) {
+      if (lane(misfit, i) <= kLargestMisfit && std::isfinite(lane(singular_value, i)) &&
+          lane(open_by, i) <= NewtonOptions{}.closure_tolerance) {
         for (std::size_t k = 0; k < lengths_.size(); ++k) {
           copy_.lengths[k] = lane(lengths_[k], i);
           copy_.slopes[k] = lane(slopes_[k], i);
@@ -85,9 +86,7 @@ class RecordingClient {
         desk_.of_lane(i).see({stops_[i], copy_.state, copy_.lengths, copy_.slopes, lane(open_by, i),
                               lane(singular_value, i), lane(isometry_error, i)});
       } else {
-        const DenseLook& dense = desk_.densely(i, copy_.state);
-        desk_.of_lane(i).see({stops_[i], copy_.state, dense.lengths(), dense.slopes(),
-                              lane(open_by, i), dense.singular_value(), lane(isometry_error, i)});
+        desk_.of_lane(i).see_densely(stops_[i], copy_.state, shape_);
       }
     }
     waits_ = T(0);
