@@ -11,7 +11,6 @@ void Course::begin(const PathPlan& plan, std::size_t first_stop, int forward_sig
   stop_ = first_stop;
   phase_ = Phase::stepping;
   forward_sign_ = forward_sign;
-  heading_ = plan.stops.back().pilot_deg < plan.stops.front().pilot_deg ? -1 : 1;
   corrections_ = tangents_ = walk_steps_ = 0;
   corrected_rad_ = 0;
   result_ = {};
@@ -108,7 +107,7 @@ Move Course::begin_walk(const Reading& reading) {
   phase_ = Phase::walking;
   walk_steps_ = 0;
   bend_ = 0;
-  const double gap = 2 * beyond(target().pilot, reading.last_pilot);
+  const double gap = 2 * half_sine_between(target().pilot, reading.last_pilot);
   ds_ = std::min(options_.walk.longest_step_rad, 0.5 * gap / tangent_pilot_[0]);
   return walk_on(reading.last_pilot);
 }
@@ -119,7 +118,7 @@ Move Course::walk_on(const HalfAngle<double>& last_pilot) {
   ++result_.arc_steps;
   const double rise = ds_ * tangent_pilot_[0];
   if (bend_ > 0 && rise < options_.walk.turn_tolerance_rad) {
-    result_.fold_limit_deg = angle_deg(last_pilot) + heading_ * 0.5 * rise / kRadPerDeg;
+    result_.fold_limit_deg = angle_deg(last_pilot) + 0.5 * rise / kRadPerDeg;
     return end(PathEnd::fold_limit);
   }
   if (ds_ < options_.walk.shortest_step_rad || walk_steps_ > options_.walk.max_steps) {
@@ -129,7 +128,7 @@ Move Course::walk_on(const HalfAngle<double>& last_pilot) {
   corrected_rad_ = 0;
   Move move;
   move.depart = true;
-  move.along[0] = heading_ * ds_;
+  move.along[0] = ds_;
   return move;
 }
 
@@ -139,14 +138,14 @@ Move Course::walked(const Reading& reading) {
   const bool same_curve = reading.orientation * sign == forward_sign_ &&
                           sign * reading.tangent_cosine >= options_.walk.least_tangent_cosine;
   if (!same_curve) return not_there(reading);
-  if (beyond(reading.pilot, target().pilot) >= 0) {
+  if (half_sine_between(reading.pilot, target().pilot) >= 0) {
     phase_ = Phase::landing;
     corrections_ = 0;
     corrected_rad_ = 0;
     Move move;
     move.depart = move.hold = true;
-    move.along[0] = heading_ * ds_ * beyond(target().pilot, reading.last_pilot) /
-                    beyond(reading.pilot, reading.last_pilot);
+    move.along[0] = ds_ * half_sine_between(target().pilot, reading.last_pilot) /
+                    half_sine_between(reading.pilot, reading.last_pilot);
     move.pilot = target().pilot;
     return move;
   }
@@ -154,10 +153,10 @@ Move Course::walked(const Reading& reading) {
   if (tangent_pilot <= 0) {
     const double before = tangent_pilot_[0];
     const double rise = ds_ * std::max(before, -tangent_pilot);
-    const double way_left = 2 * beyond(plan_->stops.back().pilot, reading.last_pilot);
+    const double way_left = 2 * half_sine_between(plan_->stops.back().pilot, reading.last_pilot);
     if (rise <
         std::max(options_.walk.turn_tolerance_rad, (1 - options_.turn_certain_share) * way_left)) {
-      result_.fold_limit_deg = angle_deg(reading.last_pilot) + heading_ * 0.5 * rise / kRadPerDeg;
+      result_.fold_limit_deg = angle_deg(reading.last_pilot) + 0.5 * rise / kRadPerDeg;
       return end(PathEnd::fold_limit);
     }
     bend_ = (before - tangent_pilot) / ds_;

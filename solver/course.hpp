@@ -54,9 +54,9 @@ class Course {
  public:
   explicit Course(const CourseOptions& options = {}) : options_(options) {}
 
-  /// A path whose start lies near the plan's stop number `first_stop`; its stops ascend, or
-  /// descend. `forward_sign` is the determinant's on this half of the curve, 0 if it is not known
-  /// yet.
+  /// A path whose start lies near the plan's stop number `first_stop`. Stops ascend, or descend
+  /// where no walk is needed. `forward_sign` is the determinant's on this half of the curve, 0 if
+  /// it is not known yet.
   void begin(const PathPlan& plan, std::size_t first_stop, int forward_sign);
   Move after(const Reading& reading);
   /// From the stop where it arrived to the next one.
@@ -80,10 +80,6 @@ class Course {
   Move not_there(const Reading& reading);
   Move begin_walk(const Reading& reading);
   Move walk_on(const HalfAngle<double>& last_pilot);
-  // How far `to` lies beyond `from` in the sense of the plan: the sine of half of it.
-  double beyond(const HalfAngle<double>& to, const HalfAngle<double>& from) const {
-    return heading_ * half_sine_between(to, from);
-  }
   Move end(PathEnd end);
 
   CourseOptions options_;
@@ -91,14 +87,13 @@ class Course {
   std::size_t stop_ = 0;
   Phase phase_ = Phase::idle;
   int forward_sign_ = 0;
-  int heading_ = 1;  // +1 where the plan's stops ascend, -1 where they descend
   int corrections_ = 0;
   double last_open_ = 0;
   double corrected_rad_ = 0;             // since departing
   int tangents_ = 0;                     // known at the stops before, newest first
   double tangent_pilot_[3] = {1, 1, 1};  // their pilot entries
   double step_rad_[2] = {0, 0};          // pilot steps between those stops
-  double ds_ = 0, bend_ = 0;             // of the walk, along the heading: see ArcLength
+  double ds_ = 0, bend_ = 0;             // of the walk: see ArcLength
   int walk_steps_ = 0;
   PathResult result_{};
 };

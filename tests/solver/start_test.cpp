@@ -1,0 +1,101 @@
+// Starts of sheets far from the base, against dense Newton steps in a thousand shares of the
+// shifts.
+#include "solver/start.hpp"
+
+#include "blocks.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// The branch in steps so small that Newton cannot leave it: the share up to which it goes, and the
+// state there.
+double follow_in_small_steps(const TestFamily& sheets, const SheetFamily& family,
+                             const FlatVertices& vertices_mm, FoldState<double>& state) {
+  constexpr int kSteps = 1000;
+  Newton newton(family.mechanism());
+  SheetGeometry<double> geometry;
+  state = family.path().start;
+  int sign = 0;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double share = static_cast<double>(k) / kSteps;
+    const FlatVertices& base_mm = sheets.base.sheet.vertices_mm;
+    place(family.mechanism(), base_mm + share * (vertices_mm - base_mm), geometry);
+    FoldState<double> next = state;
+    const bool closed = newton.correct(geometry, next).end == NewtonEnd::converged;
+    if (sign == 0) sign = newton.factors().determinant_sign();
+    // A turn of the branch: no solution near, one on its other half, or one far off.
+    if (!closed || newton.factors().determinant_sign() != sign ||
+        largest_half_sine(next, state) > 0.2 * family.path().stops.front().pilot.s) {
+      return share;
+    }
+    state = next;
+  }
+  return 1;
+}
+
+class Starts : public testing::TestWithParam<double> {};
+
+TEST_P(Starts, AreThoseOfTheBranchOfTheBaseFolding) {
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(1);
+  StartFinder finder(family.mechanism(), family.elimination(), family.path(),
+                     sheets.base.sheet.vertices_mm);
+  const ShiftBlock block = sheets.draws(60 / kFewer, kSeed, GetParam());
+  int found = 0, ended = 0;
+  for (int i = 0; i < block.sheets; ++i) {
+    const FlatVertices vertices_mm = sheets.vertices(block, i);
+    FoldState<double> expected;
+    const double share = follow_in_small_steps(sheets, family, vertices_mm, expected);
+    switch (finder.find(vertices_mm)) {
+      case StartEnd::found:
+        ++found;
+        EXPECT_EQ(share, 1) << "sheet " << i;
+        // Both closed to 1e-12, over a singular value of 1e-4 and more.
+        EXPECT_LT(largest_half_sine(finder.state(), expected), 1e-8) << "sheet " << i;
+        break;
+      case StartEnd::branch_ended:
+        ++ended;
+        EXPECT_LT(share, 1) << "sheet " << i;
+        break;
+      case StartEnd::lost:
+        ADD_FAILURE() << "sheet " << i << " was lost";
+    }
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_EQ(ended > 0, GetParam() > 4) << "far shifts have no such folding, some of them";
+}
+
+INSTANTIATE_TEST_SUITE_P(Amplitudes, Starts, testing::Values(0.4, 8.0, 11.0),
+                         [](const auto& amplitude) {
+                           return std::to_string(static_cast<int>(10 * amplitude.param)) +
+                                  "_tenths_mm";
+                         });
+
+// A block with such sheets gives what each of them gives alone, and none is undecided.
+TEST(LargeShifts, AreDecidedInLanes) {
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(100);
+  const ShiftBlock block = sheets.draws(40 / kFewer, kSeed, 10);
+  for (const InstructionSet set : available_instruction_sets()) {
+    const auto batch = make_batch(set, family);
+    const std::vector<Verdict> together = batch->judge(block);
+    const std::vector<FoldingHistory> histories = batch->record(block);
+    for (int i = 0; i < block.sheets; ++i) {
+      EXPECT_NE(together[i].first_fault, Fault::undecided) << "sheet " << i;
+      EXPECT_EQ(words(together[i]), words(batch->judge(chosen_of(block, {i}))[0]));
+      // Histories go on past the fault.
+      const Verdict recorded = histories[i].verdict;
+      const Verdict single =
+          record_history(sheets.base, family.mechanism(), family.path(), sheets.vertices(block, i))
+              .verdict;
+      for (const Verdict& other : {recorded, single}) {
+        EXPECT_EQ(other.deploys_from_sample, together[i].deploys_from_sample) << "sheet " << i;
+        EXPECT_EQ(other.first_fault, together[i].first_fault) << "sheet " << i;
+        EXPECT_EQ(other.where, together[i].where) << "sheet " << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace misalign::solver
