@@ -77,8 +77,7 @@ class RecordingClient {
     for (int i = 0; i < kLanes<T>; ++i) {
       if (!(lane(waits_, i) > 0)) continue;
       copy_lane(kept_state_, i, copy_.state);
-      if (lane(misfit, i) <= kLargestMisfit && std::isfinite(lane(singular_value, i)) &&
-          lane(open_by, i) <= NewtonOptions{}.closure_tolerance) {
+      if (stops_[i].pilot_deg <= kPoorFactorsFrom_deg && lane(misfit, i) <= kLargestMisfit) {
         for (std::size_t k = 0; k < lengths_.size(); ++k) {
           copy_.lengths[k] = lane(lengths_[k], i);
           copy_.slopes[k] = lane(slopes_[k], i);

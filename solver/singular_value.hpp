@@ -26,9 +26,8 @@ class SmallestSingularValue {
   }
 
   /// `factors` of J have `solve(rhs, x)` and `solve_transposed(rhs, x)`. Relative error below 1e-6
-  /// (tested against an SVD) as far as the factors go: with the fixed order, which is not planned
-  /// for 180 degrees, to a few per cent there. 0 or not a number if J is singular. Lanes that
-  /// are not positive in `wanted` are left alone.
+  /// (tested against an SVD) as far as the factors go. 0 or not a number if J is singular. Lanes
+  /// that are not positive in `wanted` are left alone.
   template <class Factors>
   T of(Factors& factors, const T& wanted = T(1)) {
     constexpr int kMostIterations = 500;

@@ -65,6 +65,8 @@ TEST_F(CandidateRows, EveryAlteredColumnIsNamed) {
       altered[column] = value.get<int>() + 1;
     } else if (column == "residual_max") {
       altered[column] = 3e-12;
+    } else if (column == "bump_deg") {  // known to a thousandth of a degree; null without a bump
+      altered[column] = value.is_null() ? 40.0 : value.get<double>() + 0.01;
     } else if (value.is_number()) {
       altered[column] = value.get<double>() * (1 + 1e-4) + 1e-8;
     } else if (column == "elongation") {
@@ -104,6 +106,14 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   Json less = row;
   less.erase("stroke_max");
   EXPECT_EQ(check_.check(less).findings.size(), 1u);
+  // What was written before a column was there has none of it, or null in it.
+  Json older = row;
+  older["slope_between_min_mm_per_deg"] = older["bump_deg"] = nullptr;
+  EXPECT_TRUE(check_.check(older, 1).findings.empty());
+  EXPECT_FALSE(check_.check(older).findings.empty());
+  older.erase("slope_between_min_mm_per_deg");
+  older.erase("bump_deg");
+  EXPECT_TRUE(check_.check(older, 1).findings.empty());
 }
 
 }  // namespace

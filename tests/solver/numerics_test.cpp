@@ -1,7 +1,7 @@
 // Newton, dense factors and the smallest singular value, against Eigen's SVD.
 #include <Eigen/SVD>
 
-#include "sheets.hpp"
+#include "blocks.hpp"
 #include "solver/newton.hpp"
 #include "solver/reference.hpp"
 #include "solver/singular_value.hpp"
@@ -59,6 +59,37 @@ TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
     return row < history.stops.size();
   });
   EXPECT_EQ(row, history.stops.size());
+}
+
+// At 180 degrees, where the pivots of the fixed order vanish: every tenth sheet of 4 x 4 gets
+// there.
+TEST(Numerics, SmallestSingularValueAtTheFoldedEnd) {
+  const TestFamily sheets(4, 4);
+  const SheetFamily family = sheets.with_threshold(1);
+  const ShiftBlock block = sheets.draws(60, kSeed);
+  const auto batch = make_batch(available_instruction_sets().back(), family);
+  const auto& histories = batch->record(block);
+  ClosureSystem system(family.mechanism());
+  PathTracker tracker(family.mechanism());
+  SheetGeometry<double> geometry;
+  int reached = 0;
+  for (int i = 0; i < block.sheets; ++i) {
+    if (histories[i].path.end != PathEnd::end_reached) continue;
+    ++reached;
+    place(family.mechanism(), sheets.vertices(block, i), geometry);
+    double expected = 0;
+    tracker.follow(geometry, family.path(), [&](const Stop& stop, const FoldState<double>& state) {
+      if (stop.pilot_deg < 180) return true;
+      system.evaluate(geometry, state);
+      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+          system.jacobian().leftCols(family.mechanism().equations));
+      expected = svd.singularValues().minCoeff();
+      return true;
+    });
+    EXPECT_NEAR(histories[i].singular_value_min.back() / expected, 1, 1e-5) << "sheet " << i;
+    EXPECT_LE(histories[i].open_by.back(), NewtonOptions{}.closure_tolerance) << "sheet " << i;
+  }
+  EXPECT_GT(reached, 3);
 }
 
 TEST(Numerics, NewtonTellsHowItEnded) {
