@@ -43,6 +43,10 @@ Move Course::converged(const Reading& reading) {
   const double longest_turn =
       phase_ == Phase::landing ? std::min(ds_, kJumpHalfSine) : options_.longest_half_sine;
   if (!(reading.largest_half_sine <= longest_turn)) return not_there(reading);
+  if (tangents_ == 0 &&
+      corrected_rad_ > options_.longest_start_share * target().pilot_deg * kRadPerDeg) {
+    return not_there(reading);
+  }
   if (tangents_ > 0 && (corrected_rad_ > options_.longest_correction_rad ||
                         !(std::abs(reading.tangent_cosine) >= options_.least_tangent_cosine))) {
     return not_there(reading);

@@ -17,6 +17,10 @@ struct CourseOptions {
   /// (rad): what has gone farther is not believed without a walk.
   double longest_half_sine = kJumpHalfSine;
   double longest_correction_rad = 2 * kPi;
+  /// Of a path's first stop: all corrections together, as a share of the pilot's angle there. What
+  /// is farther from the base folding may belong to another branch: of 2,400 sheets with sector
+  /// angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
+  double longest_start_share = 0.5;
   /// Between the tangents of neighbouring stops: where they differ more, a turn may lie between
   /// them. As for the walk, 15 degrees.
   double least_tangent_cosine = ArcLengthOptions{}.least_tangent_cosine;

@@ -123,8 +123,19 @@ FoldingHistory Recording::conclude(const PathResult& path) {
 }
 
 // False turns were seen within 1e-4 degrees of 180.
-bool is_for_dense_to_confirm(const PathResult& path) {
-  return path.end == PathEnd::fold_limit && path.fold_limit_deg > 180 - 1e-3;
+bool is_for_dense_to_confirm(const Verdict& verdict, const PathResult& path) {
+  return verdict.first_fault == Fault::fold_limit && path.fold_limit_deg > 180 - 1e-3;
+}
+
+FoldingHistory confirmed(FoldingHistory history, const Mechanism& mechanism,
+                         const FoldedShape& shape, const PathPlan& plan,
+                         const FlatVertices& vertices_mm, const RecordingOptions& options) {
+  if (!history.lost() && !is_for_dense_to_confirm(history.verdict, history.path)) return history;
+  FoldingHistory dense = record_densely(mechanism, shape, plan, vertices_mm, options);
+  if (!history.lost()) return dense.verdict.first_fault == Fault::undecided ? history : dense;
+  // What was known of its samples before it was lost stays said.
+  if (history.verdict.first_fault != Fault::undecided) dense.verdict = history.verdict;
+  return dense;
 }
 
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
@@ -137,10 +148,7 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
   SingleRecording single(mechanism, plan, vertices_mm, finder, options);
   RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
   tracker.run(client);
-  FoldingHistory history = single.take();
-  if (!history.lost() && !is_for_dense_to_confirm(history.path)) return history;
-  FoldingHistory dense = record_densely(mechanism, shape, plan, vertices_mm, options);
-  return history.lost() || !dense.lost() ? dense : history;
+  return confirmed(single.take(), mechanism, shape, plan, vertices_mm, options);
 }
 
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,

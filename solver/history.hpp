@@ -84,9 +84,14 @@ class Recording {
   FoldingHistory history_;
 };
 
-/// Whether a path ended next to 180 degrees, where the fixed order's factors are poor and false
-/// turns were seen: dense matrices have the last word, if they have one.
-bool is_for_dense_to_confirm(const PathResult& path);
+/// Whether a verdict hangs on a fold limit next to 180 degrees, where the fixed order's factors are
+/// poor and false turns were seen: dense matrices have the last word, if they have one.
+bool is_for_dense_to_confirm(const Verdict& verdict, const PathResult& path);
+
+/// The history, or where it is lost or to be confirmed the one by dense matrices.
+FoldingHistory confirmed(FoldingHistory history, const Mechanism& mechanism,
+                         const FoldedShape& shape, const PathPlan& plan,
+                         const FlatVertices& vertices_mm, const RecordingOptions& options);
 
 /// Follows the path of the sheet with these vertices to the plan's end or the fold limit, past
 /// faults. A path that is lost is followed again by dense matrices: then `visit` sees it from the

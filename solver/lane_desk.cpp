@@ -133,7 +133,7 @@ void JudgingDesk::ended(PathResult path, int lane) {
   if (!sheets_.has_ended(path, lane)) return;
   Verdict& verdict = verdicts_[sheets_.of_lane(lane)];
   verdict = judges_[lane].conclude(path);
-  if (!is_for_dense_to_confirm(path)) return;
+  if (!is_for_dense_to_confirm(verdict, path)) return;
   const Verdict dense =
       record_densely(family_.mechanism(), shape_, family_.path(), sheets_.vertices_mm_of_lane(lane),
                      {family_.bump_is_fault(), {}})
@@ -163,12 +163,8 @@ bool RecordingDesk::next(Departure& departure, int lane) {
 void RecordingDesk::ended(PathResult path, int lane) {
   if (!sheets_.has_ended(path, lane)) return;
   FoldingHistory& history = histories_[sheets_.of_lane(lane)];
-  history = recordings_[lane].conclude(path);
-  if (!history.lost() && !is_for_dense_to_confirm(path)) return;
-  FoldingHistory dense =
-      record_densely(family_.mechanism(), shape_, family_.path(), recordings_[lane].vertices_mm(),
-                     {family_.bump_is_fault(), {}});
-  if (history.lost() || !dense.lost()) history = std::move(dense);
+  history = confirmed(recordings_[lane].conclude(path), family_.mechanism(), shape_, family_.path(),
+                      recordings_[lane].vertices_mm(), {family_.bump_is_fault(), {}});
 }
 
 // After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only

@@ -22,9 +22,9 @@ struct Metrics {
   /// Least |L_k - L_(k-1)| / sample_deg from 5 degrees on; none if D lies below.
   std::optional<double> slope_min_mm_per_deg;
   /// Least rate of change in a diagonal's direction, at and between the samples from 5 degrees on:
-  /// negative where there is a bump; none if D lies below.
+  /// negative where there is a bump, or a turn just below D; none if D lies below.
   std::optional<double> slope_between_min_mm_per_deg;
-  std::optional<double> bump_deg;  ///< where the first bump between samples begins
+  std::optional<double> bump_deg;  ///< where the first bump between two samples begins
   double stretch_sq_mm2;           ///< sum of (L - L0)^2 at D
   double singular_value_min;       ///< square Jacobian, lengths in panel widths
   double residual_max;             ///< largest closure entry

@@ -37,6 +37,7 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
   where_ = -1;
   last_ = least_ = most_ = flat_lengths;
   direction_.assign(flat_lengths.size(), 0);
+  back_since_deg_.assign(flat_lengths.size(), 0);
   last_slopes_.assign(flat_lengths.size(), 0);  // lengths begin like the square of the angle
   between_ = {};
 }
@@ -48,9 +49,9 @@ bool Judge::see(const Stop& stop, const FoldState<double>& state,
   if (fault_ != Fault::none) return false;
   if (slopes) {
     const Between between = seen_between(stop, lengths, *slopes);
-    if (bump_is_fault_ && between.bump_where >= 0) {
+    if (bump_is_fault_ && between.back_where >= 0) {
       fault_ = Fault::bump;
-      where_ = between.bump_where;
+      where_ = between.back_where;
       return false;
     }
     between_ = between;
@@ -98,10 +99,10 @@ Fault Judge::fault_in(const FoldState<double>& state, const std::vector<double>&
 }
 
 Between Judge::seen_between(const Stop& stop, const std::vector<double>& lengths,
-                            const std::vector<double>& slopes) const {
+                            const std::vector<double>& slopes) {
   const double step_deg = stop.pilot_deg - last_pilot_deg_;
   Between between = between_;
-  double earliest = 1, longest = 0;
+  double longest = 0, longest_bump = 0;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (direction_[i] == 0) continue;
     const BetweenSamples seen = look_between({last_[i], last_slopes_[i]}, {lengths[i], slopes[i]},
@@ -109,12 +110,22 @@ Between Judge::seen_between(const Stop& stop, const std::vector<double>& lengths
     if (last_pilot_deg_ >= kInactiveFrom_deg) {
       between.least_slope = std::min(between.least_slope, seen.least_slope);
     }
-    if (between_.bump_where >= 0 || seen.back < kBumpBand_widths || seen.back <= longest) continue;
-    longest = seen.back;
-    earliest = seen.from;
-    between.bump_where = static_cast<int>(i);
+    const bool goes_on = slopes[i] * direction_[i] >= 0;
+    double from_deg = last_pilot_deg_ + seen.from * step_deg;
+    if (back_since_deg_[i] > 0) from_deg = back_since_deg_[i];
+    back_since_deg_[i] = goes_on ? 0 : from_deg;
+    if (seen.back < kBumpBand_widths) continue;
+    if (between_.back_where < 0 && seen.back > longest) {
+      longest = seen.back;
+      between.back_deg = from_deg;
+      between.back_where = static_cast<int>(i);
+    }
+    if (between_.bump_where < 0 && goes_on && seen.back > longest_bump) {
+      longest_bump = seen.back;
+      between.bump_deg = from_deg;
+      between.bump_where = static_cast<int>(i);
+    }
   }
-  if (longest > 0) between.bump_deg = last_pilot_deg_ + earliest * step_deg;
   return between;
 }
 

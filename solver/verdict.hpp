@@ -28,8 +28,8 @@ enum class Fault {
   over_folded,         ///< a crease with |rho| > 180 degrees + kOverFoldBand_deg
   assignment_flipped,  ///< a crease without its base mountain-valley sign
   not_monotone,        ///< a diagonal steps back against its direction by kStepBand_widths or more
-  bump,                ///< it goes back between two samples by kBumpBand_widths or more, where that
-                       ///< was asked for
+  bump,                ///< it goes back before the next sample by kBumpBand_widths or more, where
+                       ///< that was asked for
   inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
                        ///< kInactiveBand_widths up to it; then D = 0
   undecided            ///< a numerical failure (PathEnd says which): never a "no"
@@ -52,8 +52,14 @@ struct Between {
   /// Least rate of change of any diagonal in its direction from kInactiveFrom_deg on, panel widths
   /// per radian; infinite if D lies below.
   double least_slope = std::numeric_limits<double>::infinity();
-  double bump_deg = 0;  ///< pilot angle where the first bump begins; 0: none was seen
-  int bump_where = -1;  ///< its diagonal
+  /// Where a diagonal goes back for the first time, and which: nothing (-1) up to D, or on the last
+  /// degrees before D a turn that the next sample shows, or a bump.
+  double back_deg = 0;
+  int back_where = -1;
+  /// The first bump: a diagonal goes back and on again between two samples, which both are in
+  /// order.
+  double bump_deg = 0;
+  int bump_where = -1;
 };
 
 /// Follows the samples of one path and keeps the first fault. Owns its memory; reused from draw to
@@ -75,7 +81,7 @@ class Judge {
  private:
   Fault fault_in(const FoldState<double>& state, const std::vector<double>& lengths, int& where);
   Between seen_between(const Stop& stop, const std::vector<double>& lengths,
-                       const std::vector<double>& slopes) const;
+                       const std::vector<double>& slopes);
 
   const Mechanism& mechanism_;
   const bool bump_is_fault_;
@@ -84,6 +90,7 @@ class Judge {
   Fault fault_ = Fault::none;
   int where_ = -1;
   std::vector<double> last_, last_slopes_, least_, most_;
+  std::vector<double> back_since_deg_;  // of diagonals that go back at the last sample; else 0
   std::vector<int> direction_;
   Between between_;
 };

@@ -13,6 +13,13 @@ schema::Campaign small_campaign(double threshold_deg = 150) {
                                "a test");
 }
 
+using schema::Json;
+
+std::string words_of(const solver::Verdict& verdict) {
+  return std::to_string(verdict.deploys_from_sample) + " " +
+         solver::fault_name(verdict.first_fault) + " " + std::to_string(verdict.where);
+}
+
 schema::UnitRecord run(Trial& trial, const schema::DrawRange& range) {
   schema::UnitRecord unit;
   trial.screen(range, unit);
@@ -115,6 +122,52 @@ TEST(Trial, FaultSampleHasTheFirstFault) {
     EXPECT_EQ(sampled.verdict.first_fault, expected.first_fault);
     EXPECT_EQ(sampled.verdict.where, expected.where);
   }
+}
+
+// A draw that the samples pass and that goes back and on again between two of them: found by a
+// campaign of 61,440 draws; here against the lengths every two hundredths of a degree.
+TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
+  const Json campaign = {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}},
+                         {"misalignment", {{"vertices", "ring"}}},
+                         {"accept", {{"deploys_from_deg", 150}}}};
+  Trial trial(schema::read_campaign(campaign, "a test"));
+  constexpr std::uint64_t kDraw = 49432;
+  const solver::FoldingHistory history = trial.history(kDraw);
+  EXPECT_TRUE(trial.accepts(history.verdict));
+  ASSERT_GE(history.between.bump_where, 0);
+  const solver::PerforatedSheet& base = trial.campaign().pattern.base;
+  const solver::Metrics metrics =
+      solver::measure(base, base.sheet.vertices_mm + trial.shifts_mm(kDraw), history, 1);
+  EXPECT_LT(*metrics.slope_between_min_mm_per_deg, 0);
+  EXPECT_GT(*metrics.slope_min_mm_per_deg, 0) << "which the samples do not show";
+
+  solver::PathPlanOptions finely;
+  finely.end_deg = history.verdict.deploys_from_sample;
+  finely.look_deg = 0.02;
+  const auto fine = solver::record_history(
+      base, trial.mechanism(),
+      solver::plan_path(trial.mechanism(), base.folding, base.sheet.vertices_mm, finely),
+      base.sheet.vertices_mm + trial.shifts_mm(kDraw));
+  const Eigen::Index d = history.between.bump_where;
+  const Eigen::Index last = fine.length_mm.rows() - 1;
+  const double sign = fine.length_mm(last, d) > fine.flat_mm[d] ? 1 : -1;
+  Eigen::Index top = 1;
+  while (top < last && sign * (fine.length_mm(top, d) - fine.length_mm(top - 1, d)) > 0) ++top;
+  EXPECT_NEAR(fine.stops[top - 1].pilot_deg, *metrics.bump_deg, 0.05);
+  const double back_mm = sign * (fine.length_mm(top - 1, d) - fine.length_mm(last, d));
+  EXPECT_LT(back_mm, 0) << "and on again";
+
+  // Where going back is a fault, this draw is none of the accepted.
+  Json strict = campaign;
+  strict["accept"]["between_samples"] = true;
+  strict["accept"]["deploys_from_deg"] = 160;
+  Trial strict_trial(schema::read_campaign(strict, "a test"));
+  const solver::Verdict verdict = strict_trial.judge({kDraw, kDraw + 1}).front();
+  EXPECT_EQ(verdict.first_fault, solver::Fault::bump);
+  EXPECT_EQ(verdict.deploys_from_sample, 159);
+  EXPECT_EQ(static_cast<int>(*metrics.bump_deg), 159);
+  EXPECT_EQ(words_of(strict_trial.history(kDraw).verdict), words_of(verdict));
+  EXPECT_FALSE(strict_trial.accepts(verdict));
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.

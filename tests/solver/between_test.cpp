@@ -51,9 +51,9 @@ TEST(LookBetween, AgreesWithTheCubicItself) {
   EXPECT_GT(without, 50);
 }
 
-// On random sheets: what the cubics say of a path in steps of a degree against its lengths every
-// hundredth of one.
-TEST(LookBetween, SeesTheBumpsOfRealPaths) {
+// On random sheets: where the cubics of a path in steps of a degree see a diagonal go back, against
+// its lengths every hundredth of one.
+TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
   const TestFamily sheets(6, 6);
   const ShiftBlock block = sheets.draws(400 / kFewer, kSeed);
   int bumps = 0, smooth = 0;
@@ -61,7 +61,7 @@ TEST(LookBetween, SeesTheBumpsOfRealPaths) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
     const auto coarse = record_history(sheets.base, sheets.mechanism, sheets.plan(), vertices_mm);
     const Between& seen = coarse.between;
-    const bool has_bump = seen.bump_where >= 0;
+    const bool has_bump = seen.back_where >= 0;
     if (coarse.verdict.deploys_from_sample < 10 || (has_bump ? bumps : smooth) >= 2) continue;
     (has_bump ? bumps : smooth) += 1;
     PathPlanOptions finely;
@@ -88,9 +88,9 @@ TEST(LookBetween, SeesTheBumpsOfRealPaths) {
         }
       }
     }
-    EXPECT_EQ(where, seen.bump_where) << "sheet " << i;
+    EXPECT_EQ(where, seen.back_where) << "sheet " << i;
     if (has_bump) {
-      EXPECT_NEAR(seen.bump_deg, first_deg, 0.03) << "sheet " << i;
+      EXPECT_NEAR(seen.back_deg, first_deg, 0.03) << "sheet " << i;
       EXPECT_LT(seen.least_slope, 0);
     } else {
       EXPECT_GT(seen.least_slope, 0);
@@ -98,7 +98,7 @@ TEST(LookBetween, SeesTheBumpsOfRealPaths) {
   }
   EXPECT_GT(smooth, 0);
 #if !defined(__SANITIZE_ADDRESS__)
-  EXPECT_GT(bumps, 0) << "no sheet with a bump among the draws";
+  EXPECT_GT(bumps, 0) << "no sheet goes back among the draws";
 #endif
 }
 
@@ -123,8 +123,8 @@ TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
     EXPECT_LT(with[i].deploys_from_sample, without[i].deploys_from_sample);
     const auto history =
         record_densely(sheets.mechanism, shape, lenient.path(), sheets.vertices(block, i));
-    EXPECT_EQ(with[i].where, history.between.bump_where);
-    EXPECT_EQ(with[i].deploys_from_sample, static_cast<int>(history.between.bump_deg));
+    EXPECT_EQ(with[i].where, history.between.back_where);
+    EXPECT_EQ(with[i].deploys_from_sample, static_cast<int>(history.between.back_deg));
   }
 #if !defined(__SANITIZE_ADDRESS__)
   EXPECT_GT(faults, 0);

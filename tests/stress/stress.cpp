@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <random>
 
 #include "bases.hpp"
@@ -32,7 +33,7 @@ struct Setting {
 };
 
 struct Row {
-  int cases = 0, undecided = 0, wrong = 0, to_the_end = 0, dense_failed = 0;
+  int cases = 0, undecided = 0, wrong = 0, to_the_end = 0, dense_failed = 0, at_band = 0;
   double residual = 0, isometry_mm = 0, length_mm = 0;
 };
 
@@ -130,11 +131,8 @@ class CurvePath {
     const solver::Mechanism& mechanism = family_.mechanism();
     solver::SheetGeometry<double> geometry;
     solver::place(mechanism, vertices_mm, geometry);
-    solver::FoldState<double> state = plan_.start;
-    if (newton_.correct(geometry, state).end != solver::NewtonEnd::converged) {
-      if (finder_.find(vertices_mm) != solver::StartEnd::found) return judge_.conclude({});
-      state = finder_.state();
-    }
+    if (finder_.find(vertices_mm) != solver::StartEnd::found) return judge_.conclude({});
+    solver::FoldState<double> state = finder_.state();
     std::vector<double> lengths(mechanism.diagonals.size());
     solver::flat_lengths(mechanism, geometry, lengths.data());
     judge_.begin(lengths);
@@ -175,6 +173,17 @@ class CurvePath {
   double length_error_ = 0;
 };
 
+// Whether two verdicts on the same lengths differ because a step or a variation is as large as the
+// verdict's own band, which rounding then decides (sheets 100 panel widths long: 2e-13 of the
+// band's 1e-12).
+bool at_a_band(const Verdict& a, const Verdict& b, double length_error) {
+  const auto is_of_lengths = [](const Verdict& v) {
+    return v.first_fault == solver::Fault::not_monotone ||
+           v.first_fault == solver::Fault::inactive_diagonal;
+  };
+  return is_of_lengths(a) && is_of_lengths(b) && length_error <= solver::kStepBand_widths;
+}
+
 bool same(const Verdict& a, const Verdict& b) {
   return a.deploys_from_sample == b.deploys_from_sample && a.first_fault == b.first_fault &&
          a.where == b.where;
@@ -187,6 +196,17 @@ Row run(const Setting& setting, int cases, unsigned seed) {
   const std::vector<int> shifted = solver::interior_vertices(base.sheet);
   const SheetFamily family(base, shifted, path, 1);
   const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
+  // What the fast tests reject must not deploy from their threshold.
+  std::vector<std::unique_ptr<SheetFamily>> thresholds;
+  std::vector<std::unique_ptr<solver::Batch>> screens;
+  for (const double part : {0.3, 0.7, 0.85, 0.95}) {
+    if (!setting.against_dense) break;
+    const int sample = static_cast<int>(part * path.end_deg / path.sample_deg);
+    if (sample < 2) continue;
+    thresholds.push_back(std::make_unique<SheetFamily>(base, shifted, path, sample));
+    screens.push_back(
+        solver::make_batch(solver::available_instruction_sets().back(), *thresholds.back()));
+  }
   const int kept = base.sheet.facet_count() - static_cast<int>(base.holes.size());
   DensePath dense(family, family.path());
   CurvePath curve(family, family.path());
@@ -198,12 +218,26 @@ Row run(const Setting& setting, int cases, unsigned seed) {
         draws(base, shifted, setting.share, std::min(kAtOnce, cases - first), seed + first);
     const std::vector<Verdict> verdicts = batch->judge(block);
     const std::vector<solver::FoldingHistory>& histories = batch->record(block);
+    for (std::size_t k = 0; k < screens.size(); ++k) {
+      const auto& screened = screens[k]->screen(block);
+      for (int i = 0; i < block.sheets; ++i) {
+        const bool rejects = screened[i].fault != solver::Fault::none;
+        const bool deploys = verdicts[i].deploys_from_sample >= thresholds[k]->threshold_sample();
+        if (!rejects || !deploys) continue;
+        ++row.wrong;
+        std::fprintf(stderr, "%s, %s, sheet %d of seed %u: a fast test at sample %d rejects D %d\n",
+                     setting.place.c_str(), setting.name.c_str(), i, seed + first,
+                     screened[i].sample, verdicts[i].deploys_from_sample);
+      }
+    }
     for (int i = 0; i < block.sheets; ++i) {
       ++row.cases;
       const solver::FoldingHistory& history = histories[i];
-      row.undecided += verdicts[i].first_fault == solver::Fault::undecided || history.lost();
+      // What the lanes lose is followed by dense matrices, as in a search.
+      const bool lanes_know = verdicts[i].first_fault != solver::Fault::undecided;
+      row.undecided += history.verdict.first_fault == solver::Fault::undecided;
       row.to_the_end += history.path.end == solver::PathEnd::end_reached;
-      bool wrong = !same(verdicts[i], history.verdict);
+      bool wrong = lanes_know && !same(verdicts[i], history.verdict);
       for (std::size_t k = 0; k < history.stops.size(); ++k) {
         row.residual = std::max(row.residual, history.open_by[k]);
         row.isometry_mm = std::max(row.isometry_mm, history.isometry_error_mm[k]);
@@ -223,6 +257,10 @@ Row run(const Setting& setting, int cases, unsigned seed) {
           error = curve.length_error();
           agrees = same(other, history.verdict) && error <= kLengthBand_widths;
           row.dense_failed += agrees;
+          if (!agrees && at_a_band(other, history.verdict, error)) {
+            ++row.at_band;
+            agrees = true;
+          }
           if (!agrees) {
             std::fprintf(stderr,
                          "%s, %s, sheet %d of seed %u: D %d %s, along its curve D %d %s, "
@@ -314,6 +352,16 @@ std::vector<Setting> settings() {
                   {"double corrugation", double_corrugation},
                   {"angle array", [](int m, int n) { return turned_quads(m, n, 110, 100, 80); }},
                   {"turned quads", [](int m, int n) { return turned_quads(m, n, 104, 100, 84); }}};
+  // Odd sides leave one degree of freedom where no two creases are collinear.
+  for (const auto& [m, n] : {std::pair(5, 6), {7, 6}}) {
+    all.push_back({"family and size",
+                   "angle array " + std::to_string(m) + " x " + std::to_string(n),
+                   [m = m, n = n] { return turned_quads(m, n, 110, 100, 80); },
+                   {},
+                   kPaperShare,
+                   4,
+                   1000});
+  }
   for (const auto& [name, make] : families) {
     for (const auto& [m, n, few, many] : {std::tuple(4, 4, 32, 2000),
                                           {6, 6, 16, 4000},
@@ -389,17 +437,17 @@ int run_all(bool is_long, int part, int parts) {
   std::printf(
       "| place | sheets | cases | to the end | worst residual | worst panel error, mm | worst "
       "length "
-      "against dense, mm | dense jumped or had no start | undecided | wrong "
-      "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+      "against dense, mm | dense jumped or had no start | at a band | undecided | wrong "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   int number = 0;
   for (const Setting& setting : settings()) {
     const int wanted = is_long ? setting.long_cases : setting.short_cases;
     if (number++ % parts != part || wanted == 0) continue;
     const Row row = run(setting, wanted, 20150235);
-    std::printf("| %s | %s | %d | %d | %.1e | %.1e | %.1e | %d | %d | %d |\n",
+    std::printf("| %s | %s | %d | %d | %.1e | %.1e | %.1e | %d | %d | %d | %d |\n",
                 setting.place.c_str(), setting.name.c_str(), row.cases, row.to_the_end,
-                row.residual, row.isometry_mm, row.length_mm, row.dense_failed, row.undecided,
-                row.wrong);
+                row.residual, row.isometry_mm, row.length_mm, row.dense_failed, row.at_band,
+                row.undecided, row.wrong);
     std::fflush(stdout);
     cases += row.cases;
     undecided += row.undecided;
