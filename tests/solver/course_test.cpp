@@ -165,8 +165,8 @@ TEST_F(CourseTest, JumpWalksFromItsBoundOn) {
   }
 }
 
-// All corrections since departing count together, but not those of the start, which need not lie
-// close to its solution.
+// All corrections since departing count together, but not those of the start, which has a bound of
+// its own.
 TEST_F(CourseTest, LongCorrectionsWalkFromTheirBoundOn) {
   CourseOptions options;
   options.longest_correction_rad = 0.125;
@@ -174,7 +174,7 @@ TEST_F(CourseTest, LongCorrectionsWalkFromTheirBoundOn) {
     Course course(options);
     course.begin(plan_, 0, 0);
     Reading reading = at_10_;
-    reading.correction_rad = 1;
+    reading.correction_rad = 0.08;
     EXPECT_TRUE(course.after(reading).arrived);
     course.proceed();
     reading = open_by(1e-3, at_20_);
@@ -187,6 +187,27 @@ TEST_F(CourseTest, LongCorrectionsWalkFromTheirBoundOn) {
       EXPECT_TRUE(move.arrived);
     } else {
       expect_walk_begins(course, move);
+    }
+  }
+}
+
+// What lies farther from the base folding than half of the pilot's angle may be another branch.
+TEST_F(CourseTest, StartIsLostBeyondHalfOfThePilotsAngle) {
+  const double bound_rad = kUsual.longest_start_share * 10 * kRadPerDeg;
+  for (const double share : {0.999, 1.001}) {
+    Course course;
+    course.begin(plan_, 0, 0);
+    Reading reading = open_by(1e-3, at_10_);
+    reading.correction_rad = 0.5 * bound_rad;
+    EXPECT_TRUE(does_nothing(course.after(reading)));
+    reading = at_10_;
+    reading.correction_rad = (share - 0.5) * bound_rad;
+    const Move move = course.after(reading);
+    if (share < 1) {
+      EXPECT_TRUE(move.arrived);
+    } else {
+      EXPECT_TRUE(move.ended);
+      EXPECT_EQ(course.result().end, PathEnd::start_lost);
     }
   }
 }
