@@ -296,7 +296,9 @@ TurnRow run_turns(const solver::PerforatedSheet& base, double share, int cases, 
     const ShiftBlock block = draws(base, shifted, share, 64, next);
     const auto& histories = batch->record(block);
     for (int i = 0; i < block.sheets && row.cases < cases; ++i) {
-      if (histories[i].path.end != solver::PathEnd::fold_limit || histories[i].stops.empty()) {
+      // At 180 degrees a path ends whether the curve turns there or not.
+      if (histories[i].path.end != solver::PathEnd::fold_limit || histories[i].stops.empty() ||
+          histories[i].path.fold_limit_deg > 179.9) {
         continue;
       }
       ++row.cases;
