@@ -58,7 +58,9 @@ bool LaneSheets::has_ended(PathResult& path, int lane) {
   if (end == StartEnd::branch_ended) path.end = PathEnd::fold_limit;
   if (end != StartEnd::found) return true;
   if (found_count_ == found_.size()) found_.push_back({sheet, finder_.state()});
-  found_[found_count_++] = {sheet, finder_.state()};
+  Found& found = found_[found_count_++];
+  found.sheet = sheet;
+  found.start = finder_.state();
   return false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "solver/start.hpp"
 #include "solver/tracker.hpp"
 #include "vertex_coordinates.hpp"
 
@@ -200,11 +201,15 @@ TEST_P(Families, ThereAndBackAgain) {
     options.end_deg = family.end_deg();
     const PathPlan plan = family.plan(options);
     const ShiftBlock block = family.draws(kSheets, kSeed);
+    const Elimination elimination =
+        plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm);
+    StartFinder finder(family.mechanism, elimination, plan, family.base.sheet.vertices_mm);
     SheetGeometry<double> geometry;
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
       place(family.mechanism, family.vertices(block, i), geometry);
-      const Walked up(family, geometry, plan, plan.start);
+      ASSERT_EQ(finder.find(family.vertices(block, i)), StartEnd::found);
+      const Walked up(family, geometry, plan, finder.state());
       const auto stops = static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(up.states.size()));
       ASSERT_GE(stops, 45);
       PathPlan down;
