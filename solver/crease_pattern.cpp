@@ -81,12 +81,6 @@ std::vector<int> facets_around(const CreasePattern& sheet, int vertex) {
   return {};
 }
 
-int facet_at(const CreasePattern& sheet, int row, int column) {
-  const auto at =
-      std::find(sheet.places.begin(), sheet.places.end(), std::array<int, 2>{row, column});
-  return at == sheet.places.end() ? -1 : static_cast<int>(at - sheet.places.begin());
-}
-
 std::vector<int> interior_vertices(const CreasePattern& sheet) {
   std::vector<bool> on_perimeter(sheet.vertex_count(), false);
   for (const Edge& edge : sheet.edges) {

@@ -39,9 +39,6 @@ int find_edge(const CreasePattern& sheet, int vertex, int other_vertex);
 /// Facets around a vertex, counter-clockwise; empty for a vertex on the perimeter.
 std::vector<int> facets_around(const CreasePattern& sheet, int vertex);
 
-/// Facet at this row and column, -1 if there is none.
-int facet_at(const CreasePattern& sheet, int row, int column);
-
 /// Vertices not on the perimeter, ascending.
 std::vector<int> interior_vertices(const CreasePattern& sheet);
 

@@ -21,8 +21,7 @@ class SingleRecording {
  public:
   SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm,
                   StartFinder& finder, const RecordingOptions& options)
-      : mechanism_(mechanism),
-        plan_(plan),
+      : plan_(plan),
         vertices_mm_(vertices_mm),
         finder_(finder),
         start_(&plan.start),
@@ -52,7 +51,6 @@ class SingleRecording {
   FoldingHistory take() { return std::move(history_); }
 
  private:
-  const Mechanism& mechanism_;
   const PathPlan& plan_;
   const FlatVertices& vertices_mm_;
   StartFinder& finder_;
