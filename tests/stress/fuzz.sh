@@ -19,7 +19,7 @@ both() { # PROGRAM INPUTS: half on each core, with seeds of their own
 both build/release/tests/fold_fuzz "$inputs"
 
 # What the reader needs, without the rest of the program.
-sources="schema/fold_format.cpp schema/input.cpp schema/pattern_file.cpp solver/base_folding.cpp
+sources="schema/fold_format.cpp schema/input.cpp schema/pattern_file.cpp schema/plane_mesh.cpp solver/base_folding.cpp
   solver/crease_pattern.cpp solver/degree_four.cpp solver/half_angle.cpp solver/loop_closure.cpp
   solver/mechanism.cpp solver/miura.cpp solver/newton.cpp solver/perforation.cpp"
 work=build/fuzz

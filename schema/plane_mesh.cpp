@@ -1,0 +1,343 @@
+#include "schema/plane_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::schema {
+namespace {
+
+constexpr double kLeastSize_mm = 1e-3;  // far above what products of coordinates underflow at
+// Vertices closer than this part of the sheet's size are the same point.
+constexpr double kSamePoint = 1e-7;
+
+using Quad = std::array<int, 4>;
+using Point = Eigen::Vector2d;
+
+double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Looks in stages; a stage that finds faults is the last.
+class SheetBuilder {
+ public:
+  SheetBuilder(const PlaneMesh& mesh, MeshFaults& faults)
+      : points_(mesh.points_mm), edges_(mesh.edges), faults_(faults), faces_(mesh.faces) {}
+
+  std::optional<solver::CreasePattern> build() {
+    using Stage = void (SheetBuilder::*)();
+    for (const Stage stage :
+         {&SheetBuilder::check_vertices, &SheetBuilder::orient_faces, &SheetBuilder::pair_edges,
+          &SheetBuilder::check_crossings, &SheetBuilder::find_gaps, &SheetBuilder::check_degrees,
+          &SheetBuilder::place_faces}) {
+      faults_.next_kind();
+      (this->*stage)();
+      if (faults_.any()) return std::nullopt;
+    }
+    sheet_.panel_width_mm = median_width();
+    return std::move(sheet_);
+  }
+
+ private:
+  void add(const std::string& problem, const std::string& why, const std::string& suggestion) {
+    faults_.add(problem, why, suggestion);
+  }
+
+  static std::string label(int v) { return solver::vertex_label(v); }
+  static std::string label(const std::vector<int>& loop) {
+    std::string text;
+    for (const int v : loop) text += (text.empty() ? "" : "-") + label(v);
+    return text;
+  }
+  static std::string face_label(const Quad& q) {
+    return "the face " + label(std::vector<int>(q.begin(), q.end()));
+  }
+  int vertex_count() const { return static_cast<int>(points_.size()); }
+
+  void check_vertices() {
+    double size = 0;
+    for (const Point& p : points_) size = std::max(size, (p - points_[0]).cwiseAbs().maxCoeff());
+    if (!(size >= kLeastSize_mm)) {
+      add("the mesh", "is smaller than " + shown_number(kLeastSize_mm) + " mm",
+          "say how long a unit is in frame_unit or mm_per_unit");
+      return;
+    }
+    std::vector<int> order(points_.size());
+    for (int v = 0; v < vertex_count(); ++v) order[v] = v;
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+      return std::pair(points_[a].x(), a) < std::pair(points_[b].x(), b);
+    });
+    for (std::size_t i = 0; i < order.size() && !faults_.enough(); ++i) {
+      for (std::size_t k = i + 1; k < order.size() && !faults_.enough(); ++k) {
+        const Point apart = points_[order[k]] - points_[order[i]];
+        if (apart.x() > kSamePoint * size) break;
+        if (std::abs(apart.y()) > kSamePoint * size) continue;
+        const auto [a, b] = std::minmax(order[i], order[k]);
+        add("vertices " + label(a) + " and " + label(b), "are the same point",
+            "join them into one vertex");
+      }
+    }
+    std::vector<bool> used(points_.size(), false);
+    for (const Quad& q : faces_) {
+      for (const int v : q) used[v] = true;
+    }
+    for (int v = 0; v < vertex_count(); ++v) {
+      if (!used[v]) add("vertex " + label(v), "belongs to no face", "take it out");
+    }
+  }
+
+  void orient_faces() {
+    for (Quad& q : faces_) {
+      const auto corner = [&](int k) { return points_[q[k % 4]]; };
+      if (cross(corner(2) - corner(0), corner(3) - corner(1)) < 0) std::reverse(q.begin(), q.end());
+      for (int k = 0; k < 4; ++k) {
+        if (cross(corner(k + 1) - corner(k), corner(k + 2) - corner(k + 1)) > 0) continue;
+        add(face_label(q), "is no convex quadrilateral",
+            "give its corners in order, no three on a line");
+        break;
+      }
+    }
+  }
+
+  // Every side of a face is an edge of the file, with one face at most on each of its sides.
+  void pair_edges() {
+    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
+      for (int k = 0; k < 4; ++k) {
+        const std::pair side(faces_[f][k], faces_[f][(k + 1) % 4]);
+        if (!edges_.contains(std::minmax(side.first, side.second))) {
+          add("edge " + solver::line_label(side.first, side.second),
+              "is a side of " + face_label(faces_[f]) + " and missing in edges_vertices",
+              "add it with its assignment");
+        }
+        if (!face_left_of_.try_emplace(side, f).second) {
+          add("edge " + solver::line_label(side.first, side.second),
+              "has two faces on the same side: the mesh overlaps itself",
+              "a sheet lies flat without overlaps");
+        }
+      }
+    }
+    for (const auto& [key, assignment] : edges_) {
+      const auto& [a, b] = key;
+      if (face_left_of_.contains({a, b}) || face_left_of_.contains({b, a})) continue;
+      add("edge " + solver::line_label(a, b), "belongs to no face", "take it out");
+    }
+  }
+
+  // Edges may meet at their common vertex only.
+  void check_crossings() {
+    struct Box {
+      int a, b;
+      double left, right, low, high;
+    };
+    std::vector<Box> boxes;
+    for (const auto& [key, assignment] : edges_) {
+      const Point &p = points_[key.first], &q = points_[key.second];
+      boxes.push_back({key.first, key.second, std::min(p.x(), q.x()), std::max(p.x(), q.x()),
+                       std::min(p.y(), q.y()), std::max(p.y(), q.y())});
+    }
+    std::sort(boxes.begin(), boxes.end(),
+              [](const Box& i, const Box& k) { return i.left < k.left; });
+    for (std::size_t i = 0; i < boxes.size() && !faults_.enough(); ++i) {
+      for (std::size_t k = i + 1; k < boxes.size() && boxes[k].left <= boxes[i].right; ++k) {
+        if (boxes[k].low > boxes[i].high || boxes[i].low > boxes[k].high) continue;
+        if (!meet(boxes[i].a, boxes[i].b, boxes[k].a, boxes[k].b)) continue;
+        add("edges " + solver::line_label(boxes[i].a, boxes[i].b) + " and " +
+                solver::line_label(boxes[k].a, boxes[k].b),
+            "cross or touch", "edges may meet at vertices only");
+      }
+    }
+  }
+
+  // Whether two different edges have a point in common that is not a common end.
+  bool meet(int a, int b, int c, int d) const {
+    const auto side = [&](int from, int to, int of) {
+      return cross(points_[to] - points_[from], points_[of] - points_[from]);
+    };
+    if (b == c || b == d) std::swap(a, b);
+    if (a == d) std::swap(c, d);
+    if (a == c) {
+      return side(a, b, d) == 0 && (points_[b] - points_[a]).dot(points_[d] - points_[a]) > 0;
+    }
+    return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
+  }
+
+  // Walks round every region of the plane that the edges enclose, each on its left: a face of the
+  // file, one that is missing, or the outside.
+  void find_gaps() {
+    std::vector<std::vector<int>> around(points_.size());  // neighbours, counter-clockwise
+    for (const auto& [key, assignment] : edges_) {
+      around[key.first].push_back(key.second);
+      around[key.second].push_back(key.first);
+    }
+    for (int v = 0; v < vertex_count(); ++v) {
+      const auto angle = [&](int to) {
+        const Point along = points_[to] - points_[v];
+        return std::atan2(along.y(), along.x());
+      };
+      std::sort(around[v].begin(), around[v].end(),
+                [&](int a, int b) { return angle(a) < angle(b); });
+    }
+    std::map<std::pair<int, int>, bool> walked;
+    int outsides = 0;
+    for (const auto& [key, assignment] : edges_) {
+      for (const auto& start :
+           {std::pair(key.first, key.second), std::pair(key.second, key.first)}) {
+        if (face_left_of_.contains(start) || walked[start]) continue;
+        std::vector<int> loop;
+        double area = 0;
+        for (std::pair<int, int> at = start; !walked[at];) {
+          walked[at] = true;
+          loop.push_back(at.first);
+          area += cross(points_[at.first] - points_[start.first],
+                        points_[at.second] - points_[start.first]);
+          const auto& ring = around[at.second];
+          const auto back = std::find(ring.begin(), ring.end(), at.first);
+          at = {at.second, back == ring.begin() ? ring.back() : *(back - 1)};
+        }
+        if (area <= 0) {
+          if (++outsides > 1) {
+            add("the mesh",
+                "is in two pieces: " + label(loop.front()) + " is joined to none of " + label(0) +
+                    "'s piece",
+                "give one sheet");
+          }
+        } else {
+          fill(loop);
+        }
+      }
+    }
+  }
+
+  void fill(const std::vector<int>& loop) {
+    bool convex = loop.size() == 4;
+    for (std::size_t k = 0; k < loop.size() && convex; ++k) {
+      const auto corner = [&](std::size_t i) { return points_[loop[i % 4]]; };
+      convex = cross(corner(k + 1) - corner(k), corner(k + 2) - corner(k + 1)) > 0;
+    }
+    if (!convex) {
+      const std::vector<int> shown(
+          loop.begin(),
+          loop.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(loop.size(), 8)));
+      add("the gap " + label(shown) + (shown.size() < loop.size() ? "-..." : ""),
+          "is no single missing quadrilateral", "holes may meet at corners, never share an edge");
+      return;
+    }
+    missing_.push_back({loop[0], loop[1], loop[2], loop[3]});
+  }
+
+  void check_degrees() {
+    sheet_.vertices_mm.resize(2, vertex_count());
+    for (int v = 0; v < vertex_count(); ++v) sheet_.vertices_mm.col(v) = points_[v];
+    sheet_.facets = faces_;
+    sheet_.facets.insert(sheet_.facets.end(), missing_.begin(), missing_.end());
+    sheet_.edges = solver::edges_of(sheet_.facets);
+    std::vector<int> degree(points_.size(), 0);
+    for (const solver::Edge& edge : sheet_.edges) {
+      ++degree[edge.a];
+      ++degree[edge.b];
+    }
+    const std::vector<int> interior = solver::interior_vertices(sheet_);
+    for (const int v : interior) {
+      if (degree[v] == 4) continue;
+      add("vertex " + label(v), "has degree " + std::to_string(degree[v]) + ", not 4",
+          "only meshes whose inner vertices join four faces are folded");
+    }
+    if (interior.empty()) add("the mesh", "has no inner vertex", "give more faces");
+  }
+
+  // Rows and columns from the first face on, its corners turned so that its first side points most
+  // to the right; every face begins at the corner of least row and column.
+  void place_faces() {
+    std::vector<bool> placed(sheet_.facets.size(), false);
+    sheet_.places.resize(sheet_.facets.size());
+    Quad& first = sheet_.facets[0];
+    const auto points_right = [&](int k) {
+      return (points_[first[(k + 1) % 4]] - points_[first[k]]).normalized().x();
+    };
+    int turn = 0;
+    for (int k = 1; k < 4; ++k) {
+      if (points_right(k) > points_right(turn)) turn = k;
+    }
+    std::rotate(first.begin(), first.begin() + turn, first.end());
+    placed[0] = true;
+    std::vector<int> frontier{0};
+    constexpr int kStep[4][2] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}};  // row, column across side k
+    for (std::size_t next = 0; next < frontier.size(); ++next) {
+      const int f = frontier[next];
+      for (int k = 0; k < 4; ++k) {
+        const int from = sheet_.facets[f][k];
+        const solver::Edge& edge =
+            sheet_.edges[solver::find_edge(sheet_, from, sheet_.facets[f][(k + 1) % 4])];
+        const int g = edge.left == f ? edge.right : edge.left;
+        if (g < 0) continue;
+        // Over there the side is the opposite one, and ends where it begins here.
+        Quad& corners = sheet_.facets[g];
+        const auto at = std::find(corners.begin(), corners.end(), from) - corners.begin();
+        const auto shift = (at - (k + 3) + 8) % 4;
+        const std::array<int, 2> place = {sheet_.places[f][0] + kStep[k][0],
+                                          sheet_.places[f][1] + kStep[k][1]};
+        if (placed[g]) {
+          if (shift == 0 && sheet_.places[g] == place) continue;
+          add(face_label(corners), "has no row and column of its own: the mesh winds round itself",
+              "give a sheet of rows and columns");
+          return;
+        }
+        std::rotate(corners.begin(), corners.begin() + shift, corners.end());
+        sheet_.places[g] = place;
+        placed[g] = true;
+        frontier.push_back(g);
+      }
+    }
+    const auto unplaced = std::find(placed.begin(), placed.end(), false);
+    if (unplaced != placed.end()) {
+      add("the mesh",
+          "is in two pieces: " + face_label(sheet_.facets[unplaced - placed.begin()]) +
+              " shares no edge with the first face's piece",
+          "give one sheet");
+      return;
+    }
+    auto places = sheet_.places;
+    std::sort(places.begin(), places.end());
+    const auto twice = std::adjacent_find(places.begin(), places.end());
+    if (twice != places.end()) {
+      add("the mesh", "two of its faces have the same row and column: it winds round itself",
+          "give a sheet of rows and columns");
+      return;
+    }
+    int least_row = 0, least_column = 0;
+    for (const auto& [row, column] : places) {
+      least_row = std::min(least_row, row);
+      least_column = std::min(least_column, column);
+    }
+    for (auto& [row, column] : sheet_.places) {
+      row -= least_row;
+      column -= least_column;
+    }
+  }
+
+  double median_width() const {
+    std::vector<double> widths;
+    for (const Quad& q : sheet_.facets) widths.push_back((points_[q[1]] - points_[q[0]]).norm());
+    const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+    std::nth_element(widths.begin(), middle, widths.end());
+    return *middle;
+  }
+
+  const std::vector<Point>& points_;
+  const std::map<std::pair<int, int>, std::string>& edges_;
+  MeshFaults& faults_;
+  std::vector<Quad> faces_, missing_;
+  std::map<std::pair<int, int>, int> face_left_of_;  // of a side walked from first to second
+  solver::CreasePattern sheet_;
+};
+
+}  // namespace
+
+void MeshFaults::add(const std::string& problem, const std::string& why,
+                     const std::string& suggestion) {
+  if (++told_ > kMostOfAKind) return;
+  faults_.add(where_.empty() ? problem : where_ + ": " + problem, why, suggestion);
+}
+
+std::optional<solver::CreasePattern> fill_sheet(const PlaneMesh& mesh, MeshFaults& faults) {
+  return SheetBuilder(mesh, faults).build();
+}
+
+}  // namespace misalign::schema

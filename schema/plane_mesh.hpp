@@ -1,0 +1,48 @@
+// Points, edges and faces in the plane, and whether they are a sheet: a disk of convex
+// quadrilaterals whose inner vertices join four of them, in rows and columns.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "schema/input.hpp"
+#include "solver/crease_pattern.hpp"
+
+namespace misalign::schema {
+
+/// Faults of a mesh, a few of each kind.
+class MeshFaults {
+ public:
+  /// `where` names the mesh; may be empty.
+  MeshFaults(std::string where, InputFaults& faults) : where_(std::move(where)), faults_(faults) {}
+
+  /// What is added from now on is of another kind.
+  void next_kind() { told_ = 0; }
+  /// Of this kind; no more than these are told.
+  bool any() const { return told_ > 0; }
+  bool enough() const { return told_ >= kMostOfAKind; }
+  void add(const std::string& problem, const std::string& why, const std::string& suggestion);
+
+ private:
+  static constexpr int kMostOfAKind = 5;
+  const std::string where_;
+  InputFaults& faults_;
+  int told_ = 0;
+};
+
+/// A mesh as a file lists it.
+struct PlaneMesh {
+  std::vector<Eigen::Vector2d> points_mm;
+  std::map<std::pair<int, int>, std::string> edges;  ///< ends in order -> assignment
+  std::vector<std::array<int, 4>> faces;
+};
+
+/// The sheet: the mesh's faces in its order, then the single quadrilaterals that are missing among
+/// them. The median length of the faces' first sides is its panel width. Faults name the vertex,
+/// edge or face; nothing after a fault.
+std::optional<solver::CreasePattern> fill_sheet(const PlaneMesh& mesh, MeshFaults& faults);
+
+}  // namespace misalign::schema
