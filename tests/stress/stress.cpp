@@ -10,17 +10,13 @@
 #include <random>
 
 #include "bases.hpp"
-#include "curve.hpp"
 #include "solver/batch.hpp"
-#include "solver/start.hpp"
+#include "witnesses.hpp"
 
 namespace misalign::stress {
 namespace {
 
-using solver::FlatVertices;
-using solver::SheetFamily;
 using solver::ShiftBlock;
-using solver::Verdict;
 
 // One row of the table.
 struct Setting {
@@ -55,123 +51,6 @@ ShiftBlock draws(const solver::PerforatedSheet& base, const std::vector<int>& sh
   }
   return block;
 }
-
-// The lengths of a history at its samples up to D, for comparison.
-class LengthsOf {
- public:
-  explicit LengthsOf(const solver::FoldingHistory& history, double width_mm)
-      : history_(history), width_mm_(width_mm) {}
-
-  /// Panel widths; 0 beyond D.
-  double largest_difference(const solver::Stop& stop, const std::vector<double>& lengths) const {
-    if (stop.sample > history_.verdict.deploys_from_sample) return 0;
-    const auto at =
-        std::find_if(history_.stops.begin(), history_.stops.end(),
-                     [&](const solver::Stop& seen) { return seen.sample == stop.sample; });
-    if (at == history_.stops.end()) return 0;
-    double largest = 0;
-    for (std::size_t d = 0; d < lengths.size(); ++d) {
-      const double there_mm =
-          history_.length_mm(at - history_.stops.begin(), static_cast<Eigen::Index>(d));
-      largest = std::max(largest, std::abs(lengths[d] - there_mm / width_mm_));
-    }
-    return largest;
-  }
-
- private:
-  const solver::FoldingHistory& history_;
-  const double width_mm_;
-};
-
-// The path by dense matrices from sample to sample: its verdict, and how far the lengths up to D
-// are from the history's.
-class DensePath {
- public:
-  DensePath(const SheetFamily& family, const solver::PathPlan& plan)
-      : family_(family), plan_(plan), tracker_(family.mechanism()), judge_(family.mechanism()) {}
-
-  Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
-    const solver::Mechanism& mechanism = family_.mechanism();
-    solver::SheetGeometry<double> geometry;
-    solver::place(mechanism, vertices_mm, geometry);
-    std::vector<double> lengths(mechanism.diagonals.size());
-    solver::flat_lengths(mechanism, geometry, lengths.data());
-    judge_.begin(lengths);
-    length_error_ = 0;
-    return judge_.conclude(tracker_.follow(
-        geometry, plan_, [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
-          if (stop.sample == 0) return true;
-          solver::folded_lengths(mechanism, geometry, state, lengths.data());
-          length_error_ = std::max(length_error_, history.largest_difference(stop, lengths));
-          return judge_.see(stop, state, lengths);
-        }));
-  }
-  double length_error() const { return length_error_; }
-
- private:
-  const SheetFamily& family_;
-  const solver::PathPlan& plan_;
-  solver::PathTracker tracker_;
-  solver::Judge judge_;
-  double length_error_ = 0;
-};
-
-// The same along the curve itself, which no step can leave: slow, for the sheets where dense
-// matrices in steps of a degree and the lanes differ.
-class CurvePath {
- public:
-  CurvePath(const SheetFamily& family, const solver::PathPlan& plan)
-      : family_(family),
-        plan_(plan),
-        newton_(family.mechanism()),
-        judge_(family.mechanism()),
-        finder_(family.mechanism(), family.elimination(), plan, family.base().sheet.vertices_mm) {}
-
-  Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
-    const solver::Mechanism& mechanism = family_.mechanism();
-    solver::SheetGeometry<double> geometry;
-    solver::place(mechanism, vertices_mm, geometry);
-    if (finder_.find(vertices_mm) != solver::StartEnd::found) return judge_.conclude({});
-    solver::FoldState<double> state = finder_.state();
-    std::vector<double> lengths(mechanism.diagonals.size());
-    solver::flat_lengths(mechanism, geometry, lengths.data());
-    judge_.begin(lengths);
-    length_error_ = 0;
-    Curve curve(mechanism, geometry, state);
-    constexpr double kStep_rad = 0.02;
-    for (auto stop = plan_.stops.begin(); stop != plan_.stops.end(); ++stop) {
-      if (stop->sample == 0) continue;
-      while (curve.pilot_deg() < stop->pilot_deg - 1e-9) {
-        const Curve before = curve;
-        if (!curve.step(kStep_rad)) return judge_.conclude({solver::PathEnd::stalled, 0, 0, 0, 0});
-        if (curve.pilot_rate() > 0) continue;
-        // It turned, perhaps only beyond the sample.
-        const double limit_deg = Curve(before).walk_to_turn(kStep_rad);
-        if (!(limit_deg >= stop->pilot_deg)) {
-          return judge_.conclude({solver::PathEnd::fold_limit, limit_deg, 0, 0, 0});
-        }
-        curve = before;
-        break;
-      }
-      state = curve.state();
-      state.creases[mechanism.pilot] = stop->pilot;
-      if (newton_.correct(geometry, state).end != solver::NewtonEnd::converged) break;
-      solver::folded_lengths(mechanism, geometry, state, lengths.data());
-      length_error_ = std::max(length_error_, history.largest_difference(*stop, lengths));
-      if (!judge_.see(*stop, state, lengths)) break;
-    }
-    return judge_.conclude({solver::PathEnd::end_reached, 0, 0, 0, 0});
-  }
-  double length_error() const { return length_error_; }
-
- private:
-  const SheetFamily& family_;
-  const solver::PathPlan& plan_;
-  solver::Newton newton_;
-  solver::Judge judge_;
-  solver::StartFinder finder_;
-  double length_error_ = 0;
-};
 
 // Whether two verdicts on the same lengths differ because a step or a variation is as large as the
 // verdict's own band, which rounding then decides (sheets 100 panel widths long: 2e-13 of the

@@ -1,0 +1,145 @@
+// Two witnesses of a path's verdict, neither of them the lanes': dense matrices from sample to
+// sample, and the curve itself.
+#pragma once
+
+#include <algorithm>
+
+#include "curve.hpp"
+#include "solver/family.hpp"
+#include "solver/start.hpp"
+
+namespace misalign::stress {
+
+using solver::FlatVertices;
+using solver::SheetFamily;
+using solver::Verdict;
+
+// The lengths of a history at its samples up to D, for comparison.
+class LengthsOf {
+ public:
+  explicit LengthsOf(const solver::FoldingHistory& history, double width_mm)
+      : history_(history), width_mm_(width_mm) {}
+
+  /// Panel widths; 0 beyond D.
+  double largest_difference(const solver::Stop& stop, const std::vector<double>& lengths) const {
+    if (stop.sample > history_.verdict.deploys_from_sample) return 0;
+    const auto at =
+        std::find_if(history_.stops.begin(), history_.stops.end(),
+                     [&](const solver::Stop& seen) { return seen.sample == stop.sample; });
+    if (at == history_.stops.end()) return 0;
+    double largest = 0;
+    for (std::size_t d = 0; d < lengths.size(); ++d) {
+      const double there_mm =
+          history_.length_mm(at - history_.stops.begin(), static_cast<Eigen::Index>(d));
+      largest = std::max(largest, std::abs(lengths[d] - there_mm / width_mm_));
+    }
+    return largest;
+  }
+
+ private:
+  const solver::FoldingHistory& history_;
+  const double width_mm_;
+};
+
+// What both do: judge the samples of one path, and keep how far its lengths up to D are from the
+// history's.
+class Witness {
+ public:
+  double length_error() const { return length_error_; }  ///< panel widths
+
+ protected:
+  Witness(const SheetFamily& family, const solver::PathPlan& plan)
+      : plan_(plan),
+        mechanism_(family.mechanism()),
+        judge_(family.mechanism()),
+        lengths_(family.mechanism().diagonals.size()) {}
+
+  void begin(const FlatVertices& vertices_mm) {
+    solver::place(mechanism_, vertices_mm, geometry_);
+    solver::flat_lengths(mechanism_, geometry_, lengths_.data());
+    judge_.begin(lengths_);
+    length_error_ = 0;
+  }
+  bool see(const solver::Stop& stop, const solver::FoldState<double>& state,
+           const LengthsOf& history) {
+    solver::folded_lengths(mechanism_, geometry_, state, lengths_.data());
+    length_error_ = std::max(length_error_, history.largest_difference(stop, lengths_));
+    return judge_.see(stop, state, lengths_);
+  }
+  Verdict conclude(const solver::PathResult& path) const { return judge_.conclude(path); }
+
+  const solver::PathPlan& plan_;
+  const solver::Mechanism& mechanism_;
+  solver::SheetGeometry<double> geometry_;
+
+ private:
+  solver::Judge judge_;
+  std::vector<double> lengths_;
+  double length_error_ = 0;
+};
+
+// The path by dense matrices from sample to sample.
+class DensePath : public Witness {
+ public:
+  DensePath(const SheetFamily& family, const solver::PathPlan& plan)
+      : Witness(family, plan), tracker_(family.mechanism()) {}
+
+  Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
+    begin(vertices_mm);
+    return conclude(tracker_.follow(
+        geometry_, plan_, [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
+          return stop.sample == 0 || see(stop, state, history);
+        }));
+  }
+
+ private:
+  solver::PathTracker tracker_;
+};
+
+// The same along the curve itself, which no step can leave: slow, for the sheets where dense
+// matrices in steps of a degree and the lanes differ.
+class CurvePath : public Witness {
+ public:
+  CurvePath(const SheetFamily& family, const solver::PathPlan& plan)
+      : Witness(family, plan),
+        newton_(family.mechanism()),
+        finder_(family.mechanism(), family.elimination(), plan, family.base().sheet.vertices_mm) {}
+
+  Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
+    using solver::PathEnd;
+    begin(vertices_mm);
+    if (finder_.find(vertices_mm) != solver::StartEnd::found) {
+      return conclude({PathEnd::start_lost, 0, 0, 0, 0});
+    }
+    Curve curve(mechanism_, geometry_, finder_.state());
+    constexpr double kStep_rad = 0.02;
+    for (const solver::Stop& stop : plan_.stops) {
+      if (stop.sample == 0) continue;
+      while (curve.pilot_deg() < stop.pilot_deg - 1e-9) {
+        const Curve before = curve;
+        if (!curve.step(kStep_rad)) return conclude({PathEnd::stalled, 0, 0, 0, 0});
+        if (curve.pilot_rate() > 0) continue;
+        // It turned, perhaps only beyond the sample.
+        const double limit_deg = Curve(before).walk_to_turn(kStep_rad);
+        if (!(limit_deg >= stop.pilot_deg)) {
+          return conclude({PathEnd::fold_limit, limit_deg, 0, 0, 0});
+        }
+        curve = before;
+        break;
+      }
+      solver::FoldState<double> state = curve.state();
+      state.creases[mechanism_.pilot] = stop.pilot;
+      if (newton_.correct(geometry_, state).end != solver::NewtonEnd::converged) {
+        return conclude({PathEnd::stalled, 0, 0, 0, 0});
+      }
+      if (!see(stop, state, history)) break;
+    }
+    return conclude({PathEnd::end_reached, 0, 0, 0, 0});
+  }
+
+ private:
+  solver::Newton newton_;
+  solver::StartFinder finder_;
+};
+
+}  // namespace misalign::stress
