@@ -130,6 +130,11 @@ void read_stop(ObjectReader reader, StopRule& stop) {
   };
   limit("draws", stop.draws, whole);
   limit("accepted", stop.accepted, whole);
+  limit("relative_error", stop.relative_error, [&](const char* key) {
+    double error = 0;
+    reader.number(key, error, 1e-6, 1, "write a share of the rate like 0.05, or null for no limit");
+    return error;
+  });
   limit("wall_s", stop.wall_s, [&](const char* key) {
     double seconds = 0;
     reader.number(key, seconds, 0, 1e9, "write seconds, or null for no limit");
@@ -231,6 +236,7 @@ Json campaign_json(const Campaign& campaign) {
           {"stop",
            {{"draws", or_null(campaign.stop.draws)},
             {"accepted", or_null(campaign.stop.accepted)},
+            {"relative_error", or_null(campaign.stop.relative_error)},
             {"wall_s", or_null(campaign.stop.wall_s)}}}};
 }
 

@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "schema/draw_range.hpp"
 #include "schema/pattern_file.hpp"
 
 namespace misalign::schema {
-
-/// Seeds go from 0 to this, 2^63 - 1; so do draws, of which a half-open range holds all but the
-/// last.
-inline constexpr std::uint64_t kEndOfDraws = (1ULL << 63) - 1;
 
 enum class Levels {
   ternary,  ///< -a, 0, +a
@@ -30,6 +27,7 @@ struct Misalignment {
 struct StopRule {
   std::optional<std::uint64_t> draws = 1000000;
   std::optional<std::uint64_t> accepted;
+  std::optional<double> relative_error;  ///< of the acceptance rate, see Goal
   std::optional<double> wall_s;
 };
 

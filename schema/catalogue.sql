@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 2. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 3. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 2;
+PRAGMA user_version = 3;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -14,7 +14,8 @@ CREATE TABLE campaign (
   range_hi INTEGER NOT NULL CHECK (range_hi > range_lo),
   goal_draws INTEGER CHECK (goal_draws >= 0),
   goal_accepted INTEGER CHECK (goal_accepted >= 0),
-  goal_end INTEGER NOT NULL CHECK (goal_end BETWEEN range_lo AND range_hi)  -- draws below it count
+  goal_end INTEGER NOT NULL CHECK (goal_end BETWEEN range_lo AND range_hi),  -- draws below it count
+  goal_relative_error REAL CHECK (goal_relative_error > 0)  -- of the acceptance rate
 ) STRICT;
 
 CREATE TABLE run (
@@ -28,9 +29,13 @@ CREATE TABLE run (
   "commit" TEXT NOT NULL,
   compiler TEXT NOT NULL,
   flags TEXT NOT NULL,
-  golden_verdicts TEXT NOT NULL,  -- fingerprint of what this build answers on fixed draws
+  golden_verdicts TEXT NOT NULL,  -- fingerprint of what its ranks answer on fixed draws; several if mixed
   configuration TEXT NOT NULL CHECK (json_valid(configuration)),
-  schema_version INTEGER NOT NULL  -- whose columns its rows fill
+  schema_version INTEGER NOT NULL,  -- whose columns its rows fill
+  -- What committing cost, null for a run that was killed or is from before version 3.
+  commits INTEGER,
+  commit_s REAL,
+  longest_commit_s REAL
 ) STRICT;
 
 -- The ledger: ranges of draws that are done. A unit and its candidates are one transaction.
@@ -52,6 +57,11 @@ CREATE TRIGGER unit_overlaps BEFORE INSERT ON unit
 WHEN (SELECT hi FROM unit WHERE lo < new.hi ORDER BY lo DESC LIMIT 1) > new.lo
 BEGIN
   SELECT RAISE(ABORT, 'these draws are in the ledger already');
+END;
+
+CREATE TRIGGER unit_moves BEFORE UPDATE OF lo, hi ON unit
+BEGIN
+  SELECT RAISE(ABORT, 'what is in the ledger stays there');
 END;
 
 -- What the tests that judge draws saw, by cause and degree. Advisory: it depends on the build.
@@ -106,6 +116,12 @@ CREATE TABLE candidate (
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
+-- What people sort by: a table of a million candidates need not be read for the best twenty.
+CREATE INDEX candidate_best ON candidate (deploys_from_deg DESC, slope_min_mm_per_deg DESC);
+CREATE INDEX candidate_robust ON candidate (slope_min_mm_per_deg DESC);
+CREATE INDEX candidate_simplest ON candidate (shifted_vertices, deploys_from_deg DESC);
+CREATE INDEX candidate_smooth ON candidate (slope_between_min_mm_per_deg DESC) WHERE bump_deg IS NULL;
+CREATE INDEX candidate_stroke ON candidate (stroke_min DESC);
 
 -- For people.
 

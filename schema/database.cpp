@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <sqlite3.h>
-#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -81,38 +81,64 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
     sqlite3_set_authorizer(database->getHandle(), authorize_reading, nullptr);
     return database;
   } catch (const SQLite::Exception& error) {
-    throw UserError(kExitFailure, path + ": cannot be read (" + error.what() + ")");
+    throw storage_failure(path, error);
   }
 }
 
-std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path) {
-  try {
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage) {
+  return guarded(path, [&] {
     auto database = std::make_unique<SQLite::Database>(
         path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout_ms);
+    // Before the first look at the file: a log that was left behind needs no shared memory then.
+    if (storage == Storage::network) database->exec("PRAGMA locking_mode = EXCLUSIVE");
     check_kind(*database, path);
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA foreign_keys = ON");
     return database;
-  } catch (const SQLite::Exception& error) {
-    throw UserError(kExitFailure, path + ": cannot be opened for writing (" + error.what() +
-                                      "); check the directory's permissions and free space");
-  }
+  });
 }
 
 WriterLock::WriterLock(const std::string& path)
-    : descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
+  if (descriptor_ < 0 && errno == ENOENT) {
+    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    made_the_file_ = descriptor_ >= 0;
+  }
   if (descriptor_ < 0) {
     throw UserError(kExitFailure, path + ": cannot be written (" + std::strerror(errno) +
                                       "); choose a writable place with --catalogue");
   }
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  struct flock byte {};
+  byte.l_type = F_WRLCK;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = 1LL << 62;
+  byte.l_len = 1;
+  if (::fcntl(descriptor_, F_OFD_SETLK, &byte) != 0) {
+    const int error = errno;
     ::close(descriptor_);
-    throw UserError(kExitInUse, path +
-                                    ": another search is writing this catalogue; wait for it, or "
-                                    "give this one a file of its own with --catalogue");
+    if (error == EAGAIN || error == EACCES) {
+      throw UserError(kExitInUse, path +
+                                      ": another search is writing this catalogue; wait for it, or "
+                                      "give this one a file of its own with --catalogue");
+    }
+    throw UserError(kExitFailure, path + ": cannot be locked (" + std::strerror(error) +
+                                      "); choose a place whose file system has locks");
   }
 }
 
 WriterLock::~WriterLock() { ::close(descriptor_); }
+
+void WriterLock::check_file_is_there() const {
+  struct stat opened {
+  }, named{};
+  if (::fstat(descriptor_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+      opened.st_dev == named.st_dev && opened.st_ino == named.st_ino) {
+    return;
+  }
+  throw UserError(kExitFailure, path_ +
+                                    ": was removed or replaced while this campaign was writing it; "
+                                    "put it back (its last copy holds what was committed until "
+                                    "then), and the same command goes on from there");
+}
 
 }  // namespace misalign::schema

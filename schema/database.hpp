@@ -7,27 +7,34 @@
 #include <memory>
 #include <string>
 
-#include "schema/input.hpp"
+#include "schema/storage.hpp"
 
 namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
+
+/// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
+inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }
+inline std::uint64_t draw_of(const SQLite::Column& column) {
+  return static_cast<std::uint64_t>(column.getInt64());
+}
 
 /// A catalogue opened for reading: it cannot write, attach other files or load extensions.
-/// UserError: 3 no such file or no catalogue, 5 a newer schema.
+/// UserError: 3 no such file or no catalogue, 5 a newer schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
-/// The one writer's connection: synchronous FULL, foreign keys. Changes nothing in the file yet.
-/// Creates the file if there is none. UserError: 1 the directory cannot be written, 3 no catalogue,
-/// 5 a newer schema.
-std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path);
+/// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
+/// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
+/// UserError: 3 no catalogue, 5 a newer schema; see storage_failure.
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage);
 
-/// An exclusive advisory lock on the catalogue's file that dies with the process.
+/// An exclusive advisory lock on the catalogue's file that dies with the process: an open-file lock
+/// of one byte far behind those that SQLite locks.
 class WriterLock {
  public:
   /// Creates an empty file if there is none. UserError: 1 cannot be opened, 4 held by another
-  /// search.
+  /// process.
   explicit WriterLock(const std::string& path);
   /// Closing any descriptor of the file drops SQLite's own locks in this process: so this object
   /// must outlive the connection.
@@ -35,7 +42,15 @@ class WriterLock {
   WriterLock(const WriterLock&) = delete;
   WriterLock& operator=(const WriterLock&) = delete;
 
+  /// Whether there was no file before.
+  bool made_the_file() const { return made_the_file_; }
+  /// UserError (1) if the path leads to another file now, or to none: SQLite would go on writing to
+  /// a file that nobody can find.
+  void check_file_is_there() const;
+
  private:
+  const std::string path_;
+  bool made_the_file_ = false;
   int descriptor_;
 };
 

@@ -9,14 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace misalign::schema {
+#include "schema/draw_range.hpp"
 
-/// Half-open range of draw numbers.
-struct DrawRange {
-  std::uint64_t lo, hi;
-  std::uint64_t size() const { return hi - lo; }
-  friend bool operator==(const DrawRange&, const DrawRange&) = default;
-};
+namespace misalign::schema {
 
 /// XXH3-128, seed 0.
 XXH128_hash_t hash_of(std::string_view bytes);

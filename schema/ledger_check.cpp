@@ -1,11 +1,10 @@
 #include "schema/ledger_check.hpp"
 
+#include "schema/digest.hpp"
+#include "schema/unit_writer.hpp"
+
 namespace misalign::schema {
 namespace {
-
-std::uint64_t draw_in(const SQLite::Statement& row, int column) {
-  return static_cast<std::uint64_t>(row.getColumn(column).getInt64());
-}
 
 // Multiples of kFaultSampleEvery below `end`.
 std::uint64_t sampled_below(std::uint64_t end) {
@@ -72,12 +71,14 @@ class LedgerCheck {
                           "ORDER BY lo");
     std::uint64_t end = 0;
     while (row.executeStep()) {
-      const DrawRange range{draw_in(row, 0), draw_in(row, 1)};
+      const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
       if (range.lo < end) add(name(range.lo), "lo", range.lo, "not below " + std::to_string(end));
       end = std::max(end, range.hi);
-      const std::uint64_t rejected = range.size() - draw_in(row, 2) - draw_in(row, 3);
-      if (rejected != draw_in(row, 4)) add(name(range.lo), "rejected", draw_in(row, 4), rejected);
-      Unit unit{range, {draw_in(row, 2)}, {draw_in(row, 3)}, {}, {}, {}};
+      const std::uint64_t rejected =
+          range.size() - draw_of(row.getColumn(2)) - draw_of(row.getColumn(3));
+      if (rejected != draw_of(row.getColumn(4)))
+        add(name(range.lo), "rejected", draw_of(row.getColumn(4)), rejected);
+      Unit unit{range, {draw_of(row.getColumn(2))}, {draw_of(row.getColumn(3))}, {}, {}, {}};
       unit.fault_sample.stored = sampled_below(range.hi) - sampled_below(range.lo);
       if (row.getColumn(5).getBytes() == 16) {
         unit.stored =
@@ -104,13 +105,13 @@ class LedgerCheck {
   void sum_candidates() {
     SQLite::Statement row(database_, "SELECT draw, unit, deploys_from_sample FROM candidate");
     while (row.executeStep()) {
-      const std::uint64_t draw = draw_in(row, 0);
+      const std::uint64_t draw = draw_of(row.getColumn(0));
       const int sample = row.getColumn(2).getInt();
       if (sample < campaign_.threshold_sample()) {
         add("draw " + std::to_string(draw), "deploys_from_sample", sample,
             "the campaign's " + std::to_string(campaign_.threshold_sample()) + " or more");
       }
-      if (Unit* unit = unit_of("candidate", draw, draw_in(row, 1))) {
+      if (Unit* unit = unit_of("candidate", draw, draw_of(row.getColumn(1)))) {
         ++unit->accepted.counted;
         unit->summed.add(draw, sample);
       }
@@ -120,7 +121,8 @@ class LedgerCheck {
   void count(const std::string& table, Part Unit::*part) {
     SQLite::Statement row(database_, "SELECT draw, unit FROM " + table);
     while (row.executeStep()) {
-      if (Unit* unit = unit_of(table, draw_in(row, 0), draw_in(row, 1))) ++(unit->*part).counted;
+      if (Unit* unit = unit_of(table, draw_of(row.getColumn(0)), draw_of(row.getColumn(1))))
+        ++(unit->*part).counted;
     }
   }
 
@@ -154,7 +156,7 @@ class LedgerCheck {
                           "(draw) WHERE fault_sample.deploys_from_sample != "
                           "candidate.deploys_from_sample");
     while (row.executeStep()) {
-      add("draw " + std::to_string(draw_in(row, 0)), "fault_sample.deploys_from_sample",
+      add("draw " + std::to_string(draw_of(row.getColumn(0))), "fault_sample.deploys_from_sample",
           row.getColumn(1).getInt(), row.getColumn(2).getInt());
     }
   }
@@ -167,9 +169,9 @@ class LedgerCheck {
     std::uint64_t accepted = 0;
     SQLite::Statement row(database_, "SELECT draw, deploys_from_sample FROM candidate");
     while (row.executeStep()) {
-      if (draw_in(row, 0) >= state.goal_end) continue;
+      if (draw_of(row.getColumn(0)) >= state.goal_end) continue;
       ++accepted;
-      sum.add(draw_in(row, 0), row.getColumn(1).getInt());
+      sum.add(draw_of(row.getColumn(0)), row.getColumn(1).getInt());
     }
     const std::string digest = catalogue_digest(
         identity(campaign_), merged_up_to(ranges, state.goal_end), accepted, state.undecided, sum);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue_state.hpp"
 
 namespace misalign::schema {
 

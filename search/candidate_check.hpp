@@ -4,6 +4,7 @@
 
 #include "schema/ledger_check.hpp"
 #include "search/contact.hpp"
+#include "solver/metrics.hpp"
 #include "solver/shape_check.hpp"
 
 namespace misalign::search {

@@ -116,9 +116,14 @@ Action add_search(CLI::App& app) {
       "Examples:\n"
       "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
       "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600\n"
-      "The same command again resumes. SIGINT, SIGTERM or SIGUSR1 (to mpirun) ends cleanly.");
+      "The same command again resumes. Signals, to mpirun or to the program alone: SIGINT or "
+      "SIGTERM\n"
+      "ends it within half a second, a second one at once; SIGUSR1 ends it once everything under "
+      "way\n"
+      "is committed; SIGUSR2 prints a status line.");
   auto options = std::make_shared<SearchOptions>();
   auto range = std::make_shared<std::string>();
+  auto mixed = std::make_shared<bool>(false);
   const auto draw_count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
   verb->add_option("--catalogue", options->catalogue_path,
@@ -126,6 +131,9 @@ Action add_search(CLI::App& app) {
   verb->add_option("--draws", options->draws, "draws wanted in total")->check(draw_count);
   verb->add_option("--accepted", options->accepted, "accepted draws wanted in total")
       ->check(draw_count);
+  verb->add_option("--relative-error", options->relative_error,
+                   "end when the acceptance rate is known to this share of itself")
+      ->check(within(1e-6, 1));
   verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
       ->check(within(0, 1e9));
   verb->add_option("--seed", options->seed, "instead of the campaign's seed")->check(draw_count);
@@ -136,12 +144,21 @@ Action add_search(CLI::App& app) {
   verb->add_option("--instruction-set", options->instruction_set,
                    "baseline, avx2 or avx512, changes no answer [the widest of this machine]")
       ->transform(instruction_set_of_this_machine());
+  verb->add_option("--storage", options->storage,
+                   "local or network: what the catalogue lies on [as the file system says]")
+      ->transform(one_of({{"local", number_of(schema::Storage::local)},
+                          {"network", number_of(schema::Storage::network)}}));
+  verb->add_flag("--retry-undecided", options->retry_undecided,
+                 "first judge again what no run could decide");
+  verb->add_flag("--allow-mixed-builds", *mixed,
+                 "go on although ranks or earlier runs give other golden verdicts");
   verb->add_option("--progress", options->progress, "auto, plain or none [auto]")
       ->transform(one_of({{"auto", number_of(ProgressStyle::plain)},
                           {"plain", number_of(ProgressStyle::plain)},
                           {"none", number_of(ProgressStyle::none)}}));
-  return [options, range] {
+  return [options, range, mixed] {
     if (!range->empty()) options->range = parse_range(*range);
+    if (*mixed) options->builds = schema::Builds::mixed;
     return run_search(*options);
   };
 }
@@ -165,11 +182,11 @@ Action add_status(CLI::App& app) {
     }
     if (*json) {
       Json answer = status_json(state);
-      if (deploying) answer["at"] = deploying_json(*deploying, state.draws);
+      if (deploying) answer["at"] = deploying_json(*deploying, state);
       std::puts(answer.dump(1).c_str());
     } else {
       std::fputs(status_text(state).c_str(), stdout);
-      if (deploying) std::fputs(deploying_text(*deploying, state.draws).c_str(), stdout);
+      if (deploying) std::fputs(deploying_text(*deploying, state).c_str(), stdout);
     }
     return *check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
   };

@@ -1,5 +1,7 @@
 #include "search/coordinator.hpp"
 
+#include <utility>
+
 #include "search/stop_signal.hpp"
 
 namespace misalign::search {
@@ -7,24 +9,23 @@ namespace {
 
 class Coordinator {
  public:
-  Coordinator(const MpiSession& mpi, Trial& trial, schema::Catalogue& catalogue,
-              const schema::Goal& goal, const CoordinatorOptions& options)
+  Coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, Trial& trial,
+              schema::Catalogue& catalogue, const schema::Goal& goal,
+              const CoordinatorOptions& options)
       : mpi_(mpi),
+        heartbeat_(heartbeat),
         trial_(trial),
         catalogue_(catalogue),
         options_(options),
         limited_(goal.planned_end() < schema::kEndOfDraws),
-        ledger_({goal.range.lo, catalogue.goal_end()}, catalogue.done()),
-        progress_(options.progress),
-        assigned_(mpi.ranks()),
-        draws_per_s_(mpi.ranks(), 0) {}
+        dispatcher_({{goal.range.lo, catalogue.goal_end()}, catalogue.done()}, mpi.ranks(),
+                    options.unit_size),
+        progress_(options.progress) {}
 
   RunEnd run() {
+    for (int rank = 1; rank < mpi_.ranks(); ++rank) assign(rank);
     std::optional<RunEnd> stop;
-    while (!stop && !ledger_.complete()) {
-      for (int rank = 1; rank < mpi_.ranks(); ++rank) {
-        if (!assigned_[rank]) assign(rank);
-      }
+    while (!stop && !dispatcher_.complete()) {
       const bool computed = compute_one_block();
       const bool received = receive_all();
       if (computed || received) {
@@ -32,96 +33,99 @@ class Coordinator {
       } else {
         backoff_.wait();
       }
-      progress_.show(counts());
+      progress_.show(counts(), status_wish());
       stop = reason_to_stop();
     }
+    if (own_work_) settle({own_work_->take()});
     end_workers();
-    if (own_work_) settle(0, own_work_->take());
     progress_.show(counts(), true);
-    return ledger_.complete() ? RunEnd::complete : *stop;
+    if (heartbeat_.lost()) return RunEnd::lost;
+    return dispatcher_.complete() ? RunEnd::complete : *stop;
   }
 
  private:
   std::optional<RunEnd> reason_to_stop() const {
-    if (stop_signal_seen() || worker_was_stopped_) return RunEnd::stopped;
+    if (heartbeat_.lost()) return RunEnd::lost;
+    if (stop_wish() != StopWish::none || worker_was_stopped_) return RunEnd::stopped;
     if (options_.max_time_s && progress_.seconds() >= *options_.max_time_s) return RunEnd::max_time;
     return std::nullopt;
   }
 
-  std::optional<DrawRange> take_range(int rank) {
-    const std::uint64_t draws = options_.unit_draws.value_or(
-        unit_draws(draws_per_s_[rank], options_.unit_s, ledger_.open_draws(), mpi_.ranks()));
-    assigned_[rank] = ledger_.take(draws);
-    return assigned_[rank];
-  }
-
   void assign(int rank) {
-    if (const auto range = take_range(rank)) mpi_.send_range(rank, *range);
+    if (const auto range = dispatcher_.assign(rank)) {
+      mpi_.send_range(rank, *range);
+    } else {
+      idle_.push_back(rank);
+    }
   }
 
   bool compute_one_block() {
     if (!own_work_) {
-      if (const auto range = take_range(0)) own_work_.emplace(trial_, *range);
+      if (const auto range = dispatcher_.assign(0)) own_work_.emplace(trial_, *range);
     }
     if (!own_work_) return false;
     own_work_->run_next_block();
     if (own_work_->finished()) {
-      const schema::UnitRecord unit = own_work_->take();
+      schema::UnitRecord unit = own_work_->take();
       own_work_.reset();
-      settle(0, unit);
+      settle({std::move(unit)});
     }
     return true;
   }
 
+  // All that has arrived is one transaction.
   bool receive_all() {
-    bool any = false;
-    while (const auto arrival = mpi_.receive_unit()) {
-      settle(arrival->from, arrival->unit);
-      any = true;
-    }
-    return any;
+    std::vector<schema::UnitRecord> units;
+    while (auto unit = mpi_.receive_unit()) units.push_back(std::move(*unit));
+    if (units.empty()) return false;
+    settle(units);
+    return true;
   }
 
-  // Commits what a rank has done of its range; what it has not done is open again.
-  void settle(int rank, const schema::UnitRecord& unit) {
-    if (unit.range.size() > 0) {
-      catalogue_.commit(unit, rank);
-      ledger_.cut(catalogue_.goal_end());
+  // Commits what ranks have done of their ranges; what they have not done is open again.
+  void settle(const std::vector<schema::UnitRecord>& units) {
+    std::vector<schema::UnitRecord> done;
+    for (const schema::UnitRecord& unit : units) {
+      if (unit.range.size() > 0) done.push_back(unit);
       draws_ += unit.range.size();
       accepted_ += unit.accepted;
-      if (unit.seconds > 0) {
-        draws_per_s_[rank] = static_cast<double>(unit.range.size()) / unit.seconds;
-      }
     }
-    if (rank > 0 && unit.range.hi < assigned_[rank]->hi) worker_was_stopped_ = true;
-    ledger_.finish(*assigned_[rank], unit.range.hi);
-    assigned_[rank].reset();
+    if (!done.empty()) catalogue_.commit(done);
+    for (const schema::UnitRecord& unit : units) {
+      if (unit.worker > 0 && unit.range.hi < dispatcher_.assigned(unit.worker)->hi) {
+        worker_was_stopped_ = true;
+      }
+      dispatcher_.settle(unit.worker, unit.range.hi, unit.seconds);
+      if (unit.worker > 0) idle_.push_back(unit.worker);
+    }
+    dispatcher_.cut(catalogue_.goal_end());
+    if (reason_to_stop()) return;
+    for (const int rank : std::exchange(idle_, {})) assign(rank);
   }
 
   // Every worker gets one empty range: the idle leave, the others send what they have and leave.
   void end_workers() {
+    if (heartbeat_.lost()) return;
     for (int rank = 1; rank < mpi_.ranks(); ++rank) mpi_.send_range(rank, {0, 0});
     for (int rank = 1; rank < mpi_.ranks(); ++rank) {
-      while (assigned_[rank]) {
+      while (dispatcher_.assigned(rank) && !heartbeat_.lost()) {
         if (!receive_all()) backoff_.wait();
       }
     }
   }
 
-  ProgressCounts counts() const {
-    return {draws_, accepted_, ledger_.open_draws() + ledger_.draws_given_out(), limited_};
-  }
+  ProgressCounts counts() const { return {draws_, accepted_, dispatcher_.draws_left(), limited_}; }
 
   const MpiSession& mpi_;
+  const Heartbeat& heartbeat_;
   Trial& trial_;
   schema::Catalogue& catalogue_;
   const CoordinatorOptions& options_;
   const bool limited_;
-  Ledger ledger_;
+  Dispatcher dispatcher_;
   Progress progress_;
   Backoff backoff_;
-  std::vector<std::optional<DrawRange>> assigned_;  // per rank
-  std::vector<double> draws_per_s_;                 // per rank, of its last unit
+  std::vector<int> idle_;  // workers without a range
   std::optional<UnitWork> own_work_;
   bool worker_was_stopped_ = false;  // one of them saw a signal that rank 0 did not
   std::uint64_t draws_ = 0, accepted_ = 0;
@@ -137,13 +141,16 @@ const char* run_end_name(RunEnd end) {
       return "max_time";
     case RunEnd::stopped:
       return "stopped";
+    case RunEnd::lost:
+      return "lost";
   }
   return "";
 }
 
-RunEnd run_coordinator(const MpiSession& mpi, Trial& trial, schema::Catalogue& catalogue,
-                       const schema::Goal& goal, const CoordinatorOptions& options) {
-  return Coordinator(mpi, trial, catalogue, goal, options).run();
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, Trial& trial,
+                       schema::Catalogue& catalogue, const schema::Goal& goal,
+                       const CoordinatorOptions& options) {
+  return Coordinator(mpi, heartbeat, trial, catalogue, goal, options).run();
 }
 
 }  // namespace misalign::search

@@ -3,16 +3,16 @@
 
 #include <optional>
 
-#include "search/ledger.hpp"
-#include "search/mpi_session.hpp"
+#include "schema/catalogue.hpp"
+#include "search/dispatcher.hpp"
+#include "search/heartbeat.hpp"
 #include "search/progress.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {
 
 struct CoordinatorOptions {
-  std::optional<std::uint64_t> unit_draws;  ///< instead of units of about unit_s
-  double unit_s = 5;
+  UnitSize unit_size;
   std::optional<double> max_time_s;
   ProgressStyle progress = ProgressStyle::plain;
 };
@@ -20,14 +20,16 @@ struct CoordinatorOptions {
 enum class RunEnd {
   complete,  ///< nothing is left below the goal's end
   max_time,  ///< the run's wall time is over
-  stopped    ///< a signal asked for it
+  stopped,   ///< a signal asked for it
+  lost       ///< a rank is silent, see Heartbeat
 };
 
 const char* run_end_name(RunEnd end);
 
 /// Runs the campaign until its goal or a stop; every unit that was begun is committed as far as it
-/// was done. Ends the workers. The catalogue's run has begun already.
-RunEnd run_coordinator(const MpiSession& mpi, Trial& trial, schema::Catalogue& catalogue,
-                       const schema::Goal& goal, const CoordinatorOptions& options);
+/// was done, but for those of lost ranks. Ends the workers. The catalogue's run has begun already.
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, Trial& trial,
+                       schema::Catalogue& catalogue, const schema::Goal& goal,
+                       const CoordinatorOptions& options);
 
 }  // namespace misalign::search

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "schema/digest.hpp"
+#include "schema/draw_range.hpp"
 
 namespace misalign::search {
 
@@ -25,18 +25,16 @@ class Ledger {
   /// The goal ends here now: open draws from `end` on are wanted no more.
   void cut(std::uint64_t end);
 
-  std::uint64_t open_draws() const;
+  std::uint64_t open_draws() const { return open_draws_; }
   std::uint64_t draws_given_out() const { return given_out_; }
   bool complete() const { return open_.empty() && given_out_ == 0; }
 
  private:
+  void open(const DrawRange& range);
+
   std::map<std::uint64_t, std::uint64_t> open_;  // lo -> hi, disjoint
-  std::uint64_t given_out_ = 0;
+  std::uint64_t open_draws_ = 0, given_out_ = 0;
   std::uint64_t end_;
 };
-
-/// How many draws a unit of about `unit_s` seconds has on a worker that makes `draws_per_s` (0: not
-/// known yet), small enough that all `workers` end together.
-std::uint64_t unit_draws(double draws_per_s, double unit_s, std::uint64_t open_draws, int workers);
 
 }  // namespace misalign::search

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "schema/catalogue_state.hpp"
 #include "schema/result_table.hpp"
 #include "search/trial.hpp"
 #include "solver/perforation.hpp"

@@ -90,6 +90,7 @@ void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
 template <class Wire, class Unit>
 void unit_fields(Wire& wire, Unit& unit) {
   wire.field(unit.range);
+  wire.field(unit.worker);
   wire.field(unit.accepted);
   wire.field(unit.rejected);
   wire.field(unit.seconds);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "schema/catalogue.hpp"
+#include "schema/unit_writer.hpp"
 
 namespace misalign::search {
 

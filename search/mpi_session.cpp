@@ -5,22 +5,35 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <numeric>
 #include <thread>
 
 namespace misalign::search {
 namespace {
 
-constexpr int kUnitTag = 1, kRangeTag = 2;
+constexpr int kUnitTag = 1, kRangeTag = 2, kBeatTag = 3;
 
 }  // namespace
 
+struct MpiSession::Beats {
+  MPI_Comm comm;
+};
+
 MpiSession::MpiSession() {
-  MPI_Init(nullptr, nullptr);
+  int threads = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &threads);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
+  // Without threads in MPI there are no beats, and a cut link is noticed by MPI alone, in minutes.
+  if (threads < MPI_THREAD_MULTIPLE) return;
+  beats_ = std::make_unique<Beats>();
+  MPI_Comm_dup(MPI_COMM_WORLD, &beats_->comm);
 }
 
-MpiSession::~MpiSession() { MPI_Finalize(); }
+MpiSession::~MpiSession() {
+  if (beats_) MPI_Comm_free(&beats_->comm);
+  MPI_Finalize();
+}
 
 int MpiSession::broadcast(int value) const {
   MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
@@ -34,12 +47,35 @@ std::string MpiSession::broadcast(const std::string& text) const {
   return result;
 }
 
+std::vector<std::string> MpiSession::gather(const std::string& text) const {
+  int size = static_cast<int>(text.size());
+  std::vector<int> sizes(ranks_), starts(ranks_);
+  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
+  std::string all(static_cast<std::size_t>(starts.back() + sizes.back()), ' ');
+  MPI_Gatherv(text.data(), size, MPI_CHAR, all.data(), sizes.data(), starts.data(), MPI_CHAR, 0,
+              MPI_COMM_WORLD);
+  std::vector<std::string> texts;
+  for (int k = 0; rank_ == 0 && k < ranks_; ++k) {
+    texts.push_back(
+        all.substr(static_cast<std::size_t>(starts[k]), static_cast<std::size_t>(sizes[k])));
+  }
+  return texts;
+}
+
+void MpiSession::meet() const {
+  MPI_Request request;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  Backoff backoff;
+  for (int met = 0; MPI_Test(&request, &met, MPI_STATUS_IGNORE), !met;) backoff.wait();
+}
+
 void MpiSession::send_unit(const schema::UnitRecord& unit) const {
   const Bytes bytes = pack(unit);
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, kUnitTag, MPI_COMM_WORLD);
 }
 
-std::optional<MpiSession::Arrival> MpiSession::receive_unit() const {
+std::optional<schema::UnitRecord> MpiSession::receive_unit() const {
   int arrived = 0, size = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, kUnitTag, MPI_COMM_WORLD, &arrived, &status);
@@ -48,7 +84,9 @@ std::optional<MpiSession::Arrival> MpiSession::receive_unit() const {
   Bytes bytes(static_cast<std::size_t>(size));
   MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, kUnitTag, MPI_COMM_WORLD,
            MPI_STATUS_IGNORE);
-  return Arrival{status.MPI_SOURCE, unpack_unit(bytes)};
+  schema::UnitRecord unit = unpack_unit(bytes);
+  unit.worker = status.MPI_SOURCE;
+  return unit;
 }
 
 void MpiSession::send_range(int to, const schema::DrawRange& range) const {
@@ -68,6 +106,21 @@ schema::DrawRange MpiSession::receive_range() const {
   std::uint64_t ends[2];
   MPI_Recv(ends, 2, MPI_UINT64_T, 0, kRangeTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
   return {ends[0], ends[1]};
+}
+
+void MpiSession::send_beat(int to) const {
+  MPI_Request request;
+  MPI_Isend(nullptr, 0, MPI_BYTE, to, kBeatTag, beats_->comm, &request);
+  MPI_Request_free(&request);
+}
+
+std::optional<int> MpiSession::receive_beat() const {
+  int arrived = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, kBeatTag, beats_->comm, &arrived, &status);
+  if (!arrived) return std::nullopt;
+  MPI_Recv(nullptr, 0, MPI_BYTE, status.MPI_SOURCE, kBeatTag, beats_->comm, MPI_STATUS_IGNORE);
+  return status.MPI_SOURCE;
 }
 
 void MpiSession::abort(int exit_code) const {

@@ -1,10 +1,12 @@
 // All of MPI that the program uses.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "schema/digest.hpp"
+#include "schema/draw_range.hpp"
 #include "search/messages.hpp"
 
 namespace misalign::search {
@@ -23,15 +25,15 @@ class MpiSession {
   /// From rank 0 to all.
   int broadcast(int value) const;
   std::string broadcast(const std::string& text) const;
+  /// On rank 0 everyone's text, in the order of the ranks; nothing elsewhere.
+  std::vector<std::string> gather(const std::string& text) const;
+  /// Returns once every rank has called it; sleeps meanwhile.
+  void meet() const;
 
   /// To rank 0: a unit that was worked off.
   void send_unit(const schema::UnitRecord& unit) const;
-  /// On rank 0: the next unit that has arrived, and from whom; none if there is none.
-  struct Arrival {
-    int from;
-    schema::UnitRecord unit;
-  };
-  std::optional<Arrival> receive_unit() const;
+  /// On rank 0: the next unit that has arrived; none if there is none.
+  std::optional<schema::UnitRecord> receive_unit() const;
 
   /// From rank 0: a range to work off; an empty one ends the worker.
   void send_range(int to, const schema::DrawRange& range) const;
@@ -39,11 +41,20 @@ class MpiSession {
   /// Sleeps until there is one.
   schema::DrawRange receive_range() const;
 
+  /// Whether this MPI can carry signs of life, which want a thread of their own.
+  bool has_beats() const { return beats_ != nullptr; }
+  /// A sign of life; never waits.
+  void send_beat(int to) const;
+  /// From whom the next beat is that has arrived; none if there is none.
+  std::optional<int> receive_beat() const;
+
   /// Ends every rank at once: only after a failure that leaves the others waiting.
   [[noreturn]] void abort(int exit_code) const;
 
  private:
   int rank_ = 0, ranks_ = 1;
+  struct Beats;  // a communicator of their own
+  std::unique_ptr<Beats> beats_;
 };
 
 /// Sleeps that grow from 0 to 1 ms: a blocking MPI call would burn a core.

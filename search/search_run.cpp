@@ -5,7 +5,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
+#include "schema/catalogue_state.hpp"
 #include "search/build_info.hpp"
 #include "search/draw.hpp"
 #include "search/stop_signal.hpp"
@@ -29,6 +31,7 @@ schema::Campaign resolved_campaign(const SearchOptions& options) {
   schema::Campaign campaign = schema::read_campaign_file(options.campaign_path);
   if (options.seed) campaign.seed = *options.seed;
   if (options.accepted) campaign.stop.accepted = options.accepted;
+  if (options.relative_error) campaign.stop.relative_error = options.relative_error;
   if (options.max_time_s) campaign.stop.wall_s = options.max_time_s;
   // A range asked for by hand is meant as a whole, unless --draws says otherwise.
   if (options.range || options.draws) campaign.stop.draws = options.draws;
@@ -40,44 +43,179 @@ schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campa
   if (options.range) goal.range = *options.range;
   goal.draws = campaign.stop.draws;
   goal.accepted = campaign.stop.accepted;
+  goal.relative_error = campaign.stop.relative_error;
   return goal;
 }
 
-void print_summary(const std::string& path, RunEnd end) {
-  const auto database = schema::open_for_reading(path);
-  const schema::CatalogueState state = schema::read_state(*database);
-  const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
-                                            static_cast<double>(state.draws)
-                                      : 0.0;
-  std::printf("%s: %s, %llu draws, %llu accepted (%.4g %%), %llu undecided, digest %s\n",
-              path.c_str(), run_end_name(end), static_cast<unsigned long long>(state.draws),
-              static_cast<unsigned long long>(state.accepted), rate,
-              static_cast<unsigned long long>(state.undecided), state.digest.c_str());
+// What a rank is, for rank 0 to compare.
+struct RankInfo {
+  std::string host, golden_verdicts;
+};
+
+std::vector<RankInfo> gather_ranks(const MpiSession& mpi, solver::InstructionSet set) {
+  std::vector<RankInfo> ranks;
+  const auto hosts = mpi.gather(host_name()), verdicts = mpi.gather(golden_verdicts(set));
+  for (std::size_t k = 0; k < hosts.size(); ++k) ranks.push_back({hosts[k], verdicts[k]});
+  return ranks;
 }
 
-// Rank 0 from the campaign's setup to the summary; throws UserError and SQLite::Exception.
-void coordinate(const MpiSession& mpi, const SearchOptions& options, Trial& trial,
-                const std::string& path, schema::Catalogue& catalogue) {
-  const schema::Campaign& campaign = trial.campaign();
-  const schema::Goal goal = goal_of(options, campaign);
-  const BuildInfo& build = build_info();
-  catalogue.begin_run({host_name(), build.version, build.commit, build.compiler, build.flags,
-                       golden_verdicts(), mpi.ranks()},
-                      goal);
-  spdlog::info("campaign {} ({}), {} ranks, catalogue {}", campaign.name,
-               schema::identity(campaign).substr(0, 8), mpi.ranks(), path);
-  CoordinatorOptions settings;
-  settings.unit_draws = options.unit_draws;
-  settings.max_time_s = campaign.stop.wall_s;
-  settings.progress = options.progress;
-  const RunEnd end = run_coordinator(mpi, trial, catalogue, goal, settings);
-  catalogue.end_run(run_end_name(end));
-  print_summary(path, end);
+// The fingerprint of all ranks; UserError (5) if they differ and must not.
+std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds) {
+  std::set<std::string> different;
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    different.insert(ranks[k].golden_verdicts);
+    if (different.size() > 1 && builds == schema::Builds::same) {
+      throw schema::UserError(schema::kExitOtherCampaign,
+                              "rank " + std::to_string(k) + " on " + ranks[k].host +
+                                  " gives other verdicts on the golden draws than rank 0 on " +
+                                  ranks[0].host +
+                                  " (another build, or a broken machine); put the same program on "
+                                  "every host, or use --allow-mixed-builds if you know that the "
+                                  "difference does no harm");
+    }
+  }
+  std::string all;
+  for (const std::string& verdicts : different) all += (all.empty() ? "" : " ") + verdicts;
+  return all;
 }
+
+std::string place_of(const SearchOptions& options, const schema::Campaign& campaign) {
+  if (!options.catalogue_path.empty()) return options.catalogue_path;
+  std::error_code ignored;  // opening the catalogue says what is wrong
+  std::filesystem::create_directories("results", ignored);
+  return default_catalogue_path(campaign);
+}
+
+// Judges again what no run could decide so far.
+void retry_undecided(Trial& trial, schema::Catalogue& catalogue) {
+  const std::vector<std::uint64_t> draws = catalogue.undecided();
+  std::size_t decided = 0;
+  for (const std::uint64_t draw : draws) {
+    if (stop_wish() != StopWish::none) break;
+    const schema::UnitRecord unit = work_off(trial, {draw, draw + 1});
+    if (!unit.undecided.empty()) continue;
+    catalogue.settle(unit);
+    ++decided;
+  }
+  spdlog::info("{} of {} undecided draws are decided now", decided, draws.size());
+}
+
+// Rank 0 of a search, as far as nobody else needs to know of it.
+class RankZero {
+ public:
+  explicit RankZero(const SearchOptions& options)
+      : options_(options),
+        trial_(resolved_campaign(options), options.instruction_set),
+        catalogue_(place_of(options, trial_.campaign()), trial_.campaign(), trial_.mechanism(),
+                   options.storage) {
+    if (catalogue_.storage() == schema::Storage::network) {
+      spdlog::warn(
+          "{}: lies on a file system that machines share ({}), where a write-ahead log is not "
+          "safe: "
+          "a rollback journal and an exclusive lock are used, and status and query have to wait "
+          "until this run ends",
+          catalogue_.path(), schema::file_system_of(catalogue_.path()).name);
+    }
+  }
+
+  const schema::Campaign& campaign() const { return trial_.campaign(); }
+
+  void begin(const std::vector<RankInfo>& ranks) {
+    const BuildInfo& build = build_info();
+    goal_ = goal_of(options_, campaign());
+    catalogue_.begin_run({host_name(), build.version, build.commit, build.compiler, build.flags,
+                          common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())},
+                         goal_, options_.builds);
+    spdlog::info("campaign {} ({}), {} ranks, catalogue {}", campaign().name,
+                 schema::identity(campaign()).substr(0, 8), ranks.size(), catalogue_.path());
+    if (options_.retry_undecided) retry_undecided(trial_, catalogue_);
+  }
+
+  // Returns the exit code.
+  int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
+    CoordinatorOptions settings;
+    settings.unit_size.draws = options_.unit_draws;
+    settings.max_time_s = campaign().stop.wall_s;
+    settings.progress = options_.progress;
+    const RunEnd end = run_coordinator(mpi, heartbeat, trial_, catalogue_, goal_, settings);
+    catalogue_.end_run(run_end_name(end));
+    const schema::CommitCost& cost = catalogue_.cost();
+    spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
+                  cost.longest_s);
+    print_summary(end);
+    return end == RunEnd::lost ? schema::kExitFailure : 0;
+  }
+
+ private:
+  void print_summary(RunEnd end) const {
+    const auto database = schema::open_for_reading(catalogue_.path());
+    const schema::CatalogueState state = schema::read_state(*database);
+    const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
+                                              static_cast<double>(state.draws)
+                                        : 0.0;
+    std::printf("%s: %s, %llu draws, %llu accepted (%.4g %%), %llu undecided, digest %s\n",
+                catalogue_.path().c_str(), run_end_name(end),
+                static_cast<unsigned long long>(state.draws),
+                static_cast<unsigned long long>(state.accepted), rate,
+                static_cast<unsigned long long>(state.undecided), state.digest.c_str());
+    std::fflush(stdout);
+  }
+
+  const SearchOptions& options_;
+  Trial trial_;
+  schema::Catalogue catalogue_;
+  schema::Goal goal_;
+};
 
 int fail(const std::exception& error, int exit_code) {
   spdlog::error("{}", error.what());
   return exit_code;
+}
+
+// The exit code of `work`, 0 if it throws nothing; what it throws is said.
+template <class Work>
+int exit_code_of(const Work& work) {
+  try {
+    work();
+    return 0;
+  } catch (const schema::UserError& error) {
+    return fail(error, error.exit_code());
+  } catch (const std::exception& error) {
+    return fail(error, schema::kExitFailure);
+  }
+}
+
+// Rank 0 alone reads files. The others get its exit code, the campaign as it resolved it, and once
+// every rank has said what it is, its exit code again.
+int run_rank_zero(const SearchOptions& options, MpiSession& mpi) {
+  std::optional<RankZero> zero;
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(exit_code_of([&] { zero.emplace(options); }))) return code;
+  mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
+  const std::vector<RankInfo> ranks = gather_ranks(mpi, options.instruction_set);
+  if (const int code = mpi.broadcast(exit_code_of([&] { zero->begin(ranks); }))) return code;
+  int exit_code = 0;
+  const int failure = exit_code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
+  mpi.meet();
+  return failure ? failure : exit_code;
+}
+
+int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(0)) return code;
+  const std::string resolved = mpi.broadcast(std::string());
+  int refused = 0;
+  const int failure = exit_code_of([&] {
+    Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
+                options.instruction_set);
+    gather_ranks(mpi, options.instruction_set);
+    refused = mpi.broadcast(0);
+    if (!refused) run_worker(mpi, trial);
+  });
+  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
+  if (!refused) mpi.meet();
+  return refused;
 }
 
 }  // namespace
@@ -87,52 +225,9 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
 }
 
 int run_search(const SearchOptions& options) {
-  const MpiSession mpi;
-  watch_for_stop_signals();
-  if (mpi.rank() > 0) {
-    // Rank 0 alone reads files: here is its exit code, then the campaign it resolved.
-    if (const int exit_code = mpi.broadcast(0)) return exit_code;
-    const std::string resolved = mpi.broadcast(std::string());
-    try {
-      Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
-                  options.instruction_set);
-      run_worker(mpi, trial);
-      return 0;
-    } catch (const std::exception& error) {
-      mpi.abort(fail(error, schema::kExitFailure));  // rank 0 would wait for ever
-    }
-  }
-  std::optional<Trial> trial;
-  std::optional<schema::Catalogue> catalogue;
-  std::string path;
-  int exit_code = 0;
-  try {
-    trial.emplace(resolved_campaign(options), options.instruction_set);
-    path = options.catalogue_path.empty() ? default_catalogue_path(trial->campaign())
-                                          : options.catalogue_path;
-    if (options.catalogue_path.empty()) {
-      std::error_code ignored;  // opening the catalogue says what is wrong
-      std::filesystem::create_directories("results", ignored);
-    }
-    catalogue.emplace(path, trial->campaign(), trial->mechanism());
-  } catch (const schema::UserError& error) {
-    exit_code = fail(error, error.exit_code());
-  } catch (const std::exception& error) {
-    exit_code = fail(error, schema::kExitFailure);
-  }
-  mpi.broadcast(exit_code);
-  if (exit_code != 0) return exit_code;
-  mpi.broadcast(schema::campaign_json(trial->campaign()).dump());
-  try {
-    coordinate(mpi, options, *trial, path, *catalogue);
-    return 0;
-  } catch (const schema::UserError& error) {
-    exit_code = fail(error, error.exit_code());
-  } catch (const std::exception& error) {
-    exit_code = fail(error, schema::kExitFailure);
-  }
-  if (mpi.ranks() > 1) mpi.abort(exit_code);
-  return exit_code;
+  MpiSession mpi;
+  watch_for_signals();
+  return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
 }
 
 }  // namespace misalign::search

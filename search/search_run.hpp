@@ -12,10 +12,13 @@ struct SearchOptions {
   std::string campaign_path;
   std::string catalogue_path;  ///< empty: results/NAME-<8 hex digits>.db
   std::optional<std::uint64_t> draws, accepted, seed;
-  std::optional<double> max_time_s;
+  std::optional<double> max_time_s, relative_error;
   std::optional<schema::DrawRange> range;
   std::optional<std::uint64_t> unit_draws;
   ProgressStyle progress = ProgressStyle::plain;
+  std::optional<schema::Storage> storage;  ///< instead of what the file system says
+  schema::Builds builds = schema::Builds::same;
+  bool retry_undecided = false;
   solver::InstructionSet instruction_set = solver::available_instruction_sets().back();
 };
 

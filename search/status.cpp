@@ -1,8 +1,9 @@
 #include "search/status.hpp"
 
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <cstdio>
+
+#include "schema/share_interval.hpp"
 
 namespace misalign::search {
 namespace {
@@ -11,15 +12,17 @@ double share(std::uint64_t hits, std::uint64_t trials) {
   return trials > 0 ? static_cast<double>(hits) / static_cast<double>(trials) : 0;
 }
 
-schema::Json rate_json(std::uint64_t hits, std::uint64_t trials) {
-  const auto [low, high] = share_interval(hits, trials);
+schema::Json rate_json(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
   return {{"rate", trials > 0 ? schema::Json(share(hits, trials)) : schema::Json()},
           {"rate_low", low},
-          {"rate_high", high}};
+          {"rate_high", high},
+          {"relative_error",
+           hits > 0 ? schema::Json((high - low) / (2 * share(hits, trials))) : schema::Json()}};
 }
 
-std::string rate_text(std::uint64_t hits, std::uint64_t trials) {
-  const auto [low, high] = share_interval(hits, trials);
+std::string rate_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
   char text[120];
   std::snprintf(text, sizeof text, "%.4g %% (95 %%: %.4g to %.4g)", 100 * share(hits, trials),
                 100 * low, 100 * high);
@@ -36,15 +39,6 @@ std::uint64_t missing(const schema::CatalogueState& state) {
 
 }  // namespace
 
-std::pair<double, double> share_interval(std::uint64_t hits, std::uint64_t trials) {
-  if (trials == 0) return {0, 1};
-  using Binomial = boost::math::binomial_distribution<double>;
-  const auto n = static_cast<double>(trials), k = static_cast<double>(hits);
-  constexpr double kEachSide = 0.025;
-  return {Binomial::find_lower_bound_on_p(n, k, kEachSide),
-          Binomial::find_upper_bound_on_p(n, k, kEachSide)};
-}
-
 std::string status_text(const schema::CatalogueState& state) {
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) {
@@ -55,10 +49,19 @@ std::string status_text(const schema::CatalogueState& state) {
                    (endless(state.goal_end) ? " on, without end"
                                             : " to " + std::to_string(state.goal_end) + ", " +
                                                   std::to_string(missing(state)) + " missing"));
+  if (state.goal.accepted) line("", "or " + std::to_string(*state.goal.accepted) + " accepted");
+  if (state.goal.relative_error) {
+    line("", "or a rate known to " + schema::shown_number(100 * *state.goal.relative_error) + " %");
+  }
   line("draws", std::to_string(state.draws));
-  line("accepted", std::to_string(state.accepted) + ", " + rate_text(state.accepted, state.draws));
+  line("accepted", std::to_string(state.accepted) + ", " +
+                       rate_text(state.accepted, state.undecided, state.draws));
   line("rejected", std::to_string(state.rejected));
-  line("undecided", std::to_string(state.undecided));
+  line("undecided",
+       std::to_string(state.undecided) +
+           (state.undecided > 0 ? ", counted as rejected at the interval's low end, as "
+                                  "accepted at its high end"
+                                : ""));
   std::string faults;
   std::uint64_t sampled = 0;
   for (const auto& [fault, draws] : state.faults) sampled += draws;
@@ -74,12 +77,19 @@ std::string status_text(const schema::CatalogueState& state) {
 }
 
 schema::Json status_json(const schema::CatalogueState& state) {
+  const auto or_null = [](const auto& limit) {
+    return limit ? schema::Json(*limit) : schema::Json();
+  };
   schema::Json gaps = schema::Json::array();
   for (const schema::DrawRange& gap : state.gaps) gaps.push_back({gap.lo, gap.hi});
   schema::Json json = {{"campaign", state.name},
                        {"identity", state.identity},
                        {"range", {state.goal.range.lo, state.goal.range.hi}},
                        {"goal_end", state.goal_end},
+                       {"goal",
+                        {{"draws", or_null(state.goal.draws)},
+                         {"accepted", or_null(state.goal.accepted)},
+                         {"relative_error", or_null(state.goal.relative_error)}}},
                        {"complete", state.gaps.empty()},
                        {"draws", state.draws},
                        {"missing", missing(state)},
@@ -87,7 +97,7 @@ schema::Json status_json(const schema::CatalogueState& state) {
                        {"accepted", state.accepted},
                        {"rejected", state.rejected},
                        {"undecided", state.undecided},
-                       {"acceptance", rate_json(state.accepted, state.draws)},
+                       {"acceptance", rate_json(state.accepted, state.undecided, state.draws)},
                        {"fault_sample", state.faults},
                        {"draws_per_s", state.draws_per_s},
                        {"gaps", gaps},
@@ -108,14 +118,14 @@ DeployingFrom deploying_from(SQLite::Database& database, const schema::Campaign&
   return {at_deg, schema::count_deploying_from(database, sample)};
 }
 
-std::string deploying_text(const DeployingFrom& deploying, std::uint64_t draws) {
+std::string deploying_text(const DeployingFrom& deploying, const schema::CatalogueState& state) {
   return "from " + schema::shown_number(deploying.at_deg) +
          " deg: " + std::to_string(deploying.accepted) + ", " +
-         rate_text(deploying.accepted, draws) + "\n";
+         rate_text(deploying.accepted, state.undecided, state.draws) + "\n";
 }
 
-schema::Json deploying_json(const DeployingFrom& deploying, std::uint64_t draws) {
-  schema::Json json = rate_json(deploying.accepted, draws);
+schema::Json deploying_json(const DeployingFrom& deploying, const schema::CatalogueState& state) {
+  schema::Json json = rate_json(deploying.accepted, state.undecided, state.draws);
   json["deploys_from_deg"] = deploying.at_deg;
   json["accepted"] = deploying.accepted;
   return json;

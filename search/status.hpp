@@ -3,15 +3,10 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue_state.hpp"
 
 namespace misalign::search {
-
-/// The exact (Clopper-Pearson) 95 % interval of a share of `hits` in `trials`; (0, 1) without
-/// trials.
-std::pair<double, double> share_interval(std::uint64_t hits, std::uint64_t trials);
 
 /// The state of a catalogue, for people or as JSON; `at_deg` counts what deploys from there.
 /// UserError (2) if at_deg lies below the campaign's threshold or beyond its end.
@@ -24,7 +19,7 @@ struct DeployingFrom {
 };
 DeployingFrom deploying_from(SQLite::Database& database, const schema::Campaign& campaign,
                              double at_deg);
-std::string deploying_text(const DeployingFrom& deploying, std::uint64_t draws);
-schema::Json deploying_json(const DeployingFrom& deploying, std::uint64_t draws);
+std::string deploying_text(const DeployingFrom& deploying, const schema::CatalogueState& state);
+schema::Json deploying_json(const DeployingFrom& deploying, const schema::CatalogueState& state);
 
 }  // namespace misalign::search

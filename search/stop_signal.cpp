@@ -1,21 +1,55 @@
 #include "search/stop_signal.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
-#include <initializer_list>
+#include <ctime>
 
 namespace misalign::search {
 namespace {
 
-volatile std::sig_atomic_t stop_seen = 0;
+volatile std::sig_atomic_t drain_seen = 0, leave_seen = 0, status_seen = 0;
+timer_t leave_timer;
 
-extern "C" void note_stop(int) { stop_seen = 1; }
+extern "C" {
+
+void note_drain(int) { drain_seen = 1; }
+void note_status(int) { status_seen = 1; }
+void end_here(int) { _exit(0); }
+
+void note_leave(int signal) {
+  if (leave_seen) _exit(128 + signal);
+  leave_seen = 1;
+  itimerspec deadline{};
+  deadline.it_value.tv_nsec = static_cast<long>(kLeave_s * 1e9);
+  timer_settime(leave_timer, 0, &deadline, nullptr);
+}
+
+}  // extern "C"
 
 }  // namespace
 
-void watch_for_stop_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, note_stop);
+void watch_for_signals() {
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGALRM;
+  timer_create(CLOCK_MONOTONIC, &event, &leave_timer);
+  std::signal(SIGALRM, end_here);
+  std::signal(SIGTERM, note_leave);
+  std::signal(SIGINT, note_leave);
+  std::signal(SIGUSR1, note_drain);
+  std::signal(SIGUSR2, note_status);
 }
 
-bool stop_signal_seen() { return stop_seen != 0; }
+StopWish stop_wish() {
+  if (leave_seen) return StopWish::leave;
+  return drain_seen ? StopWish::drain : StopWish::none;
+}
+
+bool status_wish() {
+  if (!status_seen) return false;
+  status_seen = 0;
+  return true;
+}
 
 }  // namespace misalign::search

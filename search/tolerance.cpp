@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "schema/share_interval.hpp"
 #include "search/draw.hpp"
-#include "search/status.hpp"
 
 namespace misalign::search {
 namespace {
@@ -139,9 +139,8 @@ double MiscutCopies::mean_sample() const {
 
 ShareOfTrials share_of(std::uint64_t hits, const MiscutCopies& copies) {
   const std::uint64_t decided = copies.trials - copies.undecided;
-  return {decided > 0 ? static_cast<double>(hits) / static_cast<double>(decided) : 0,
-          share_interval(hits, copies.trials).first,
-          share_interval(hits + copies.undecided, copies.trials).second};
+  const auto [low, high] = schema::share_interval(hits, copies.undecided, copies.trials);
+  return {decided > 0 ? static_cast<double>(hits) / static_cast<double>(decided) : 0, low, high};
 }
 
 Tolerance study_tolerance(const schema::Campaign& campaign, std::uint64_t draw, double amplitude_mm,

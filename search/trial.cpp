@@ -5,6 +5,7 @@
 #include <ranges>
 #include <span>
 
+#include "schema/digest.hpp"
 #include "search/draw.hpp"
 #include "search/stopwatch.hpp"
 
@@ -138,11 +139,12 @@ bool Trial::accepts(const solver::Verdict& verdict) const {
          verdict.deploys_from_sample >= campaign_.threshold_sample();
 }
 
-std::string golden_verdicts() {
+std::string golden_verdicts(solver::InstructionSet set) {
   Trial trial(
       schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
                              {"accept", {{"deploys_from_deg", 180}}}},
-                            "the golden campaign"));
+                            "the golden campaign"),
+      set);
   std::string whole_numbers;
   for (const solver::Verdict& verdict : trial.judge({0, 32})) {
     whole_numbers += std::to_string(verdict.deploys_from_sample) +
@@ -183,6 +185,12 @@ schema::UnitRecord UnitWork::take() {
   record_.seconds += watch.seconds();
   record_.range = {range_.lo, next_};
   return std::move(record_);
+}
+
+schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range) {
+  UnitWork work(trial, range);
+  while (!work.finished()) work.run_next_block();
+  return work.take();
 }
 
 }  // namespace misalign::search

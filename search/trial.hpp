@@ -2,7 +2,7 @@
 // metrics.
 #pragma once
 
-#include "schema/catalogue.hpp"
+#include "schema/unit_writer.hpp"
 #include "solver/batch.hpp"
 
 namespace misalign::search {
@@ -59,9 +59,9 @@ class Trial {
   Draws waiting_;
 };
 
-/// Fingerprint of this build's verdicts on fixed draws of a small sheet: whole numbers, the same
-/// for every build whose verdicts can be trusted to agree.
-std::string golden_verdicts();
+/// Fingerprint of this build's verdicts on fixed draws of a small sheet, in these registers: whole
+/// numbers, the same for every build whose verdicts can be trusted to agree.
+std::string golden_verdicts(solver::InstructionSet set);
 
 /// A range of draws being worked off, one block at a time.
 class UnitWork {
@@ -80,9 +80,12 @@ class UnitWork {
   Trial& trial_;
   schema::DrawRange range_;
   std::uint64_t next_;
-  std::uint64_t block_draws_ = 8;
+  std::uint64_t block_draws_ = 1;
   double seconds_per_path_;
   schema::UnitRecord record_;
 };
+
+/// A whole range at once.
+schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range);
 
 }  // namespace misalign::search

@@ -6,10 +6,12 @@ namespace misalign::search {
 
 void run_worker(const MpiSession& mpi, Trial& trial) {
   for (;;) {
-    const DrawRange range = mpi.receive_range();
+    const schema::DrawRange range = mpi.receive_range();
     if (range.size() == 0) return;
     UnitWork work(trial, range);
-    while (!work.finished() && !stop_signal_seen() && !mpi.range_waiting()) work.run_next_block();
+    while (!work.finished() && stop_wish() == StopWish::none && !mpi.range_waiting()) {
+      work.run_next_block();
+    }
     mpi.send_unit(work.take());
   }
 }

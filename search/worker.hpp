@@ -1,7 +1,6 @@
 // Ranks above 0: work off ranges until an empty one comes.
 #pragma once
 
-#include "search/ledger.hpp"
 #include "search/mpi_session.hpp"
 #include "search/trial.hpp"
 

@@ -15,6 +15,8 @@
 
 #include "schema/carried_files.hpp"
 #include "schema/catalogue.hpp"
+#include "schema/catalogue_state.hpp"
+#include "schema/digest.hpp"
 #include "schema/result_table.hpp"
 
 namespace misalign::schema {

@@ -1,5 +1,6 @@
 // The catalogue: whatever the order of work, nothing is lost or counted twice.
 #include "catalogue_fixture.hpp"
+#include "schema/ledger_check.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -13,7 +14,7 @@ TEST_F(CatalogueTest, OrderAndSizeOfUnitsDoNotMatter) {
   for (std::size_t k = 0; k < kOrders.size(); ++k) {
     Catalogue catalogue = open(std::to_string(k));
     catalogue.begin_run(kRun, goal);
-    for (const DrawRange& range : kOrders[k]) catalogue.commit(unit(range.lo, range.hi), 1);
+    for (const DrawRange& range : kOrders[k]) catalogue.commit({unit(range.lo, range.hi)});
     catalogue.end_run("stopped");
     std::vector<DrawRange> ascending = kOrders[k];
     std::sort(ascending.begin(), ascending.end(),
@@ -46,8 +47,8 @@ TEST_F(CatalogueTest, WhatLiesPastTheGoalIsNotCounted) {
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 10000, {}});
-    catalogue.commit(unit(0, 6000), 1);
-    catalogue.commit(unit(6000, 10000), 2);
+    catalogue.commit({unit(0, 6000)});
+    catalogue.commit({unit(6000, 10000)});
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 7500, {}});  // cuts the second unit in two
   }
   const CatalogueState s = state();
@@ -61,37 +62,37 @@ TEST_F(CatalogueTest, GapsOfARange) {
   Catalogue catalogue = open();
   catalogue.begin_run(kRun, {{1000, 5000}, {}, {}});
   EXPECT_EQ(state().gaps, (std::vector<DrawRange>{{1000, 5000}}));
-  catalogue.commit(unit(500, 1500), 1);   // reaches in from below
-  catalogue.commit(unit(4500, 5500), 1);  // and out at the end
-  catalogue.commit(unit(6000, 7000), 1);
+  catalogue.commit({unit(500, 1500)});   // reaches in from below
+  catalogue.commit({unit(4500, 5500)});  // and out at the end
+  catalogue.commit({unit(6000, 7000)});
   EXPECT_EQ(state().gaps, (std::vector<DrawRange>{{1500, 4500}}));
-  catalogue.commit(unit(2000, 3000), 1);
+  catalogue.commit({unit(2000, 3000)});
   EXPECT_EQ(state().gaps, (std::vector<DrawRange>{{1500, 2000}, {3000, 4500}}));
 }
 
 TEST_F(CatalogueTest, OverlapsAreRefusedWhole) {
   Catalogue catalogue = open();
   catalogue.begin_run(kRun, {{0, kEndOfDraws}, 8000, {}});
-  catalogue.commit(unit(1000, 2000), 1);
-  catalogue.commit(unit(4000, 5000), 1);
+  catalogue.commit({unit(1000, 2000)});
+  catalogue.commit({unit(4000, 5000)});
   const CatalogueState before = state();
   constexpr DrawRange kOverlaps[] = {{1000, 2000}, {0, 1001},   {1999, 3000}, {1200, 1300},
                                      {0, 8000},    {500, 2500}, {3000, 4001}};
   for (const DrawRange& range : kOverlaps) {
-    EXPECT_THROW(catalogue.commit(unit(range.lo, range.hi), 1), SQLite::Exception) << range.lo;
+    EXPECT_THROW(catalogue.commit({unit(range.lo, range.hi)}), UserError) << range.lo;
   }
   EXPECT_EQ(state().digest, before.digest);
   EXPECT_EQ(state().draws_in_ledger, 2000u);
   EXPECT_EQ(count("candidate WHERE draw < 1000 OR draw BETWEEN 2000 AND 3999"), 0);
   // Neighbours that only touch are no overlap.
-  EXPECT_NO_THROW(catalogue.commit(unit(2000, 4000), 1));
-  EXPECT_NO_THROW(catalogue.commit(unit(0, 1000), 1));
+  EXPECT_NO_THROW(catalogue.commit({unit(2000, 4000)}));
+  EXPECT_NO_THROW(catalogue.commit({unit(0, 1000)}));
 }
 
 TEST_F(CatalogueTest, AUnitAndWhatBelongsToItAreOneTransaction) {
   Catalogue catalogue = open();
   catalogue.begin_run(kRun, {{0, kEndOfDraws}, 8000, {}});
-  catalogue.commit(unit(0, 2048), 1);
+  catalogue.commit({unit(0, 2048)});
   const char* const kTables[] = {"unit", "candidate", "undecided", "fault_sample"};
   std::vector<std::int64_t> before;
   for (const char* table : kTables) before.push_back(count(table));
@@ -106,11 +107,11 @@ TEST_F(CatalogueTest, AUnitAndWhatBelongsToItAreOneTransaction) {
   bad[2].fault_sample.back().draw += 1;                             // not a multiple of 1024
   bad[3].screened[{static_cast<int>(solver::Fault::none), 1}] = 0;  // the last thing written
   for (std::size_t k = 0; k < bad.size(); ++k) {
-    EXPECT_THROW(catalogue.commit(bad[k], 1), SQLite::Exception) << k;
+    EXPECT_THROW(catalogue.commit({bad[k]}), UserError) << k;
     for (std::size_t t = 0; t < before.size(); ++t) EXPECT_EQ(count(kTables[t]), before[t]) << k;
     EXPECT_EQ(screened(), screened_before);
   }
-  catalogue.commit(unit(2048, 4096), 1);  // and the good one still goes in
+  catalogue.commit({unit(2048, 4096)});  // and the good one still goes in
   EXPECT_EQ(state().digest, expected({{0, 4096}}));
 }
 
@@ -123,14 +124,14 @@ TEST_F(CatalogueTest, AcceptedGoalWaitsForThePrefix) {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, goal);
     EXPECT_EQ(catalogue.goal_end(), 40000u);
-    catalogue.commit(unit(0, 4096, accepted), 1);
-    catalogue.commit(unit(8192, 16384, accepted), 1);
+    catalogue.commit({unit(0, 4096, accepted)});
+    catalogue.commit({unit(8192, 16384, accepted)});
     // Three are known, but the draws before the third are not all done.
     EXPECT_EQ(catalogue.goal_end(), 40000u);
-    catalogue.commit(unit(4096, 8191, accepted), 1);
+    catalogue.commit({unit(4096, 8191, accepted)});
     EXPECT_EQ(catalogue.goal_end(), 40000u);  // draw 8191 is still missing
     EXPECT_EQ(state().goal_end, 40000u);
-    catalogue.commit(unit(8191, 8192, accepted), 1);
+    catalogue.commit({unit(8191, 8192, accepted)});
     EXPECT_EQ(catalogue.goal_end(), 8192u);  // 10, 5000, 5001: the second granule of 4096
   }
   CatalogueState s = state();
@@ -236,7 +237,7 @@ TEST_F(CatalogueTest, OneWriterAtATime) {
     const Refusal r = refusal([&] { open(); });
     EXPECT_EQ(r.exit_code, kExitInUse);
     EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
-    first.commit(unit(0, 4096), 0);   // the attempt did it no harm
+    first.commit({unit(0, 4096)});    // the attempt did it no harm
     EXPECT_EQ(state().draws, 4096u);  // and readers never wait
   }
   EXPECT_EQ(refusal([&] { open(); }).exit_code, 0);
@@ -262,7 +263,7 @@ TEST_F(CatalogueTest, DisplacementsAndDiagonalsViews) {
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 8, {}});
-    catalogue.commit(record, 0);
+    catalogue.commit({record});
   }
   const auto database = open_for_reading(path());
   std::map<std::pair<std::uint64_t, std::string>, std::pair<double, double>> expected, found;
@@ -319,7 +320,7 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 2, {}});
-    catalogue.commit(record, 0);
+    catalogue.commit({record});
   }
   const auto database = open_for_reading(path());
   const Json rows = Json::parse(
@@ -349,41 +350,49 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
 }
 
 // A file that the program wrote when the schema had version 1 (draws 0 to 40 of miura-4x4).
-TEST_F(CatalogueTest, OlderSchemaIsBroughtUpToDateAndNothingLost) {
-  const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-1.db";
-  std::filesystem::copy_file(old, path());
+// A file of every schema there was: the same rows and digest afterwards, laid out as a new one.
+TEST_F(CatalogueTest, OlderSchemasAreBroughtUpToDate) {
   const auto rows = [](const std::string& file, const std::string& columns) {
     return query_table(*open_for_reading(file), "SELECT " + columns + " FROM candidate",
                        TableStyle::csv);
   };
   const std::string columns =
       "draw, unit, deploys_from_sample, slope_min_mm_per_deg, displacements_mm, elongation";
-  const std::string before = rows(path(), columns);
-  const CatalogueState state_before = read_state(*open_for_reading(path()));
-  const Campaign campaign = read_campaign_of(*open_for_reading(path()), "fixture");
-  const solver::Mechanism mechanism = mechanism_of(campaign);
-  { Catalogue catalogue(path(), campaign, mechanism); }
-  EXPECT_EQ(open_for_reading(path())->execAndGet("PRAGMA user_version").getInt(), kSchemaVersion);
-  EXPECT_EQ(rows(path(), columns), before);
-  EXPECT_EQ(state().digest, state_before.digest);
-  EXPECT_EQ(count("candidates WHERE bump_deg IS NULL"), count("candidate"));
-  EXPECT_GT(count("candidate"), 10);
-  // As a new file is laid out.
   { Catalogue fresh = open("fresh.db"); }
-  const std::string layout =
-      "SELECT name FROM pragma_table_info('candidate') UNION ALL "
-      "SELECT name FROM pragma_table_info('candidates')";
-  const auto names = [&](const std::string& file) {
+  const auto layout = [&](const std::string& file) {
     SQLite::Database database(file);
-    SQLite::Statement statement(database, layout);
+    SQLite::Statement statement(
+        database,
+        "SELECT t.name || '.' || c.name AS part FROM sqlite_schema AS t, pragma_table_info(t.name) "
+        "AS c WHERE t.type IN ('table', 'view') UNION SELECT name FROM sqlite_schema ORDER BY 1");
     std::string all;
     while (statement.executeStep()) all += statement.getColumn(0).getString() + " ";
     return all;
   };
-  EXPECT_EQ(names(path()), names(path("fresh.db")));
-  // The file as it was is kept, once.
-  EXPECT_EQ(rows(path() + ".version-1", "*"), rows(old, "*"));
-  { Catalogue again(path(), campaign, mechanism); }
+  for (int version = 1; version < kSchemaVersion; ++version) {
+    const std::string name = "catalogue-" + std::to_string(version) + ".db";
+    const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/" + name;
+    std::filesystem::copy_file(old, path(name));
+    EXPECT_EQ(open_for_reading(old)->execAndGet("PRAGMA user_version").getInt(), version);
+    const std::string before = rows(old, columns);
+    const CatalogueState state_before = read_state(*open_for_reading(old));
+    const Campaign campaign = read_campaign_of(*open_for_reading(old), "fixture");
+    const solver::Mechanism mechanism = mechanism_of(campaign);
+    { Catalogue catalogue(path(name), campaign, mechanism); }
+    const auto database = open_for_reading(path(name));
+    EXPECT_EQ(database->execAndGet("PRAGMA user_version").getInt(), kSchemaVersion);
+    EXPECT_EQ(rows(path(name), columns), before);
+    EXPECT_EQ(state(name).digest, state_before.digest);
+    EXPECT_GT(count("candidate", name), 10);
+    EXPECT_EQ(layout(path(name)), layout(path("fresh.db")));
+    EXPECT_TRUE(check_ledger(*database, campaign).empty());
+    // The file as it was is kept, once.
+    EXPECT_EQ(rows(path(name) + ".version-" + std::to_string(version), "*"), rows(old, "*"));
+    { Catalogue again(path(name), campaign, mechanism); }
+  }
+  EXPECT_EQ(count("candidates WHERE bump_deg IS NULL", "catalogue-1.db"),
+            count("candidate", "catalogue-1.db"));
+  EXPECT_EQ(count("undecided", "catalogue-2.db"), 1);
 }
 
 TEST_F(CatalogueTest, FaultsSayWhereAndWhen) {
@@ -413,7 +422,7 @@ TEST_F(CatalogueTest, FaultsSayWhereAndWhen) {
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {});
-    catalogue.commit(record, 0);
+    catalogue.commit({record});
   }
   const Json rows = Json::parse(query_table(
       *open_for_reading(path()), "SELECT * FROM fault_sample ORDER BY draw", TableStyle::json));

@@ -8,7 +8,7 @@ TEST_F(CatalogueTest, ReadersCannotWrite) {
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
-    catalogue.commit(unit(0, 4096), 0);
+    catalogue.commit({unit(0, 4096)});
   }
   const CatalogueState before = state();
   const auto database = open_for_reading(path());
@@ -68,7 +68,7 @@ TEST_F(CatalogueTest, NamedQueriesRunOnAnyCatalogue) {
   {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 8192, {}});
-    catalogue.commit(unit(0, 8192), 0);
+    catalogue.commit({unit(0, 8192)});
   }
   int queries = 0;
   for (const CarriedFile& file : carried_files()) {

@@ -1,0 +1,142 @@
+#include "schema/catalogue_state.hpp"
+
+#include "schema/digest.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// The totals below the goal's end, by the units' own sums: only the rows of the unit in which the
+// end lies are looked at.
+void add_units(SQLite::Database& database, CatalogueState& state) {
+  std::vector<DrawRange> ranges;
+  CandidateSum sum;
+  DrawRange cut{state.goal_end, state.goal_end};  // the part that counts of the unit that straddles
+  SQLite::Statement units(database,
+                          "SELECT lo, hi, digest_part, accepted, undecided FROM unit ORDER BY lo");
+  while (units.executeStep()) {
+    const DrawRange range{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))};
+    ranges.push_back(range);
+    state.draws_in_ledger += range.size();
+    if (range.hi <= state.goal_end) {
+      const SQLite::Column part = units.getColumn(2);
+      if (part.getBytes() == 16) {
+        sum.add(CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getBlob())));
+      }
+      state.accepted += draw_of(units.getColumn(3));
+      state.undecided += draw_of(units.getColumn(4));
+    } else if (range.lo < state.goal_end) {
+      cut.lo = range.lo;
+    }
+  }
+  const auto rows_of = [&](const std::string& columns, const std::string& table) {
+    SQLite::Statement rows(
+        database, "SELECT " + columns + " FROM " + table + " WHERE draw >= ? AND draw < ?");
+    rows.bind(1, stored(cut.lo));
+    rows.bind(2, stored(cut.hi));
+    return rows;
+  };
+  SQLite::Statement candidates = rows_of("draw, deploys_from_sample", "candidate");
+  while (candidates.executeStep()) {
+    ++state.accepted;
+    sum.add(draw_of(candidates.getColumn(0)), candidates.getColumn(1).getInt());
+  }
+  SQLite::Statement undecided = rows_of("count(*)", "undecided");
+  if (undecided.executeStep()) state.undecided += draw_of(undecided.getColumn(0));
+
+  const std::vector<DrawRange> merged = merged_up_to(ranges, state.goal_end);
+  for (const DrawRange& range : merged) state.draws += range.size();
+  state.rejected = state.draws - state.accepted - state.undecided;
+  state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
+}
+
+}  // namespace
+
+CatalogueState read_state(SQLite::Database& database) {
+  SQLite::Transaction snapshot(database);  // one moment for all that follows
+  CatalogueState state{};
+  // An older schema has no such column, and no goal of that kind.
+  const bool knows_errors = database.execAndGet("PRAGMA user_version").getInt() >= 3;
+  SQLite::Statement campaign(
+      database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
+                            "goal_accepted, goal_end, ") +
+                    (knows_errors ? "goal_relative_error" : "NULL") + " FROM campaign");
+  campaign.executeStep();
+  const auto optional_draw = [&](const SQLite::Column& column) {
+    return column.isNull() ? std::nullopt : std::optional(draw_of(column));
+  };
+  state.identity = campaign.getColumn(0).getString();
+  state.name = campaign.getColumn(1).getString();
+  state.goal.range = {draw_of(campaign.getColumn(2)), draw_of(campaign.getColumn(3))};
+  state.goal.draws = optional_draw(campaign.getColumn(4));
+  state.goal.accepted = optional_draw(campaign.getColumn(5));
+  state.goal_end = draw_of(campaign.getColumn(6));
+  if (!campaign.getColumn(7).isNull())
+    state.goal.relative_error = campaign.getColumn(7).getDouble();
+  add_units(database, state);
+
+  SQLite::Statement gaps(database, "SELECT lo, hi FROM gaps ORDER BY lo");
+  while (gaps.executeStep()) {
+    state.gaps.push_back({draw_of(gaps.getColumn(0)), draw_of(gaps.getColumn(1))});
+  }
+  SQLite::Statement faults(database,
+                           "SELECT first_fault, count(*) FROM fault_sample WHERE draw NOT IN "
+                           "(SELECT draw FROM candidate) GROUP BY first_fault");
+  while (faults.executeStep()) {
+    state.faults[faults.getColumn(0).getString()] = draw_of(faults.getColumn(1));
+  }
+  SQLite::Statement speed(database,
+                          "SELECT sum(draws) * ranks / sum(seconds) FROM unit JOIN run ON run.id = "
+                          "unit.run WHERE run = (SELECT max(run) FROM unit)");
+  if (speed.executeStep()) state.draws_per_s = speed.getColumn(0).getDouble();
+  return state;
+}
+
+Campaign read_campaign_of(SQLite::Database& database, const std::string& path) {
+  SQLite::Statement row(database, "SELECT configuration FROM campaign");
+  row.executeStep();
+  return read_campaign(Json::parse(row.getColumn(0).getString()), path + ", its configuration");
+}
+
+std::vector<std::uint64_t> candidate_draws(SQLite::Database& database) {
+  std::vector<std::uint64_t> draws;
+  SQLite::Statement row(database, "SELECT draw FROM candidate ORDER BY draw");
+  while (row.executeStep()) {
+    draws.push_back(draw_of(row.getColumn(0)));
+  }
+  return draws;
+}
+
+int schema_version_of(SQLite::Database& database, std::uint64_t draw) {
+  if (database.execAndGet("PRAGMA user_version").getInt() < 2) return 1;
+  SQLite::Statement row(database,
+                        "SELECT schema_version FROM candidate JOIN unit ON unit.lo = "
+                        "candidate.unit JOIN run ON run.id = unit.run WHERE draw = ?");
+  row.bind(1, stored(draw));
+  return row.executeStep() ? row.getColumn(0).getInt() : kSchemaVersion;
+}
+
+Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
+  SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
+  row.bind(1, stored(draw));
+  if (!row.executeStep()) return nullptr;
+  Json json;
+  for (int k = 0; k < row.getColumnCount(); ++k) {
+    const SQLite::Column value = row.getColumn(k);
+    Json& into = json[row.getColumnName(k)];
+    if (value.isInteger()) into = value.getInt64();
+    if (value.isFloat()) into = value.getDouble();
+    if (value.isText()) into = value.getString();
+  }
+  return json;
+}
+
+std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {
+  SQLite::Statement row(database,
+                        "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "
+                        "AND draw < goal_end");
+  row.bind(1, sample);
+  row.executeStep();
+  return draw_of(row.getColumn(0));
+}
+
+}  // namespace misalign::schema

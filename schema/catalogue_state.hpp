@@ -1,0 +1,45 @@
+// What readers ask of a catalogue.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "schema/campaign.hpp"
+#include "schema/database.hpp"
+#include "schema/goal.hpp"
+
+namespace misalign::schema {
+
+/// Totals of what lies below the goal's end.
+struct CatalogueState {
+  std::string identity, name;
+  Goal goal;
+  std::uint64_t goal_end;
+  std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end
+  std::uint64_t draws_in_ledger;
+  std::vector<DrawRange> gaps;
+  std::string digest;
+  std::map<std::string, std::uint64_t>
+      faults;          ///< first faults of the rejected draws in the fault sample
+  double draws_per_s;  ///< of the last run that committed something, all ranks together
+};
+
+CatalogueState read_state(SQLite::Database& database);
+
+/// The campaign that a catalogue belongs to.
+Campaign read_campaign_of(SQLite::Database& database, const std::string& path);
+
+/// The draws of all candidates, ascending.
+std::vector<std::uint64_t> candidate_draws(SQLite::Database& database);
+
+/// A candidate's row, every column under its name; null if there is none.
+Json read_candidate(SQLite::Database& database, std::uint64_t draw);
+
+/// The schema that a candidate was written with: columns that came later are null in it.
+int schema_version_of(SQLite::Database& database, std::uint64_t draw);
+
+/// Accepted draws below the goal's end that deploy from `sample` or more.
+std::uint64_t count_deploying_from(SQLite::Database& database, int sample);
+
+}  // namespace misalign::schema

@@ -1,0 +1,22 @@
+// How well a share is known from counting.
+#pragma once
+
+#include <cstdint>
+
+namespace misalign::schema {
+
+struct ShareInterval {
+  double low, high;
+  friend bool operator==(const ShareInterval&, const ShareInterval&) = default;
+};
+
+/// The exact (Clopper-Pearson) 95 % interval of a share of `hits` in `trials`: each end excludes
+/// 2.5 %. Where all or none hit there is one end only and it excludes 5 %: from 0 to 3 / trials for
+/// none, the rule of three. (0, 1) without trials.
+ShareInterval share_interval(std::uint64_t hits, std::uint64_t trials);
+
+/// The same when `undecided` more of the trials may have hit: the low end counts none of them, the
+/// high end all.
+ShareInterval share_interval(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials);
+
+}  // namespace misalign::schema

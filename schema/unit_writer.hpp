@@ -1,0 +1,65 @@
+// The rows of the ledger's units.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <map>
+#include <vector>
+
+#include "schema/campaign.hpp"
+#include "solver/metrics.hpp"
+
+namespace misalign::schema {
+
+/// A fault_sample or undecided row in the making.
+struct DrawVerdict {
+  std::uint64_t draw;
+  solver::Verdict verdict;
+};
+
+struct Candidate {
+  std::uint64_t draw;
+  solver::Metrics metrics;
+  Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
+};
+
+/// What became of a range of draws: a unit of the ledger with everything that belongs to it.
+struct UnitRecord {
+  DrawRange range;
+  int worker = 0;  ///< the rank that worked it off
+  std::uint64_t accepted = 0, rejected = 0;
+  double seconds = 0;
+  std::vector<Candidate> candidates;      ///< ascending
+  std::vector<DrawVerdict> undecided;     ///< ascending
+  std::vector<DrawVerdict> fault_sample;  ///< every draw that is a multiple of kFaultSampleEvery
+  std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
+
+  std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
+};
+
+inline constexpr std::uint64_t kFaultSampleEvery = 1024;
+
+/// Writes within transactions that its caller begins and commits. Throws SQLite::Exception.
+class UnitWriter {
+ public:
+  UnitWriter(SQLite::Database& database, const Campaign& campaign,
+             const solver::Mechanism& mechanism);
+
+  /// A new unit with all that belongs to it.
+  void write(const UnitRecord& unit, std::int64_t run);
+  /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
+  void settle(const UnitRecord& decided);
+
+ private:
+  void write_candidate(const Candidate& candidate, std::int64_t unit);
+  void write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run);
+  void write_fault_sample(const DrawVerdict& draw, std::int64_t unit);
+  void add_screened(const UnitRecord& unit);
+
+  SQLite::Database& database_;
+  const Campaign& campaign_;
+  const solver::Mechanism& mechanism_;
+  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_;
+};
+
+}  // namespace misalign::schema
