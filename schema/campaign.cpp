@@ -253,4 +253,21 @@ std::string identity(const Campaign& campaign) {
   return hex(hash_of(identity_json(campaign).dump()));
 }
 
+std::string differences(const Campaign& there, const Campaign& here) {
+  const Json theirs = identity_json(there), ours = identity_json(here);
+  const auto shown = [](const Json& configuration, const Json::json_pointer& at) {
+    if (!configuration.contains(at)) return std::string("the default");
+    const std::string text = configuration.at(at).dump();
+    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+  };
+  std::string all;
+  for (const Json& change : Json::diff(theirs, ours)) {
+    const std::string path = change.at("path");
+    const Json::json_pointer at(path);
+    all += (all.empty() ? "" : ", ") + path + " (" + shown(theirs, at) + " there, " +
+           shown(ours, at) + " here)";
+  }
+  return all;
+}
+
 }  // namespace misalign::schema

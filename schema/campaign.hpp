@@ -67,4 +67,7 @@ Json identity_json(const Campaign& campaign);
 /// XXH3-128 of identity_json, sorted keys, no spaces: 32 hex digits.
 std::string identity(const Campaign& campaign);
 
+/// "/seed (1 there, 2 here)", for every key of the identity in which two campaigns differ.
+std::string differences(const Campaign& there, const Campaign& here);
+
 }  // namespace misalign::schema

@@ -7,6 +7,7 @@
 #include "schema/carried_files.hpp"
 #include "schema/catalogue_state.hpp"
 #include "schema/folding_json.hpp"
+#include "schema/unit_copier.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -36,23 +37,6 @@ Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism
     list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
   }
   return list;
-}
-
-// "/seed (1 there, 2 here)", for every key in which two configurations differ.
-std::string differences(const Json& theirs, const Json& ours) {
-  const auto shown = [](const Json& configuration, const Json::json_pointer& at) {
-    if (!configuration.contains(at)) return std::string("the default");
-    const std::string text = configuration.at(at).dump();
-    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
-  };
-  std::string all;
-  for (const Json& change : Json::diff(theirs, ours)) {
-    const std::string path = change.at("path");
-    const Json::json_pointer at(path);
-    all += (all.empty() ? "" : ", ") + path + " (" + shown(theirs, at) + " there, " +
-           shown(ours, at) + " here)";
-  }
-  return all;
 }
 
 // A log that readers keep from being emptied is emptied by waiting for them, from this size on.
@@ -103,11 +87,10 @@ void Catalogue::open() {
 void Catalogue::check_same_campaign() const {
   const std::string held = database_->execAndGet("SELECT identity FROM campaign").getString();
   if (held == identity_) return;
-  const Json theirs = identity_json(read_campaign_of(*database_, path_));
-  throw UserError(kExitOtherCampaign, path_ + ": holds another campaign, " + held.substr(0, 8) +
-                                          " (they differ in " +
-                                          differences(theirs, identity_json(campaign_)) +
-                                          "); give this one a file of its own with --catalogue");
+  throw UserError(kExitOtherCampaign,
+                  path_ + ": holds another campaign, " + held.substr(0, 8) + " (they differ in " +
+                      differences(read_campaign_of(*database_, path_), campaign_) +
+                      "); give this one a file of its own with --catalogue");
 }
 
 // The file as it was is kept beside it; then all steps to the present schema, or none.
@@ -149,23 +132,11 @@ void Catalogue::create() {
 }
 
 std::vector<DrawRange> Catalogue::done() const {
-  return guarded(path_, [&] {
-    std::vector<DrawRange> ranges;
-    SQLite::Statement units(*database_, "SELECT lo, hi FROM unit ORDER BY lo");
-    while (units.executeStep()) {
-      ranges.push_back({draw_of(units.getColumn(0)), draw_of(units.getColumn(1))});
-    }
-    return ranges;
-  });
+  return guarded(path_, [&] { return units_done(*database_); });
 }
 
 std::vector<std::uint64_t> Catalogue::undecided() const {
-  return guarded(path_, [&] {
-    std::vector<std::uint64_t> draws;
-    SQLite::Statement rows(*database_, "SELECT draw FROM undecided ORDER BY draw");
-    while (rows.executeStep()) draws.push_back(draw_of(rows.getColumn(0)));
-    return draws;
-  });
+  return guarded(path_, [&] { return draws_of(*database_, "undecided", {0, kEndOfDraws}); });
 }
 
 void Catalogue::check_same_builds(const RunInfo& run) const {
@@ -245,6 +216,16 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   ++cost_.commits;
   cost_.seconds += seconds;
   cost_.longest_s = std::max(cost_.longest_s, seconds);
+}
+
+void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
+  guarded(path_, [&] {
+    transact([&] {
+      UnitCopier copier(other, *database_);
+      copier.copy_runs();
+      for (const DrawRange& unit : units) copier.copy(unit);
+    });
+  });
 }
 
 void Catalogue::settle(const UnitRecord& decided) {

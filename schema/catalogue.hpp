@@ -50,6 +50,9 @@ class Catalogue {
   /// One transaction: the units, their candidates and what else belongs to them, and the goal's
   /// end. UserError: 1 if the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
+  /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
+  /// begin_run.
+  void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
   /// One transaction: a draw that was undecided, judged again; see UnitWriter.
   void settle(const UnitRecord& decided);
   /// `end` says why: complete, stopped, max_time.

@@ -97,12 +97,23 @@ Campaign read_campaign_of(SQLite::Database& database, const std::string& path) {
   return read_campaign(Json::parse(row.getColumn(0).getString()), path + ", its configuration");
 }
 
-std::vector<std::uint64_t> candidate_draws(SQLite::Database& database) {
-  std::vector<std::uint64_t> draws;
-  SQLite::Statement row(database, "SELECT draw FROM candidate ORDER BY draw");
-  while (row.executeStep()) {
-    draws.push_back(draw_of(row.getColumn(0)));
+std::vector<DrawRange> units_done(SQLite::Database& database) {
+  std::vector<DrawRange> ranges;
+  SQLite::Statement units(database, "SELECT lo, hi FROM unit ORDER BY lo");
+  while (units.executeStep()) {
+    ranges.push_back({draw_of(units.getColumn(0)), draw_of(units.getColumn(1))});
   }
+  return ranges;
+}
+
+std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
+                                    const DrawRange& range) {
+  std::vector<std::uint64_t> draws;
+  SQLite::Statement row(
+      database, "SELECT draw FROM " + table + " WHERE draw >= ? AND draw < ? ORDER BY draw");
+  row.bind(1, stored(range.lo));
+  row.bind(2, stored(range.hi));
+  while (row.executeStep()) draws.push_back(draw_of(row.getColumn(0)));
   return draws;
 }
 

@@ -30,8 +30,12 @@ CatalogueState read_state(SQLite::Database& database);
 /// The campaign that a catalogue belongs to.
 Campaign read_campaign_of(SQLite::Database& database, const std::string& path);
 
-/// The draws of all candidates, ascending.
-std::vector<std::uint64_t> candidate_draws(SQLite::Database& database);
+/// The ledger's units, ascending.
+std::vector<DrawRange> units_done(SQLite::Database& database);
+
+/// The draws of a range that are in a table, ascending: candidate, undecided, fault_sample.
+std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
+                                    const DrawRange& range);
 
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);

@@ -24,6 +24,7 @@ struct Goal {
   std::uint64_t planned_end() const;
   /// Whether the results can end it.
   bool looks_at_results() const { return accepted || relative_error; }
+  friend bool operator==(const Goal&, const Goal&) = default;
 };
 
 /// Where a goal ends, as far as the draws done say: at the first multiple of kGoalGranule draws

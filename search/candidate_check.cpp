@@ -12,40 +12,6 @@ namespace {
 using schema::Finding;
 using schema::Json;
 
-// By how much a stored number may differ from the recomputed one. Whole numbers must be equal.
-struct Allowance {
-  double absolute, relative;
-
-  bool allows(double stored, double recomputed) const {
-    return std::abs(stored - recomputed) <= absolute + relative * std::abs(recomputed);
-  }
-};
-
-// Where two solvers that share no arithmetic (lanes, and dense matrices) differed by w at most on
-// 1,008 candidates, the limit is about 10 w.
-Allowance allowance_of(const std::string& column, double width_mm, double sample_deg) {
-  const auto is_ratio = column.starts_with("elongation") || column.starts_with("stroke");
-  if (is_ratio) return {3e-11, 0};                         // w = 3e-12
-  if (column == "deploys_from_deg") return {0, 1e-15};     // a product of two exact numbers
-  if (column == "fold_limit_deg") return {1e-6, 0};        // located to 1e-7
-  if (column == "stretch_sq_mm2") return {0, 2e-9};        // w = 1.4e-10
-  if (column == "singular_value_min") return {0, 1e-5};    // its iteration ends at changes of 1e-6
-  if (column == "residual_max") return {1e-12, 0};         // rounding, up to the closure tolerance
-  if (column == "kawasaki_defect_deg") return {1e-11, 0};  // a sum of two angles, each to 1e-13
-  const double slope = 1e-12 * width_mm / sample_deg;      // w = 8e-14 widths a degree
-  if (column == "slope_min_mm_per_deg") return {slope, 0};
-  // Rates of change, from the tangent: its error is the closure's over the singular value, 1e-12 /
-  // 1e-4 radians a radian; where a bump begins is known by the root of it.
-  if (column == "slope_between_min_mm_per_deg") return {1e-8 * width_mm / 57, 0};
-  if (column == "bump_deg") return {1e-3, 0};
-  const double isometry = 2e-11 * width_mm;  // rounding: w = 1.6e-12 widths
-  if (column == "isometry_error_mm") return {isometry, 0};
-  return {0, 1e-9};
-}
-
-// Elongations are stored to nine decimals.
-constexpr Allowance kElongations{0.5e-9 + 3e-11, 0};
-
 Finding exceeds(const std::string& where, const std::string& what, double value, double limit) {
   return {where + ": " + what + " is " + Json(value).dump() +
               " on the folded shape, must be below " + Json(limit).dump(),
@@ -68,13 +34,6 @@ std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
   return shifts_mm;
 }
 
-bool agree(const Json& stored, const Json& recomputed, const Allowance& allowance) {
-  if (!stored.is_number() || !recomputed.is_number() || recomputed.is_number_integer()) {
-    return stored == recomputed;
-  }
-  return allowance.allows(stored.get<double>(), recomputed.get<double>());
-}
-
 solver::Mechanism mechanism_of(const solver::PerforatedSheet& base) {
   return solver::build_mechanism(base.sheet, base.holes, base.folding);
 }
@@ -86,6 +45,7 @@ CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
       mechanism_(mechanism_of(campaign.pattern.base)),
       plan_(solver::plan_path(mechanism_, campaign.pattern.base.folding,
                               campaign.pattern.base.sheet.vertices_mm, campaign.path())),
+      tolerances_{mechanism_.panel_width_mm, campaign.sample_deg},
       shape_(campaign.pattern.base.sheet, campaign.pattern.base.holes, mechanism_) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
   std::vector<int> panel_of(base.sheet.facets.size(), -1);
@@ -154,17 +114,12 @@ void CandidateCheck::check_metrics(const Json& row, int schema_version,
   }
   for (const auto& [column, value] : recomputed.items()) {
     const Json stored = row.value(column, Json("no such column"));
-    const Allowance allowance =
-        allowance_of(column, mechanism_.panel_width_mm, campaign_.sample_deg);
-    if (!agree(stored, value, allowance)) differs(column, stored, value);
+    if (!tolerances_.agree(column, stored, value)) differs(column, stored, value);
   }
-  const Json stored = Json::parse(row.at("elongation").get<std::string>(), nullptr, false);
-  const Json elongation = metrics.elongation;
-  const bool equal =
-      stored.is_array() && stored.size() == elongation.size() &&
-      std::equal(stored.begin(), stored.end(), elongation.begin(),
-                 [](const Json& a, const Json& b) { return agree(a, b, kElongations); });
-  if (!equal) differs("elongation", row.at("elongation"), elongation.dump());
+  const std::string elongation = Json(metrics.elongation).dump();
+  if (!tolerances_.agree("elongation", row.at("elongation"), elongation)) {
+    differs("elongation", row.at("elongation"), elongation);
+  }
   for (const auto& [column, value] : row.items()) {
     static const std::vector<std::string> kOthers = {"draw", "unit", "displacements_mm",
                                                      "elongation"};

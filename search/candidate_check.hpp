@@ -3,6 +3,7 @@
 #pragma once
 
 #include "schema/ledger_check.hpp"
+#include "search/column_tolerances.hpp"
 #include "search/contact.hpp"
 #include "solver/metrics.hpp"
 #include "solver/shape_check.hpp"
@@ -39,6 +40,7 @@ class CandidateCheck {
   const schema::Campaign& campaign_;
   const solver::Mechanism mechanism_;
   const solver::PathPlan plan_;
+  const ColumnTolerances tolerances_;
   const solver::FoldedShape shape_;
   std::vector<int> kept_;  // facets
   std::vector<std::array<int, 4>> panels_;

@@ -15,6 +15,8 @@
 #include "search/bench.hpp"
 #include "search/build_info.hpp"
 #include "search/look.hpp"
+#include "search/merge.hpp"
+#include "search/run_info.hpp"
 #include "search/search_run.hpp"
 #include "search/status.hpp"
 #include "search/tolerance.hpp"
@@ -315,6 +317,46 @@ Action add_verify(CLI::App& app) {
   };
 }
 
+Action add_merge(CLI::App& app) {
+  auto* verb = app.add_subcommand("merge", "catalogues of one campaign into one");
+  verb->footer(
+      "Draws that several of them have are compared (displacements and samples exactly, metrics\n"
+      "within the tolerances of verify) and counted once; parts of units that overlap others are\n"
+      "computed again. Exit code 6, and no file, if anything differs.\n"
+      "Example:\n  misalign merge all.db part-1.db part-2.db");
+  auto options = std::make_shared<MergeOptions>();
+  auto mixed = std::make_shared<bool>(false);
+  verb->add_option("OUT", options->output, "catalogue file to write; must not exist")->required();
+  verb->add_option("IN", options->inputs, "catalogue files, read only")->required();
+  verb->add_flag("--allow-mixed-builds", *mixed,
+                 "go on although builds with other golden verdicts wrote them");
+  return [=] {
+    if (*mixed) options->builds = schema::Builds::mixed;
+    options->run = run_info(golden_verdicts(solver::available_instruction_sets().back()), 1);
+    const MergeReport report = merge(*options);
+    constexpr std::size_t kShown = 20;
+    for (std::size_t k = 0; k < std::min(report.findings.size(), kShown); ++k) {
+      spdlog::error("{}", report.findings[k].sentence);
+    }
+    if (!report.findings.empty()) {
+      spdlog::error("{} findings; {} was not written", report.findings.size(), options->output);
+      return schema::kExitCheckFailed;
+    }
+    const auto merged = schema::open_for_reading(options->output);
+    const schema::CatalogueState state = schema::read_state(*merged);
+    std::printf(
+        "%s: %zu catalogues, %zu units taken, %llu draws compared, %llu computed again, %llu "
+        "decided; %llu draws, %llu accepted, digest %s\n",
+        options->output.c_str(), options->inputs.size(), report.units,
+        static_cast<unsigned long long>(report.compared),
+        static_cast<unsigned long long>(report.recomputed),
+        static_cast<unsigned long long>(report.decided),
+        static_cast<unsigned long long>(state.draws_in_ledger),
+        static_cast<unsigned long long>(state.accepted), state.digest.c_str());
+    return 0;
+  };
+}
+
 Action add_tolerance(CLI::App& app) {
   auto* verb =
       app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
@@ -419,12 +461,12 @@ int run_command_line(int argc, char** argv) {
   app.add_option("--log-level", level, "debug, info, warning, error or off [info]")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
   std::map<std::string, Action> verbs = {
-      {"search", add_search(app)}, {"status", add_status(app)},
-      {"fold", add_fold(app)},     {"perforations", add_perforations(app)},
-      {"replay", add_replay(app)}, {"query", add_query(app)},
-      {"export", add_export(app)}, {"verify", add_verify(app)},
-      {"config", add_config(app)}, {"tolerance", add_tolerance(app)},
-      {"bench", add_bench(app)}};
+      {"search", add_search(app)},       {"status", add_status(app)},
+      {"fold", add_fold(app)},           {"perforations", add_perforations(app)},
+      {"replay", add_replay(app)},       {"query", add_query(app)},
+      {"export", add_export(app)},       {"verify", add_verify(app)},
+      {"merge", add_merge(app)},         {"config", add_config(app)},
+      {"tolerance", add_tolerance(app)}, {"bench", add_bench(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,26 +1,19 @@
 #include "search/search_run.hpp"
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <set>
 
 #include "schema/catalogue_state.hpp"
-#include "search/build_info.hpp"
 #include "search/draw.hpp"
+#include "search/run_info.hpp"
 #include "search/stop_signal.hpp"
 #include "search/worker.hpp"
 
 namespace misalign::search {
 namespace {
-
-std::string host_name() {
-  char name[256] = "unknown";
-  gethostname(name, sizeof name - 1);
-  return name;
-}
 
 schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (!random_numbers_as_published()) {
@@ -121,11 +114,10 @@ class RankZero {
   const schema::Campaign& campaign() const { return trial_.campaign(); }
 
   void begin(const std::vector<RankInfo>& ranks) {
-    const BuildInfo& build = build_info();
     goal_ = goal_of(options_, campaign());
-    catalogue_.begin_run({host_name(), build.version, build.commit, build.compiler, build.flags,
-                          common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())},
-                         goal_, options_.builds);
+    catalogue_.begin_run(
+        run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
+        options_.builds);
     spdlog::info("campaign {} ({}), {} ranks, catalogue {}", campaign().name,
                  schema::identity(campaign()).substr(0, 8), ranks.size(), catalogue_.path());
     if (options_.retry_undecided) retry_undecided(trial_, catalogue_);

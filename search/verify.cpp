@@ -45,7 +45,8 @@ Verification verify(SQLite::Database& database, const std::string& path,
   try {
     verification.findings = schema::check_ledger(database, campaign);
     verification.digest = schema::read_state(database).digest;
-    const std::vector<std::uint64_t> draws = schema::candidate_draws(database);
+    const std::vector<std::uint64_t> draws =
+        schema::draws_of(database, "candidate", {0, schema::kEndOfDraws});
     verification.candidates = draws.size();
     const std::uint64_t chosen =
         std::min<std::uint64_t>(sample.value_or(draws.size()), draws.size());

@@ -69,13 +69,5 @@ TEST(Ledger, EveryDrawOnceWhateverHappens) {
   }
 }
 
-TEST(Ledger, UnitSizes) {
-  EXPECT_EQ(unit_draws(100, 5, 1000000, 2), 500u);  // five seconds' worth
-  EXPECT_EQ(unit_draws(100, 5, 1000, 4), 125u);     // an eighth of what is left
-  EXPECT_EQ(unit_draws(0, 5, 1000000, 2), 32u);     // speed not known yet
-  EXPECT_EQ(unit_draws(1e12, 5, ~0ULL >> 1, 1), 5000000000000u);
-  EXPECT_EQ(unit_draws(1e-9, 5, 1000000, 2), 8u);  // never nothing
-}
-
 }  // namespace
 }  // namespace misalign::search

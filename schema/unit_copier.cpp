@@ -1,0 +1,133 @@
+#include "schema/unit_copier.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "schema/database.hpp"
+
+namespace misalign::schema {
+namespace {
+
+std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
+  std::vector<std::string> names;
+  SQLite::Statement rows(database, "PRAGMA table_info(" + table + ")");
+  while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
+  return names;
+}
+
+// What a catalogue that has no such column is to say there.
+std::string stand_in(const std::string& column) {
+  return column == "schema_version" ? "1" : "NULL";
+}
+
+void bind(SQLite::Statement& statement, int index, const SQLite::Column& value) {
+  switch (value.getType()) {
+    case SQLITE_INTEGER:
+      return statement.bind(index, value.getInt64());
+    case SQLITE_FLOAT:
+      return statement.bind(index, value.getDouble());
+    case SQLITE_TEXT:
+      return statement.bind(index, value.getString());
+    case SQLITE_BLOB:
+      return statement.bind(index, value.getBlob(), value.getBytes());
+    default:
+      return statement.bind(index);
+  }
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+}  // namespace
+
+// Copies rows of one table: all columns of the target, those named `shifted` with new run numbers.
+class UnitCopier::Table {
+ public:
+  Table(SQLite::Database& from, SQLite::Database& into, const std::string& name,
+        const std::string& condition, const std::string& shifted, std::int64_t shift)
+      : columns_(columns_of(into, name)),
+        shifted_(std::find(columns_.begin(), columns_.end(), shifted) - columns_.begin()),
+        shift_(shift),
+        select_(from, select_of(from, name) + condition),
+        insert_(into, insert_of(name)) {}
+
+  void copy(const DrawRange& range) {
+    select_.tryReset();
+    select_.bind(1, stored(range.lo));
+    select_.bind(2, stored(range.hi));
+    while (select_.executeStep()) {
+      insert_.tryReset();
+      for (int k = 0; k < static_cast<int>(columns_.size()); ++k) {
+        if (k == shifted_) {
+          insert_.bind(k + 1, select_.getColumn(k).getInt64() + shift_);
+        } else {
+          bind(insert_, k + 1, select_.getColumn(k));
+        }
+      }
+      insert_.exec();
+    }
+  }
+
+ private:
+  std::string select_of(SQLite::Database& from, const std::string& name) const {
+    const std::vector<std::string> held = columns_of(from, name);
+    std::vector<std::string> expressions;
+    for (const std::string& column : columns_) {
+      const bool is_held = std::find(held.begin(), held.end(), column) != held.end();
+      expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column));
+    }
+    return "SELECT " + listed(expressions) + " FROM " + name + " ";
+  }
+  std::string insert_of(const std::string& name) const {
+    std::vector<std::string> quoted;
+    for (const std::string& column : columns_) quoted.push_back("\"" + column + "\"");
+    return "INSERT INTO " + name + " (" + listed(quoted) + ") VALUES (" +
+           listed(std::vector<std::string>(columns_.size(), "?")) + ")";
+  }
+
+  const std::vector<std::string> columns_;
+  const std::ptrdiff_t shifted_;
+  const std::int64_t shift_;
+  SQLite::Statement select_, insert_;
+};
+
+UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into)
+    : from_(from),
+      into_(into),
+      run_shift_(into.execAndGet("SELECT coalesce(max(id), 0) FROM run").getInt64()),
+      unit_(table("unit", "WHERE lo = ? AND hi = ?")),
+      candidate_(table("candidate", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
+      undecided_(table("undecided", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
+      fault_sample_(table("fault_sample", "WHERE draw >= ? AND draw < ? ORDER BY draw")) {}
+
+UnitCopier::~UnitCopier() = default;
+
+std::unique_ptr<UnitCopier::Table> UnitCopier::table(const std::string& name,
+                                                     const std::string& condition) {
+  return std::make_unique<Table>(from_, into_, name, condition, name == "run" ? "id" : "run",
+                                 run_shift_);
+}
+
+void UnitCopier::copy_runs() {
+  table("run", "WHERE id >= ? AND id < ? ORDER BY id")->copy({0, kEndOfDraws});
+  SQLite::Statement add(into_,
+                        "INSERT INTO screened VALUES (?,?,?) ON CONFLICT DO UPDATE "
+                        "SET draws = draws + excluded.draws");
+  SQLite::Statement rows(from_, "SELECT cause, tested_deg, draws FROM screened");
+  while (rows.executeStep()) {
+    add.tryReset();
+    for (int k = 0; k < 3; ++k) bind(add, k + 1, rows.getColumn(k));
+    add.exec();
+  }
+}
+
+void UnitCopier::copy(const DrawRange& unit) {
+  for (const auto& rows : {&unit_, &candidate_, &undecided_, &fault_sample_}) (*rows)->copy(unit);
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,33 @@
+// `misalign merge`: catalogues of one campaign into one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/catalogue.hpp"
+#include "schema/ledger_check.hpp"
+
+namespace misalign::search {
+
+struct MergeOptions {
+  std::string output;  ///< must not exist yet
+  std::vector<std::string> inputs;
+  schema::RunInfo run;  ///< of this program: who joined them, and computed what was missing
+  schema::Builds builds = schema::Builds::same;
+};
+
+struct MergeReport {
+  std::size_t units = 0;         ///< taken as they are
+  std::uint64_t compared = 0;    ///< draws that several catalogues had
+  std::uint64_t recomputed = 0;  ///< draws of units that overlap others in part
+  std::uint64_t decided = 0;     ///< draws that one had left undecided and another had not
+  /// What catalogues disagree about, or what is wrong within one: then nothing is written.
+  std::vector<schema::Finding> findings;
+};
+
+/// Writes the whole output or none. Units that overlap others are compared with them: displacements
+/// and samples exactly, metrics within ColumnTolerances. UserError: 2 the output exists, 3 and 5 as
+/// for opening a catalogue, 5 if they are of different campaigns or builds.
+MergeReport merge(const MergeOptions& options);
+
+}  // namespace misalign::search

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "schema/catalogue.hpp"
+
+namespace misalign::search {
+
+std::string host_name();
+
+/// This program on this machine, as a run's row says it.
+schema::RunInfo run_info(const std::string& golden_verdicts, int ranks);
+
+}  // namespace misalign::search

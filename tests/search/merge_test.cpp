@@ -1,0 +1,231 @@
+// Catalogues of one campaign, made in pieces that overlap: joined they are what one run makes.
+#include "search/merge.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "schema/catalogue_state.hpp"
+#include "search/trial.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::DrawRange;
+using schema::Json;
+
+// Short paths that most draws survive.
+schema::Campaign quick_campaign() {
+  return schema::read_campaign(
+      Json::parse(R"({"name": "quick", "pattern": {"family": "miura", "rows": 4, "columns": 4},
+                      "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),
+      "test");
+}
+
+class MergeTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() / ("misalign_merge_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ / name; }
+
+  std::string make(const std::string& name, const std::vector<DrawRange>& units,
+                   const DrawRange& goal = {0, 3000}) {
+    schema::Catalogue catalogue(path(name), trial_.campaign(), trial_.mechanism());
+    catalogue.begin_run(run_, {goal, {}, {}});
+    for (const DrawRange& unit : units) catalogue.commit({work_off(trial_, unit)});
+    catalogue.end_run("stopped");
+    return path(name);
+  }
+
+  MergeReport join(const std::vector<std::string>& inputs) {
+    std::filesystem::remove(path("all.db"));
+    return merge({path("all.db"), inputs, run_, schema::Builds::same});
+  }
+  schema::CatalogueState state(const std::string& name) {
+    return schema::read_state(*schema::open_for_reading(path(name)));
+  }
+  void change(const std::string& name, const std::string& sql) {
+    SQLite::Database(path(name), SQLite::OPEN_READWRITE).exec(sql);
+  }
+  /// A sentence about this file, naming this column; and no output.
+  testing::AssertionResult disagrees(const MergeReport& report, const std::string& column) {
+    if (std::filesystem::exists(path("all.db")) ||
+        std::filesystem::exists(path("all.db.partial"))) {
+      return testing::AssertionFailure() << "something was written";
+    }
+    std::string all;
+    for (const schema::Finding& finding : report.findings) {
+      all += finding.sentence + "\n";
+      if (finding.details.at("column") == column) return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure() << "found only: " << all;
+  }
+
+  const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
+  Trial trial_{quick_campaign()};
+  std::filesystem::path folder_;
+};
+
+TEST_F(MergeTest, PiecesAreTheWhole) {
+  make("whole.db", {{0, 3000}});
+  const std::string whole = state("whole.db").digest;
+  const auto a = make("a.db", {{0, 700}, {700, 1500}}, {0, 1500});
+  const auto b = make("b.db", {{1500, 3000}}, {1500, 3000});
+  MergeReport report = join({a, b});
+  EXPECT_TRUE(report.findings.empty());
+  EXPECT_EQ(report.units, 3u);
+  EXPECT_EQ(report.compared + report.recomputed, 0u);
+  const schema::CatalogueState merged = state("all.db");
+  EXPECT_EQ(merged.digest, whole);
+  EXPECT_TRUE(merged.gaps.empty());
+  EXPECT_EQ(merged.goal.range, (DrawRange{0, 3000}));
+  // Every row, but for when and by whom.
+  const auto rows = [&](const std::string& name) {
+    const auto database = schema::open_for_reading(path(name));
+    std::vector<Json> all;
+    for (const auto draw : schema::draws_of(*database, "candidate", {0, 3000})) {
+      all.push_back(schema::read_candidate(*database, draw));
+      all.back().erase("unit");
+    }
+    return all;
+  };
+  EXPECT_EQ(rows("all.db"), rows("whole.db"));
+  // In any order, and joined with itself.
+  EXPECT_TRUE(join({b, a, b, a}).findings.empty());
+  EXPECT_EQ(state("all.db").digest, whole);
+}
+
+TEST_F(MergeTest, OverlapsAreComparedAndPartsMadeAgain) {
+  make("whole.db", {{0, 3000}});
+  const auto a = make("a.db", {{0, 1000}, {1000, 1800}});
+  const auto b = make("b.db", {{0, 1000}, {1600, 2500}, {2600, 3000}});
+  const auto c = make("c.db", {{2400, 2650}});
+  const MergeReport report = join({a, b, c});
+  for (const auto& finding : report.findings) ADD_FAILURE() << finding.sentence;
+  EXPECT_EQ(report.units, 3u);                // 0, 1600 and 2600
+  EXPECT_EQ(report.recomputed, 600u + 100u);  // 1000 to 1600, and 2500 to 2600
+  EXPECT_EQ(report.compared, 1000u + 800u + 250u);
+  EXPECT_EQ(state("all.db").digest, state("whole.db").digest);
+}
+
+TEST_F(MergeTest, DisagreementsAreNamedAndNothingIsWritten) {
+  make("a.db", {{0, 1024}});
+  const auto first = [&] {
+    const auto database = schema::open_for_reading(path("a.db"));
+    return schema::draws_of(*database, "candidate", {0, 1024}).front();
+  };
+  const std::string draw = std::to_string(first());
+  const std::pair<const char*, std::string> kChanges[] = {
+      {"displacements_mm",
+       "UPDATE candidate SET displacements_mm = '{\"A10\":[0.1,0.0]}' WHERE draw = " + draw},
+      {"stroke_max", "UPDATE candidate SET stroke_max = stroke_max + 1e-10 WHERE draw = " + draw},
+      {"shifted_vertices", "UPDATE candidate SET shifted_vertices = 1 WHERE draw = " + draw},
+      {"bump_deg", "UPDATE candidate SET bump_deg = 7 WHERE draw = " + draw},
+      {"fault_sample", "UPDATE fault_sample SET first_fault = 'over_folded' WHERE draw = 0"},
+  };
+  for (const auto& [column, sql] : kChanges) {
+    std::filesystem::remove(path("b.db"));
+    make("b.db", {{0, 1024}});
+    change("b.db", sql);
+    EXPECT_TRUE(disagrees(join({path("a.db"), path("b.db")}), column)) << column;
+    EXPECT_TRUE(disagrees(join({path("b.db"), path("a.db")}), column)) << column;
+  }
+  // Within what is known of its errors a metric may differ.
+  std::filesystem::remove(path("b.db"));
+  make("b.db", {{0, 1024}});
+  change("b.db", "UPDATE candidate SET stroke_max = stroke_max + 1e-12");
+  EXPECT_TRUE(join({path("a.db"), path("b.db")}).findings.empty());
+  // What contradicts itself is no input.
+  change("b.db", "DELETE FROM candidate WHERE draw = " + draw);
+  EXPECT_TRUE(disagrees(join({path("b.db")}), "accepted"));
+}
+
+TEST_F(MergeTest, VerdictsThatDifferAreNamed) {
+  make("a.db", {{0, 500}});
+  {
+    schema::UnitRecord unit = work_off(trial_, {0, 500});
+    unit.candidates.pop_back();
+    --unit.accepted;
+    ++unit.rejected;
+    schema::Catalogue catalogue(path("b.db"), trial_.campaign(), trial_.mechanism());
+    catalogue.begin_run(run_, {{0, 3000}, {}, {}});
+    catalogue.commit({unit});
+    catalogue.end_run("stopped");
+  }
+  EXPECT_TRUE(disagrees(join({path("a.db"), path("b.db")}), "verdict"));
+}
+
+// What one run could not decide and another could is judged again, and settled.
+TEST_F(MergeTest, UndecidedDrawsAreDecidedWhereOthersAre) {
+  make("whole.db", {{0, 500}});
+  {
+    schema::UnitRecord unit = work_off(trial_, {0, 500});
+    const std::uint64_t draw = unit.candidates.back().draw;
+    unit.candidates.pop_back();
+    --unit.accepted;
+    unit.undecided.push_back({draw, {7, solver::Fault::undecided, -1, solver::PathEnd::stalled}});
+    schema::Catalogue catalogue(path("b.db"), trial_.campaign(), trial_.mechanism());
+    catalogue.begin_run(run_, {{0, 3000}, {}, {}});
+    catalogue.commit({unit});
+    catalogue.end_run("stopped");
+  }
+  EXPECT_EQ(state("b.db").undecided, 1u);
+  for (const auto& order : {std::vector{"b.db", "whole.db"}, {"whole.db", "b.db"}}) {
+    const MergeReport report = join({path(order[0]), path(order[1])});
+    for (const auto& finding : report.findings) ADD_FAILURE() << finding.sentence;
+    EXPECT_EQ(report.decided, order[0] == std::string("b.db") ? 1u : 0u);
+    EXPECT_EQ(state("all.db").digest, state("whole.db").digest);
+  }
+}
+
+TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
+  const auto code = [&](const std::vector<std::string>& inputs) {
+    try {
+      return join(inputs).findings.empty() ? 0 : schema::kExitCheckFailed;
+    } catch (const schema::UserError& error) {
+      return error.exit_code();
+    }
+  };
+  const auto a = make("a.db", {{0, 100}});
+  EXPECT_EQ(code({a, path("none.db")}), schema::kExitBadInput);
+  {
+    const Trial other(schema::read_campaign(
+        Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "seed": 2})"),
+        "test"));
+    schema::Catalogue catalogue(path("other.db"), other.campaign(), other.mechanism());
+    catalogue.begin_run(run_, {});
+    catalogue.end_run("stopped");
+  }
+  EXPECT_EQ(code({a, path("other.db")}), schema::kExitOtherCampaign);
+  make("mixed.db", {{100, 200}});
+  change("mixed.db", "UPDATE run SET golden_verdicts = 'others'");
+  EXPECT_EQ(code({a, path("mixed.db")}), schema::kExitOtherCampaign);
+  EXPECT_FALSE(std::filesystem::exists(path("all.db")));
+  EXPECT_TRUE(
+      merge({path("all.db"), {a, path("mixed.db")}, run_, schema::Builds::mixed}).findings.empty());
+  EXPECT_THROW(merge({path("all.db"), {a}, run_, schema::Builds::same}), schema::UserError);
+  EXPECT_EQ(state("all.db").draws_in_ledger, 200u);  // the refused one did it no harm
+}
+
+// The ledger of an older schema goes in as it is.
+TEST_F(MergeTest, OlderSchemas) {
+  const std::string fixtures = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/";
+  const auto one = fixtures + "catalogue-1.db", two = fixtures + "catalogue-2.db";
+  std::vector<std::string> inputs = {one, two};
+  const MergeReport report = merge({path("all.db"), inputs, run_, schema::Builds::mixed});
+  for (const auto& finding : report.findings) ADD_FAILURE() << finding.sentence;
+  const schema::CatalogueState merged = state("all.db");
+  EXPECT_EQ(merged.draws_in_ledger, 60u);
+  EXPECT_EQ(report.compared, 40u);
+  EXPECT_EQ(merged.accepted, 35u);
+}
+
+}  // namespace
+}  // namespace misalign::search
