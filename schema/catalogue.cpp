@@ -308,6 +308,7 @@ void Catalogue::end_run(const std::string& end) {
   writer_.reset();
   database_->setBusyTimeout(0);
   database_->tryExec("PRAGMA journal_mode = DELETE");
+  database_.reset();
 }
 
 }  // namespace misalign::schema

@@ -98,6 +98,21 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Stor
   });
 }
 
+void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value) {
+  switch (value.getType()) {
+    case SQLITE_INTEGER:
+      return statement.bind(index, value.getInt64());
+    case SQLITE_FLOAT:
+      return statement.bind(index, value.getDouble());
+    case SQLITE_TEXT:
+      return statement.bind(index, value.getString());
+    case SQLITE_BLOB:
+      return statement.bind(index, value.getBlob(), value.getBytes());
+    default:
+      return statement.bind(index);
+  }
+}
+
 WriterLock::WriterLock(const std::string& path)
     : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
   if (descriptor_ < 0 && errno == ENOENT) {

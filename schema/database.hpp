@@ -29,6 +29,9 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 /// UserError: 3 no catalogue, 5 a newer schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage);
 
+/// Binds whatever a column of another statement holds.
+void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value);
+
 /// An exclusive advisory lock on the catalogue's file that dies with the process: an open-file lock
 /// of one byte far behind those that SQLite locks.
 class WriterLock {

@@ -1,7 +1,5 @@
 #include "schema/unit_copier.hpp"
 
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -20,21 +18,6 @@ std::vector<std::string> columns_of(SQLite::Database& database, const std::strin
 // What a catalogue that has no such column is to say there.
 std::string stand_in(const std::string& column) {
   return column == "schema_version" ? "1" : "NULL";
-}
-
-void bind(SQLite::Statement& statement, int index, const SQLite::Column& value) {
-  switch (value.getType()) {
-    case SQLITE_INTEGER:
-      return statement.bind(index, value.getInt64());
-    case SQLITE_FLOAT:
-      return statement.bind(index, value.getDouble());
-    case SQLITE_TEXT:
-      return statement.bind(index, value.getString());
-    case SQLITE_BLOB:
-      return statement.bind(index, value.getBlob(), value.getBytes());
-    default:
-      return statement.bind(index);
-  }
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -66,7 +49,7 @@ class UnitCopier::Table {
         if (k == shifted_) {
           insert_.bind(k + 1, select_.getColumn(k).getInt64() + shift_);
         } else {
-          bind(insert_, k + 1, select_.getColumn(k));
+          bind_value(insert_, k + 1, select_.getColumn(k));
         }
       }
       insert_.exec();
@@ -121,7 +104,7 @@ void UnitCopier::copy_runs() {
   SQLite::Statement rows(from_, "SELECT cause, tested_deg, draws FROM screened");
   while (rows.executeStep()) {
     add.tryReset();
-    for (int k = 0; k < 3; ++k) bind(add, k + 1, rows.getColumn(k));
+    for (int k = 0; k < 3; ++k) bind_value(add, k + 1, rows.getColumn(k));
     add.exec();
   }
 }

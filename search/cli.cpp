@@ -11,9 +11,11 @@
 #include <cstdlib>
 #include <functional>
 
+#include "schema/plain_export.hpp"
 #include "schema/result_table.hpp"
 #include "search/bench.hpp"
 #include "search/build_info.hpp"
+#include "search/doctor.hpp"
 #include "search/look.hpp"
 #include "search/merge.hpp"
 #include "search/run_info.hpp"
@@ -266,7 +268,9 @@ Action add_query(CLI::App& app) {
 
 Action add_export(CLI::App& app) {
   auto* verb = app.add_subcommand("export", "chosen candidates as files");
-  verb->footer("Example:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out");
+  verb->footer(
+      "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
+      "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
   auto options = std::make_shared<ExportOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   auto* choice = verb->add_option_group("choice", "which candidates");
@@ -274,13 +278,23 @@ Action add_export(CLI::App& app) {
   choice->add_option("--draw", options->draw, "this one")->check(count);
   choice->add_option("--best", options->best, "so many, the best first")->check(count);
   choice->add_option("--where", options->where, "those for which this SQL condition holds");
+  auto compat = std::make_shared<bool>(false);
+  choice->add_flag("--sqlite-compat", *compat,
+                   "the whole catalogue, as one file that SQLite from 3.7 on can read");
   choice->require_option(1);
   verb->add_option("--by", options->by, "column that --best sorts by [deploys_from_deg]");
   verb->add_option("--format", options->format, "json or csv [json]")
       ->check(CLI::IsMember({"json", "csv"}));
-  verb->add_option("--output", options->output, "directory, made if it is not there")->required();
-  return [options] {
-    export_candidates(*options);
+  verb->add_option("--output", options->output,
+                   "directory, made if it is not there; with --sqlite-compat a new file")
+      ->required();
+  return [options, compat] {
+    if (*compat) {
+      schema::export_plain(*schema::open_for_reading(options->catalogue_path), options->output);
+      std::puts(options->output.c_str());
+    } else {
+      export_candidates(*options);
+    }
     return 0;
   };
 }
@@ -423,6 +437,20 @@ Action add_config(CLI::App& app) {
   };
 }
 
+Action add_doctor(CLI::App& app) {
+  auto* verb = app.add_subcommand("doctor", "whether this machine can run a campaign well");
+  verb->footer(
+      "Looks at random numbers, verdicts in all registers, MPI and its slots, and the directory "
+      "for\n"
+      "catalogues. Exit code 1 if a campaign would fail, or could not be trusted.\n"
+      "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
+  auto directory = std::make_shared<std::string>(".");
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("DIRECTORY", *directory, "where catalogues are to be [.]");
+  verb->add_flag("--json", *json, "as JSON");
+  return [=] { return run_doctor(*directory, *json); };
+}
+
 Action add_bench(CLI::App& app) {
   auto* verb = app.add_subcommand("bench", "speed, and agreement with the reference solver");
   verb->footer(
@@ -466,7 +494,8 @@ int run_command_line(int argc, char** argv) {
       {"replay", add_replay(app)},       {"query", add_query(app)},
       {"export", add_export(app)},       {"verify", add_verify(app)},
       {"merge", add_merge(app)},         {"config", add_config(app)},
-      {"tolerance", add_tolerance(app)}, {"bench", add_bench(app)}};
+      {"tolerance", add_tolerance(app)}, {"doctor", add_doctor(app)},
+      {"bench", add_bench(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

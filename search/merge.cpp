@@ -1,14 +1,11 @@
 #include "search/merge.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 
 #include "schema/catalogue_state.hpp"
 #include "schema/merge_plan.hpp"
+#include "schema/partial_file.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/trial.hpp"
 
@@ -46,56 +43,12 @@ schema::Goal goal_of(const std::vector<Input>& inputs) {
   return goal;
 }
 
-// What is written under its final name once it is whole.
-class PartialFile {
- public:
-  explicit PartialFile(const std::string& output) : output_(output), path_(output + ".partial") {
-    if (std::filesystem::exists(output)) {
-      throw schema::UserError(
-          schema::kExitUsage,
-          output +
-              ": exists already; name a new file (a catalogue that is there can "
-              "be one of those to join)");
-    }
-    { const schema::WriterLock nobody_else(path_); }
-    remove();  // what a killed merge may have left
-  }
-  ~PartialFile() {
-    if (!done_) remove();
-  }
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
-
-  const std::string& path() const { return path_; }
-
-  void finish() {
-    std::filesystem::rename(path_, output_);
-    done_ = true;
-    const auto directory = std::filesystem::absolute(output_).parent_path();
-    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);
-    ::close(descriptor);
-  }
-
- private:
-  void remove() const {
-    std::error_code ignored;
-    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
-      std::filesystem::remove(path_ + suffix, ignored);
-    }
-  }
-
-  const std::string output_, path_;
-  bool done_ = false;
-};
-
 class Merge {
  public:
   explicit Merge(const MergeOptions& options) : options_(options) {}
 
   MergeReport run() {
-    PartialFile file(options_.output);
+    schema::PartialFile file(options_.output);
     for (const std::string& path : options_.inputs) open(path);
     if (!report_.findings.empty()) return report_;
     std::vector<std::vector<DrawRange>> ledgers;
@@ -142,7 +95,7 @@ class Merge {
       catalogue.commit({work_off(*trial_, range)});
       report_.recomputed += range.size();
     }
-    const auto merged = schema::open_for_reading(path);
+    auto merged = schema::open_for_reading(path);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       for (const DrawRange& range : plan_.compared[k]) {
         decide(catalogue, *merged, inputs_[k], range);
@@ -150,8 +103,9 @@ class Merge {
         report_.compared += range.size();
       }
     }
+    merged.reset();
     catalogue.end_run("merged");
-    const auto wrong = schema::check_ledger(*merged, trial_->campaign());
+    const auto wrong = schema::check_ledger(*schema::open_for_reading(path), trial_->campaign());
     report_.findings.insert(report_.findings.end(), wrong.begin(), wrong.end());
   }
 

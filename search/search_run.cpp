@@ -218,7 +218,7 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
 
 int run_search(const SearchOptions& options) {
   MpiSession mpi;
-  watch_for_signals();
+  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s);
   return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
 }
 

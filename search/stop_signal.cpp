@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <ctime>
 
@@ -10,6 +11,7 @@ namespace {
 
 volatile std::sig_atomic_t drain_seen = 0, leave_seen = 0, status_seen = 0;
 timer_t leave_timer;
+itimerspec leave_after{};
 
 extern "C" {
 
@@ -20,16 +22,17 @@ void end_here(int) { _exit(0); }
 void note_leave(int signal) {
   if (leave_seen) _exit(128 + signal);
   leave_seen = 1;
-  itimerspec deadline{};
-  deadline.it_value.tv_nsec = static_cast<long>(kLeave_s * 1e9);
-  timer_settime(leave_timer, 0, &deadline, nullptr);
+  timer_settime(leave_timer, 0, &leave_after, nullptr);
 }
 
 }  // extern "C"
 
 }  // namespace
 
-void watch_for_signals() {
+void watch_for_signals(double leave_s) {
+  double whole_s = 0;
+  const double part_s = std::modf(leave_s, &whole_s);
+  leave_after.it_value = {static_cast<time_t>(whole_s), static_cast<long>(part_s * 1e9)};
   sigevent event{};
   event.sigev_notify = SIGEV_SIGNAL;
   event.sigev_signo = SIGALRM;

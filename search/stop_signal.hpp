@@ -6,15 +6,16 @@ namespace misalign::search {
 enum class StopWish {
   none,
   drain,  ///< SIGUSR1: cut the units under way short and commit all of them, however long it takes
-  leave   ///< SIGTERM, SIGINT: the same within kLeave_s, then without what is not there yet
+  leave   ///< SIGTERM, SIGINT: the same in kLeave_s, then without what is not there yet
 };
 
-/// mpirun kills its ranks a second after it was asked to stop.
-inline constexpr double kLeave_s = 0.4;
+/// How long rank 0 may take to leave: mpirun kills its ranks a second after it was asked to stop. The
+/// others leave when rank 0 lets them go, or soon after if it does not.
+inline constexpr double kLeave_s = 0.4, kLetGo_s = 3;
 
 /// From now on the signals mean this. A second SIGTERM or SIGINT ends the process at once; whatever
-/// is left kLeave_s after the first is ended too, with exit code 0.
-void watch_for_signals();
+/// is left `leave_s` after the first is ended too, with exit code 0.
+void watch_for_signals(double leave_s);
 
 StopWish stop_wish();
 

@@ -160,7 +160,7 @@ UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range)
       seconds_per_path_(std::numeric_limits<double>::infinity()) {}
 
 void UnitWork::run_next_block() {
-  constexpr double kShort_s = 0.03, kLong_s = 0.2, kPaths_s = 0.1;
+  constexpr double kShort_s = 0.015, kLong_s = 0.08, kPaths_s = 0.08;
   const Stopwatch watch;
   const std::uint64_t draws = std::min(block_draws_, range_.hi - next_);
   trial_.screen({next_, next_ + draws}, record_);

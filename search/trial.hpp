@@ -69,7 +69,8 @@ class UnitWork {
   UnitWork(Trial& trial, const schema::DrawRange& range);
 
   bool finished() const { return next_ == range_.hi; }
-  /// As many draws as take about a tenth of a second: nobody who waits for this waits much longer.
+  /// As many draws as take less than about a tenth of a second: who waits for this must not wait
+  /// long.
   void run_next_block();
   /// What has been done so far: from the range's start up to the next draw.
   schema::UnitRecord take();

@@ -15,11 +15,11 @@ TEST_F(CatalogueTest, OrderAndSizeOfUnitsDoNotMatter) {
     Catalogue catalogue = open(std::to_string(k));
     catalogue.begin_run(kRun, goal);
     for (const DrawRange& range : kOrders[k]) catalogue.commit({unit(range.lo, range.hi)});
-    catalogue.end_run("stopped");
     std::vector<DrawRange> ascending = kOrders[k];
     std::sort(ascending.begin(), ascending.end(),
               [](const DrawRange& a, const DrawRange& b) { return a.lo < b.lo; });
     EXPECT_EQ(catalogue.done(), ascending);
+    catalogue.end_run("stopped");
   }
   const auto accepted = [](std::uint64_t lo, std::uint64_t hi) {
     std::uint64_t n = 0;

@@ -1,0 +1,82 @@
+#include "schema/plain_export.hpp"
+
+#include "schema/database.hpp"
+#include "schema/partial_file.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Tables and views alike; what is an INTEGER PRIMARY KEY stays one.
+constexpr const char* kTables[] = {"campaign",     "run",           "unit",
+                                   "screened",     "undecided",     "candidate",
+                                   "fault_sample", "displacements", "diagonals"};
+
+constexpr const char* kViews = R"(
+CREATE VIEW candidates AS
+SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg, stroke_min, stroke_max,
+       elongation_min, elongation_max, stretch_sq_mm2, shifted_vertices, increasing, decreasing,
+       kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm
+FROM candidate;
+CREATE VIEW acceptance AS
+SELECT coalesce(sum(draws), 0) AS draws, coalesce(sum(accepted), 0) AS accepted,
+       coalesce(sum(rejected), 0) AS rejected, coalesce(sum(undecided), 0) AS undecided,
+       CAST(sum(accepted) AS REAL) / sum(draws) AS rate, sum(seconds) AS worker_seconds
+FROM unit;
+CREATE VIEW faults AS
+SELECT first_fault, fault_deg, count(*) AS draws,
+       CAST(count(*) AS REAL) / (SELECT count(*) FROM fault_sample) AS share
+FROM fault_sample
+GROUP BY first_fault, fault_deg;
+)";
+
+// The column that is the rows' number, if there is one.
+std::string integer_key(SQLite::Database& database, const std::string& table) {
+  SQLite::Statement columns(database, "PRAGMA table_info(" + table + ")");
+  while (columns.executeStep()) {
+    if (columns.getColumn("pk").getInt() == 1 &&
+        columns.getColumn("type").getString() == "INTEGER") {
+      return columns.getColumn("name").getString();
+    }
+  }
+  return "";
+}
+
+void copy_table(SQLite::Database& from, SQLite::Database& into, const std::string& name) {
+  SQLite::Statement rows(from, "SELECT * FROM " + name);
+  const int columns = rows.getColumnCount();
+  std::string declared, places;
+  const std::string key = integer_key(from, name);
+  for (int k = 0; k < columns; ++k) {
+    const std::string column = rows.getColumnName(k);
+    declared +=
+        (k > 0 ? ", \"" : "\"") + column + "\"" + (column == key ? " INTEGER PRIMARY KEY" : "");
+    places += k > 0 ? ", ?" : "?";
+  }
+  into.exec("CREATE TABLE " + name + " (" + declared + ")");
+  SQLite::Statement insert(into, "INSERT INTO " + name + " VALUES (" + places + ")");
+  while (rows.executeStep()) {
+    insert.tryReset();
+    for (int k = 0; k < columns; ++k) bind_value(insert, k + 1, rows.getColumn(k));
+    insert.exec();
+  }
+}
+
+}  // namespace
+
+void export_plain(SQLite::Database& catalogue, const std::string& output) {
+  PartialFile file(output);
+  guarded(output, [&] {
+    SQLite::Transaction snapshot(catalogue);
+    SQLite::Database plain(file.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Transaction transaction(plain);
+    for (const char* table : kTables) copy_table(catalogue, plain, table);
+    plain.exec(
+        "CREATE INDEX displacements_of ON displacements (draw);"
+        "CREATE INDEX diagonals_of ON diagonals (draw);");
+    plain.exec(kViews);
+    transaction.commit();
+  });
+  file.finish();
+}
+
+}  // namespace misalign::schema

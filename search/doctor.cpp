@@ -1,0 +1,42 @@
+#include "search/doctor.hpp"
+
+#include <sched.h>
+
+#include <cstdio>
+
+#include "search/machine_check.hpp"
+#include "search/mpi_session.hpp"
+#include "search/run_info.hpp"
+#include "search/trial.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Those that this process may run on.
+int threads() {
+  cpu_set_t set;
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
+
+}  // namespace
+
+int run_doctor(const std::string& directory, bool json) {
+  const MpiSession mpi;
+  const auto set = solver::available_instruction_sets().back();
+  const auto reports = mpi.gather(pack(RankReport{host_name(), threads(), golden_verdicts(set)}));
+  int exit_code = 0;
+  if (mpi.rank() == 0) {
+    std::vector<Check> checks = check_numbers();
+    std::vector<RankReport> ranks;
+    for (const std::string& report : reports) ranks.push_back(unpack_rank(report));
+    for (auto&& more : {check_ranks(ranks, mpi.has_beats()), check_directory(directory)}) {
+      checks.insert(checks.end(), more.begin(), more.end());
+    }
+    std::fputs(json ? (checks_json(checks).dump(1) + "\n").c_str() : checks_text(checks).c_str(),
+               stdout);
+    exit_code = any_bad(checks) ? schema::kExitFailure : 0;
+  }
+  return mpi.broadcast(exit_code);
+}
+
+}  // namespace misalign::search

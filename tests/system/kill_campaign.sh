@@ -1,0 +1,65 @@
+# A campaign killed again and again, ranks and mpirun, in every way and at any moment: nothing is lost or
+# counted twice, and every time it gets to its end the digest is that of an undisturbed run.
+# The long form: kill_campaign.sh PROGRAM SOURCE_DIR 250 [SEED]
+. "$(dirname "$0")/lib.sh"
+kills_wanted=${3:-10}
+RANDOM=${4:-1}
+echo "seed ${4:-1}"
+campaign=quick.json
+quick_campaign $campaign
+# As much as one rank does in three seconds on this machine: some kills fall into every round.
+"$program" search $campaign --catalogue calm.db --max-time 3 --progress none > /dev/null 2>&1
+draws=$(sql calm.db 'SELECT sum(draws) FROM unit')
+expected=$(digest_of calm.db)
+
+# The processes that work on the catalogue: ranks, and mpirun.
+ranks_of() { pgrep -f "^$program search .*--catalogue killed.db"; }
+launcher_of() { pgrep -f "^mpirun .*--catalogue killed.db"; }
+
+kills=0 rounds=0 resumes=0 slowest_ms=0
+declare -A counts
+while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
+  n=$((resumes % 4 + 1))
+  resumes=$((resumes + 1))
+  "${ranks[@]}" $n "$program" search $campaign --catalogue killed.db --draws "$draws" \
+    --unit-draws $((20 + RANDOM % 400)) --progress none > out 2> err &
+  launcher=$!
+  if [ $kills -lt "$kills_wanted" ]; then
+    sleep 0.$((RANDOM % 10))$((RANDOM % 10))
+    case $((RANDOM % 3)) in 0) signal=KILL ;; 1) signal=TERM ;; 2) signal=USR1 ;; esac
+    case $((RANDOM % 3)) in
+      0) victim=mpirun pids=$launcher ;;
+      1) victim=rank pids=$(ranks_of | shuf -n 1 --random-source=<(yes $RANDOM)) ;;
+      2) victim=all pids="$launcher $(ranks_of)" ;;
+    esac
+    # shellcheck disable=SC2086
+    if kill -$signal $pids 2> /dev/null; then
+      kills=$((kills + 1))
+      counts[$signal-$victim]=$((${counts[$signal-$victim]:-0} + 1))
+    fi
+    start=$(date +%s%3N)
+    wait $launcher 2> /dev/null
+    # Ranks that have lost their mpirun end by themselves.
+    for wait in {1..300}; do
+      ranks_of > /dev/null || launcher_of > /dev/null || break
+      sleep 0.05
+    done
+    ranks_of > /dev/null && { fail "ranks are left 15 s after $signal to $victim"; pkill -KILL -f -- '--catalogue killed.db'; }
+    took_ms=$(($(date +%s%3N) - start))
+    [ $took_ms -gt $slowest_ms ] && slowest_ms=$took_ms
+    if [ ! -s killed.db ]; then continue; fi # killed before there was anything
+    sound_so_far killed.db
+  else
+    wait $launcher || { fail "resume"; cat err; }
+  fi
+  if "$program" status killed.db --check > /dev/null 2>&1; then
+    rounds=$((rounds + 1))
+    sound killed.db "$draws"
+    [ "$(digest_of killed.db)" = "$expected" ] || fail "round $rounds: another digest"
+    rm -f killed.db*
+  fi
+  [ $failures -gt 5 ] && break
+done
+for kind in "${!counts[@]}"; do echo "$kind ${counts[$kind]}"; done | sort
+echo "$kills kills in $rounds campaigns, $resumes starts; the slowest end took $slowest_ms ms"
+finish

@@ -1,0 +1,126 @@
+# Asked to stop, by signal or by time: what was done is kept, the exit is clean, and it comes in time.
+# The times are printed; those that are asserted have ample slack, for machines that are busy.
+. "$(dirname "$0")/lib.sh"
+campaign=quick.json
+quick_campaign $campaign
+now_ms() { date +%s%3N; }
+
+# started FILE: waits until the search has begun its run.
+started() {
+  for wait in {1..200}; do
+    [ "$(sql "$1" 'SELECT count(*) FROM run' 2> /dev/null)" = 1 ] && return
+    sleep 0.05
+  done
+  fail "$1: the search did not begin"
+}
+
+# To mpirun: what was done is kept, parts of units too. SIGUSR1 lets the run end; after TERM and INT
+# there is half a second, and who has not come with his unit by then is not waited for.
+for signal in TERM INT USR1; do
+  "${ranks[@]}" 2 "$program" search $campaign --catalogue stopped-$signal.db --draws 1000000 --unit-draws 100000 \
+    --progress none > /dev/null 2>&1 &
+  launcher=$!
+  started stopped-$signal.db
+  sleep 0.5
+  start=$(now_ms)
+  kill -$signal $launcher
+  wait $launcher
+  code=$?
+  echo "$signal to mpirun: ended after $(($(now_ms) - start)) ms"
+  # mpirun itself reports a TERM or INT that it was sent; its ranks must have ended by themselves.
+  [ $signal != USR1 ] || [ $code = 0 ] || fail "USR1: exit $code"
+  [ "$(sql stopped-$signal.db 'SELECT sum(draws) > 0 FROM unit')" = 1 ] || fail "$signal: nothing kept"
+  end=$(sql stopped-$signal.db 'SELECT end FROM run')
+  [ "$end" = stopped ] || [ "$signal$end" = TERM ] || [ "$signal$end" = INT ] || fail "$signal: the run was not ended"
+  sound_so_far stopped-$signal.db
+done
+
+# A worker alone is asked to stop: the run ends cleanly, nothing hangs.
+"${ranks[@]}" 2 "$program" search $campaign --catalogue worker.db --draws 1000000 --progress none > /dev/null 2>&1 &
+launcher=$!
+started worker.db
+pkill -TERM -n -f "^$program search .*--catalogue worker.db"
+wait $launcher || fail "a worker that was asked to stop"
+
+# Wall time ends a run, not the campaign: exit 0, work remains.
+"$program" search $campaign --catalogue timed.db --max-time 1 --progress none > /dev/null 2>&1 ||
+  fail "--max-time"
+"$program" status timed.db --check > /dev/null
+[ $? = 75 ] || fail "--max-time and --check"
+
+# Alone, and SIGUSR2 on the way: a status line, and the search goes on.
+"$program" search $campaign --catalogue alone.db --progress plain > /dev/null 2> err &
+search=$!
+started alone.db
+kill -USR2 $search
+sleep 0.5
+grep -q "draws/s" err || fail "no status line after SIGUSR2"
+start=$(now_ms)
+kill -TERM $search
+wait $search || fail "SIGTERM alone: exit $?"
+echo "TERM alone: ended after $(($(now_ms) - start)) ms"
+[ "$(sql alone.db 'SELECT sum(draws) > 0 FROM unit')" = 1 ] || fail "SIGTERM alone: nothing kept"
+
+# Draws that take longer than anyone waits: TERM leaves without them, a second one at once, and USR1
+# waits for them.
+cat > slow.json << 'END'
+{ "name": "slow", "pattern": { "family": "miura", "rows": 20, "columns": 20 },
+  "misalignment": { "amplitude_mm": 0.01 }, "accept": { "deploys_from_deg": 20 } }
+END
+"$program" search slow.json --catalogue slow.db --progress none > /dev/null 2>&1 &
+search=$!
+started slow.db
+sleep 0.3
+start=$(now_ms)
+kill -TERM $search
+wait $search
+code=$? took_ms=$(($(now_ms) - start))
+echo "TERM among slow draws: ended after $took_ms ms"
+[ $code = 0 ] || fail "TERM among slow draws: exit $code"
+[ $took_ms -lt 2000 ] || fail "TERM among slow draws: after $took_ms ms"
+sound_so_far slow.db
+
+"$program" search slow.json --catalogue slow.db --progress none > /dev/null 2>&1 &
+search=$!
+sleep 1
+kill -TERM $search
+sleep 0.02
+kill -TERM $search 2> /dev/null
+wait $search
+code=$?
+[ $code = 143 ] || [ $code = 0 ] || fail "two TERMs: exit $code"
+sound_so_far slow.db
+
+before=$(sql slow.db 'SELECT coalesce(sum(draws), 0) FROM unit')
+"$program" search slow.json --catalogue slow.db --progress none > /dev/null 2>&1 &
+search=$!
+sleep 1
+kill -USR1 $search
+wait $search || fail "USR1 among slow draws: exit $?"
+[ "$(sql slow.db 'SELECT sum(draws) FROM unit')" -gt "$before" ] || fail "USR1 did not wait for the draws"
+[ "$(sql slow.db 'SELECT end FROM run ORDER BY id DESC LIMIT 1')" = stopped ] || fail "USR1: the run's end"
+
+# A second search is refused at once; when the first one is killed, its catalogue is free at once.
+"$program" search $campaign --catalogue held.db --progress none > /dev/null 2>&1 &
+search=$!
+started held.db
+start=$(now_ms)
+"$program" search $campaign --catalogue held.db --progress none > /dev/null 2> err
+[ $? = 4 ] || fail "a catalogue in use: exit $?"
+grep -q "another search" err || fail "a catalogue in use: $(cat err)"
+echo "a catalogue in use: refused after $(($(now_ms) - start)) ms"
+kill -KILL $search
+wait $search 2> /dev/null
+"$program" search $campaign --catalogue held.db --max-time 0.2 --progress none > /dev/null 2>&1 ||
+  fail "after a kill the catalogue is not free"
+sound_so_far held.db
+
+# The rate is known well enough at the same draw for any number of ranks.
+for n in 1 3; do
+  "${ranks[@]}" $n "$program" search $campaign --catalogue known-$n.db --relative-error 0.02 --draws 1000000 \
+    --unit-draws 100 --progress none > /dev/null 2>&1 || fail "--relative-error with $n ranks"
+  "$program" status known-$n.db --check > /dev/null || fail "--relative-error: not complete"
+done
+[ "$(digest_of known-1.db)" = "$(digest_of known-3.db)" ] || fail "--relative-error: another digest"
+[ "$(sql known-1.db 'SELECT goal_end % 4096 FROM campaign')" = 0 ] || fail "--relative-error: its end"
+finish

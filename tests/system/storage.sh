@@ -1,0 +1,94 @@
+# Disks that fill up, quotas, directories that vanish, readers that never rest: a sentence, exit code 1,
+# and what was committed is good.
+. "$(dirname "$0")/lib.sh"
+campaign=quick.json
+quick_campaign $campaign
+"$program" search $campaign --catalogue calm.db --draws 20000 --progress none > /dev/null 2>&1
+expected=$(digest_of calm.db)
+
+# stopped CODE WORDS: of the search before.
+stopped() {
+  local got=$?
+  [ $got = 1 ] || { fail "$1: exit $got"; cat err; }
+  grep -q "$2" err || { fail "$1: no '$2'"; cat err; }
+}
+
+# A full disk: a small one of its own, where that may be made.
+mkdir small
+if mount -t tmpfs -o size=600k tmpfs small 2> /dev/null; then
+  trap 'umount "$work/small" 2> /dev/null; rm -rf "$work"' EXIT
+  "$program" search $campaign --catalogue small/a.db --draws 20000 --unit-draws 100 --progress none > /dev/null 2> err
+  stopped "a full disk" "disk is full"
+  sound_so_far small/a.db
+  [ "$(sql small/a.db 'SELECT sum(draws) FROM unit')" -gt 0 ] || fail "a full disk: nothing committed"
+  mount -o remount,size=100m small
+  "$program" search $campaign --catalogue small/a.db --draws 20000 --progress none > /dev/null 2>&1 || fail "room was made"
+  [ "$(digest_of small/a.db)" = "$expected" ] || fail "a full disk: another digest"
+  # So full that not even an empty catalogue fits: nothing is left.
+  rm small/*
+  head -c 99m /dev/zero > small/filler
+  mount -o remount,size=99m small
+  head -c 1m /dev/zero >> small/filler 2> /dev/null
+  "$program" search $campaign --catalogue small/b.db --progress none > /dev/null 2> err
+  stopped "no room for a new one" "full"
+  ls small/b.db* 2> /dev/null && fail "an empty catalogue was left"
+  rm small/filler
+  # Read-only from one moment to the next.
+  mount -o remount,ro small
+  "$program" search $campaign --catalogue small/c.db --progress none > /dev/null 2> err
+  stopped "a read-only disk" "cannot be written"
+else
+  echo "not allowed to mount a small disk: left out"
+fi
+
+# A quota, as the largest size of a file.
+(
+  ulimit -f 6000 # kB; MPI's own files need 4 MB
+  trap '' XFSZ
+  "$program" search $campaign --catalogue quota.db --draws 30000 --unit-draws 500 --progress none > /dev/null 2> err
+)
+stopped "a quota" "what was committed is good"
+sound_so_far quota.db
+"$program" search $campaign --catalogue quota.db --draws 30000 --progress none > /dev/null 2>&1 || fail "the quota was lifted"
+sound quota.db 30000
+
+# The directory is removed, or moved away, while a campaign runs in it.
+for how in "rm -rf gone" "mv gone elsewhere"; do
+  mkdir gone
+  "$program" search $campaign --catalogue gone/a.db --draws 10000000 --unit-draws 100 --progress none > /dev/null 2> err &
+  search=$!
+  sleep 1
+  $how
+  wait $search
+  stopped "$how" "was removed or replaced"
+done
+sound_so_far elsewhere/a.db
+"$program" search $campaign --catalogue elsewhere/a.db --draws 20000 --progress none > /dev/null 2>&1
+[ "$(digest_of elsewhere/a.db)" = "$expected" ] || fail "moved away: another digest"
+
+# On storage that machines share: no log, nobody reads meanwhile, and the same digest.
+"${ranks[@]}" 2 "$program" search $campaign --catalogue shared.db --draws 20000 --storage network --progress none > /dev/null 2> err ||
+  fail "--storage network"
+grep -q "rollback journal and an exclusive lock" err || fail "--storage network: no sentence"
+[ "$(digest_of shared.db)" = "$expected" ] || fail "--storage network: another digest"
+
+# Eight readers, a query a second each: no commit waits for them, and the log stays small.
+"$program" search $campaign --catalogue read.db --draws 100000000 --unit-draws 1000 --max-time 5 --progress none > /dev/null 2>&1 &
+search=$!
+largest=0
+for second in 1 2 3 4; do
+  for reader in 1 2 3 4 5 6 7 8; do
+    "$program" query read.db "SELECT avg(stroke_max), count(*) FROM candidates" > /dev/null 2> err-$reader ||
+      { [ -s read.db ] && grep -v "no catalogue" err-$reader; } &
+  done
+  sleep 1
+  size=$(stat -c %s read.db-wal 2> /dev/null || echo 0)
+  [ "$size" -gt $largest ] && largest=$size
+done
+wait $search || fail "a search with readers"
+wait
+cost='SELECT printf("%d commits, %.1f %% of the time, the longest %.0f ms", commits, 100 * commit_s / 5, 1000 * longest_commit_s) FROM run'
+echo "eight readers: $(sql read.db "$cost"); largest log $largest bytes"
+[ $largest -lt $((64 << 20)) ] || fail "the log has $largest bytes"
+sound_so_far read.db
+finish
