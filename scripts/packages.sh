@@ -5,6 +5,7 @@ build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-b
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
   libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev"
 test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps"
+hosts_packages="iproute2 mount"  # tests/cluster
 
 need_packages() {
   local missing=() package
