@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
-need_packages $build_packages $test_packages
+need_packages $build_packages $test_packages $hosts_packages
 
 scripts/check.sh
 
