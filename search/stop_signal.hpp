@@ -9,8 +9,8 @@ enum class StopWish {
   leave   ///< SIGTERM, SIGINT: the same in kLeave_s, then without what is not there yet
 };
 
-/// How long rank 0 may take to leave: mpirun kills its ranks a second after it was asked to stop. The
-/// others leave when rank 0 lets them go, or soon after if it does not.
+/// How long rank 0 may take to leave: mpirun kills its ranks a second after it was asked to stop.
+/// The others leave when rank 0 lets them go, or soon after if it does not.
 inline constexpr double kLeave_s = 0.4, kLetGo_s = 3;
 
 /// From now on the signals mean this. A second SIGTERM or SIGINT ends the process at once; whatever

@@ -1,0 +1,223 @@
+// Verbs that look at a pattern or a catalogue.
+#include <cstdio>
+
+#include "schema/plain_export.hpp"
+#include "schema/result_table.hpp"
+#include "search/look.hpp"
+#include "search/status.hpp"
+#include "search/tolerance.hpp"
+#include "search/verbs.hpp"
+#include "search/verify.hpp"
+
+namespace misalign::search {
+
+using schema::Json;
+using schema::UserError;
+
+Action add_fold(CLI::App& app) {
+  auto* verb = app.add_subcommand("fold", "the folding path of one pattern");
+  verb->footer(
+      "Example:\n  misalign fold search/patterns/table1.json --json > table1-folding.json");
+  auto options = std::make_shared<FoldOptions>();
+  verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
+  verb->add_option("--to", options->to_deg, "last pilot angle, degrees [180]")
+      ->check(within(1, 180));
+  verb->add_option("--step", options->step_deg, "look at multiples of this too, degrees")
+      ->check(within(0.01, 180));
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] {
+    fold(*options);
+    return 0;
+  };
+}
+
+Action add_perforations(CLI::App& app) {
+  auto* verb = app.add_subcommand("perforations", "which holes leave one degree of freedom");
+  verb->footer(
+      "Lists every set of inner panels, no two sharing an edge, that counts to one degree of\n"
+      "freedom and has one by the rank of the Jacobian. The pattern's own holes do not matter.\n"
+      "Example:\n  misalign perforations search/patterns/turned-quads-6x6.json");
+  auto options = std::make_shared<PerforationsOptions>();
+  verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] {
+    list_perforations(*options);
+    return 0;
+  };
+}
+
+Action add_status(CLI::App& app) {
+  auto* verb = app.add_subcommand("status", "how far a campaign is, and what it found");
+  verb->footer("Example:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
+  auto path = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false), check = std::make_shared<bool>(false);
+  auto at_deg = std::make_shared<std::optional<double>>();
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  verb->add_flag("--json", *json, "as JSON");
+  verb->add_flag("--check", *check, "exit with 75 while work remains, 0 when complete");
+  verb->add_option("--at", *at_deg, "also count what deploys from this many degrees");
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const schema::CatalogueState state = schema::read_state(*database);
+    std::optional<DeployingFrom> deploying;
+    if (*at_deg) {
+      deploying = deploying_from(*database, schema::read_campaign_of(*database, *path), **at_deg);
+    }
+    if (*json) {
+      Json answer = status_json(state);
+      if (deploying) answer["at"] = deploying_json(*deploying, state);
+      std::puts(answer.dump(1).c_str());
+    } else {
+      std::fputs(status_text(state).c_str(), stdout);
+      if (deploying) std::fputs(deploying_text(*deploying, state).c_str(), stdout);
+    }
+    return *check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
+  };
+}
+
+Action add_replay(CLI::App& app) {
+  auto* verb = app.add_subcommand("replay", "any draw of a campaign again, from its number");
+  verb->footer("Example:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
+  auto options = std::make_shared<ReplayOptions>();
+  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
+  verb->add_option("DRAW", options->draw, "number of the draw")
+      ->required()
+      ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] {
+    replay(*options);
+    return 0;
+  };
+}
+
+Action add_query(CLI::App& app) {
+  auto* verb = app.add_subcommand("query", "a named query, or any read-only SQL");
+  verb->footer("Named queries: " + schema::named_query_list() +
+               "\nExamples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
+               "  misalign query results/miura-6x6-1a2b3c4d.db "
+               "\"SELECT draw FROM candidates WHERE stroke_max < 0.08\" --csv");
+  auto path = std::make_shared<std::string>(), sql = std::make_shared<std::string>("best");
+  auto json = std::make_shared<bool>(false), csv = std::make_shared<bool>(false);
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  verb->add_option("QUERY", *sql, "name or SQL [best]");
+  auto* json_flag = verb->add_flag("--json", *json, "as JSON");
+  verb->add_flag("--csv", *csv, "as CSV")->excludes(json_flag);
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const std::string named = schema::named_query(*sql);
+    const auto style = *json  ? schema::TableStyle::json
+                       : *csv ? schema::TableStyle::csv
+                              : schema::TableStyle::aligned;
+    std::fputs(schema::query_table(*database, named.empty() ? *sql : named, style).c_str(), stdout);
+    return 0;
+  };
+}
+
+Action add_export(CLI::App& app) {
+  auto* verb = app.add_subcommand("export", "chosen candidates as files");
+  verb->footer(
+      "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
+      "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
+  auto options = std::make_shared<ExportOptions>();
+  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
+  auto* choice = verb->add_option_group("choice", "which candidates");
+  const auto count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
+  choice->add_option("--draw", options->draw, "this one")->check(count);
+  choice->add_option("--best", options->best, "so many, the best first")->check(count);
+  choice->add_option("--where", options->where, "those for which this SQL condition holds");
+  auto compat = std::make_shared<bool>(false);
+  choice->add_flag("--sqlite-compat", *compat,
+                   "the whole catalogue, as one file that SQLite from 3.7 on can read");
+  choice->require_option(1);
+  verb->add_option("--by", options->by, "column that --best sorts by [deploys_from_deg]");
+  verb->add_option("--format", options->format, "json or csv [json]")
+      ->check(CLI::IsMember({"json", "csv"}));
+  verb->add_option("--output", options->output,
+                   "directory, made if it is not there; with --sqlite-compat a new file")
+      ->required();
+  return [options, compat] {
+    if (*compat) {
+      schema::export_plain(*schema::open_for_reading(options->catalogue_path), options->output);
+      std::puts(options->output.c_str());
+    } else {
+      export_candidates(*options);
+    }
+    return 0;
+  };
+}
+
+Action add_verify(CLI::App& app) {
+  auto* verb = app.add_subcommand("verify", "a catalogue's ledger, and its candidates once more");
+  verb->footer(
+      "Checks the file, every unit's candidates and the digest; follows the chosen candidates'\n"
+      "paths again from their stored displacements and compares every column; checks each folded\n"
+      "shape by its coordinates. Panels that cross are reported (they are assumed not to), and no\n"
+      "fault.\n"
+      "Exit code 6 if anything differs.\n"
+      "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"
+      "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json");
+  auto path = std::make_shared<std::string>();
+  auto sample = std::make_shared<std::uint64_t>(100);
+  auto all = std::make_shared<bool>(false), json = std::make_shared<bool>(false);
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  auto* sample_option = verb->add_option("--sample", *sample,
+                                         "so many candidates, spread evenly over them in the order "
+                                         "of their draws [100]");
+  sample_option->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_flag("--all", *all, "every candidate")->excludes(sample_option);
+  verb->add_flag("--json", *json, "as JSON");
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const Verification verification =
+        verify(*database, *path, *all ? std::nullopt : std::optional(*sample));
+    std::fputs(*json ? (verification_json(verification).dump(1) + "\n").c_str()
+                     : verification_text(verification).c_str(),
+               stdout);
+    return verification.good() ? 0 : schema::kExitCheckFailed;
+  };
+}
+
+Action add_tolerance(CLI::App& app) {
+  auto* verb =
+      app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
+  verb->footer(
+      "Every vertex, of the perimeter too, is moved by a random error, uniform on [-MM, MM] in x\n"
+      "and in y; then each vertex alone. Trial t makes the same errors for every candidate of a\n"
+      "campaign: they are numbers of the campaign's seed and of t. The intervals are exact ones "
+      "of\n"
+      "95 %.\n"
+      "Example:\n"
+      "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --trials 1000");
+  auto path = std::make_shared<std::string>();
+  auto draw = std::make_shared<std::uint64_t>(), trials = std::make_shared<std::uint64_t>(1000);
+  auto amplitude_mm = std::make_shared<double>();
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  verb->add_option("DRAW", *draw, "number of the candidate's draw")
+      ->required()
+      ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_option("--amplitude", *amplitude_mm, "largest error, mm")
+      ->required()
+      ->check(within(0, 1e6));
+  verb->add_option("--trials", *trials, "copies with every vertex off its place [1000]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}));
+  verb->add_flag("--json", *json, "as JSON");
+  return [=] {
+    const auto database = schema::open_for_reading(*path);
+    const schema::Campaign campaign = schema::read_campaign_of(*database, *path);
+    if (schema::read_candidate(*database, *draw).is_null()) {
+      const std::string number = std::to_string(*draw);
+      throw UserError(schema::kExitUsage, *path + ": draw " + number +
+                                              " is no candidate; `misalign replay " + *path + " " +
+                                              number + "` shows what became of it");
+    }
+    const Tolerance tolerance = study_tolerance(campaign, *draw, *amplitude_mm, *trials,
+                                                solver::available_instruction_sets().back());
+    std::fputs(*json ? (tolerance_json(tolerance).dump(1) + "\n").c_str()
+                     : tolerance_text(tolerance).c_str(),
+               stdout);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,193 @@
+// Verbs that run something.
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <cstdio>
+
+#include "schema/catalogue_state.hpp"
+#include "search/bench.hpp"
+#include "search/doctor.hpp"
+#include "search/merge.hpp"
+#include "search/run_info.hpp"
+#include "search/search_run.hpp"
+#include "search/trial.hpp"
+#include "search/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::UserError;
+
+CLI::Validator instruction_set_of_this_machine() {
+  Names names;
+  for (const auto set : solver::available_instruction_sets()) {
+    names.emplace_back(solver::instruction_set_name(set), number_of(set));
+  }
+  return one_of(names, ", which this machine has");
+}
+
+schema::DrawRange parse_range(const std::string& text) {
+  schema::DrawRange range{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto lo = std::from_chars(text.data(), end, range.lo);
+  if (lo.ec == std::errc{} && lo.ptr != end && *lo.ptr == ':') {
+    const auto hi = std::from_chars(lo.ptr + 1, end, range.hi);
+    if (hi.ec == std::errc{} && hi.ptr == end && range.lo < range.hi &&
+        range.hi <= schema::kEndOfDraws) {
+      return range;
+    }
+  }
+  throw UserError(schema::kExitUsage,
+                  "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
+}
+
+}  // namespace
+
+Action add_search(CLI::App& app) {
+  auto* verb = app.add_subcommand("search", "run or resume a campaign, alone or under mpirun");
+  verb->footer(
+      "Examples:\n"
+      "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
+      "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600\n"
+      "The same command again resumes. Signals, to mpirun or to the program alone:\n"
+      "  SIGINT, SIGTERM  ends it within half a second; a second one at once\n"
+      "  SIGUSR1          ends it once all that is under way is committed\n"
+      "  SIGUSR2          prints a status line");
+  auto options = std::make_shared<SearchOptions>();
+  auto range = std::make_shared<std::string>();
+  auto mixed = std::make_shared<bool>(false);
+  const auto draw_count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
+  verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
+  verb->add_option("--catalogue", options->catalogue_path,
+                   "catalogue file [results/NAME-<8 hex digits>.db]");
+  verb->add_option("--draws", options->draws, "draws wanted in total")->check(draw_count);
+  verb->add_option("--accepted", options->accepted, "accepted draws wanted in total")
+      ->check(draw_count);
+  verb->add_option("--relative-error", options->relative_error,
+                   "end when the acceptance rate is known to this share of itself")
+      ->check(within(1e-6, 1));
+  verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
+      ->check(within(0, 1e9));
+  verb->add_option("--seed", options->seed, "instead of the campaign's seed")->check(draw_count);
+  verb->add_option("--range", *range, "only the draws LO:HI (half-open)");
+  verb->add_option("--unit-draws", options->unit_draws,
+                   "draws of one unit of work [about 5 s worth]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
+  verb->add_option("--instruction-set", options->instruction_set,
+                   "baseline, avx2 or avx512, changes no answer [the widest of this machine]")
+      ->transform(instruction_set_of_this_machine());
+  verb->add_option("--storage", options->storage,
+                   "local or network: what the catalogue lies on [as the file system says]")
+      ->transform(one_of({{"local", number_of(schema::Storage::local)},
+                          {"network", number_of(schema::Storage::network)}}));
+  verb->add_flag("--retry-undecided", options->retry_undecided,
+                 "first judge again what no run could decide");
+  verb->add_flag("--allow-mixed-builds", *mixed,
+                 "go on although ranks or earlier runs give other golden verdicts");
+  verb->add_option("--progress", options->progress, "auto, plain or none [auto]")
+      ->transform(one_of({{"auto", number_of(ProgressStyle::plain)},
+                          {"plain", number_of(ProgressStyle::plain)},
+                          {"none", number_of(ProgressStyle::none)}}));
+  return [options, range, mixed] {
+    if (!range->empty()) options->range = parse_range(*range);
+    if (*mixed) options->builds = schema::Builds::mixed;
+    return run_search(*options);
+  };
+}
+
+Action add_merge(CLI::App& app) {
+  auto* verb = app.add_subcommand("merge", "catalogues of one campaign into one");
+  verb->footer(
+      "Draws that several of them have are compared (displacements and samples exactly, metrics\n"
+      "within the tolerances of verify) and counted once; parts of units that overlap others are\n"
+      "computed again. Exit code 6, and no file, if anything differs.\n"
+      "Example:\n  misalign merge all.db part-1.db part-2.db");
+  auto options = std::make_shared<MergeOptions>();
+  auto mixed = std::make_shared<bool>(false);
+  verb->add_option("OUT", options->output, "catalogue file to write; must not exist")->required();
+  verb->add_option("IN", options->inputs, "catalogue files, read only")->required();
+  verb->add_flag("--allow-mixed-builds", *mixed,
+                 "go on although builds with other golden verdicts wrote them");
+  return [=] {
+    if (*mixed) options->builds = schema::Builds::mixed;
+    options->run = run_info(golden_verdicts(solver::available_instruction_sets().back()), 1);
+    const MergeReport report = merge(*options);
+    constexpr std::size_t kShown = 20;
+    for (std::size_t k = 0; k < std::min(report.findings.size(), kShown); ++k) {
+      spdlog::error("{}", report.findings[k].sentence);
+    }
+    if (!report.findings.empty()) {
+      spdlog::error("{} findings; {} was not written", report.findings.size(), options->output);
+      return schema::kExitCheckFailed;
+    }
+    const auto merged = schema::open_for_reading(options->output);
+    const schema::CatalogueState state = schema::read_state(*merged);
+    std::printf(
+        "%s: %zu catalogues, %zu units taken, %llu draws compared, %llu computed again, %llu "
+        "decided; %llu draws, %llu accepted, digest %s\n",
+        options->output.c_str(), options->inputs.size(), report.units,
+        static_cast<unsigned long long>(report.compared),
+        static_cast<unsigned long long>(report.recomputed),
+        static_cast<unsigned long long>(report.decided),
+        static_cast<unsigned long long>(state.draws_in_ledger),
+        static_cast<unsigned long long>(state.accepted), state.digest.c_str());
+    return 0;
+  };
+}
+
+Action add_config(CLI::App& app) {
+  auto* verb = app.add_subcommand("config", "the default campaign, or every fault of a file");
+  verb->footer(
+      "Examples:\n  misalign config --default > mine.json\n"
+      "  misalign config --check mine.json");
+  auto checked = std::make_shared<std::string>();
+  auto show = std::make_shared<bool>(false);
+  auto* choice = verb->add_option_group("choice", "");
+  choice->add_flag("--default", *show, "print the default campaign with every key");
+  choice->add_option("--check", *checked, "say what is wrong with a campaign file");
+  choice->require_option(1);
+  return [=] {
+    if (*show) {
+      std::puts(schema::campaign_json(schema::default_campaign()).dump(2).c_str());
+      return 0;
+    }
+    const schema::Campaign campaign = schema::read_campaign_file(*checked);
+    std::printf("%s: good; catalogue %s\n", checked->c_str(),
+                default_catalogue_path(campaign).c_str());
+    return 0;
+  };
+}
+
+Action add_doctor(CLI::App& app) {
+  auto* verb = app.add_subcommand("doctor", "whether this machine can run a campaign well");
+  verb->footer(
+      "Looks at random numbers, verdicts in all registers, MPI and its slots, and the directory "
+      "for\n"
+      "catalogues. Exit code 1 if a campaign would fail, or could not be trusted.\n"
+      "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
+  auto directory = std::make_shared<std::string>(".");
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("DIRECTORY", *directory, "where catalogues are to be [.]");
+  verb->add_flag("--json", *json, "as JSON");
+  return [=] { return run_doctor(*directory, *json); };
+}
+
+Action add_bench(CLI::App& app) {
+  auto* verb = app.add_subcommand("bench", "speed, and agreement with the reference solver");
+  verb->footer(
+      "Examples:\n  misalign bench\n"
+      "  misalign bench search/campaigns/ring-6x6.json --agree 2000 --json");
+  auto options = std::make_shared<BenchOptions>();
+  verb->add_option("CAMPAIGN", options->campaign_path, "campaign file [the default campaign]");
+  verb->add_option("--seconds", options->seconds, "for each solver [3]")
+      ->check(CLI::Range(0.01, 1e6));
+  verb->add_option(
+          "--agree", options->agree_draws,
+          "instead of speed: the verdicts of so many draws, each against the reference's at "
+          "thresholds of every tenth degree, at its own D and one sample above")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}));
+  verb->add_flag("--json", options->json, "as JSON");
+  return [options] { return bench(*options) ? 0 : schema::kExitCheckFailed; };
+}
+
+}  // namespace misalign::search

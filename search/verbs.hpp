@@ -1,0 +1,46 @@
+// The verbs of the command line: each adds its options, and says what to do once they are read.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace misalign::search {
+
+/// Returns the exit code; throws UserError.
+using Action = std::function<int()>;
+
+// Those that run something.
+Action add_search(CLI::App& app);
+Action add_merge(CLI::App& app);
+Action add_config(CLI::App& app);
+Action add_doctor(CLI::App& app);
+Action add_bench(CLI::App& app);
+
+// Those that look at a pattern or a catalogue.
+Action add_status(CLI::App& app);
+Action add_fold(CLI::App& app);
+Action add_perforations(CLI::App& app);
+Action add_replay(CLI::App& app);
+Action add_query(CLI::App& app);
+Action add_export(CLI::App& app);
+Action add_verify(CLI::App& app);
+Action add_tolerance(CLI::App& app);
+
+/// A number within bounds, which NaN is not.
+CLI::Validator within(double least, double most);
+
+/// What is typed, and what it stands for.
+using Names = std::vector<std::pair<std::string, std::string>>;
+
+/// One of the names; `where` ends the sentence about any other.
+CLI::Validator one_of(const Names& names, const std::string& where = "");
+
+template <class Enum>
+std::string number_of(Enum value) {
+  return std::to_string(static_cast<int>(value));
+}
+
+}  // namespace misalign::search
