@@ -79,7 +79,10 @@ void Catalogue::open() {
   }
   database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
                                                : "PRAGMA journal_mode = WAL");
-  if (is_new) create();
+  if (is_new) {
+    create();
+    sync_directory_of(path_);
+  }
   writer_.emplace(*database_, campaign_, mechanism_);
   goal_end_.emplace(goal_);
 }
@@ -106,6 +109,7 @@ void Catalogue::migrate() {
     copy.bind(1, partial);
     copy.exec();
     std::filesystem::rename(partial, backup);
+    sync_directory_of(backup);
   }
   SQLite::Transaction transaction(*database_);
   for (int next = version + 1; next <= kSchemaVersion; ++next) {
@@ -204,6 +208,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
     GoalEnd end = *goal_end_;
     transact([&] {
       for (const UnitRecord& unit : units) {
+        if (unit.range.size() == 0) continue;
         writer_->write(unit, run_);
         end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
       }

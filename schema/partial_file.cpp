@@ -1,8 +1,5 @@
 #include "schema/partial_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "schema/database.hpp"
@@ -29,11 +26,7 @@ void PartialFile::finish() {
                                       "); choose another place");
   }
   done_ = true;
-  const auto directory = std::filesystem::absolute(output_).parent_path();
-  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
+  sync_directory_of(output_);
 }
 
 void PartialFile::remove() const {

@@ -27,6 +27,9 @@ FileSystem file_system_of(const std::string& path);
 /// What statfs's f_type stands for.
 FileSystem file_system_of_type(std::uint64_t type);
 
+/// Makes the name of a new file outlast a power cut.
+void sync_directory_of(const std::string& path);
+
 /// What SQLite says of a file, as a sentence that says what was kept and what to do: 1 in most
 /// cases, 3 for a damaged file, 4 for one that another program keeps locked.
 UserError storage_failure(const std::string& path, const SQLite::Exception& error);

@@ -84,17 +84,13 @@ class Coordinator {
 
   // Commits what ranks have done of their ranges; what they have not done is open again.
   void settle(const std::vector<schema::UnitRecord>& units) {
-    std::vector<schema::UnitRecord> done;
-    for (const schema::UnitRecord& unit : units) {
-      if (unit.range.size() > 0) done.push_back(unit);
-      draws_ += unit.range.size();
-      accepted_ += unit.accepted;
-    }
-    if (!done.empty()) catalogue_.commit(done);
+    catalogue_.commit(units);
     for (const schema::UnitRecord& unit : units) {
       if (unit.worker > 0 && unit.range.hi < dispatcher_.assigned(unit.worker)->hi) {
         worker_was_stopped_ = true;
       }
+      draws_ += unit.range.size();
+      accepted_ += unit.accepted;
       dispatcher_.settle(unit.worker, unit.range.hi, unit.seconds);
       if (unit.worker > 0) idle_.push_back(unit.worker);
     }
