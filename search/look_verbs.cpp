@@ -127,7 +127,7 @@ Action add_export(CLI::App& app) {
   choice->add_option("--where", options->where, "those for which this SQL condition holds");
   auto compat = std::make_shared<bool>(false);
   choice->add_flag("--sqlite-compat", *compat,
-                   "the whole catalogue, as one file that SQLite from 3.7 on can read");
+                   "the whole catalogue, as one file that SQLite from 3.8 (2014) on can read");
   choice->require_option(1);
   verb->add_option("--by", options->by, "column that --best sorts by [deploys_from_deg]");
   verb->add_option("--format", options->format, "json or csv [json]")
