@@ -217,8 +217,10 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
 }
 
 int run_search(const SearchOptions& options) {
+  // Before MPI is there: a signal that comes while it starts would kill the rank, and mpirun 4.1 may
+  // then wait for ever.
+  watch_for_signals(launched_rank() == 0 ? kLeave_s : kLetGo_s);
   MpiSession mpi;
-  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s);
   return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
 }
 
