@@ -1,0 +1,103 @@
+// The program's own coordinator, messages and catalogue under mpirun, with workers that sleep
+// instead of following paths: what tests/bench/scale/simulated_run reckons, seen. One line on
+// standard output.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "search/coordinator.hpp"
+#include "search/stop_signal.hpp"
+#include "search/stopwatch.hpp"
+#include "tests/bench/scale/invented_draws.hpp"
+
+namespace misalign::bench {
+namespace {
+
+using search::MpiSession;
+using search::Stopwatch;
+
+struct Speed {
+  double draws_per_s, acceptance;
+};
+
+// Seconds with and without a range, up to its last unit.
+struct Balance {
+  double busy_s = 0, idle_s = 0;
+};
+
+Balance sleep_through_ranges(const MpiSession& mpi, const Speed& speed) {
+  InventedDraws draws(static_cast<unsigned>(mpi.rank()));
+  Balance balance;
+  double waiting_s = 0;
+  for (;;) {
+    Stopwatch wait;
+    const schema::DrawRange range = mpi.receive_range();
+    waiting_s += wait.seconds();
+    if (range.size() == 0) return balance;
+    balance.idle_s += waiting_s;
+    const Stopwatch work;
+    const auto count = static_cast<double>(range.size());
+    std::this_thread::sleep_for(std::chrono::duration<double>(count / speed.draws_per_s));
+    constexpr std::uint64_t kEvery = schema::kFaultSampleEvery;
+    schema::UnitRecord unit = draws.unit(
+        range, {static_cast<std::uint64_t>(count * speed.acceptance),
+                (range.hi + kEvery - 1) / kEvery - (range.lo + kEvery - 1) / kEvery, 200});
+    unit.seconds = work.seconds();
+    balance.busy_s += work.seconds();
+    const Stopwatch send;
+    mpi.send_unit(unit);
+    waiting_s = send.seconds();
+  }
+}
+
+int run(const std::string& folder, const Speed& speed, double seconds) {
+  MpiSession mpi;
+  search::watch_for_signals();
+  search::Heartbeat heartbeat(mpi);
+  Balance balance;
+  if (mpi.rank() > 0) {
+    balance = sleep_through_ranges(mpi, speed);
+  } else {
+    const std::string path = folder + "/sleeping_workers.db";
+    std::filesystem::remove(path);
+    search::Trial trial(schema::default_campaign());
+    schema::Catalogue catalogue(path, trial.campaign(), trial.mechanism());
+    schema::Goal goal;
+    goal.draws = static_cast<std::uint64_t>(speed.draws_per_s * (mpi.ranks() - 1) * seconds);
+    catalogue.begin_run(invented_run(mpi.ranks()), goal);
+    const Stopwatch watch;
+    search::run_coordinator(mpi, heartbeat, trial, catalogue, goal,
+                            {{}, {}, search::ProgressStyle::none});
+    std::printf("%d,%g,%g,%.2f,%llu,%.4f,%.4f", mpi.ranks() - 1, speed.draws_per_s,
+                speed.acceptance, watch.seconds(),
+                static_cast<unsigned long long>(catalogue.cost().commits),
+                catalogue.cost().seconds / watch.seconds(), catalogue.cost().longest_s);
+    catalogue.end_run("complete");
+    std::filesystem::remove(path);
+  }
+  const auto all = mpi.gather(std::to_string(balance.idle_s / (balance.idle_s + balance.busy_s)));
+  if (mpi.rank() == 0) {
+    double sum = 0, worst = 0;
+    for (std::size_t rank = 1; rank < all.size(); ++rank) {
+      sum += std::stod(all[rank]);
+      worst = std::max(worst, std::stod(all[rank]));
+    }
+    std::printf(",%.4f,%.4f\n", sum / (mpi.ranks() - 1), worst);
+  }
+  mpi.meet();
+  return 0;
+}
+
+}  // namespace
+}  // namespace misalign::bench
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::fputs("usage: mpirun -n N sleeping_workers FOLDER DRAWS_PER_S ACCEPTANCE SECONDS\n",
+               stderr);
+    return 2;
+  }
+  return misalign::bench::run(argv[1], {std::atof(argv[2]), std::atof(argv[3])},
+                              std::atof(argv[4]));
+}
