@@ -208,7 +208,6 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
     GoalEnd end = *goal_end_;
     transact([&] {
       for (const UnitRecord& unit : units) {
-        if (unit.range.size() == 0) continue;
         writer_->write(unit, run_);
         end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
       }

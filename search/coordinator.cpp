@@ -36,7 +36,7 @@ class Coordinator {
       progress_.show(counts(), status_wish());
       stop = reason_to_stop();
     }
-    if (own_work_) settle({own_work_->take()});
+    if (own_work_) commit_own_work();
     end_workers();
     progress_.show(counts(), true);
     if (heartbeat_.lost()) return RunEnd::lost;
@@ -60,43 +60,57 @@ class Coordinator {
   }
 
   bool compute_one_block() {
+    if (mpi_.ranks() > kMostRanksWithOwnDraws) return false;
     if (!own_work_) {
       if (const auto range = dispatcher_.assign(0)) own_work_.emplace(trial_, *range);
     }
     if (!own_work_) return false;
     own_work_->run_next_block();
-    if (own_work_->finished()) {
-      schema::UnitRecord unit = own_work_->take();
-      own_work_.reset();
-      settle({std::move(unit)});
-    }
+    if (own_work_->finished()) commit_own_work();
     return true;
   }
 
-  // All that has arrived is one transaction.
+  void commit_own_work() {
+    schema::UnitRecord unit = own_work_->take();
+    own_work_.reset();
+    hand_on(unit);
+    commit({std::move(unit)});
+  }
+
+  // What has arrived is one transaction. Whoever sent it has its next range before that is written.
   bool receive_all() {
     std::vector<schema::UnitRecord> units;
-    while (auto unit = mpi_.receive_unit()) units.push_back(std::move(*unit));
+    for (std::size_t rows = 0; rows < kMostRows;) {
+      std::optional<schema::UnitRecord> unit = mpi_.receive_unit();
+      if (!unit) break;
+      hand_on(*unit);
+      rows += 1 + unit->candidates.size() + unit->fault_sample.size();
+      units.push_back(std::move(*unit));
+    }
     if (units.empty()) return false;
-    settle(units);
+    commit(std::move(units));
     return true;
   }
 
-  // Commits what ranks have done of their ranges; what they have not done is open again.
-  void settle(const std::vector<schema::UnitRecord>& units) {
-    catalogue_.commit(units);
+  // What its rank has not done of the range is open again, and the rank gets another one.
+  void hand_on(const schema::UnitRecord& unit) {
+    if (unit.worker > 0 && unit.range.hi < dispatcher_.assigned(unit.worker)->hi) {
+      worker_was_stopped_ = true;
+    }
+    dispatcher_.settle(unit.worker, unit.range.hi, unit.seconds);
+    if (unit.worker > 0) idle_.push_back(unit.worker);
+    if (reason_to_stop() || !dispatcher_.anything_open()) return;
+    for (const int rank : std::exchange(idle_, {})) assign(rank);
+  }
+
+  void commit(std::vector<schema::UnitRecord> units) {
+    std::erase_if(units, [](const schema::UnitRecord& unit) { return unit.range.size() == 0; });
     for (const schema::UnitRecord& unit : units) {
-      if (unit.worker > 0 && unit.range.hi < dispatcher_.assigned(unit.worker)->hi) {
-        worker_was_stopped_ = true;
-      }
       draws_ += unit.range.size();
       accepted_ += unit.accepted;
-      dispatcher_.settle(unit.worker, unit.range.hi, unit.seconds);
-      if (unit.worker > 0) idle_.push_back(unit.worker);
     }
+    if (!units.empty()) catalogue_.commit(units);
     dispatcher_.cut(catalogue_.goal_end());
-    if (reason_to_stop()) return;
-    for (const int rank : std::exchange(idle_, {})) assign(rank);
   }
 
   // Every worker gets one empty range: the idle leave, the others send what they have and leave.

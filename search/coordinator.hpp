@@ -1,4 +1,4 @@
-// Rank 0: hands out ranges, is the only writer, and computes too.
+// Rank 0: hands out ranges, is the only writer, and computes too where ranks are few.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,14 @@
 #include "search/trial.hpp"
 
 namespace misalign::search {
+
+/// With more ranks than this rank 0 makes no draws of its own: while it does, others wait for their
+/// next range for longer than its draws are worth.
+inline constexpr int kMostRanksWithOwnDraws = 64;
+
+/// Of one transaction, roughly: what more has arrived waits for the next. A kill loses no more than
+/// that of what was sent, and a signal is seen within seconds.
+inline constexpr std::size_t kMostRows = 20000;
 
 struct CoordinatorOptions {
   UnitSize unit_size;

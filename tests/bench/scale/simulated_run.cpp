@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "schema/unit_writer.hpp"
-#include "search/dispatcher.hpp"
+#include "search/coordinator.hpp"
 
 namespace misalign::bench {
 namespace {
@@ -124,6 +124,7 @@ class Simulation {
   }
 
   bool compute_one_block() {
+    if (campaign_.workers + 1 > search::kMostRanksWithOwnDraws) return false;
     if (!own_) {
       const auto range = dispatcher_.assign(0);
       if (!range) return false;
@@ -142,40 +143,44 @@ class Simulation {
         block_s < left_s ? static_cast<std::uint64_t>((left_s - block_s) * draws_per_s_[0]) : 0;
     if (own_left_ == 0) {
       units_[*own_].finish_s = units_[*own_].arrival_s = now_s_;
-      settle({*own_});
+      hand_on(*own_);
+      commit({*own_});
       own_.reset();
     }
     return true;
   }
 
-  // All that has arrived is one transaction.
+  // What has arrived is one transaction, and handed on before.
   bool receive_all() {
     std::vector<std::size_t> arrived;
-    while (!arriving_.empty() && units_[arriving_.top()].arrival_s <= now_s_) {
+    std::size_t rows = 0;
+    while (rows < search::kMostRows && !arriving_.empty() &&
+           units_[arriving_.top()].arrival_s <= now_s_) {
       const std::size_t k = arriving_.top();
       arriving_.pop();
-      const auto of = [&, unit = units_[k]](const UnitCost& cost) {
+      const Unit unit = units_[k];
+      const auto of = [&](const UnitCost& cost) {
         return cost.of(1, static_cast<double>(unit.candidates), static_cast<double>(unit.sampled));
       };
       ++messages_;
       spend(network_.message_s + of(costs_.message_bytes) / network_.bytes_per_s +
                 of(costs_.unpack_s),
             messaging_s_);
+      hand_on(k);
+      rows += 1 + unit.candidates + unit.sampled;
       arrived.push_back(k);
     }
     if (arrived.empty()) return false;
-    settle(arrived);
+    commit(arrived);
     return true;
   }
 
-  void settle(const std::vector<std::size_t>& done) {
-    commit(done);
-    for (const std::size_t k : done) {
-      const Unit unit = units_[k];
-      dispatcher_.settle(unit.worker, unit.range.hi,
-                         unit.worker > 0 ? unit.finish_s - unit.start_s : own_seconds_);
-      if (unit.worker > 0) assign(unit.worker);
-    }
+  // The unit's worker gets other draws.
+  void hand_on(std::size_t k) {
+    const Unit unit = units_[k];
+    dispatcher_.settle(unit.worker, unit.range.hi,
+                       unit.worker > 0 ? unit.finish_s - unit.start_s : own_seconds_);
+    if (unit.worker > 0) assign(unit.worker);
   }
 
   void commit(const std::vector<std::size_t>& done) {
