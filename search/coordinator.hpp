@@ -15,8 +15,8 @@ namespace misalign::search {
 /// next range for longer than its draws are worth.
 inline constexpr int kMostRanksWithOwnDraws = 64;
 
-/// Of one transaction, roughly: what more has arrived waits for the next. A kill loses no more than
-/// that of what was sent, and a signal is seen within seconds.
+/// Of one transaction, roughly; what more has arrived waits for the next. So its memory is bounded,
+/// and a signal is seen within seconds.
 inline constexpr std::size_t kMostRows = 20000;
 
 struct CoordinatorOptions {

@@ -13,14 +13,14 @@ double unit_seconds(int workers) {
 
 std::uint64_t unit_draws(double draws_per_s, double unit_s, std::uint64_t open_draws, int workers) {
   constexpr std::uint64_t kFirstUnit = 32, kLeastUnit = 8;
-  constexpr double kLeastUnit_s = 0.25, kMostDraws = 1e15;
+  constexpr double kLeastPart = 0.05, kMostDraws = 1e15;
   if (draws_per_s <= 0) return kFirstUnit;
   const auto draws_in = [&](double seconds) {
     return static_cast<std::uint64_t>(std::min(draws_per_s * seconds, kMostDraws));
   };
   const std::uint64_t by_share =
       workers > 1 ? open_draws / (2 * static_cast<std::uint64_t>(workers)) : open_draws;
-  const std::uint64_t least = std::max(kLeastUnit, draws_in(std::min(kLeastUnit_s, unit_s)));
+  const std::uint64_t least = std::max(kLeastUnit, draws_in(kLeastPart * unit_s));
   return std::max(least, std::min(draws_in(unit_s), by_share));
 }
 

@@ -17,7 +17,7 @@ double unit_seconds(int workers);
 
 /// How many draws a unit has on a worker that makes `draws_per_s` (0: not known yet): a unit of
 /// `unit_s`, and towards the end smaller ones, so that all `workers` end together; none below a
-/// quarter of a second while there is more than that.
+/// twentieth of that while there is more, so that they do not come too fast for rank 0.
 std::uint64_t unit_draws(double draws_per_s, double unit_s, std::uint64_t open_draws, int workers);
 
 class Dispatcher {

@@ -14,6 +14,7 @@ TEST(UnitDraws, ByTimeByShareAndNeverNothing) {
   EXPECT_EQ(unit_draws(1e12, 5, ~0ULL >> 1, 1), 5000000000000u);
   EXPECT_EQ(unit_draws(1e-9, 5, 1000000, 2), 8u);
   EXPECT_EQ(unit_draws(1000, 5, 100, 4), 250u);  // a quarter of a second, however little is left
+  EXPECT_EQ(unit_draws(1000, 50, 100, 4), 2500u);
   EXPECT_EQ(unit_seconds(8), 5);
   EXPECT_EQ(unit_seconds(10000), 50);  // 200 units a second
 }
