@@ -6,6 +6,7 @@ build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-b
   libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev"
 test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps"
 hosts_packages="iproute2 mount"  # tests/cluster
+slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster
 
 need_packages() {
   local missing=() package
