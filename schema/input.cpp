@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 namespace misalign::schema {
 namespace {
+
+// A mesh of 40 x 40 panels has 0.2 MB; a device that never ends is refused, too.
+constexpr std::size_t kLargest_bytes = 64 << 20;
 
 // Looks on while JSON is parsed: refuses what is nested too deeply to be meant (and would exhaust
 // the stack later), and keys that are there twice, of which one would be ignored in silence.
@@ -29,8 +31,8 @@ struct StructureGuard {
     } else if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
       if (!keys.at(level).insert(key).second) {
-        throw UserError(kExitBadInput,
-                        path + ": " + key + " is there twice (only one can count); take one out");
+        throw UserError(kExitBadInput, path + ": " + printable(key) +
+                                           " is there twice (only one can count); take one out");
       }
     }
     return true;
@@ -41,7 +43,7 @@ struct StructureGuard {
 
 void InputFaults::add(const std::string& problem, const std::string& why,
                       const std::string& suggestion) {
-  sentences_.push_back(problem + " (" + why + "); " + suggestion);
+  sentences_.push_back(printable(problem + " (" + why + "); " + suggestion));
 }
 
 void InputFaults::refuse(const std::string& source) const {
@@ -143,15 +145,23 @@ std::string ObjectReader::shown(const std::string& key) const {
 }
 
 Json read_json_file(const std::string& path) {
+  // A name that a file gives may hold what ends a name for the system.
   std::ifstream file(path);
-  if (!file) {
-    throw UserError(kExitBadInput, path +
+  if (!file || path.find('\0') != std::string::npos) {
+    throw UserError(kExitBadInput, printable(path) +
                                        ": cannot be opened (no such file, or no permission); "
                                        "check the path");
   }
-  std::stringstream text;
-  text << file.rdbuf();
-  return parse_json(text.str(), path);
+  std::string text;
+  for (char part[1 << 16]; file.read(part, sizeof part), file.gcount() > 0;) {
+    text.append(part, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kLargest_bytes) {
+      throw UserError(kExitBadInput, path + ": is larger than " +
+                                         std::to_string(kLargest_bytes >> 20) +
+                                         " MB (no file of ours is); check the path");
+    }
+  }
+  return parse_json(text, path);
 }
 
 Json parse_json(const std::string& text, const std::string& source) {
@@ -162,6 +172,20 @@ Json parse_json(const std::string& text, const std::string& source) {
     what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
     throw UserError(kExitBadInput, source + ": is not JSON (" + what + "); mend it there");
   }
+}
+
+std::string printable(const std::string& text) {
+  std::string shown;
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F) {
+      shown += c;
+      continue;
+    }
+    char escaped[8];
+    std::snprintf(escaped, sizeof escaped, "\\u%04x", c);
+    shown += escaped;
+  }
+  return shown;
 }
 
 std::string shown_number(double value) {

@@ -226,7 +226,8 @@ TEST(Faults, AFaultElsewhereHidesNoOther) {
 }
 
 TEST(Faults, OfFiles) {
-  for (const char* path : {"/nowhere/campaign.json", MISALIGN_SOURCE_DIR "/schema/catalogue.sql"}) {
+  for (const char* path : {"/nowhere/campaign.json", MISALIGN_SOURCE_DIR "/schema/catalogue.sql",
+                           MISALIGN_SOURCE_DIR, "/dev/zero"}) {
     try {
       read_campaign_file(path);
       ADD_FAILURE() << path;
@@ -235,6 +236,23 @@ TEST(Faults, OfFiles) {
       EXPECT_EQ(std::string(error.what()).find(path), 0u) << error.what();
     }
   }
+}
+
+// A sentence goes on behind a text that would end it, or move a terminal's cursor.
+TEST(Faults, ControlCharactersAreShown) {
+  const std::string odd("a\0b\x1b[2J", 7), shown = "a\\u0000b\\u001b[2J";
+  expect_fault(with(Json{{odd, 1}}), {shown + " (is not a key here)"});
+  const auto refusal = [](const auto& read) -> std::string {
+    try {
+      read();
+      return "accepted";
+    } catch (const UserError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal([&] { read_json_file(odd); }).find(shown + ": cannot be opened"), 0u);
+  const std::string twice = "{" + Json(odd).dump() + ":1," + Json(odd).dump() + ":2}";
+  EXPECT_EQ(refusal([&] { parse_json(twice, "test"); }).find("test: " + shown + " is there"), 0u);
 }
 
 Json with_amplitude(double amplitude_mm, const char* vertices = "interior") {
