@@ -164,13 +164,13 @@ class Mutator {
   std::string next(Dice& dice) {
     Json file = dice.one_of(documents_);
     const int kind = static_cast<int>(dice.below(10));
-    for (std::size_t times = kind < 8 ? 1 + dice.below(4) : 0; times > 0; --times) {
-      if (kind < 4) {
-        shift_a_number(file, dice);
-      } else {
+    if (kind < 5) {
+      for (std::size_t times = 1 + dice.below(2); times > 0; --times) shift_a_number(file, dice);
+    } else if (kind < 8) {
+      for (std::size_t times = 1 + dice.below(3); times > 0; --times) {
         change_something(file, dice, [&] { return some_value(dice); });
+        if (dice.below(4) == 0) set_a_key(file, dice);
       }
-      if (dice.below(4) == 0) set_a_key(file, dice);
     }
     keep_small(file, dice);
     std::string bytes = file.dump();
