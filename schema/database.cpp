@@ -29,7 +29,7 @@ bool check_kind(SQLite::Database& database, const std::string& path) {
     if (id == 0 && version == 0 && tables == 0) return false;
     const int campaigns =
         database.execAndGet("SELECT count(*) FROM sqlite_schema WHERE name = 'campaign'").getInt();
-    if (id != kApplicationId || campaigns == 0) throw not_a_catalogue(path);
+    if (id != kApplicationId || campaigns == 0 || version < 1) throw not_a_catalogue(path);
     if (version > kSchemaVersion) {
       throw UserError(kExitOtherCampaign, path + ": has schema version " + std::to_string(version) +
                                               " (this program knows up to " +
