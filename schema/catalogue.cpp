@@ -135,12 +135,10 @@ void Catalogue::create() {
   transaction.commit();
 }
 
-std::vector<DrawRange> Catalogue::done() const {
-  return guarded(path_, [&] { return units_done(*database_); });
-}
+std::vector<DrawRange> Catalogue::done() const { return units_done(*database_); }
 
 std::vector<std::uint64_t> Catalogue::undecided() const {
-  return guarded(path_, [&] { return draws_of(*database_, "undecided", {0, kEndOfDraws}); });
+  return draws_of(*database_, "undecided", {0, kEndOfDraws});
 }
 
 void Catalogue::check_same_builds(const RunInfo& run) const {

@@ -49,9 +49,7 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
   state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
 }
 
-}  // namespace
-
-CatalogueState read_state(SQLite::Database& database) {
+CatalogueState state_of(SQLite::Database& database) {
   SQLite::Transaction snapshot(database);  // one moment for all that follows
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
@@ -60,12 +58,12 @@ CatalogueState read_state(SQLite::Database& database) {
       database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
                             "goal_accepted, goal_end, ") +
                     (knows_errors ? "goal_relative_error" : "NULL") + " FROM campaign");
-  campaign.executeStep();
+  if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
   };
-  state.identity = campaign.getColumn(0).getString();
-  state.name = campaign.getColumn(1).getString();
+  state.identity = text_of(campaign.getColumn(0));
+  state.name = text_of(campaign.getColumn(1));
   state.goal.range = {draw_of(campaign.getColumn(2)), draw_of(campaign.getColumn(3))};
   state.goal.draws = optional_draw(campaign.getColumn(4));
   state.goal.accepted = optional_draw(campaign.getColumn(5));
@@ -82,7 +80,7 @@ CatalogueState read_state(SQLite::Database& database) {
                            "SELECT first_fault, count(*) FROM fault_sample WHERE draw NOT IN "
                            "(SELECT draw FROM candidate) GROUP BY first_fault");
   while (faults.executeStep()) {
-    state.faults[faults.getColumn(0).getString()] = draw_of(faults.getColumn(1));
+    state.faults[text_of(faults.getColumn(0))] = draw_of(faults.getColumn(1));
   }
   SQLite::Statement speed(database,
                           "SELECT sum(draws) * ranks / sum(seconds) FROM unit JOIN run ON run.id = "
@@ -91,63 +89,83 @@ CatalogueState read_state(SQLite::Database& database) {
   return state;
 }
 
+}  // namespace
+
+CatalogueState read_state(SQLite::Database& database) {
+  return reading(database, [&] { return state_of(database); });
+}
+
 Campaign read_campaign_of(SQLite::Database& database, const std::string& path) {
-  SQLite::Statement row(database, "SELECT configuration FROM campaign");
-  row.executeStep();
-  return read_campaign(Json::parse(row.getColumn(0).getString()), path + ", its configuration");
+  const std::string configuration = reading(database, [&] {
+    SQLite::Statement row(database, "SELECT configuration FROM campaign");
+    if (!row.executeStep()) throw damaged(database, "it names no campaign");
+    return row.getColumn(0).getString();
+  });
+  const std::string source = path + ", its configuration";
+  return read_campaign(parse_json(configuration, source), source);
 }
 
 std::vector<DrawRange> units_done(SQLite::Database& database) {
-  std::vector<DrawRange> ranges;
-  SQLite::Statement units(database, "SELECT lo, hi FROM unit ORDER BY lo");
-  while (units.executeStep()) {
-    ranges.push_back({draw_of(units.getColumn(0)), draw_of(units.getColumn(1))});
-  }
-  return ranges;
+  return reading(database, [&] {
+    std::vector<DrawRange> ranges;
+    SQLite::Statement units(database, "SELECT lo, hi FROM unit ORDER BY lo");
+    while (units.executeStep()) {
+      ranges.push_back({draw_of(units.getColumn(0)), draw_of(units.getColumn(1))});
+    }
+    return ranges;
+  });
 }
 
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
                                     const DrawRange& range) {
-  std::vector<std::uint64_t> draws;
-  SQLite::Statement row(
-      database, "SELECT draw FROM " + table + " WHERE draw >= ? AND draw < ? ORDER BY draw");
-  row.bind(1, stored(range.lo));
-  row.bind(2, stored(range.hi));
-  while (row.executeStep()) draws.push_back(draw_of(row.getColumn(0)));
-  return draws;
+  return reading(database, [&] {
+    std::vector<std::uint64_t> draws;
+    SQLite::Statement row(
+        database, "SELECT draw FROM " + table + " WHERE draw >= ? AND draw < ? ORDER BY draw");
+    row.bind(1, stored(range.lo));
+    row.bind(2, stored(range.hi));
+    while (row.executeStep()) draws.push_back(draw_of(row.getColumn(0)));
+    return draws;
+  });
 }
 
 int schema_version_of(SQLite::Database& database, std::uint64_t draw) {
-  if (database.execAndGet("PRAGMA user_version").getInt() < 2) return 1;
-  SQLite::Statement row(database,
-                        "SELECT schema_version FROM candidate JOIN unit ON unit.lo = "
-                        "candidate.unit JOIN run ON run.id = unit.run WHERE draw = ?");
-  row.bind(1, stored(draw));
-  return row.executeStep() ? row.getColumn(0).getInt() : kSchemaVersion;
+  return reading(database, [&] {
+    if (database.execAndGet("PRAGMA user_version").getInt() < 2) return 1;
+    SQLite::Statement row(database,
+                          "SELECT schema_version FROM candidate JOIN unit ON unit.lo = "
+                          "candidate.unit JOIN run ON run.id = unit.run WHERE draw = ?");
+    row.bind(1, stored(draw));
+    return row.executeStep() ? row.getColumn(0).getInt() : kSchemaVersion;
+  });
 }
 
 Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
-  SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
-  row.bind(1, stored(draw));
-  if (!row.executeStep()) return nullptr;
-  Json json;
-  for (int k = 0; k < row.getColumnCount(); ++k) {
-    const SQLite::Column value = row.getColumn(k);
-    Json& into = json[row.getColumnName(k)];
-    if (value.isInteger()) into = value.getInt64();
-    if (value.isFloat()) into = value.getDouble();
-    if (value.isText()) into = value.getString();
-  }
-  return json;
+  return reading(database, [&] {
+    SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
+    row.bind(1, stored(draw));
+    Json json;
+    if (!row.executeStep()) return json;
+    for (int k = 0; k < row.getColumnCount(); ++k) {
+      const SQLite::Column value = row.getColumn(k);
+      Json& into = json[utf8(row.getColumnName(k))];
+      if (value.isInteger()) into = value.getInt64();
+      if (value.isFloat()) into = value.getDouble();
+      if (value.isText()) into = text_of(value);
+    }
+    return json;
+  });
 }
 
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {
-  SQLite::Statement row(database,
-                        "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "
-                        "AND draw < goal_end");
-  row.bind(1, sample);
-  row.executeStep();
-  return draw_of(row.getColumn(0));
+  return reading(database, [&] {
+    SQLite::Statement row(database,
+                          "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "
+                          "AND draw < goal_end");
+    row.bind(1, sample);
+    row.executeStep();
+    return draw_of(row.getColumn(0));
+  });
 }
 
 }  // namespace misalign::schema

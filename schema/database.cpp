@@ -68,6 +68,12 @@ int authorize_reading(void*, int action, const char* name, const char*, const ch
 
 }  // namespace
 
+UserError damaged(const SQLite::Database& database, const std::string& why) {
+  return UserError(kExitBadInput, database.getFilename() + ": is damaged (" + why +
+                                      "); put a backup in its place, or see what "
+                                      "`misalign verify` says");
+}
+
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) {
     throw UserError(

@@ -20,6 +20,18 @@ inline std::uint64_t draw_of(const SQLite::Column& column) {
   return static_cast<std::uint64_t>(column.getInt64());
 }
 
+/// A text as it is stored, made UTF-8.
+inline std::string text_of(const SQLite::Column& column) { return utf8(column.getString()); }
+
+/// A damaged file, or one that another program changed: exit code 3.
+UserError damaged(const SQLite::Database& database, const std::string& why);
+
+/// Calls `work`, which reads; what SQLite throws becomes a UserError about the database's file.
+template <class Work>
+auto reading(const SQLite::Database& database, const Work& work) {
+  return guarded(database.getFilename(), work);
+}
+
 /// A catalogue opened for reading: it cannot write, attach other files or load extensions.
 /// UserError: 3 no such file or no catalogue, 5 a newer schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);

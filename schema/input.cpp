@@ -188,6 +188,11 @@ std::string printable(const std::string& text) {
   return shown;
 }
 
+std::string utf8(const std::string& text) {
+  const std::string replaced = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(replaced).get<std::string>();
+}
+
 std::string shown_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);

@@ -89,4 +89,7 @@ std::string shown_number(double value);
 /// as \u0000.
 std::string printable(const std::string& text);
 
+/// A text of unknown origin, with U+FFFD for what is no UTF-8 in it: JSON has no other.
+std::string utf8(const std::string& text);
+
 }  // namespace misalign::schema

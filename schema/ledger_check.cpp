@@ -48,20 +48,20 @@ class LedgerCheck {
   void check_file() {
     SQLite::Statement integrity(database_, "PRAGMA integrity_check");
     while (integrity.executeStep()) {
-      const std::string answer = integrity.getColumn(0).getString();
+      const std::string answer = text_of(integrity.getColumn(0));
       if (answer != "ok") add("file", "integrity_check", answer, "ok");
     }
     SQLite::Statement keys(database_, "PRAGMA foreign_key_check");
     while (keys.executeStep()) {
-      add("table " + keys.getColumn(0).getString() + ", row " + keys.getColumn(1).getString(),
-          "key into " + keys.getColumn(2).getString(), "no such row", "a row");
+      add("table " + text_of(keys.getColumn(0)) + ", row " + text_of(keys.getColumn(1)),
+          "key into " + text_of(keys.getColumn(2)), "no such row", "a row");
     }
   }
 
   void check_campaign() {
     SQLite::Statement row(database_, "SELECT identity FROM campaign");
-    row.executeStep();
-    const std::string stored = row.getColumn(0).getString(), of_this = identity(campaign_);
+    if (!row.executeStep()) throw damaged(database_, "it names no campaign");
+    const std::string stored = text_of(row.getColumn(0)), of_this = identity(campaign_);
     if (stored != of_this) add("campaign", "identity", stored, of_this);
   }
 
@@ -194,7 +194,7 @@ Finding differs(const std::string& where, const std::string& column, const Json&
 }
 
 std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
-  return LedgerCheck(database, campaign).take();
+  return reading(database, [&] { return LedgerCheck(database, campaign).take(); });
 }
 
 }  // namespace misalign::schema

@@ -90,6 +90,9 @@ UserError storage_failure(const std::string& path, const SQLite::Exception& erro
       return {kExitBadInput, path + ": is damaged" + what +
                                  "; put a backup in its place, or save with the sqlite3 shell's "
                                  ".recover what can be saved"};
+    case SQLITE_ERROR:  // our statements are right for a catalogue that is
+      return {kExitBadInput, path + ": does not hold what a catalogue must" + what +
+                                 "; put a backup in its place"};
     default:
       return {kExitFailure, path + ": the database failed" + what + kKept +
                                 "if it happens again, " +

@@ -31,7 +31,8 @@ FileSystem file_system_of_type(std::uint64_t type);
 void sync_directory_of(const std::string& path);
 
 /// What SQLite says of a file, as a sentence that says what was kept and what to do: 1 in most
-/// cases, 3 for a damaged file, 4 for one that another program keeps locked.
+/// cases, 3 for a damaged file (also one in which a table or column is missing), 4 for one that
+/// another program keeps locked.
 UserError storage_failure(const std::string& path, const SQLite::Exception& error);
 
 /// Calls `work`; what SQLite throws becomes a UserError about `path`.

@@ -140,14 +140,16 @@ std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Export
   if (options.draw) {
     sql += " WHERE draw = " + std::to_string(*options.draw);
   } else if (options.best) {
-    const SQLite::Statement columns(database, "SELECT * FROM candidates LIMIT 0");
     bool known = false;
     std::string names;
-    for (int k = 0; k < columns.getColumnCount(); ++k) {
-      const std::string name = columns.getColumnName(k);
-      known = known || name == options.by;
-      names += (names.empty() ? "" : ", ") + name;
-    }
+    schema::reading(database, [&] {
+      const SQLite::Statement columns(database, "SELECT * FROM candidates LIMIT 0");
+      for (int k = 0; k < columns.getColumnCount(); ++k) {
+        const std::string name = columns.getColumnName(k);
+        known = known || name == options.by;
+        names += (names.empty() ? "" : ", ") + name;
+      }
+    });
     if (!known) {
       throw schema::UserError(
           schema::kExitUsage,
@@ -160,7 +162,13 @@ std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Export
   }
   const Json rows = Json::parse(schema::query_table(database, sql, schema::TableStyle::json));
   std::vector<std::uint64_t> draws;
-  for (const Json& row : rows) draws.push_back(row.at("draw").get<std::uint64_t>());
+  for (const Json& row : rows) {
+    const Json& draw = row.at("draw");
+    if (!draw.is_number_unsigned()) {
+      throw schema::damaged(database, "a candidate's draw is " + draw.dump());
+    }
+    draws.push_back(draw.get<std::uint64_t>());
+  }
   return draws;
 }
 

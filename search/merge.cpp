@@ -62,24 +62,24 @@ class Merge {
  private:
   void open(const std::string& path) {
     Input input{path, schema::open_for_reading(path), {}, {}};
-    schema::guarded(path, [&] {
-      schema::Campaign campaign = schema::read_campaign_of(*input.database, path);
-      for (Finding& finding : schema::check_ledger(*input.database, campaign)) {
-        finding.sentence = path + ": " + finding.sentence;
-        report_.findings.push_back(std::move(finding));
-      }
-      input.state = schema::read_state(*input.database);
-      input.units = schema::units_done(*input.database);
-      if (!trial_) {
-        trial_.emplace(std::move(campaign));
-      } else if (input.state.identity != inputs_.front().state.identity) {
-        throw schema::UserError(schema::kExitOtherCampaign,
-                                path + ": holds another campaign than " + inputs_.front().path +
-                                    " (they differ in " +
-                                    schema::differences(trial_->campaign(), campaign) +
-                                    "); join catalogues of one campaign");
-      }
-    });
+    schema::Campaign campaign = schema::read_campaign_of(*input.database, path);
+    std::vector<Finding> findings = schema::check_ledger(*input.database, campaign);
+    for (Finding& finding : findings) {
+      finding.sentence = path + ": " + finding.sentence;
+      report_.findings.push_back(std::move(finding));
+    }
+    if (!findings.empty()) return;
+    input.state = schema::read_state(*input.database);
+    input.units = schema::units_done(*input.database);
+    if (!trial_) {
+      trial_.emplace(std::move(campaign));
+    } else if (input.state.identity != inputs_.front().state.identity) {
+      throw schema::UserError(schema::kExitOtherCampaign,
+                              path + ": holds another campaign than " + inputs_.front().path +
+                                  " (they differ in " +
+                                  schema::differences(trial_->campaign(), campaign) +
+                                  "); join catalogues of one campaign");
+    }
     inputs_.push_back(std::move(input));
   }
 
@@ -170,17 +170,19 @@ class Merge {
   void compare_fault_samples(SQLite::Database& merged, const Input& input, const DrawRange& range,
                              const IsOpen& is_open) {
     const auto rows_of = [&](SQLite::Database& database) {
-      std::map<std::uint64_t, Json> rows;
-      SQLite::Statement row(database,
-                            "SELECT draw, deploys_from_sample, first_fault, fault_deg, \"where\" "
-                            "FROM fault_sample WHERE draw >= ? AND draw < ?");
-      row.bind(1, schema::stored(range.lo));
-      row.bind(2, schema::stored(range.hi));
-      while (row.executeStep()) {
-        Json& values = rows[schema::draw_of(row.getColumn(0))];
-        for (int k = 1; k < 5; ++k) values.push_back(row.getColumn(k).getString());
-      }
-      return rows;
+      return schema::reading(database, [&] {
+        std::map<std::uint64_t, Json> rows;
+        SQLite::Statement row(database,
+                              "SELECT draw, deploys_from_sample, first_fault, fault_deg, "
+                              "\"where\" FROM fault_sample WHERE draw >= ? AND draw < ?");
+        row.bind(1, schema::stored(range.lo));
+        row.bind(2, schema::stored(range.hi));
+        while (row.executeStep()) {
+          Json& values = rows[schema::draw_of(row.getColumn(0))];
+          for (int k = 1; k < 5; ++k) values.push_back(schema::text_of(row.getColumn(k)));
+        }
+        return rows;
+      });
     };
     const auto mine = rows_of(merged), theirs = rows_of(*input.database);
     for (const auto& [draw, values] : mine) {

@@ -57,9 +57,8 @@ Verification verify(SQLite::Database& database, const std::string& path,
                       schema::schema_version_of(database, draw)),
           draw, verification);
     }
-  } catch (const SQLite::Exception& error) {
-    verification.findings.push_back(
-        {path + ": cannot be read any further (" + error.what() + ")", {{"where", "file"}}});
+  } catch (const schema::UserError& error) {  // it cannot be read any further
+    verification.findings.push_back({error.what(), {{"where", "file"}}});
   }
   return verification;
 }
