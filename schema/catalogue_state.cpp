@@ -5,29 +5,57 @@
 namespace misalign::schema {
 namespace {
 
+struct UnitRow {
+  DrawRange range;
+  std::uint64_t accepted, undecided;
+  CandidateSum sum;
+};
+
+// Calls `see` with the ledger's units in turn. SQLite looks at a table's checks only when it
+// writes: UserError (3) at the first unit that breaks them.
+template <class See>
+void each_unit(SQLite::Database& database, const See& see) {
+  SQLite::Statement units(
+      database, "SELECT lo, hi, accepted, rejected, undecided, digest_part FROM unit ORDER BY lo");
+  std::int64_t end = 0;
+  while (units.executeStep()) {
+    const auto number = [&](int column) { return units.getColumn(column).getInt64(); };
+    const std::int64_t lo = number(0), hi = number(1);
+    const std::int64_t accepted = number(2), rejected = number(3), undecided = number(4);
+    const SQLite::Column part = units.getColumn(5);
+    const bool is_range = lo >= end && hi > lo;
+    const bool adds_up = is_range && accepted >= 0 && rejected >= 0 && undecided >= 0 &&
+                         accepted <= hi - lo && rejected <= hi - lo - accepted &&
+                         undecided == hi - lo - accepted - rejected;
+    if (!adds_up || part.getBytes() != 16) {
+      throw damaged(database, "unit " + std::to_string(lo) +
+                                  (is_range ? " does not add up" : " overlaps the one before"));
+    }
+    end = hi;
+    see(UnitRow{{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))},
+                draw_of(units.getColumn(2)),
+                draw_of(units.getColumn(4)),
+                CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getBlob()))});
+  }
+}
+
 // The totals below the goal's end, by the units' own sums: only the rows of the unit in which the
 // end lies are looked at.
 void add_units(SQLite::Database& database, CatalogueState& state) {
   std::vector<DrawRange> ranges;
   CandidateSum sum;
   DrawRange cut{state.goal_end, state.goal_end};  // the part that counts of the unit that straddles
-  SQLite::Statement units(database,
-                          "SELECT lo, hi, digest_part, accepted, undecided FROM unit ORDER BY lo");
-  while (units.executeStep()) {
-    const DrawRange range{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))};
-    ranges.push_back(range);
-    state.draws_in_ledger += range.size();
-    if (range.hi <= state.goal_end) {
-      const SQLite::Column part = units.getColumn(2);
-      if (part.getBytes() == 16) {
-        sum.add(CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getBlob())));
-      }
-      state.accepted += draw_of(units.getColumn(3));
-      state.undecided += draw_of(units.getColumn(4));
-    } else if (range.lo < state.goal_end) {
-      cut.lo = range.lo;
+  each_unit(database, [&](const UnitRow& unit) {
+    ranges.push_back(unit.range);
+    state.draws_in_ledger += unit.range.size();
+    if (unit.range.hi <= state.goal_end) {
+      sum.add(unit.sum);
+      state.accepted += unit.accepted;
+      state.undecided += unit.undecided;
+    } else if (unit.range.lo < state.goal_end) {
+      cut.lo = unit.range.lo;
     }
-  }
+  });
   const auto rows_of = [&](const std::string& columns, const std::string& table) {
     SQLite::Statement rows(
         database, "SELECT " + columns + " FROM " + table + " WHERE draw >= ? AND draw < ?");
@@ -45,8 +73,19 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
 
   const std::vector<DrawRange> merged = merged_up_to(ranges, state.goal_end);
   for (const DrawRange& range : merged) state.draws += range.size();
+  if (state.accepted + state.undecided > state.draws) {
+    throw damaged(database, "a unit has draws that are accepted and undecided");
+  }
   state.rejected = state.draws - state.accepted - state.undecided;
   state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
+}
+
+// What the table's checks promise, too.
+bool is_goal(const Goal& goal, std::uint64_t goal_end) {
+  const DrawRange& range = goal.range;
+  return range.lo < range.hi && range.hi <= kEndOfDraws && goal_end >= range.lo &&
+         goal_end <= range.hi && goal.draws.value_or(0) <= kEndOfDraws &&
+         goal.accepted.value_or(0) <= kEndOfDraws && goal.relative_error.value_or(1) > 0;
 }
 
 CatalogueState state_of(SQLite::Database& database) {
@@ -70,6 +109,7 @@ CatalogueState state_of(SQLite::Database& database) {
   state.goal_end = draw_of(campaign.getColumn(6));
   if (!campaign.getColumn(7).isNull())
     state.goal.relative_error = campaign.getColumn(7).getDouble();
+  if (!is_goal(state.goal, state.goal_end)) throw damaged(database, "its goal is none");
   add_units(database, state);
 
   SQLite::Statement gaps(database, "SELECT lo, hi FROM gaps ORDER BY lo");
@@ -108,10 +148,7 @@ Campaign read_campaign_of(SQLite::Database& database, const std::string& path) {
 std::vector<DrawRange> units_done(SQLite::Database& database) {
   return reading(database, [&] {
     std::vector<DrawRange> ranges;
-    SQLite::Statement units(database, "SELECT lo, hi FROM unit ORDER BY lo");
-    while (units.executeStep()) {
-      ranges.push_back({draw_of(units.getColumn(0)), draw_of(units.getColumn(1))});
-    }
+    each_unit(database, [&](const UnitRow& unit) { ranges.push_back(unit.range); });
     return ranges;
   });
 }

@@ -25,6 +25,7 @@ struct CatalogueState {
   double draws_per_s;  ///< of the last run that committed something, all ranks together
 };
 
+/// UserError (3) if the ledger contradicts itself, here and below.
 CatalogueState read_state(SQLite::Database& database);
 
 /// The campaign that a catalogue belongs to.

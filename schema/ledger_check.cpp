@@ -72,6 +72,9 @@ class LedgerCheck {
     std::uint64_t end = 0;
     while (row.executeStep()) {
       const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
+      if (range.hi <= range.lo || range.hi > kEndOfDraws) {
+        add(name(range.lo), "hi", row.getColumn(1).getInt64(), "above lo");
+      }
       if (range.lo < end) add(name(range.lo), "lo", range.lo, "not below " + std::to_string(end));
       end = std::max(end, range.hi);
       const std::uint64_t rejected =
@@ -150,6 +153,12 @@ class LedgerCheck {
   }
 
   void check_fault_sample() {
+    SQLite::Statement others(database_, "SELECT draw FROM fault_sample WHERE draw % " +
+                                            std::to_string(kFaultSampleEvery) + " != 0");
+    while (others.executeStep()) {
+      add("draw " + text_of(others.getColumn(0)), "fault_sample.draw",
+          others.getColumn(0).getInt64(), "a multiple of " + std::to_string(kFaultSampleEvery));
+    }
     SQLite::Statement row(database_,
                           "SELECT draw, fault_sample.deploys_from_sample, "
                           "candidate.deploys_from_sample FROM fault_sample JOIN candidate USING "
@@ -162,7 +171,14 @@ class LedgerCheck {
   }
 
   void check_digest() {
-    const CatalogueState state = read_state(database_);
+    CatalogueState state;
+    try {
+      state = read_state(database_);
+    } catch (const UserError& error) {
+      const Json details = {{"where", "catalogue"}, {"column", "digest"}};
+      if (findings_.empty()) findings_.push_back({error.what(), details});
+      return;
+    }
     std::vector<DrawRange> ranges;
     for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
     CandidateSum sum;

@@ -88,7 +88,10 @@ void UnitWriter::settle(const UnitRecord& decided) {
                          "SELECT unit.lo, digest_part FROM undecided JOIN unit ON unit.lo = unit "
                          "WHERE draw = ?");
   held.bind(1, draw);
-  if (!held.executeStep()) throw std::logic_error("a draw that is not undecided was settled");
+  if (!held.executeStep() || held.getColumn(1).getBytes() != 16) {
+    throw damaged(database_,
+                  "draw " + std::to_string(decided.range.lo) + " is undecided in no unit");
+  }
   const std::int64_t lo = held.getColumn(0).getInt64();
   CandidateSum sum =
       CandidateSum::from_bytes(static_cast<const unsigned char*>(held.getColumn(1).getBlob()));

@@ -48,6 +48,7 @@ class UnitWriter {
   /// A new unit with all that belongs to it.
   void write(const UnitRecord& unit, std::int64_t run);
   /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
+  /// UserError (3) if it is in no unit.
   void settle(const UnitRecord& decided);
 
  private:
