@@ -20,7 +20,8 @@ Finding exceeds(const std::string& where, const std::string& what, double value,
 
 // The displacements of a row; nothing if they are no displacements of this sheet.
 std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
-  const Json json = Json::parse(text.get<std::string>(), nullptr, false);
+  const Json json =
+      text.is_string() ? Json::parse(text.get<std::string>(), nullptr, false) : Json();
   if (!json.is_object()) return {};
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
   for (const auto& [label, shift] : json.items()) {
@@ -63,6 +64,14 @@ CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
 
 CandidateReport CandidateCheck::check(const Json& row, int schema_version) const {
   CandidateReport report;
+  const auto cell = [&](const char* column) {
+    return row.is_object() ? row.value(column, Json()) : Json();
+  };
+  if (!cell("draw").is_number_integer()) {
+    report.findings.push_back(
+        schema::differs("a candidate", "draw", cell("draw"), "the number that it was found by"));
+    return report;
+  }
   const auto draw = row.at("draw").get<std::uint64_t>();
   const std::string where = "draw " + std::to_string(draw);
   const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
@@ -71,9 +80,9 @@ CandidateReport CandidateCheck::check(const Json& row, int schema_version) const
   const solver::PerforatedSheet& base = campaign_.pattern.base;
   Eigen::Matrix2Xd drawn_mm = Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count());
   draw_shifts(campaign_.misalignment, campaign_.seed, draw, drawn_mm);
-  const auto shifts_mm = read_shifts(row.at("displacements_mm"), base.sheet.vertex_count());
+  const auto shifts_mm = read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
   if (!shifts_mm || *shifts_mm != drawn_mm) {
-    differs("displacements_mm", row.at("displacements_mm"),
+    differs("displacements_mm", cell("displacements_mm"),
             schema::displacements_json(drawn_mm).dump());
   }
   if (!shifts_mm) return report;
@@ -90,7 +99,7 @@ CandidateReport CandidateCheck::check(const Json& row, int schema_version) const
          states.back() = state;
        }});
   if (history.verdict.deploys_from_sample == 0) {
-    differs("deploys_from_sample", row.at("deploys_from_sample"), 0);
+    differs("deploys_from_sample", cell("deploys_from_sample"), 0);
     return report;
   }
   check_metrics(row, schema_version,
@@ -117,8 +126,9 @@ void CandidateCheck::check_metrics(const Json& row, int schema_version,
     if (!tolerances_.agree(column, stored, value)) differs(column, stored, value);
   }
   const std::string elongation = Json(metrics.elongation).dump();
-  if (!tolerances_.agree("elongation", row.at("elongation"), elongation)) {
-    differs("elongation", row.at("elongation"), elongation);
+  const Json stored_elongation = row.value("elongation", Json());
+  if (!tolerances_.agree("elongation", stored_elongation, elongation)) {
+    differs("elongation", stored_elongation, elongation);
   }
   for (const auto& [column, value] : row.items()) {
     static const std::vector<std::string> kOthers = {"draw", "unit", "displacements_mm",

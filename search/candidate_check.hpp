@@ -25,7 +25,8 @@ class CandidateCheck {
   CandidateCheck(const CandidateCheck&) = delete;
   CandidateCheck& operator=(const CandidateCheck&) = delete;
 
-  /// `row` is the candidate's row, see read_candidate, with the columns of this schema filled.
+  /// `row` is the candidate's row, see read_candidate, with the columns of this schema filled; what
+  /// it lacks is a finding.
   CandidateReport check(const schema::Json& row, int schema_version = schema::kSchemaVersion) const;
 
  private:
