@@ -52,7 +52,7 @@ class Catalogue {
   /// storage_failure.
   void commit(const std::vector<UnitRecord>& units);
   /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
-  /// begin_run.
+  /// begin_run. UserError (3) if the other one holds rows that no catalogue may.
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
   /// One transaction: a draw that was undecided, judged again; see UnitWriter.
   void settle(const UnitRecord& decided);

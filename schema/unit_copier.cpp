@@ -9,10 +9,12 @@ namespace misalign::schema {
 namespace {
 
 std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
-  std::vector<std::string> names;
-  SQLite::Statement rows(database, "PRAGMA table_info(" + table + ")");
-  while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
-  return names;
+  return reading(database, [&] {
+    std::vector<std::string> names;
+    SQLite::Statement rows(database, "PRAGMA table_info(" + table + ")");
+    while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
+    return names;
+  });
 }
 
 // What a catalogue that has no such column is to say there.
@@ -26,34 +28,54 @@ std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
+SQLite::Statement prepared(SQLite::Database& from, const std::string& sql) {
+  return reading(from, [&] { return SQLite::Statement(from, sql); });
+}
+
+// Every row of `select`, bound to `insert` by `bind_row`. What `into` does not take, its checks and
+// keys forbid: then `from` is damaged.
+template <class BindRow>
+void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
+               const BindRow& bind_row) {
+  while (reading(from, [&] { return select.executeStep(); })) {
+    insert.tryReset();
+    bind_row();
+    try {
+      insert.exec();
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_CONSTRAINT) throw;
+      throw damaged(from, error.what());
+    }
+  }
+}
+
 }  // namespace
 
 // Copies rows of one table: all columns of the target, those named `shifted` with new run numbers.
 class UnitCopier::Table {
  public:
   Table(SQLite::Database& from, SQLite::Database& into, const std::string& name,
-        const std::string& condition, const std::string& shifted, std::int64_t shift)
-      : columns_(columns_of(into, name)),
+        const std::string& condition, const std::string& shifted, std::uint64_t shift)
+      : from_(from),
+        columns_(columns_of(into, name)),
         shifted_(std::find(columns_.begin(), columns_.end(), shifted) - columns_.begin()),
         shift_(shift),
-        select_(from, select_of(from, name) + condition),
+        select_(prepared(from, select_of(from, name) + condition)),
         insert_(into, insert_of(name)) {}
 
   void copy(const DrawRange& range) {
     select_.tryReset();
     select_.bind(1, stored(range.lo));
     select_.bind(2, stored(range.hi));
-    while (select_.executeStep()) {
-      insert_.tryReset();
+    copy_rows(from_, select_, insert_, [&] {
       for (int k = 0; k < static_cast<int>(columns_.size()); ++k) {
         if (k == shifted_) {
-          insert_.bind(k + 1, select_.getColumn(k).getInt64() + shift_);
+          insert_.bind(k + 1, stored(draw_of(select_.getColumn(k)) + shift_));
         } else {
           bind_value(insert_, k + 1, select_.getColumn(k));
         }
       }
-      insert_.exec();
-    }
+    });
   }
 
  private:
@@ -73,16 +95,17 @@ class UnitCopier::Table {
            listed(std::vector<std::string>(columns_.size(), "?")) + ")";
   }
 
+  SQLite::Database& from_;
   const std::vector<std::string> columns_;
   const std::ptrdiff_t shifted_;
-  const std::int64_t shift_;
+  const std::uint64_t shift_;
   SQLite::Statement select_, insert_;
 };
 
 UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into)
     : from_(from),
       into_(into),
-      run_shift_(into.execAndGet("SELECT coalesce(max(id), 0) FROM run").getInt64()),
+      run_shift_(draw_of(into.execAndGet("SELECT coalesce(max(id), 0) FROM run"))),
       unit_(table("unit", "WHERE lo = ? AND hi = ?")),
       candidate_(table("candidate", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
       undecided_(table("undecided", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
@@ -101,12 +124,10 @@ void UnitCopier::copy_runs() {
   SQLite::Statement add(into_,
                         "INSERT INTO screened VALUES (?,?,?) ON CONFLICT DO UPDATE "
                         "SET draws = draws + excluded.draws");
-  SQLite::Statement rows(from_, "SELECT cause, tested_deg, draws FROM screened");
-  while (rows.executeStep()) {
-    add.tryReset();
+  SQLite::Statement rows = prepared(from_, "SELECT cause, tested_deg, draws FROM screened");
+  copy_rows(from_, rows, add, [&] {
     for (int k = 0; k < 3; ++k) bind_value(add, k + 1, rows.getColumn(k));
-    add.exec();
-  }
+  });
 }
 
 void UnitCopier::copy(const DrawRange& unit) {

@@ -12,7 +12,8 @@
 namespace misalign::schema {
 
 /// Works within a transaction that its caller begins and commits on `into`. `from` may have an
-/// older schema: what it does not have stays null. Throws SQLite::Exception.
+/// older schema: what it does not have stays null. Throws SQLite::Exception about `into`; UserError
+/// (3) if `from` is damaged.
 class UnitCopier {
  public:
   UnitCopier(SQLite::Database& from, SQLite::Database& into);
@@ -31,7 +32,7 @@ class UnitCopier {
 
   SQLite::Database& from_;
   SQLite::Database& into_;
-  const std::int64_t run_shift_;
+  const std::uint64_t run_shift_;
   std::unique_ptr<Table> unit_, candidate_, undecided_, fault_sample_;
 };
 

@@ -86,8 +86,7 @@ class Merge {
   void write(const std::string& path) {
     schema::Catalogue catalogue(path, trial_->campaign(), trial_->mechanism());
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      schema::guarded(inputs_[k].path,
-                      [&] { catalogue.take_over(*inputs_[k].database, plan_.kept[k]); });
+      catalogue.take_over(*inputs_[k].database, plan_.kept[k]);
       report_.units += plan_.kept[k].size();
     }
     catalogue.begin_run(options_.run, goal_of(inputs_), options_.builds);

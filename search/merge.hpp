@@ -27,7 +27,7 @@ struct MergeReport {
 
 /// Writes the whole output or none. Units that overlap others are compared with them: displacements
 /// and samples exactly, metrics within ColumnTolerances. UserError: 2 the output exists, 3 and 5 as
-/// for opening a catalogue, 5 if they are of different campaigns or builds.
+/// for opening a catalogue, 3 if one is damaged, 5 if they are of different campaigns or builds.
 MergeReport merge(const MergeOptions& options);
 
 }  // namespace misalign::search
