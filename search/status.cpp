@@ -1,5 +1,6 @@
 #include "search/status.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -105,8 +106,8 @@ schema::Json status_json(const schema::CatalogueState& state) {
   return json;
 }
 
-DeployingFrom deploying_from(SQLite::Database& database, const schema::Campaign& campaign,
-                             double at_deg) {
+DeployingFrom deploying_from(SQLite::Database& database, const schema::CatalogueState& state,
+                             const schema::Campaign& campaign, double at_deg) {
   if (!(at_deg >= campaign.threshold_deg && at_deg <= campaign.end_deg)) {
     throw schema::UserError(
         schema::kExitUsage,
@@ -115,7 +116,7 @@ DeployingFrom deploying_from(SQLite::Database& database, const schema::Campaign&
             schema::shown_number(campaign.end_deg) + " degrees; ask within that");
   }
   const int sample = static_cast<int>(std::ceil(at_deg / campaign.sample_deg - 1e-9));
-  return {at_deg, schema::count_deploying_from(database, sample)};
+  return {at_deg, std::min(schema::count_deploying_from(database, sample), state.accepted)};
 }
 
 std::string deploying_text(const DeployingFrom& deploying, const schema::CatalogueState& state) {
