@@ -88,12 +88,15 @@ void Catalogue::open() {
 }
 
 void Catalogue::check_same_campaign() const {
-  const std::string held = database_->execAndGet("SELECT identity FROM campaign").getString();
+  SQLite::Statement campaign(*database_, "SELECT identity FROM campaign");
+  if (!campaign.executeStep()) throw damaged(*database_, "it names no campaign");
+  const std::string held = text_of(campaign.getColumn(0));
   if (held == identity_) return;
-  throw UserError(kExitOtherCampaign,
-                  path_ + ": holds another campaign, " + held.substr(0, 8) + " (they differ in " +
-                      differences(read_campaign_of(*database_, path_), campaign_) +
-                      "); give this one a file of its own with --catalogue");
+  const std::string different = differences(read_campaign_of(*database_, path_), campaign_);
+  if (different.empty()) throw damaged(*database_, "its identity is not its configuration's");
+  throw UserError(kExitOtherCampaign, path_ + ": holds another campaign, " + held.substr(0, 8) +
+                                          " (they differ in " + different +
+                                          "); give this one a file of its own with --catalogue");
 }
 
 // The file as it was is kept beside it; then all steps to the present schema, or none.

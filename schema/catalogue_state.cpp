@@ -29,7 +29,8 @@ void each_unit(SQLite::Database& database, const See& see) {
                          undecided == hi - lo - accepted - rejected;
     if (!adds_up || part.getBytes() != 16) {
       throw damaged(database, "unit " + std::to_string(lo) +
-                                  (is_range ? " does not add up" : " overlaps the one before"));
+                                  (is_range ? " does not add up"
+                                            : " is no range of draws behind the one before"));
     }
     end = hi;
     see(UnitRow{{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))},
@@ -109,7 +110,8 @@ CatalogueState state_of(SQLite::Database& database) {
   state.goal_end = draw_of(campaign.getColumn(6));
   if (!campaign.getColumn(7).isNull())
     state.goal.relative_error = campaign.getColumn(7).getDouble();
-  if (!is_goal(state.goal, state.goal_end)) throw damaged(database, "its goal is none");
+  if (!is_goal(state.goal, state.goal_end))
+    throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
 
   SQLite::Statement gaps(database, "SELECT lo, hi FROM gaps ORDER BY lo");

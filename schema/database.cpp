@@ -69,7 +69,7 @@ int authorize_reading(void*, int action, const char* name, const char*, const ch
 }  // namespace
 
 UserError damaged(const SQLite::Database& database, const std::string& why) {
-  return UserError(kExitBadInput, database.getFilename() + ": is damaged (" + why +
+  return UserError(kExitBadInput, database.getFilename() + ": is damaged (" + printable(utf8(why)) +
                                       "); put a backup in its place, or see what "
                                       "`misalign verify` says");
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "schema/carried_files.hpp"
-#include "schema/input.hpp"
+#include "schema/storage.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 const std::string kQueryFolder = "schema/queries/";
 
 UserError bad_sql(const std::string& what) {
-  return UserError(kExitUsage, "the query was refused (" + what +
+  return UserError(kExitUsage, "the query was refused (" + printable(utf8(what)) +
                                    "); it must be one SELECT, or one "
                                    "of the names " +
                                    named_query_list());
@@ -71,7 +71,7 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
     const int code = sqlite3_prepare_v2(database.getHandle(), sql.c_str(), -1, &first, &rest);
     const bool empty = first == nullptr;
     sqlite3_finalize(first);
-    if (code != SQLITE_OK) throw bad_sql(sqlite3_errmsg(database.getHandle()));
+    if (code != SQLITE_OK) throw SQLite::Exception(database.getHandle(), code);
     if (empty) throw bad_sql("it is empty");
     sqlite3_stmt* second = nullptr;
     const int second_code = sqlite3_prepare_v2(database.getHandle(), rest, -1, &second, nullptr);
@@ -120,8 +120,8 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
       case SQLITE_FULL:
       case SQLITE_IOERR:
       case SQLITE_NOMEM:
-        throw UserError(kExitFailure,
-                        "the catalogue could not be read (" + std::string(error.what()) + ")");
+      case SQLITE_NOTADB:
+        throw storage_failure(database.getFilename(), error);
       default:
         throw bad_sql(error.what());
     }

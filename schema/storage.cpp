@@ -66,7 +66,7 @@ void sync_directory_of(const std::string& path) {
 UserError storage_failure(const std::string& path, const SQLite::Exception& error) {
   static const std::string kKept = "; what was committed is good: ";
   static const std::string kAgain = ", then the same command goes on from there";
-  const std::string what = " (" + std::string(error.what()) + ")";
+  const std::string what = " (" + printable(utf8(error.what())) + ")";
   switch (error.getErrorCode()) {
     case SQLITE_FULL:
       return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kKept +

@@ -160,6 +160,9 @@ class Reader {
       search::status_json(state).dump();
       const Campaign campaign = read_campaign_of(*database, path);
       is_new = identity(campaign) == identity(new_.trial.campaign());
+      const auto deploying =
+          search::deploying_from(*database, state, campaign, campaign.threshold_deg);
+      search::deploying_text(deploying, state);
       is_good = check_ledger(*database, campaign).empty();
       const search::Verification verification = search::verify(*database, path, 1);
       search::verification_text(verification);
