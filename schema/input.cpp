@@ -67,7 +67,7 @@ ObjectReader::ObjectReader(const Json& value, std::string where, InputFaults& fa
 }
 
 const Json* ObjectReader::find(const std::string& key) {
-  known_.push_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   if (!value_.is_object()) return nullptr;
   const auto at = value_.find(key);
   return at == value_.end() ? nullptr : &*at;
