@@ -25,6 +25,7 @@ class LedgerCheck {
     count("fault_sample", &Unit::fault_sample);
     check_units();
     check_fault_sample();
+    check_verdicts();
     check_digest();
     return std::move(findings_);
   }
@@ -167,6 +168,14 @@ class LedgerCheck {
     while (row.executeStep()) {
       add("draw " + std::to_string(draw_of(row.getColumn(0))), "fault_sample.deploys_from_sample",
           row.getColumn(1).getInt(), row.getColumn(2).getInt());
+    }
+  }
+
+  // No draw is both accepted and undecided.
+  void check_verdicts() {
+    SQLite::Statement row(database_, "SELECT draw FROM undecided JOIN candidate USING (draw)");
+    while (row.executeStep()) {
+      add("draw " + std::to_string(draw_of(row.getColumn(0))), "verdict", "undecided", "accepted");
     }
   }
 

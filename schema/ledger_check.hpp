@@ -21,8 +21,8 @@ Finding differs(const std::string& where, const std::string& column, const Json&
 
 /// The file's integrity and foreign keys (SQLite looks at no CHECK of a table while it only reads);
 /// the campaign's identity; for every unit the number of its candidates, its part of the digest,
-/// its undecided draws and its fault sample; and the digest of the whole against the candidates
-/// alone.
+/// its undecided draws, none of which is a candidate, and its fault sample; and the digest of the
+/// whole against the candidates alone. UserError (3) if the file cannot be read so far.
 std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign);
 
 }  // namespace misalign::schema

@@ -70,6 +70,9 @@ TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
   EXPECT_TRUE(finds("UPDATE unit SET hi = hi + 1, rejected = rejected + 1 WHERE lo = 0", "lo"));
   EXPECT_TRUE(finds("DELETE FROM undecided WHERE draw = 3", "undecided"));
   EXPECT_TRUE(finds("DELETE FROM fault_sample WHERE draw = 1024", "rows of fault_sample"));
+  EXPECT_TRUE(finds("UPDATE fault_sample SET draw = 1025 WHERE draw = 1024", "fault_sample.draw"));
+  EXPECT_TRUE(finds("UPDATE candidate SET draw = 3" + first, "verdict"));
+  EXPECT_TRUE(finds("UPDATE unit SET hi = lo WHERE lo = 4000", "hi"));
   EXPECT_TRUE(
       finds("UPDATE campaign SET identity = replace(hex(zeroblob(16)), '0', 'a')", "identity"));
   EXPECT_TRUE(

@@ -94,6 +94,9 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
                                       {"displacements_mm", Json("3")},
                                       {"displacements_mm", Json(R"({"A99": [1, 2]})")},
                                       {"displacements_mm", Json("{")},
+                                      {"displacements_mm", Json()},
+                                      {"draw", Json("x")},
+                                      {"elongation", Json(7)},
                                       {"elongation", Json("[1]")},
                                       {"elongation", Json("{}")},
                                       {"later", Json(1)}}) {
@@ -103,9 +106,14 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
     ASSERT_FALSE(findings.empty()) << column;
     EXPECT_EQ(findings.front().details.at("column"), column);
   }
-  Json less = row;
-  less.erase("stroke_max");
-  EXPECT_EQ(check_.check(less).findings.size(), 1u);
+  for (const char* column : {"stroke_max", "draw", "displacements_mm", "elongation"}) {
+    Json less = row;
+    less.erase(column);
+    const auto findings = check_.check(less).findings;
+    ASSERT_EQ(findings.size(), 1u) << column;
+    EXPECT_EQ(findings.front().details.at("column"), column);
+  }
+  EXPECT_EQ(check_.check(nullptr).findings.size(), 1u);
   // What was written before a column was there has none of it, or null in it.
   Json older = row;
   older["slope_between_min_mm_per_deg"] = older["bump_deg"] = nullptr;

@@ -214,6 +214,25 @@ TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
   EXPECT_EQ(state("all.db").draws_in_ledger, 200u);  // the refused one did it no harm
 }
 
+// Rows that a catalogue's checks forbid, and that its ledger does not show: the sentence is about
+// the input, not about the output that is not there.
+TEST_F(MergeTest, RowsThatNoCatalogueMayHoldAreRefused) {
+  for (const char* sql : {"UPDATE candidate SET displacements_mm = 'nonsense'",
+                          "UPDATE run SET ranks = 0", "INSERT INTO screened VALUES ('x', 1, -1)"}) {
+    std::filesystem::remove(path("a.db"));
+    make("a.db", {{0, 100}});
+    change("a.db", std::string("PRAGMA ignore_check_constraints = ON; ") + sql);
+    try {
+      join({path("a.db")});
+      ADD_FAILURE() << sql;
+    } catch (const schema::UserError& error) {
+      EXPECT_EQ(error.exit_code(), schema::kExitBadInput);
+      EXPECT_EQ(std::string(error.what()).find(path("a.db") + ": is damaged"), 0u) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("all.db.partial")));
+  }
+}
+
 // The ledger of an older schema goes in as it is.
 TEST_F(MergeTest, OlderSchemas) {
   const std::string fixtures = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/";
