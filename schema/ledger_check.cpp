@@ -1,5 +1,8 @@
 #include "schema/ledger_check.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "schema/digest.hpp"
 #include "schema/unit_writer.hpp"
 
@@ -107,13 +110,15 @@ class LedgerCheck {
   }
 
   void sum_candidates() {
+    const int first = campaign_.threshold_sample();
+    const int last = static_cast<int>(std::lround(campaign_.end_deg / campaign_.sample_deg));
     SQLite::Statement row(database_, "SELECT draw, unit, deploys_from_sample FROM candidate");
     while (row.executeStep()) {
       const std::uint64_t draw = draw_of(row.getColumn(0));
-      const int sample = row.getColumn(2).getInt();
-      if (sample < campaign_.threshold_sample()) {
-        add("draw " + std::to_string(draw), "deploys_from_sample", sample,
-            "the campaign's " + std::to_string(campaign_.threshold_sample()) + " or more");
+      const int sample = row.getColumn(2).getInt();  // of 64 bits, the lower ones
+      if (row.getColumn(2).getInt64() != std::clamp(sample, first, last)) {
+        add("draw " + std::to_string(draw), "deploys_from_sample", row.getColumn(2).getInt64(),
+            "one of the campaign's " + std::to_string(first) + " to " + std::to_string(last));
       }
       if (Unit* unit = unit_of("candidate", draw, draw_of(row.getColumn(1)))) {
         ++unit->accepted.counted;

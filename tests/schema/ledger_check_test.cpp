@@ -52,7 +52,10 @@ TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
   EXPECT_TRUE(finds("UPDATE candidate SET unit = 2000" + first, "candidate.unit"));
   EXPECT_TRUE(finds("UPDATE candidate SET unit = 3" + first, "key into unit"));
   EXPECT_TRUE(finds("UPDATE candidate SET deploys_from_sample = 176" + first, "digest_part"));
-  EXPECT_TRUE(finds("UPDATE candidate SET deploys_from_sample = 7" + first, "deploys_from_sample"));
+  for (const char* sample : {"7", "181", "deploys_from_sample + (1 << 32)"}) {
+    EXPECT_TRUE(finds("UPDATE candidate SET deploys_from_sample = " + std::string(sample) + first,
+                      "deploys_from_sample"));
+  }
   EXPECT_TRUE(
       finds("PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, "
             "'deploys_from_sample', 'draw') WHERE name = 'candidate_by_deploys_from'",

@@ -1,38 +1,65 @@
 #!/usr/bin/env bash
-# The long fuzzing of the FOLD reader: fuzz.sh [INPUTS [SANITIZED_INPUTS [SEED]]]
-# INPUTS (ten million) by the release build on two cores, SANITIZED_INPUTS (500,000) more under the
-# address and undefined-behaviour sanitizers, a tenth of them chosen by libFuzzer's coverage. Stops at the
-# first crash, leak or hang, and prints the input.
+# The long fuzzing of all that is read: meshes, campaign and pattern files, catalogues.
+#   fuzz.sh [MESHES [CAMPAIGNS [CATALOGUES [SEED]]]]
+# So many inputs each (ten million, ten million, 100,000; 0 leaves a kind out) by the release build on
+# two cores, and then a twentieth as many under the address and undefined-behaviour sanitizers, a tenth of
+# those (but for catalogues) chosen by libFuzzer's coverage. In parts of seeds SEED, SEED + 1, ... (1),
+# whose results are kept in build/fuzz: a part that is there is not run again. Stops at the first crash,
+# leak or hang, and keeps the input as a file there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . scripts/packages.sh
 need_packages $build_packages clang libclang-rt-dev
-inputs=${1:-10000000} sanitized=${2:-500000} seed=${3:-1}
-
-cmake --preset release > /dev/null
-cmake --build --preset release --target fold_fuzz
-both() { # PROGRAM INPUTS: half on each core, with seeds of their own
-  "$1" $(($2 / 2)) "$seed" & local one=$!
-  "$1" $(($2 / 2)) $((seed + 1)) & local other=$!
-  wait $one && wait $other
-}
-both build/release/tests/fold_fuzz "$inputs"
-
-# What the reader needs, without the rest of the program.
-sources="schema/fold_format.cpp schema/input.cpp schema/pattern_file.cpp schema/plane_mesh.cpp solver/base_folding.cpp
-  solver/crease_pattern.cpp solver/degree_four.cpp solver/half_angle.cpp solver/loop_closure.cpp
-  solver/mechanism.cpp solver/miura.cpp solver/newton.cpp solver/perforation.cpp"
+meshes=${1:-10000000} campaigns=${2:-10000000} catalogues=${3:-100000} seed=${4:-1}
+parts=20
 work=build/fuzz
-mkdir -p $work/corpus
-sanitized_build() { # OUTPUT COMPILER FLAG...
-  local output=$1
-  shift
-  "$@" -std=c++20 -O1 -g1 -ffp-contract=off -fno-sanitize-recover=all -I. -isystem /usr/include/eigen3 \
-    -DMISALIGN_SOURCE_DIR="\"$PWD\"" tests/stress/fold_fuzz.cpp $sources -o "$output"
+mkdir -p $work
+trap 'kill $(jobs -p) 2> /dev/null || true' EXIT
+
+run_part() { # PRESET NAME INPUTS SEED
+  local result=$PWD/$work/$1-$2-$3-$4.txt program=$PWD/build/$1/tests/$2
+  [ -f "$result" ] && return
+  (cd $work && "$program" "$3" "$4" > "$result.part") || return
+  mv "$result.part" "$result"
 }
-sanitized_build $work/fold_fuzz g++ -fsanitize=address,undefined
-both $work/fold_fuzz $((sanitized * 9 / 10))
-sanitized_build $work/libfuzzer clang++ -fsanitize=fuzzer,address,undefined -DMISALIGN_LIBFUZZER
-$work/fold_fuzz --corpus $work/corpus
-$work/libfuzzer -runs=$((sanitized / 10)) -seed="$seed" -timeout=10 -max_len=8192 -artifact_prefix=$work/ \
-  -print_final_stats=1 $work/corpus
+run() { # PRESET NAME INPUTS: in parts, half of them on each core
+  local inputs=$(($3 / parts)) lane part
+  [ $inputs -gt 0 ] || return 0
+  for lane in 0 1; do
+    for ((part = lane; part < parts; part += 2)); do
+      run_part "$1" "$2" $inputs $((seed + part)) || exit
+    done &
+  done
+  wait -n
+  wait -n
+  echo "$2, $1: $parts times $inputs inputs, seeds $seed to $((seed + parts - 1))"
+  for ((part = 0; part < parts; ++part)); do
+    tail -n +2 $work/"$1-$2-$inputs-$((seed + part)).txt"
+  done
+}
+all() { # PRESET SHARE
+  cmake --preset "$1" > /dev/null
+  cmake --build --preset "$1" --target fold_fuzz campaign_fuzz catalogue_fuzz
+  run "$1" fold_fuzz $((meshes / $2))
+  run "$1" campaign_fuzz $((campaigns / $2))
+  run "$1" catalogue_fuzz $((catalogues / $2))
+}
+all release 1
+all asan 20
+
+# What the readers of JSON need, without the rest of the program.
+sources="schema/campaign.cpp schema/digest.cpp schema/fold_format.cpp schema/input.cpp schema/pattern_file.cpp
+  schema/plane_mesh.cpp solver/base_folding.cpp solver/crease_pattern.cpp solver/degree_four.cpp
+  solver/half_angle.cpp solver/loop_closure.cpp solver/mechanism.cpp solver/miura.cpp solver/newton.cpp
+  solver/perforation.cpp"
+by_coverage() { # NAME INPUTS
+  [ "$2" -gt 0 ] || return 0
+  clang++ -std=c++20 -O1 -g1 -ffp-contract=off -fno-sanitize-recover=all -fsanitize=fuzzer,address,undefined \
+    -DMISALIGN_LIBFUZZER -DMISALIGN_SOURCE_DIR="\"$PWD\"" -I. -isystem /usr/include/eigen3 \
+    "tests/stress/$1.cpp" $sources -lxxhash -o $work/"$1-libfuzzer"
+  build/release/tests/"$1" --corpus $work/"$1-corpus"
+  $work/"$1-libfuzzer" -runs="$2" -seed="$seed" -timeout=60 -max_len=8192 -artifact_prefix=$work/ \
+    -print_final_stats=1 $work/"$1-corpus"
+}
+by_coverage fold_fuzz $((meshes / 200))
+by_coverage campaign_fuzz $((campaigns / 200))
