@@ -61,7 +61,8 @@ Action add_status(CLI::App& app) {
     const schema::CatalogueState state = schema::read_state(*database);
     std::optional<DeployingFrom> deploying;
     if (*at_deg) {
-      deploying = deploying_from(*database, schema::read_campaign_of(*database, *path), **at_deg);
+      deploying =
+          deploying_from(*database, state, schema::read_campaign_of(*database, *path), **at_deg);
     }
     if (*json) {
       Json answer = status_json(state);
