@@ -29,13 +29,15 @@ std::optional<DrawRange> Ledger::take(std::uint64_t most) {
   open_.erase(open_.begin());
   if (taken.hi < hi) open_[taken.hi] = hi;
   open_draws_ -= taken.size();
-  given_out_ += taken.size();
+  draws_given_out_ += taken.size();
+  given_out_.insert(taken.lo);
   return taken;
 }
 
 void Ledger::finish(const DrawRange& taken, std::uint64_t done_to) {
-  assert(given_out_ >= taken.size() && done_to >= taken.lo && done_to <= taken.hi);
-  given_out_ -= taken.size();
+  assert(given_out_.contains(taken.lo) && done_to >= taken.lo && done_to <= taken.hi);
+  draws_given_out_ -= taken.size();
+  given_out_.erase(taken.lo);
   open({done_to, std::min(taken.hi, end_)});
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "schema/draw_range.hpp"
@@ -22,18 +23,22 @@ class Ledger {
   std::optional<DrawRange> take(std::uint64_t most);
   /// A range that was given out has come back done up to `done_to`; the rest is open again.
   void finish(const DrawRange& taken, std::uint64_t done_to);
-  /// The goal ends here now: open draws from `end` on are wanted no more.
+  /// The goal ends here now: draws from `end` on are wanted no more, open or given out.
   void cut(std::uint64_t end);
 
   std::uint64_t open_draws() const { return open_draws_; }
-  std::uint64_t draws_given_out() const { return given_out_; }
-  bool complete() const { return open_.empty() && given_out_ == 0; }
+  std::uint64_t draws_given_out() const { return draws_given_out_; }
+  /// Nothing below the end is open or given out.
+  bool complete() const {
+    return open_.empty() && (given_out_.empty() || *given_out_.begin() >= end_);
+  }
 
  private:
   void open(const DrawRange& range);
 
   std::map<std::uint64_t, std::uint64_t> open_;  // lo -> hi, disjoint
-  std::uint64_t open_draws_ = 0, given_out_ = 0;
+  std::set<std::uint64_t> given_out_;            // lo of each
+  std::uint64_t open_draws_ = 0, draws_given_out_ = 0;
   std::uint64_t end_;
 };
 

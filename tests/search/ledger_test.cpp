@@ -35,6 +35,21 @@ TEST(Ledger, CutForgetsWhatLiesBeyond) {
   EXPECT_TRUE(ledger.complete());
 }
 
+// Who works on draws that nobody wants any more is not waited for.
+TEST(Ledger, CompleteBelowTheEnd) {
+  Ledger ledger({0, 1000}, {});
+  const auto below = ledger.take(100), straddling = ledger.take(100), beyond = ledger.take(100);
+  ledger.cut(150);
+  ledger.finish(*below, 100);
+  EXPECT_FALSE(ledger.complete());
+  ledger.finish(*straddling, 200);
+  EXPECT_TRUE(ledger.complete());
+  EXPECT_EQ(ledger.draws_given_out(), 100u);
+  ledger.finish(*beyond, 210);
+  EXPECT_TRUE(ledger.complete());
+  EXPECT_EQ(ledger.take(100), std::nullopt);
+}
+
 // Random workers that die, return early and finish in any order: every draw is done exactly once.
 TEST(Ledger, EveryDrawOnceWhateverHappens) {
   const std::uint64_t seed = 5;
