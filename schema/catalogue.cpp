@@ -208,8 +208,8 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   guarded(path_, [&] {
     GoalEnd end = *goal_end_;
     transact([&] {
+      writer_->write(units, run_);
       for (const UnitRecord& unit : units) {
-        writer_->write(unit, run_);
         end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
       }
       if (end.value() != goal_end_->value()) store_goal_end(end);

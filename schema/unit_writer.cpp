@@ -58,12 +58,22 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       candidate_(database,
                  "INSERT INTO candidate VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
       undecided_(database, "INSERT INTO undecided VALUES (?,?,?,?)"),
-      fault_sample_(database, "INSERT OR REPLACE INTO fault_sample VALUES (?,?,?,?,?,?)"),
+      fault_sample_(database, "INSERT INTO fault_sample VALUES (?,?,?,?,?,?)"),
       screened_(database,
                 "INSERT INTO screened VALUES (?,?,?) ON CONFLICT DO UPDATE "
                 "SET draws = draws + excluded.draws") {}
 
-void UnitWriter::write(const UnitRecord& unit, std::int64_t run) {
+// What was screened is summed up first: a unit alone touches some two hundred rows of it.
+void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
+  Screened screened;
+  for (const UnitRecord& unit : units) {
+    write_unit(unit, run);
+    for (const auto& [seen, draws] : unit.screened) screened[seen] += draws;
+  }
+  add_screened(screened);
+}
+
+void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
   const std::int64_t lo = stored(unit.range.lo);
   unit_.tryReset();
   unit_.bind(1, lo);
@@ -79,7 +89,6 @@ void UnitWriter::write(const UnitRecord& unit, std::int64_t run) {
   for (const Candidate& candidate : unit.candidates) write_candidate(candidate, lo);
   for (const DrawVerdict& draw : unit.undecided) write_undecided(draw, lo, run);
   for (const DrawVerdict& draw : unit.fault_sample) write_fault_sample(draw, lo);
-  add_screened(unit);
 }
 
 void UnitWriter::settle(const UnitRecord& decided) {
@@ -96,9 +105,11 @@ void UnitWriter::settle(const UnitRecord& decided) {
   CandidateSum sum =
       CandidateSum::from_bytes(static_cast<const unsigned char*>(held.getColumn(1).getBlob()));
   sum.add(sum_of(decided.candidates));
-  SQLite::Statement remove(database_, "DELETE FROM undecided WHERE draw = ?");
-  remove.bind(1, draw);
-  remove.exec();
+  for (const char* table : {"undecided", "fault_sample"}) {
+    SQLite::Statement remove(database_, std::string("DELETE FROM ") + table + " WHERE draw = ?");
+    remove.bind(1, draw);
+    remove.exec();
+  }
   SQLite::Statement update(database_,
                            "UPDATE unit SET undecided = undecided - 1, accepted = accepted + ?, "
                            "rejected = rejected + ?, digest_part = ? WHERE lo = ?");
@@ -109,7 +120,7 @@ void UnitWriter::settle(const UnitRecord& decided) {
   update.exec();
   for (const Candidate& candidate : decided.candidates) write_candidate(candidate, lo);
   for (const DrawVerdict& sampled : decided.fault_sample) write_fault_sample(sampled, lo);
-  add_screened(decided);
+  add_screened(decided.screened);
 }
 
 void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) {
@@ -163,8 +174,8 @@ void UnitWriter::write_fault_sample(const DrawVerdict& draw, std::int64_t unit) 
   insert(fault_sample_);
 }
 
-void UnitWriter::add_screened(const UnitRecord& unit) {
-  for (const auto& [seen, draws] : unit.screened) {
+void UnitWriter::add_screened(const Screened& screened) {
+  for (const auto& [seen, draws] : screened) {
     screened_.tryReset();
     screened_.bind(1, solver::fault_name(static_cast<solver::Fault>(seen.first)));
     screened_.bind(2, seen.second * campaign_.sample_deg);

@@ -45,17 +45,19 @@ class UnitWriter {
   UnitWriter(SQLite::Database& database, const Campaign& campaign,
              const solver::Mechanism& mechanism);
 
-  /// A new unit with all that belongs to it.
-  void write(const UnitRecord& unit, std::int64_t run);
+  /// New units with all that belongs to them.
+  void write(const std::vector<UnitRecord>& units, std::int64_t run);
   /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
   /// UserError (3) if it is in no unit.
   void settle(const UnitRecord& decided);
 
  private:
+  using Screened = std::map<std::pair<int, int>, std::uint64_t>;
+  void write_unit(const UnitRecord& unit, std::int64_t run);
   void write_candidate(const Candidate& candidate, std::int64_t unit);
   void write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run);
   void write_fault_sample(const DrawVerdict& draw, std::int64_t unit);
-  void add_screened(const UnitRecord& unit);
+  void add_screened(const Screened& screened);
 
   SQLite::Database& database_;
   const Campaign& campaign_;
