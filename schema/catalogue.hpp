@@ -48,8 +48,7 @@ class Catalogue {
   /// UserError: 5 if a build with other golden verdicts worked on this catalogue.
   void begin_run(const RunInfo& run, const Goal& goal, Builds builds = Builds::same);
   /// One transaction: the units, their candidates and what else belongs to them, and the goal's
-  /// end. UserError: 1 if the file was removed meanwhile; see
-  /// storage_failure.
+  /// end. UserError: 1 if the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
   /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
   /// begin_run. UserError (3) if the other one holds rows that no catalogue may.

@@ -75,6 +75,13 @@ UserError storage_failure(const std::string& path, const SQLite::Exception& erro
       return {kExitFailure,
               path + ": reading or writing failed" + what + kKept + "see to the disk" + kAgain};
     case SQLITE_READONLY:
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
+        return {kExitFailure, path +
+                                  ": a program that was killed has left a journal to roll back, "
+                                  "which a reader may not do" +
+                                  what + kKept + "the same search again does it"};
+      }
+      [[fallthrough]];
     case SQLITE_PERM:
       return {kExitFailure, path + ": cannot be written" + what + kKept +
                                 "make file and directory writable" + kAgain};

@@ -217,10 +217,11 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
 }
 
 int run_search(const SearchOptions& options) {
-  // Before MPI is there: a signal that comes while it starts would kill the rank, and mpirun 4.1 may
-  // then wait for ever.
-  watch_for_signals(launched_rank() == 0 ? kLeave_s : kLetGo_s);
+  hold_signals();
   MpiSession mpi;
+  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
+  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s,
+                    mpi.ranks() > 1 ? schema::kExitFailure : 0);
   return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
 }
 

@@ -1,5 +1,6 @@
 #include "search/stop_signal.hpp"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -12,12 +13,13 @@ namespace {
 volatile std::sig_atomic_t drain_seen = 0, leave_seen = 0, status_seen = 0;
 timer_t leave_timer;
 itimerspec leave_after{};
+int leave_code = 0;
 
 extern "C" {
 
 void note_drain(int) { drain_seen = 1; }
 void note_status(int) { status_seen = 1; }
-void end_here(int) { _exit(0); }
+void end_here(int) { _exit(leave_code); }
 
 void note_leave(int signal) {
   if (leave_seen) _exit(128 + signal);
@@ -27,9 +29,22 @@ void note_leave(int signal) {
 
 }  // extern "C"
 
+sigset_t watched_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) sigaddset(&set, signal);
+  return set;
+}
+
 }  // namespace
 
-void watch_for_signals(double leave_s) {
+void hold_signals() {
+  const sigset_t watched = watched_signals();
+  pthread_sigmask(SIG_BLOCK, &watched, nullptr);
+}
+
+void watch_for_signals(double leave_s, int code) {
+  leave_code = code;
   double whole_s = 0;
   const double part_s = std::modf(leave_s, &whole_s);
   leave_after.it_value = {static_cast<time_t>(whole_s), static_cast<long>(part_s * 1e9)};
@@ -42,6 +57,8 @@ void watch_for_signals(double leave_s) {
   std::signal(SIGINT, note_leave);
   std::signal(SIGUSR1, note_drain);
   std::signal(SIGUSR2, note_status);
+  const sigset_t watched = watched_signals();
+  pthread_sigmask(SIG_UNBLOCK, &watched, nullptr);
 }
 
 StopWish stop_wish() {

@@ -13,9 +13,13 @@ enum class StopWish {
 /// The others leave when rank 0 lets them go, or soon after if it does not.
 inline constexpr double kLeave_s = 0.4, kLetGo_s = 3;
 
+/// From now on the signals wait: Open MPI hangs when one of them interrupts or ends a rank that it
+/// is starting.
+void hold_signals();
+
 /// From now on the signals mean this. A second SIGTERM or SIGINT ends the process at once; whatever
-/// is left `leave_s` after the first is ended too, with exit code 0.
-void watch_for_signals(double leave_s);
+/// is left `leave_s` after the first is ended too, with `leave_code`.
+void watch_for_signals(double leave_s, int leave_code);
 
 StopWish stop_wish();
 

@@ -44,6 +44,8 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
     done
     if ranks_of > left; then
       fail "left 30 s after $signal to $victim: $(xargs ps -o pid=,stat=,wchan:20=,args= -p < left)"
+      # shellcheck disable=SC2086
+      [ -z "${STACKS:-}" ] || for pid in $(cat left); do gdb -batch -ex 'thread apply all bt' -p $pid 2> /dev/null; done
       pkill -KILL -f -- "$PWD/killed.db"
     fi
     took_ms=$(($(date +%s%3N) - start))
@@ -55,7 +57,8 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
     done
     kill -KILL $launcher 2> /dev/null && lingered=$((lingered + 1))
     wait $launcher 2> /dev/null
-    if [ ! -s killed.db ]; then continue; fi # killed before there was anything
+    # Killed before there was anything; what a killed transaction has left is rolled back by a writer.
+    [ -s killed.db ] && [ "$(sqlite3 killed.db 'SELECT count(*) FROM sqlite_schema')" != 0 ] || continue
     sound_so_far killed.db
   else
     wait $launcher || { fail "resume"; cat err; }
