@@ -14,6 +14,11 @@ namespace {
 
 constexpr int kBusyTimeout_ms = 10000;
 
+// The writer's. Its indexes are touched everywhere at once: pages that stay in memory, and are
+// copied from the log to the file after many commits instead of after each, make a candidate of a
+// large catalogue several times cheaper.
+constexpr int kCache_kb = 64 << 10, kCheckpoint_pages = 8000;
+
 UserError not_a_catalogue(const std::string& path) {
   return UserError(kExitBadInput, path +
                                       ": is no catalogue of misalign (another kind of file); "
@@ -111,6 +116,8 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Stor
     check_kind(*database, path);
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA foreign_keys = ON");
+    database->exec("PRAGMA cache_size = -" + std::to_string(kCache_kb));
+    database->exec("PRAGMA wal_autocheckpoint = " + std::to_string(kCheckpoint_pages));
     return database;
   });
 }
