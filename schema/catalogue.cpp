@@ -39,9 +39,9 @@ Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism
   return list;
 }
 
-// A log that readers keep from being emptied is emptied by waiting for them, from this size on: twice
-// that at which it is usually written from its start again (see open_for_writing).
-constexpr std::uintmax_t kLargestLog_bytes = 64 << 20;
+// A log that readers keep from being emptied is emptied by waiting for them, from this size on;
+// usually it is written from its start again at 32 MB (see open_for_writing).
+constexpr std::uintmax_t kLargestLog_bytes = 44 << 20;
 constexpr int kWaitForReaders_ms = 300, kWaitForWriters_ms = 10000;
 
 }  // namespace
