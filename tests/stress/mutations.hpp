@@ -157,6 +157,7 @@ class Running {
 [[noreturn]] inline void found(const std::string& what) {
   std::fprintf(stderr, "FOUND: %s\n", what.c_str());
   Running::keep();
+  std::signal(SIGABRT, SIG_DFL);
   std::abort();
 }
 
