@@ -55,7 +55,7 @@ class Catalogue {
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
   /// One transaction: a draw that was undecided, judged again; see UnitWriter.
   void settle(const UnitRecord& decided);
-  /// `end` says why: complete, stopped, max_time. Closes the file: nothing else may follow.
+  /// `end` says why, see catalogue.sql. Closes the file: nothing else may follow.
   void end_run(const std::string& end);
 
   /// Where the goal ends as far as is known, see GoalEnd.

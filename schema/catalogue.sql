@@ -22,7 +22,7 @@ CREATE TABLE run (
   id INTEGER PRIMARY KEY,
   started_at TEXT NOT NULL,  -- UTC, ISO 8601
   ended_at TEXT,             -- null while it runs, and for ever if it was killed
-  end TEXT,                  -- why: complete, stopped, max_time
+  end TEXT,                  -- why: complete, stopped, max_time, lost (a rank fell silent), merged
   host TEXT NOT NULL,
   ranks INTEGER NOT NULL CHECK (ranks >= 1),
   version TEXT NOT NULL,

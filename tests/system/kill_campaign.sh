@@ -37,9 +37,17 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
       counts[$signal-$victim]=$((${counts[$signal-$victim]:-0} + 1))
     fi
     start=$(date +%s%3N)
-    # Ranks that have lost their mpirun end by themselves.
+    # Ranks that have lost their mpirun end by themselves. mpirun 4.1 itself now and then waits for ever
+    # for a rank that died while it was being started.
+    alone=0
     for wait in {1..600}; do
-      ranks_of > /dev/null || break
+      if ranks_of > /dev/null; then
+        alone=0
+      else
+        kill -0 $launcher 2> /dev/null || break
+        alone=$((alone + 1))
+        [ $alone -gt 100 ] && break
+      fi
       sleep 0.05
     done
     if ranks_of > left; then
@@ -50,11 +58,6 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
     fi
     took_ms=$(($(date +%s%3N) - start))
     [ $took_ms -gt $slowest_ms ] && slowest_ms=$took_ms
-    # mpirun 4.1 itself now and then waits for ever for a rank that died while it was being started.
-    for wait in {1..100}; do
-      kill -0 $launcher 2> /dev/null || break
-      sleep 0.05
-    done
     kill -KILL $launcher 2> /dev/null && lingered=$((lingered + 1))
     wait $launcher 2> /dev/null
     # Killed before there was anything; what a killed transaction has left is rolled back by a writer.
