@@ -1,5 +1,7 @@
 #include "schema/catalogue_state.hpp"
 
+#include <algorithm>
+
 #include "schema/digest.hpp"
 
 namespace misalign::schema {
@@ -9,6 +11,8 @@ struct UnitRow {
   DrawRange range;
   std::uint64_t accepted, undecided;
   CandidateSum sum;
+  std::int64_t run;
+  double seconds;
 };
 
 // Calls `see` with the ledger's units in turn. SQLite looks at a table's checks only when it
@@ -16,7 +20,9 @@ struct UnitRow {
 template <class See>
 void each_unit(SQLite::Database& database, const See& see) {
   SQLite::Statement units(
-      database, "SELECT lo, hi, accepted, rejected, undecided, digest_part FROM unit ORDER BY lo");
+      database,
+      "SELECT lo, hi, accepted, rejected, undecided, digest_part, run, seconds FROM unit "
+      "ORDER BY lo");
   std::int64_t end = 0;
   while (units.executeStep()) {
     const auto number = [&](int column) { return units.getColumn(column).getInt64(); };
@@ -36,19 +42,55 @@ void each_unit(SQLite::Database& database, const See& see) {
     see(UnitRow{{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))},
                 draw_of(units.getColumn(2)),
                 draw_of(units.getColumn(4)),
-                CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getBlob()))});
+                CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getBlob())),
+                units.getColumn(6).getInt64(),
+                units.getColumn(7).getDouble()});
   }
 }
 
-// The totals below the goal's end, by the units' own sums: only the rows of the unit in which the
-// end lies are looked at.
+// Of the last run that committed something.
+struct LastRun {
+  std::int64_t run = 0;
+  std::uint64_t draws = 0;
+  double seconds = 0;
+
+  void add(std::int64_t of, const DrawRange& range, double took_s) {
+    if (of < run) return;
+    if (of > run) *this = {of, 0, 0};
+    draws += range.size();
+    seconds += took_s;
+  }
+  // All of its ranks together.
+  double draws_per_s(SQLite::Database& database) const {
+    SQLite::Statement ranks(database, "SELECT ranks FROM run WHERE id = ?");
+    ranks.bind(1, run);
+    if (!ranks.executeStep() || seconds == 0) return 0;
+    return static_cast<double>(draws) * ranks.getColumn(0).getInt() / seconds;
+  }
+};
+
+std::vector<DrawRange> gaps_of(const DrawRange& wanted, const std::vector<DrawRange>& merged) {
+  std::vector<DrawRange> gaps;
+  std::uint64_t next = wanted.lo;
+  for (const DrawRange& range : merged) {
+    if (range.lo > next) gaps.push_back({next, range.lo});
+    next = std::max(next, range.hi);
+  }
+  if (next < wanted.hi) gaps.push_back({next, wanted.hi});
+  return gaps;
+}
+
+// The totals below the goal's end, by the units' own sums and in one pass, for there may be
+// millions: only the rows of the unit in which the end lies are looked at.
 void add_units(SQLite::Database& database, CatalogueState& state) {
   std::vector<DrawRange> ranges;
   CandidateSum sum;
+  LastRun last_run;
   DrawRange cut{state.goal_end, state.goal_end};  // the part that counts of the unit that straddles
   each_unit(database, [&](const UnitRow& unit) {
     ranges.push_back(unit.range);
     state.draws_in_ledger += unit.range.size();
+    last_run.add(unit.run, unit.range, unit.seconds);
     if (unit.range.hi <= state.goal_end) {
       sum.add(unit.sum);
       state.accepted += unit.accepted;
@@ -57,6 +99,7 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
       cut.lo = unit.range.lo;
     }
   });
+  state.draws_per_s = last_run.draws_per_s(database);
   const auto rows_of = [&](const std::string& columns, const std::string& table) {
     SQLite::Statement rows(
         database, "SELECT " + columns + " FROM " + table + " WHERE draw >= ? AND draw < ?");
@@ -77,6 +120,7 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
   if (state.accepted + state.undecided > state.draws) {
     throw damaged(database, "a unit has draws that are accepted and undecided");
   }
+  state.gaps = gaps_of({state.goal.range.lo, state.goal_end}, merged);
   state.rejected = state.draws - state.accepted - state.undecided;
   state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
 }
@@ -114,20 +158,17 @@ CatalogueState state_of(SQLite::Database& database) {
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
 
-  SQLite::Statement gaps(database, "SELECT lo, hi FROM gaps ORDER BY lo");
-  while (gaps.executeStep()) {
-    state.gaps.push_back({draw_of(gaps.getColumn(0)), draw_of(gaps.getColumn(1))});
-  }
-  SQLite::Statement faults(database,
-                           "SELECT first_fault, count(*) FROM fault_sample WHERE draw NOT IN "
-                           "(SELECT draw FROM candidate) GROUP BY first_fault");
+  // Those of no candidate, by what makes one: to look for each of them would take ten times as
+  // long.
+  SQLite::Statement faults(
+      database,
+      "SELECT first_fault, count(*) FROM fault_sample WHERE first_fault = 'undecided' OR "
+      "deploys_from_sample < (SELECT round(json_extract(configuration, "
+      "'$.accept.deploys_from_deg') "
+      "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY first_fault");
   while (faults.executeStep()) {
     state.faults[text_of(faults.getColumn(0))] = draw_of(faults.getColumn(1));
   }
-  SQLite::Statement speed(database,
-                          "SELECT sum(draws) * ranks / sum(seconds) FROM unit JOIN run ON run.id = "
-                          "unit.run WHERE run = (SELECT max(run) FROM unit)");
-  if (speed.executeStep()) state.draws_per_s = speed.getColumn(0).getDouble();
   return state;
 }
 

@@ -110,7 +110,6 @@ class CatalogueTest : public testing::Test {
     record.range = {lo, hi};
     record.seconds = 0.5;
     for (std::uint64_t draw = lo; draw < hi; ++draw) {
-      const solver::Verdict verdict{7, solver::Fault::not_monotone, 0};
       if (accepted(draw)) {
         record.candidates.push_back(candidate(draw));
       } else if (is_undecided(draw)) {
@@ -120,7 +119,10 @@ class CatalogueTest : public testing::Test {
         ++record.rejected;
         ++record.screened[{static_cast<int>(solver::Fault::not_monotone), 8}];
       }
-      if (draw % kFaultSampleEvery == 0) record.fault_sample.push_back({draw, verdict});
+      if (draw % kFaultSampleEvery == 0) {
+        const int sample = accepted(draw) ? sample_of(draw) : 7;
+        record.fault_sample.push_back({draw, {sample, solver::Fault::not_monotone, 0}});
+      }
     }
     record.accepted = record.candidates.size();
     return record;

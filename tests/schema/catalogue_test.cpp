@@ -68,6 +68,37 @@ TEST_F(CatalogueTest, GapsOfARange) {
   EXPECT_EQ(state().gaps, (std::vector<DrawRange>{{1500, 4500}}));
   catalogue.commit({unit(2000, 3000)});
   EXPECT_EQ(state().gaps, (std::vector<DrawRange>{{1500, 2000}, {3000, 4500}}));
+  EXPECT_EQ(query_table(*open_for_reading(path()), "SELECT * FROM gaps", TableStyle::csv),
+            "lo,hi\n1500,2000\n3000,4500\n");
+}
+
+// What was rejected of the sample is told by what makes a candidate, not by looking for one.
+TEST_F(CatalogueTest, RejectedAreTheSampledDrawsOfNoCandidate) {
+  Catalogue catalogue = open();
+  catalogue.begin_run(kRun, {});
+  catalogue.commit({unit(40000, 60000)});
+  const std::string sampled = "fault_sample WHERE draw NOT IN (SELECT draw FROM candidate)";
+  EXPECT_EQ(count("fault_sample JOIN candidate USING (draw)"), 1);
+  EXPECT_EQ(state().faults, (std::map<std::string, std::uint64_t>{{"not_monotone", 18}}));
+  EXPECT_EQ(count(sampled), 18);
+  const Json rows = Json::parse(
+      query_table(*open_for_reading(path()), named_query("rejections"), TableStyle::json));
+  EXPECT_EQ(
+      rows,
+      (Json{{{"first_fault", "not_monotone"}, {"from_deg", 0}, {"draws", 18}, {"share", 1.0}}}));
+}
+
+TEST_F(CatalogueTest, SpeedIsThatOfTheLastRun) {
+  Catalogue catalogue = open();
+  EXPECT_EQ(state().draws_per_s, 0);
+  for (const std::uint64_t lo : {0, 10000}) {
+    catalogue.begin_run(kRun, {});
+    catalogue.commit({unit(lo, lo + 1000), unit(lo + 1000, lo + 1000 + lo / 10 + 500)});
+  }
+  // 2,500 draws in twice half a second, on two ranks.
+  EXPECT_EQ(state().draws_per_s, 5000);
+  catalogue.begin_run(kRun, {});  // nothing committed yet
+  EXPECT_EQ(state().draws_per_s, 5000);
 }
 
 TEST_F(CatalogueTest, OverlapsAreRefusedWhole) {

@@ -88,6 +88,19 @@ TEST_F(CatalogueTest, NamedQueriesRunOnAnyCatalogue) {
   EXPECT_EQ(named_query("../catalogue"), "");
 }
 
+// A table of a million candidates is not read for the best twenty.
+TEST_F(CatalogueTest, SortedQueriesHaveIndexes) {
+  open();
+  SQLite::Database database(path());
+  for (const char* name : {"best", "robust", "simplest", "smooth", "stroke"}) {
+    SQLite::Statement steps(database, "EXPLAIN QUERY PLAN " + named_query(name));
+    std::string plan;
+    while (steps.executeStep()) plan += steps.getColumn(3).getString() + "; ";
+    EXPECT_NE(plan.find("USING INDEX candidate_" + std::string(name)), std::string::npos) << plan;
+    EXPECT_EQ(plan.find("B-TREE"), std::string::npos) << plan;
+  }
+}
+
 TEST_F(CatalogueTest, TablesInThreeStyles) {
   open();
   const auto database = open_for_reading(path());

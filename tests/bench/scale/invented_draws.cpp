@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "schema/catalogue.hpp"
-
 namespace misalign::bench {
 namespace {
 

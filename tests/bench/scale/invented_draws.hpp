@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "schema/unit_writer.hpp"
+#include "schema/catalogue.hpp"
 
 namespace misalign::bench {
 
