@@ -110,7 +110,7 @@ class LargeCatalogue {
     print("status --at 175", time_five([&] {
             const auto database = schema::open_for_reading(path_);
             const schema::CatalogueState state = schema::read_state(*database);
-            search::deploying_text(search::deploying_from(*database, draws_.campaign(), 175),
+            search::deploying_text(search::deploying_from(*database, state, draws_.campaign(), 175),
                                    state);
           }));
   }
