@@ -11,23 +11,8 @@ constexpr const char* kTables[] = {"campaign",     "run",           "unit",
                                    "screened",     "undecided",     "candidate",
                                    "fault_sample", "displacements", "diagonals"};
 
-constexpr const char* kViews = R"(
-CREATE VIEW candidates AS
-SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg, stroke_min, stroke_max,
-       elongation_min, elongation_max, stretch_sq_mm2, shifted_vertices, increasing, decreasing,
-       kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm
-FROM candidate;
-CREATE VIEW acceptance AS
-SELECT coalesce(sum(draws), 0) AS draws, coalesce(sum(accepted), 0) AS accepted,
-       coalesce(sum(rejected), 0) AS rejected, coalesce(sum(undecided), 0) AS undecided,
-       CAST(sum(accepted) AS REAL) / sum(draws) AS rate, sum(seconds) AS worker_seconds
-FROM unit;
-CREATE VIEW faults AS
-SELECT first_fault, fault_deg, count(*) AS draws,
-       CAST(count(*) AS REAL) / (SELECT count(*) FROM fault_sample) AS share
-FROM fault_sample
-GROUP BY first_fault, fault_deg;
-)";
+// Those that old readers understand.
+constexpr const char* kViews = "'candidates', 'acceptance', 'faults'";
 
 // The column that is the rows' number, if there is one.
 std::string integer_key(SQLite::Database& database, const std::string& table) {
@@ -73,7 +58,10 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
     plain.exec(
         "CREATE INDEX displacements_of ON displacements (draw);"
         "CREATE INDEX diagonals_of ON diagonals (draw);");
-    plain.exec(kViews);
+    SQLite::Statement views(
+        catalogue, std::string("SELECT sql FROM sqlite_schema WHERE type = 'view' AND name IN (") +
+                       kViews + ")");
+    while (views.executeStep()) plain.exec(views.getColumn(0).getString());
     transaction.commit();
   });
   file.finish();
