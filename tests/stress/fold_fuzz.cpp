@@ -171,7 +171,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> corpus;
   for (const Json& mesh : meshes()) corpus.push_back(mesh.dump());
   Mutator mutator;
-  // Ten times more than any of these small meshes needs under the sanitizers.
+  // A hundred times more than any of these small meshes needs.
   constexpr double kSlow_s = 2, kHang_s = 10;
   return fuzz_main(argc, argv,
                    {"fold_fuzz",

@@ -177,7 +177,8 @@ inline void check_sentence(const std::string& sentence) {
 struct Fuzzer {
   const char* name;
   std::vector<const char*> outcomes;
-  /// Processor seconds: one input may not take longer than `hang_s`, and is told if `slow_s`.
+  /// Processor seconds: one input may not take longer than `hang_s` (ten times that under the
+  /// sanitizers), and is told if `slow_s`.
   double slow_s, hang_s;
   std::vector<std::string> corpus;  ///< inputs to start from
   std::function<std::string(Dice&)> next;
@@ -215,7 +216,7 @@ inline int read_watched(const Fuzzer& fuzzer, const std::string& input) {
     ::setitimer(ITIMER_PROF, &timer, nullptr);
   };
   Running::set(&input);
-  limit(fuzzer.hang_s);
+  limit(fuzzer.hang_s * (__sanitizer_set_death_callback ? 10 : 1));
   int outcome = 0;
   try {
     outcome = fuzzer.read(input);
