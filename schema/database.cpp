@@ -122,6 +122,24 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Stor
   });
 }
 
+SQLite::Statement prepared(SQLite::Database& from, const std::string& sql) {
+  return reading(from, [&] { return SQLite::Statement(from, sql); });
+}
+
+void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
+               const std::function<void()>& bind_row) {
+  while (reading(from, [&] { return select.executeStep(); })) {
+    insert.tryReset();
+    bind_row();
+    try {
+      insert.exec();
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_CONSTRAINT) throw;
+      throw damaged(from, error.what());
+    }
+  }
+}
+
 void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value) {
   switch (value.getType()) {
     case SQLITE_INTEGER:

@@ -4,6 +4,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -41,8 +42,16 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 /// UserError: 3 no catalogue, 5 a newer schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage);
 
+/// A statement that reads; UserError as from reading().
+SQLite::Statement prepared(SQLite::Database& from, const std::string& sql);
+
 /// Binds whatever a column of another statement holds.
 void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value);
+
+/// Runs `insert` for every row of `select`, once `bind_row` has bound it. UserError (3) about
+/// `from` if it cannot be read, or holds rows that checks and keys of the target forbid.
+void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
+               const std::function<void()>& bind_row);
 
 /// An exclusive advisory lock on the catalogue's file that dies with the process: an open-file lock
 /// of one byte far behind those that SQLite locks.

@@ -1,5 +1,7 @@
 #include "schema/plain_export.hpp"
 
+#include <sqlite3.h>
+
 #include "schema/database.hpp"
 #include "schema/partial_file.hpp"
 
@@ -16,18 +18,20 @@ constexpr const char* kViews = "'candidates', 'acceptance', 'faults'";
 
 // The column that is the rows' number, if there is one.
 std::string integer_key(SQLite::Database& database, const std::string& table) {
-  SQLite::Statement columns(database, "PRAGMA table_info(" + table + ")");
-  while (columns.executeStep()) {
-    if (columns.getColumn("pk").getInt() == 1 &&
-        columns.getColumn("type").getString() == "INTEGER") {
-      return columns.getColumn("name").getString();
+  return reading(database, [&]() -> std::string {
+    SQLite::Statement columns(database, "PRAGMA table_info(" + table + ")");
+    while (columns.executeStep()) {
+      if (columns.getColumn("pk").getInt() == 1 &&
+          columns.getColumn("type").getString() == "INTEGER") {
+        return columns.getColumn("name").getString();
+      }
     }
-  }
-  return "";
+    return "";
+  });
 }
 
 void copy_table(SQLite::Database& from, SQLite::Database& into, const std::string& name) {
-  SQLite::Statement rows(from, "SELECT * FROM " + name);
+  SQLite::Statement rows = prepared(from, "SELECT * FROM " + name);
   const int columns = rows.getColumnCount();
   std::string declared, places;
   const std::string key = integer_key(from, name);
@@ -39,18 +43,16 @@ void copy_table(SQLite::Database& from, SQLite::Database& into, const std::strin
   }
   into.exec("CREATE TABLE " + name + " (" + declared + ")");
   SQLite::Statement insert(into, "INSERT INTO " + name + " VALUES (" + places + ")");
-  while (rows.executeStep()) {
-    insert.tryReset();
+  copy_rows(from, rows, insert, [&] {
     for (int k = 0; k < columns; ++k) bind_value(insert, k + 1, rows.getColumn(k));
-    insert.exec();
-  }
+  });
 }
 
 }  // namespace
 
 void export_plain(SQLite::Database& catalogue, const std::string& output) {
   PartialFile file(output);
-  guarded(output, [&] {
+  const auto write = [&] {
     SQLite::Transaction snapshot(catalogue);
     SQLite::Database plain(file.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(plain);
@@ -63,6 +65,14 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
                        kViews + ")");
     while (views.executeStep()) plain.exec(views.getColumn(0).getString());
     transaction.commit();
+  };
+  guarded(output, [&] {
+    try {
+      write();
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_ERROR) throw;
+      throw damaged(catalogue, error.what());  // columns that no catalogue has
+    }
   });
   file.finish();
 }

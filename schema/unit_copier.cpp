@@ -28,27 +28,6 @@ std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
-SQLite::Statement prepared(SQLite::Database& from, const std::string& sql) {
-  return reading(from, [&] { return SQLite::Statement(from, sql); });
-}
-
-// Every row of `select`, bound to `insert` by `bind_row`. What `into` does not take, its checks and
-// keys forbid: then `from` is damaged.
-template <class BindRow>
-void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
-               const BindRow& bind_row) {
-  while (reading(from, [&] { return select.executeStep(); })) {
-    insert.tryReset();
-    bind_row();
-    try {
-      insert.exec();
-    } catch (const SQLite::Exception& error) {
-      if (error.getErrorCode() != SQLITE_CONSTRAINT) throw;
-      throw damaged(from, error.what());
-    }
-  }
-}
-
 }  // namespace
 
 // Copies rows of one table: all columns of the target, those named `shifted` with new run numbers.

@@ -1,6 +1,7 @@
 // Damaged catalogues: a sentence for whoever reads one or goes on writing it, and nothing worse.
 #include "catalogue_fixture.hpp"
 #include "schema/ledger_check.hpp"
+#include "schema/plain_export.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -113,6 +114,20 @@ TEST_F(DamageTest, WritersStop) {
   for (const auto& [sql, word] : kDamages) {
     damage(sql);
     expect_bad_file(refusal(write_on), word, sql);
+  }
+}
+
+// What cannot be read is the catalogue's fault, not that of the file that is written.
+TEST_F(DamageTest, PlainExportsNameTheCatalogue) {
+  const std::pair<const char*, const char*> kDamages[] = {
+      {"DROP TABLE undecided", "undecided"},
+      {"UPDATE candidate SET displacements_mm = 'nonsense'", "JSON"},
+      {"DROP VIEW diagonals; CREATE VIEW diagonals AS SELECT 1 AS one", "draw"},
+  };
+  for (const auto& [sql, word] : kDamages) {
+    const auto database = open_for_reading(damage(sql));
+    expect_bad_file(refusal([&] { export_plain(*database, path("plain.db")); }), word, sql);
+    EXPECT_FALSE(std::filesystem::exists(path("plain.db")));
   }
 }
 

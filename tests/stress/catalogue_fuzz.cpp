@@ -11,6 +11,7 @@
 
 #include "schema/catalogue_state.hpp"
 #include "schema/ledger_check.hpp"
+#include "schema/plain_export.hpp"
 #include "schema/result_table.hpp"
 #include "search/merge.hpp"
 #include "search/status.hpp"
@@ -155,6 +156,9 @@ class Reader {
     const bool is_read = ends([&] {
       const auto database = open_for_reading(path);
       query(*database);
+      const std::string plain = folder_.file("plain.db");
+      const bool is_plain = ends([&] { export_plain(*database, plain); });
+      if (is_plain != std::filesystem::exists(plain)) found("a plain export by halves");
       const CatalogueState state = read_state(*database);
       search::status_text(state);
       search::status_json(state).dump();
