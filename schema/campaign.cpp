@@ -143,6 +143,17 @@ void read_stop(ObjectReader reader, StopRule& stop) {
   reader.refuse_unknown_keys();
 }
 
+void read_actuators(ObjectReader reader, solver::Actuators& actuators) {
+  reader.number("stiffness_n_per_mm", actuators.stiffness_n_per_mm, kLeastStiffness_n_per_mm,
+                kMostStiffness_n_per_mm, "try 50, the paper's springs");
+  if (const Json* limit = reader.find("stroke_limit"); limit && !limit->is_null()) {
+    actuators.stroke_limit = 0.0;
+    reader.number("stroke_limit", *actuators.stroke_limit, kLeastStroke, kMostStroke,
+                  "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit");
+  }
+  reader.refuse_unknown_keys();
+}
+
 bool usable_file_name(const std::string& name) {
   return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -164,6 +175,11 @@ void leave_out_defaults(Json& value, const Json& defaults) {
 
 int Campaign::threshold_sample() const {
   return static_cast<int>(std::lround(threshold_deg / sample_deg));
+}
+
+bool Campaign::accepts(const solver::Verdict& verdict) const {
+  return verdict.first_fault != solver::Fault::undecided &&
+         verdict.deploys_from_sample >= threshold_sample();
 }
 
 Campaign read_campaign(const Json& value, const std::string& source,
@@ -196,6 +212,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
   read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
+  read_actuators(ObjectReader(part("actuators"), "actuators", faults), campaign.actuators);
   reader.refuse_unknown_keys();
   faults.refuse(source);
   return campaign;
@@ -237,7 +254,10 @@ Json campaign_json(const Campaign& campaign) {
            {{"draws", or_null(campaign.stop.draws)},
             {"accepted", or_null(campaign.stop.accepted)},
             {"relative_error", or_null(campaign.stop.relative_error)},
-            {"wall_s", or_null(campaign.stop.wall_s)}}}};
+            {"wall_s", or_null(campaign.stop.wall_s)}}},
+          {"actuators",
+           {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
+            {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}}};
 }
 
 Json identity_json(const Campaign& campaign) {
@@ -245,6 +265,7 @@ Json identity_json(const Campaign& campaign) {
   Json identity = campaign_json(campaign);
   identity.erase("name");
   identity.erase("stop");
+  identity.erase("actuators");
   leave_out_defaults(identity, defaults);
   return identity;
 }

@@ -8,6 +8,7 @@
 
 #include "schema/draw_range.hpp"
 #include "schema/pattern_file.hpp"
+#include "solver/actuation.hpp"
 
 namespace misalign::schema {
 
@@ -42,9 +43,12 @@ struct Campaign {
   bool between_samples = false;  ///< whether a bump between samples is a fault
   std::uint64_t seed = 1;
   StopRule stop;
+  solver::Actuators actuators;  ///< outside the identity: what is shown of candidates
 
   /// The least D that is accepted.
   int threshold_sample() const;
+  /// Whether a draw with this verdict is kept.
+  bool accepts(const solver::Verdict& verdict) const;
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
 
@@ -53,6 +57,10 @@ struct Campaign {
 Campaign read_campaign(const Json& value, const std::string& source,
                        const std::filesystem::path& directory = {});
 Campaign read_campaign_file(const std::string& path);
+
+/// The bounds of a stiffness and of a stroke limit, here and on the command line.
+inline constexpr double kLeastStiffness_n_per_mm = 1e-6, kMostStiffness_n_per_mm = 1e9;
+inline constexpr double kLeastStroke = 1e-6, kMostStroke = 10;
 
 /// The default campaign: the paper's.
 Campaign default_campaign();

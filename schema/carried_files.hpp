@@ -1,4 +1,5 @@
-// Files of schema/ compiled into the program, so that it runs from anywhere.
+// Files of schema/, and the page made of schema/report/, compiled into the program, so that it runs
+// from anywhere.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 namespace misalign::schema {
 
 struct CarriedFile {
-  std::string path;  ///< "schema/queries/best.sql"
+  std::string path;  ///< "schema/queries/best.sql"; "report_page.html"
   std::string text;
 };
 

@@ -1,6 +1,7 @@
 #include "schema/folding_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace misalign::schema {
@@ -92,7 +93,7 @@ Json folding_json(const FoldingView& view) {
     creases.push_back(
         {{"from", solver::vertex_label(crease.a)},
          {"to", solver::vertex_label(crease.b)},
-         {"assignment", crease.assignment > 0 ? "valley" : "mountain"},
+         {"assignment", view.mechanism.is_valley(crease) ? "valley" : "mountain"},
          {"fold_angle_deg", column_json(history.fold_angle_deg, static_cast<Eigen::Index>(i))}});
   }
   return {{"pattern", pattern_json(view.base, view.shifts_mm)},
@@ -110,25 +111,28 @@ Json folding_json(const FoldingView& view) {
           {"smallest_singular_value", history.singular_value_min}};
 }
 
-std::string folding_csv(const FoldingView& view) {
+std::string folding_csv(const FoldingView& view, const solver::Actuation& actuation) {
   std::string text = "pilot_deg";
   for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
     text +=
         "," + solver::vertex_label(diagonal.from) + "-" + solver::vertex_label(diagonal.to) + "_mm";
   }
-  text += "\n0";
+  text += ",energy_n_mm,moment_n_mm,mechanical_advantage\n";
   char number[40];
   const auto append = [&](double value) {
     std::snprintf(number, sizeof number, ",%.12g", value);
-    text += number;
+    text += std::isfinite(value) ? number : ",";
   };
-  for (const double flat : view.history.flat_mm) append(flat);
-  text += "\n";
-  for (std::size_t row = 0; row < view.history.stops.size(); ++row) {
-    text += shown_number(view.history.stops[row].pilot_deg);
-    for (Eigen::Index d = 0; d < view.history.length_mm.cols(); ++d) {
-      append(view.history.length_mm(static_cast<Eigen::Index>(row), d));
+  for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {
+    text += shown_number(actuation.pilot_deg[row]);
+    for (std::size_t d = 0; d < view.history.flat_mm.size(); ++d) {
+      append(row == 0 ? view.history.flat_mm[d]
+                      : view.history.length_mm(static_cast<Eigen::Index>(row) - 1,
+                                               static_cast<Eigen::Index>(d)));
     }
+    append(actuation.energy_n_mm[row]);
+    append(actuation.moment_n_mm[row]);
+    append(actuation.mechanical_advantage[row]);
     text += "\n";
   }
   return text;
@@ -156,7 +160,7 @@ Json metrics_json(const solver::Metrics& m) {
 }
 
 Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
-                    const solver::Metrics& metrics) {
+                    const solver::Metrics& metrics, const Json& actuation) {
   Json diagonals = diagonals_json(view, false);
   for (std::size_t d = 0; d < diagonals.size(); ++d) {
     diagonals[d]["elongation"] = metrics.elongation[d];
@@ -166,7 +170,8 @@ Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingV
           {"pattern", pattern_json(view.base, view.shifts_mm)},
           {"verdict", verdict_json(view)},
           {"metrics", metrics_json(metrics)},
-          {"diagonals", diagonals}};
+          {"diagonals", diagonals},
+          {"actuation", actuation}};
 }
 
 }  // namespace misalign::schema

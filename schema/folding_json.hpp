@@ -36,14 +36,15 @@ Json bump_json(const FoldingView& view);
 /// The contract's `fold --json`.
 Json folding_json(const FoldingView& view);
 
-/// One row per stop: pilot_deg, then the length of each diagonal in mm.
-std::string folding_csv(const FoldingView& view);
+/// One row per stop, flat first: pilot_deg, the length of each diagonal in mm, then energy, moment
+/// and mechanical advantage of the springs (empty when flat).
+std::string folding_csv(const FoldingView& view, const solver::Actuation& actuation);
 
 /// The metrics under the names of their columns.
 Json metrics_json(const solver::Metrics& metrics);
 
 /// An exported candidate (candidate.schema.json).
 Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
-                    const solver::Metrics& metrics);
+                    const solver::Metrics& metrics, const Json& actuation);
 
 }  // namespace misalign::schema

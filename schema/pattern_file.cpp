@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "schema/carried_pattern.hpp"
 #include "schema/fold_format.hpp"
 #include "solver/miura.hpp"
 #include "solver/perforation.hpp"
@@ -369,8 +370,18 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
 
 Pattern read_pattern_file(const std::string& path, Perforations perforations) {
   InputFaults faults;
-  Pattern pattern = read_pattern(read_json_file(path), "", Displacements::allowed,
-                                 std::filesystem::path(path).parent_path(), faults, perforations);
+  const Json document = read_json_file(path);
+  const bool is_fold = document.is_object() && document.contains("vertices_coords");
+  const auto read = [&] {
+    if (is_fold && document.contains(kCarriedPattern)) {
+      return read_carried_pattern(document, faults, perforations);
+    }
+    const std::filesystem::path file(path);
+    const Json mesh = {{"family", "fold"}, {"file", file.filename().string()}};
+    return read_pattern(is_fold ? mesh : document, "", Displacements::allowed, file.parent_path(),
+                        faults, perforations);
+  };
+  Pattern pattern = read();
   faults.refuse(path);
   return pattern;
 }

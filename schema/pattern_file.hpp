@@ -28,7 +28,8 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
                      const std::filesystem::path& directory, InputFaults& faults,
                      Perforations perforations = Perforations::of_one_freedom);
 
-/// A pattern file; UserError (3) with every fault.
+/// A pattern file, or a FOLD file: an exported candidate, or a mesh without shifts. UserError (3)
+/// with every fault.
 Pattern read_pattern_file(const std::string& path,
                           Perforations perforations = Perforations::of_one_freedom);
 

@@ -1,10 +1,19 @@
-# Writes FILES (relative to ROOT) as string constants into OUTPUT; see schema/carried_files.hpp.
+# Writes FILES (relative to ROOT), and PAGE if there is one, as string constants into OUTPUT; see
+# schema/carried_files.hpp.
 set(source "#include \"schema/carried_files.hpp\"\n\nnamespace misalign::schema {\n\n")
 string(APPEND source "const std::vector<CarriedFile>& carried_files() {\n")
 string(APPEND source "  static const std::vector<CarriedFile> files = {\n")
-foreach(name IN LISTS FILES)
-  file(READ "${ROOT}/${name}" text)
+function(carry name path)
+  file(READ "${path}" text)
   string(APPEND source "      {\"${name}\", R\"carried(${text})carried\"},\n")
+  set(source "${source}" PARENT_SCOPE)
+endfunction()
+foreach(name IN LISTS FILES)
+  carry("${name}" "${ROOT}/${name}")
 endforeach()
+if(PAGE)
+  get_filename_component(name "${PAGE}" NAME)
+  carry("${name}" "${PAGE}")
+endif()
 string(APPEND source "  };\n  return files;\n}\n\n}  // namespace misalign::schema\n")
 file(WRITE "${OUTPUT}" "${source}")

@@ -69,7 +69,7 @@ class LaneRun {
   bool accepted(std::uint64_t draw) const {
     return std::binary_search(accepted_.begin(), accepted_.end(), draw);
   }
-  bool wants(const solver::Verdict& verdict) const { return trial_.accepts(verdict); }
+  bool wants(const solver::Verdict& verdict) const { return trial_.campaign().accepts(verdict); }
   SolverSpeed speed() const {
     SolverSpeed speed = speed_;
     const solver::Effort screening = trial_.batch().screening_effort();

@@ -47,20 +47,8 @@ CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
       plan_(solver::plan_path(mechanism_, campaign.pattern.base.folding,
                               campaign.pattern.base.sheet.vertices_mm, campaign.path())),
       tolerances_{mechanism_.panel_width_mm, campaign.sample_deg},
-      shape_(campaign.pattern.base.sheet, campaign.pattern.base.holes, mechanism_) {
-  const solver::PerforatedSheet& base = campaign.pattern.base;
-  std::vector<int> panel_of(base.sheet.facets.size(), -1);
-  for (int f = 0; f < base.sheet.facet_count(); ++f) {
-    if (std::binary_search(base.holes.begin(), base.holes.end(), f)) continue;
-    panel_of[f] = static_cast<int>(panels_.size());
-    kept_.push_back(f);
-    panels_.push_back(base.sheet.facets[f]);
-  }
-  for (const solver::Crease& crease : mechanism_.creases) {
-    folds_.push_back({crease.a, crease.b, panel_of[crease.left], panel_of[crease.right],
-                      base.folding.side() * base.folding.assignment()[crease.edge]});
-  }
-}
+      shape_(campaign.pattern.base.sheet, campaign.pattern.base.holes, mechanism_),
+      panels_(solver::panels_of(campaign.pattern.base, mechanism_)) {}
 
 CandidateReport CandidateCheck::check(const Json& row, int schema_version) const {
   CandidateReport report;
@@ -143,16 +131,16 @@ void CandidateCheck::check_shapes(const std::string& where, const solver::FlatVe
                                   const solver::FoldingHistory& history,
                                   const std::vector<solver::FoldState<double>>& states,
                                   CandidateReport& report) const {
-  solver::ShapeCheck shape_check(vertices_mm, panels_, folds_);
-  ContactCheck contact_check(vertices_mm, panels_);
+  solver::ShapeCheck shape_check(vertices_mm, panels_.corners, panels_.folds);
+  ContactCheck contact_check(vertices_mm, panels_.corners);
   solver::SheetGeometry<double> geometry;
   place(mechanism_, vertices_mm, geometry);
-  std::vector<double> claimed_deg(folds_.size());
+  std::vector<double> claimed_deg(panels_.folds.size());
   for (Eigen::Index k = 0; k < history.verdict.deploys_from_sample; ++k) {
     const solver::FoldState<double>& state = states[static_cast<std::size_t>(k)];
     const Eigen::Matrix3Xd folded_mm = shape_.vertices_mm(geometry, state);
     const Eigen::Matrix3Xd corners_mm = shape_.corners_mm(geometry, state);
-    for (std::size_t i = 0; i < folds_.size(); ++i) {
+    for (std::size_t i = 0; i < panels_.folds.size(); ++i) {
       claimed_deg[i] = history.fold_angle_deg(k, static_cast<Eigen::Index>(i));
     }
     shape_check.see(folded_mm, corners_mm, claimed_deg);
@@ -165,7 +153,7 @@ void CandidateCheck::check_shapes(const std::string& where, const solver::FlatVe
     if (report.first_contact_deg) continue;
     if (const auto panels = contact_check.crossing(corners_mm)) {
       const auto place_of = [&](int panel) {
-        return schema::facet_json(campaign_.pattern, kept_[panel]).dump();
+        return schema::facet_json(campaign_.pattern, panels_.facets[panel]).dump();
       };
       report.first_contact_deg = static_cast<double>(k + 1) * campaign_.sample_deg;
       report.contact = place_of(panels->first) + " and " + place_of(panels->second);
@@ -175,11 +163,8 @@ void CandidateCheck::check_shapes(const std::string& where, const solver::FlatVe
   add_shape_findings(where, report);
 }
 
-// A chain of joints passes at most as many loops as there are panels, each open by no more than the
-// closure tolerance.
 void CandidateCheck::add_shape_findings(const std::string& where, CandidateReport& report) const {
-  const double limit_rad =
-      solver::NewtonOptions{}.closure_tolerance * static_cast<double>(panels_.size());
+  const double limit_rad = solver::shape_tolerance(panels_);
   const double limit_mm = limit_rad * mechanism_.panel_width_mm;
   const double limit_deg = limit_rad / solver::kRadPerDeg;
   const solver::ShapeErrors& shape = report.shape;
@@ -193,7 +178,7 @@ void CandidateCheck::add_shape_findings(const std::string& where, CandidateRepor
   compare("angle_deg", shape.angle_deg, limit_deg);
   compare("beyond_deg", shape.beyond_deg, solver::kOverFoldBand_deg);
   if (shape.wrong_sign >= 0) {
-    const solver::FoldLine& fold = folds_[static_cast<std::size_t>(shape.wrong_sign)];
+    const solver::FoldLine& fold = panels_.folds[static_cast<std::size_t>(shape.wrong_sign)];
     report.findings.push_back(schema::differs(where, "fold " + solver::line_label(fold.a, fold.b),
                                               fold.sign > 0 ? "valley" : "mountain", "the other"));
   }

@@ -5,8 +5,8 @@
 #include "schema/ledger_check.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/contact.hpp"
+#include "solver/fold_lines.hpp"
 #include "solver/metrics.hpp"
-#include "solver/shape_check.hpp"
 
 namespace misalign::search {
 
@@ -43,9 +43,7 @@ class CandidateCheck {
   const solver::PathPlan plan_;
   const ColumnTolerances tolerances_;
   const solver::FoldedShape shape_;
-  std::vector<int> kept_;  // facets
-  std::vector<std::array<int, 4>> panels_;
-  std::vector<solver::FoldLine> folds_;  // in the order of the mechanism's creases
+  const solver::Panels panels_;
 };
 
 }  // namespace misalign::search

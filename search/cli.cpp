@@ -93,6 +93,7 @@ int run_command_line(int argc, char** argv) {
       {"export", add_export(app)},       {"verify", add_verify(app)},
       {"merge", add_merge(app)},         {"config", add_config(app)},
       {"tolerance", add_tolerance(app)}, {"doctor", add_doctor(app)},
+      {"actuators", add_actuators(app)}, {"report", add_report(app)},
       {"bench", add_bench(app)}};
   try {
     app.parse(argc, argv);

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "schema/catalogue_state.hpp"
-#include "schema/result_table.hpp"
 #include "search/trial.hpp"
 #include "solver/perforation.hpp"
 
@@ -120,58 +117,6 @@ void print_perforations(const Json& one, const Json& others) {
               ranks.empty() ? "" : ": ", ranks.c_str());
 }
 
-// Whole or not at all: a full disk leaves no half of a file under its name.
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) {
-    std::filesystem::remove(part, error);
-    throw schema::UserError(schema::kExitFailure,
-                            path.string() + ": cannot be written; choose another --output");
-  }
-}
-
-std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const ExportOptions& options) {
-  std::string sql = "SELECT draw FROM candidates";
-  if (options.draw) {
-    sql += " WHERE draw = " + std::to_string(*options.draw);
-  } else if (options.best) {
-    bool known = false;
-    std::string names;
-    schema::reading(database, [&] {
-      const SQLite::Statement columns(database, "SELECT * FROM candidates LIMIT 0");
-      for (int k = 0; k < columns.getColumnCount(); ++k) {
-        const std::string name = columns.getColumnName(k);
-        known = known || name == options.by;
-        names += (names.empty() ? "" : ", ") + name;
-      }
-    });
-    if (!known) {
-      throw schema::UserError(
-          schema::kExitUsage,
-          "--by " + options.by + ": is no column of a candidate; choose one of " + names);
-    }
-    sql += " ORDER BY " + options.by + " DESC, slope_min_mm_per_deg DESC, draw LIMIT " +
-           std::to_string(*options.best);
-  } else {
-    sql += " WHERE (" + options.where + ") ORDER BY draw";
-  }
-  const Json rows = Json::parse(schema::query_table(database, sql, schema::TableStyle::json));
-  std::vector<std::uint64_t> draws;
-  for (const Json& row : rows) {
-    const Json& draw = row.at("draw");
-    if (!draw.is_number_unsigned()) {
-      throw schema::damaged(database, "a candidate's draw is " + draw.dump());
-    }
-    draws.push_back(draw.get<std::uint64_t>());
-  }
-  return draws;
-}
-
 }  // namespace
 
 void fold(const FoldOptions& options) {
@@ -213,7 +158,7 @@ void replay(const ReplayOptions& options) {
   const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(options.draw);
   const schema::FoldingView view{campaign.pattern, shifts_mm, trial.mechanism(), history,
                                  campaign.sample_deg};
-  const bool accepted = trial.accepts(history.verdict);
+  const bool accepted = campaign.accepts(history.verdict);
   if (!options.json) {
     std::printf("draw %llu of %s: %s\n", static_cast<unsigned long long>(options.draw),
                 campaign.name.c_str(), accepted ? "accepted" : "not accepted");
@@ -225,43 +170,6 @@ void replay(const ReplayOptions& options) {
   json["draw"] = options.draw;
   json["verdict"]["accepted"] = accepted;
   print_json(json);
-}
-
-void export_candidates(const ExportOptions& options) {
-  const auto database = schema::open_for_reading(options.catalogue_path);
-  const std::vector<std::uint64_t> draws = chosen_draws(*database, options);
-  if (draws.empty()) {
-    throw schema::UserError(schema::kExitUsage, options.catalogue_path +
-                                                    ": holds no such candidate; `misalign query " +
-                                                    options.catalogue_path + " best` shows some");
-  }
-  Trial trial(schema::read_campaign_of(*database, options.catalogue_path));
-  const schema::Campaign& campaign = trial.campaign();
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
-  if (error) {
-    throw schema::UserError(
-        schema::kExitFailure,
-        options.output + ": cannot be made (" + error.message() + "); choose another --output");
-  }
-  for (const std::uint64_t draw : draws) {
-    const auto history = trial.history(draw);
-    const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
-    const schema::FoldingView view{campaign.pattern, shifts_mm, trial.mechanism(), history,
-                                   campaign.sample_deg};
-    const std::filesystem::path path =
-        std::filesystem::path(options.output) /
-        (campaign.name + "-" + std::to_string(draw) + "." + options.format);
-    if (options.format == "csv") {
-      write_file(path, schema::folding_csv(view));
-    } else {
-      const auto vertices = campaign.pattern.base.sheet.vertices_mm + shifts_mm;
-      const auto metrics =
-          solver::measure(campaign.pattern.base, vertices, history, campaign.sample_deg);
-      write_file(path, schema::candidate_json(campaign, draw, view, metrics).dump(1) + "\n");
-    }
-    std::puts(path.string().c_str());
-  }
 }
 
 }  // namespace misalign::search

@@ -1,7 +1,6 @@
-// Verbs that look at single patterns: `fold`, `perforations`, `replay` and `export`.
+// Verbs that look at single patterns: `fold`, `perforations` and `replay`.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "schema/folding_json.hpp"
@@ -28,15 +27,5 @@ struct ReplayOptions {
   bool json = false;
 };
 void replay(const ReplayOptions& options);
-
-struct ExportOptions {
-  std::string catalogue_path;
-  std::optional<std::uint64_t> draw, best;
-  std::string by = "deploys_from_deg";
-  std::string where;  ///< SQL condition on the candidates view
-  std::string format = "json";
-  std::string output;
-};
-void export_candidates(const ExportOptions& options);
 
 }  // namespace misalign::search

@@ -1,7 +1,6 @@
 // Verbs that look at a pattern or a catalogue.
 #include <cstdio>
 
-#include "schema/plain_export.hpp"
 #include "schema/result_table.hpp"
 #include "search/look.hpp"
 #include "search/status.hpp"
@@ -110,39 +109,6 @@ Action add_query(CLI::App& app) {
                        : *csv ? schema::TableStyle::csv
                               : schema::TableStyle::aligned;
     std::fputs(schema::query_table(*database, named.empty() ? *sql : named, style).c_str(), stdout);
-    return 0;
-  };
-}
-
-Action add_export(CLI::App& app) {
-  auto* verb = app.add_subcommand("export", "chosen candidates as files");
-  verb->footer(
-      "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
-      "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
-  auto options = std::make_shared<ExportOptions>();
-  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
-  auto* choice = verb->add_option_group("choice", "which candidates");
-  const auto count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
-  choice->add_option("--draw", options->draw, "this one")->check(count);
-  choice->add_option("--best", options->best, "so many, the best first")->check(count);
-  choice->add_option("--where", options->where, "those for which this SQL condition holds");
-  auto compat = std::make_shared<bool>(false);
-  choice->add_flag("--sqlite-compat", *compat,
-                   "the whole catalogue, as one file that SQLite from 3.8 (2014) on can read");
-  choice->require_option(1);
-  verb->add_option("--by", options->by, "column that --best sorts by [deploys_from_deg]");
-  verb->add_option("--format", options->format, "json or csv [json]")
-      ->check(CLI::IsMember({"json", "csv"}));
-  verb->add_option("--output", options->output,
-                   "directory, made if it is not there; with --sqlite-compat a new file")
-      ->required();
-  return [options, compat] {
-    if (*compat) {
-      schema::export_plain(*schema::open_for_reading(options->catalogue_path), options->output);
-      std::puts(options->output.c_str());
-    } else {
-      export_candidates(*options);
-    }
     return 0;
   };
 }

@@ -89,7 +89,7 @@ void Trial::settle(schema::UnitRecord& unit) {
     if (is_sampled(draw)) unit.fault_sample.push_back({draw, verdict});
     if (verdict.first_fault == solver::Fault::undecided) {
       unit.undecided.push_back({draw, verdict});
-    } else if (accepts(verdict)) {
+    } else if (campaign_.accepts(verdict)) {
       accepted.push_back(draw);
     } else {
       ++unit.rejected;
@@ -132,11 +132,6 @@ Eigen::Matrix2Xd Trial::shifts_mm(std::uint64_t draw) const {
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, family_.mechanism().vertices);
   draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm);
   return shifts_mm;
-}
-
-bool Trial::accepts(const solver::Verdict& verdict) const {
-  return verdict.first_fault != solver::Fault::undecided &&
-         verdict.deploys_from_sample >= campaign_.threshold_sample();
 }
 
 std::string golden_verdicts(solver::InstructionSet set) {

@@ -42,9 +42,6 @@ class Trial {
   const solver::Mechanism& mechanism() const { return family_.mechanism(); }
   const solver::Batch& batch() const { return *batch_; }
 
-  /// Whether the campaign wants a draw with this verdict.
-  bool accepts(const solver::Verdict& verdict) const;
-
  private:
   using Draws = std::vector<std::uint64_t>;
   template <class SomeDraws>

@@ -25,9 +25,13 @@ Action add_fold(CLI::App& app);
 Action add_perforations(CLI::App& app);
 Action add_replay(CLI::App& app);
 Action add_query(CLI::App& app);
-Action add_export(CLI::App& app);
+Action add_actuators(CLI::App& app);
 Action add_verify(CLI::App& app);
 Action add_tolerance(CLI::App& app);
+
+// Those that take candidates away.
+Action add_export(CLI::App& app);
+Action add_report(CLI::App& app);
 
 /// A number within bounds, which NaN is not.
 CLI::Validator within(double least, double most);

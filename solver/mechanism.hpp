@@ -79,6 +79,8 @@ struct Mechanism {
   int first_column(const Passage& passage) const {
     return passage.ball ? balls[passage.joint].column : creases[passage.joint].column;
   }
+  /// Seen from +z, where fold angles of valleys are positive.
+  bool is_valley(const Crease& crease) const { return side * crease.assignment > 0; }
   int diagonal_count() const { return static_cast<int>(diagonals.size()); }
 };
 

@@ -1,4 +1,5 @@
 // candidate.schema.json describes what `misalign export` writes.
+#include "schema/actuation_json.hpp"
 #include "schema_agreement.hpp"
 
 namespace misalign::schema {
@@ -19,10 +20,13 @@ Json table1_candidate() {
     const auto plan =
         solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign.path());
     const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
-    const auto history = solver::record_history(base, mechanism, plan, vertices_mm);
-    const auto metrics = solver::measure(base, vertices_mm, history, campaign.sample_deg);
-    const FoldingView view{campaign.pattern, shifts_mm, mechanism, history, campaign.sample_deg};
-    return candidate_json(campaign, 7, view, metrics);
+    const auto path = solver::record_shapes(base, mechanism, plan, vertices_mm);
+    const auto metrics = solver::measure(base, vertices_mm, path.history, campaign.sample_deg);
+    const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
+                           campaign.sample_deg};
+    const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
+    return candidate_json(campaign, 7, view, metrics,
+                          actuation_json(view, path, solver::actuate(wires, path, vertices_mm)));
   }();
   return candidate;
 }

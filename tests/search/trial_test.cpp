@@ -133,7 +133,7 @@ TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
   Trial trial(schema::read_campaign(campaign, "a test"));
   constexpr std::uint64_t kDraw = 49432;
   const solver::FoldingHistory history = trial.history(kDraw);
-  EXPECT_TRUE(trial.accepts(history.verdict));
+  EXPECT_TRUE(trial.campaign().accepts(history.verdict));
   ASSERT_GE(history.between.bump_where, 0);
   const solver::PerforatedSheet& base = trial.campaign().pattern.base;
   const solver::Metrics metrics =
@@ -167,7 +167,7 @@ TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
   EXPECT_EQ(verdict.deploys_from_sample, 159);
   EXPECT_EQ(static_cast<int>(*metrics.bump_deg), 159);
   EXPECT_EQ(words_of(strict_trial.history(kDraw).verdict), words_of(verdict));
-  EXPECT_FALSE(strict_trial.accepts(verdict));
+  EXPECT_FALSE(strict_trial.campaign().accepts(verdict));
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.

@@ -1,0 +1,31 @@
+// The report: one HTML page, whose text and programs are made by the build (schema/report/), and
+// the data that goes into it.
+#pragma once
+
+#include "schema/actuation_json.hpp"
+#include "schema/database.hpp"
+
+namespace misalign::schema {
+
+/// Draws as texts (they may exceed 2^53), columns of the candidates view: the `most` first ones in
+/// the order of the query `best`, and how many there are.
+Json candidates_json(SQLite::Database& database, std::uint64_t most);
+
+/// {"every", "rows": [{"first_fault", "fault_deg", "where", "accepted", "draws"}]}: the exact first
+/// faults of the sample.
+Json faults_json(SQLite::Database& database, const Campaign& campaign);
+
+/// The unshifted sheet: vertices, panels, holes, creases, cuts, ball joints, pilot.
+Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism);
+
+/// A draw to look at, flat first: histories, shapes and springs in base64, so that dozens of them
+/// make no large page. Shapes are seen from the middle of the flat sheet, in whole numbers of
+/// hundredths of a mm (more on sheets that reach farther than 320 mm).
+Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
+                 const solver::ShapedPath& path, const solver::Actuation& actuation,
+                 const std::optional<solver::Metrics>& metrics);
+
+/// The page with this data. UserError (1) if the program was built without the page.
+std::string report_page(const Json& data);
+
+}  // namespace misalign::schema

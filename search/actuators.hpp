@@ -1,0 +1,17 @@
+// `misalign actuators`: springs on the diagonals of one draw.
+#pragma once
+
+#include "search/export.hpp"
+
+namespace misalign::search {
+
+struct ActuatorsOptions {
+  std::string catalogue_path;
+  std::uint64_t draw = 0;  ///< accepted or not
+  OtherActuators actuators;
+  bool json = false;
+};
+
+void show_actuators(const ActuatorsOptions& options);
+
+}  // namespace misalign::search

@@ -1,0 +1,178 @@
+#include "search/choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "schema/result_table.hpp"
+#include "solver/spread.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+// So that a sentence can name them.
+std::string columns_of_candidates(SQLite::Database& database, const std::string& wanted) {
+  bool known = false;
+  std::string names;
+  schema::reading(database, [&] {
+    const SQLite::Statement columns(database, "SELECT * FROM candidates LIMIT 0");
+    for (int k = 0; k < columns.getColumnCount(); ++k) {
+      const std::string name = columns.getColumnName(k);
+      known = known || name == wanted;
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  });
+  return known ? "" : names;
+}
+
+Json rows_of(SQLite::Database& database, const std::string& sql) {
+  return Json::parse(schema::query_table(database, sql, schema::TableStyle::json));
+}
+
+std::vector<std::uint64_t> draws_of_rows(const SQLite::Database& database, const Json& rows) {
+  std::vector<std::uint64_t> draws;
+  for (const Json& row : rows) {
+    const Json& draw = row.at("draw");
+    if (!draw.is_number_unsigned()) {
+      throw schema::damaged(database, "a candidate's draw is " + draw.dump());
+    }
+    draws.push_back(draw.get<std::uint64_t>());
+  }
+  return draws;
+}
+
+// Rows of unequal length and meaning made comparable: each coordinate over its standard deviation,
+// divided so that the whole block counts like one coordinate.
+Eigen::MatrixXd standardized(const std::vector<std::vector<double>>& points) {
+  const auto rows = static_cast<Eigen::Index>(points.front().size());
+  Eigen::MatrixXd block(rows, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    block.col(static_cast<Eigen::Index>(k)) = Eigen::VectorXd::Map(points[k].data(), rows);
+  }
+  block.colwise() -= Eigen::VectorXd(block.rowwise().mean());
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const double deviation =
+        std::sqrt(block.row(row).squaredNorm() / static_cast<double>(block.cols()));
+    if (deviation > 0) block.row(row) /= deviation * std::sqrt(static_cast<double>(rows));
+  }
+  return block;
+}
+
+// The JSON of a text column.
+Json parsed(const Json& row, const char* column) {
+  const Json& text = row.at(column);
+  return text.is_string() ? Json::parse(text.get<std::string>(), nullptr, false) : Json();
+}
+
+// Elongations of the diagonals at D, one list per row.
+std::vector<std::vector<double>> elongations_of(const SQLite::Database& database,
+                                                const Json& rows) {
+  std::vector<std::vector<double>> elongations;
+  for (const Json& row : rows) {
+    const Json list = parsed(row, "elongation");
+    const bool numbers = list.is_array() && !list.empty() &&
+                         std::all_of(list.begin(), list.end(), std::mem_fn(&Json::is_number));
+    if (!numbers || (!elongations.empty() && elongations[0].size() != list.size())) {
+      throw schema::damaged(database, "a candidate's elongations are none");
+    }
+    elongations.push_back(list.get<std::vector<double>>());
+  }
+  return elongations;
+}
+
+// Shifts of every vertex that any of them shifts, x and y, one list per row.
+std::vector<std::vector<double>> shifts_of(const SQLite::Database& database, const Json& rows) {
+  std::map<std::string, std::size_t> place;  // of a vertex in the lists
+  std::vector<Json> displacements;
+  for (const Json& row : rows) {
+    displacements.push_back(parsed(row, "displacements_mm"));
+    if (!displacements.back().is_object()) {
+      throw schema::damaged(database, "a candidate's displacements are none");
+    }
+    for (const auto& [label, shift] : displacements.back().items()) {
+      if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+          !shift[1].is_number()) {
+        throw schema::damaged(database, "a candidate's displacement is " + shift.dump());
+      }
+      place.emplace(label, place.size());
+    }
+  }
+  std::vector<std::vector<double>> shifts;
+  for (const Json& of_one : displacements) {
+    shifts.emplace_back(2 * place.size(), 0.0);
+    for (const auto& [label, shift] : of_one.items()) {
+      shifts.back()[2 * place[label]] = shift[0].get<double>();
+      shifts.back()[2 * place[label] + 1] = shift[1].get<double>();
+    }
+  }
+  return shifts;
+}
+
+// Where candidates lie for a spread, a column for each of the rows: by their shifts, and by what
+// the diagonals do of it, which counts as much.
+Eigen::MatrixXd places_of(const SQLite::Database& database, const Json& rows) {
+  const Eigen::MatrixXd shifts = standardized(shifts_of(database, rows));
+  const Eigen::MatrixXd elongations = standardized(elongations_of(database, rows));
+  Eigen::MatrixXd places(shifts.rows() + elongations.rows(), shifts.cols());
+  places << shifts, elongations;
+  return places;
+}
+
+std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
+  if (!choice.draws.empty()) {
+    std::vector<std::uint64_t> draws;
+    for (const std::uint64_t draw : choice.draws) {
+      const std::string sql = "SELECT draw FROM candidate WHERE draw = " + std::to_string(draw);
+      if (!rows_of(database, sql).empty()) draws.push_back(draw);
+    }
+    return draws;
+  }
+  const std::string where = choice.where.empty() ? "" : " WHERE (" + choice.where + ")";
+  if (!choice.best && !choice.diverse) {
+    return draws_of_rows(
+        database, rows_of(database, "SELECT draw FROM candidates" + where + " ORDER BY draw"));
+  }
+  if (const std::string names = columns_of_candidates(database, choice.by); !names.empty()) {
+    throw schema::UserError(
+        schema::kExitUsage,
+        "--by " + choice.by + ": is no column of a candidate; choose one of " + names);
+  }
+  const std::string best = "SELECT draw FROM candidates" + where + " ORDER BY " + choice.by +
+                           " DESC, slope_min_mm_per_deg DESC, draw LIMIT " +
+                           std::to_string(choice.diverse ? kDiverseAmong : *choice.best);
+  const std::vector<std::uint64_t> draws = draws_of_rows(database, rows_of(database, best));
+  if (!choice.diverse || draws.empty()) return draws;
+  std::string list;
+  for (const std::uint64_t draw : draws) list += (list.empty() ? "" : ",") + std::to_string(draw);
+  Json rows =
+      rows_of(database, "SELECT draw, displacements_mm, elongation FROM candidate WHERE draw IN (" +
+                            list + ")");
+  std::sort(rows.begin(), rows.end(), [&](const Json& a, const Json& b) {
+    const auto rank = [&](const Json& row) {
+      return std::find(draws.begin(), draws.end(), row.at("draw").get<std::uint64_t>());
+    };
+    return rank(a) < rank(b);
+  });
+  std::vector<std::uint64_t> spread;
+  for (const int k : solver::farthest_first(places_of(database, rows), *choice.diverse)) {
+    spread.push_back(rows[static_cast<std::size_t>(k)].at("draw").get<std::uint64_t>());
+  }
+  return spread;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice) {
+  const std::vector<std::uint64_t> draws = chosen(database, choice);
+  if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
+    throw schema::UserError(schema::kExitUsage, database.getFilename() +
+                                                    ": holds no such candidate; `misalign query " +
+                                                    database.getFilename() + " best` shows some");
+  }
+  return draws;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,29 @@
+// Which candidates are meant by --draw, --best, --where, --by and --diverse.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/database.hpp"
+
+namespace misalign::search {
+
+struct Choice {
+  std::vector<std::uint64_t> draws;  ///< these, if there are any; the rest does not matter then
+  std::optional<std::uint64_t> best;
+  std::optional<std::uint64_t> diverse;
+  std::string by = "deploys_from_deg";  ///< column that says what is best
+  std::string where;                    ///< SQL condition on the candidates view
+};
+
+/// How many of the best are looked at for a spread.
+inline constexpr std::uint64_t kDiverseAmong = 1000;
+
+/// The draws that are chosen: those named, in their order; the best first, of those that `where`
+/// lets through; or all of those. Diverse ones are a spread (farthest first, from the best one on)
+/// over the shifts and over what the diagonals do of it, among the best kDiverseAmong. UserError
+/// (2) if there are none, or it is no condition or column.
+std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice);
+
+}  // namespace misalign::search

@@ -1,0 +1,98 @@
+#include "solver/actuation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "solver/metrics.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+
+std::pair<Index, Index> farthest_apart(const FlatVertices& vertices_mm) {
+  std::pair<Index, Index> span{0, 0};
+  double longest = -1;
+  for (Index a = 0; a < vertices_mm.cols(); ++a) {
+    for (Index b = a + 1; b < vertices_mm.cols(); ++b) {
+      const double length = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
+      if (length > longest) longest = length, span = {a, b};
+    }
+  }
+  return span;
+}
+
+// Rows of the actuation from 5 degrees to D.
+std::pair<Index, Index> judged_rows(const Actuation& actuation, Index up_to_d) {
+  Index first = 1;
+  while (first <= up_to_d && actuation.pilot_deg[first] < kSlopeFrom_deg) ++first;
+  return {first, std::max<Index>(up_to_d - first + 1, 0)};
+}
+
+void find_weakest(Index up_to_d, Actuation& actuation) {
+  const auto [first, rows] = judged_rows(actuation, up_to_d);
+  for (Index row = first; row < first + rows; ++row) {
+    const double moment = actuation.moment_n_mm[row];
+    if (!actuation.weakest || std::abs(moment) < std::abs(actuation.weakest->moment_n_mm)) {
+      actuation.weakest = {actuation.pilot_deg[row], moment};
+    }
+  }
+  if (!actuation.weakest) return;
+  const Eigen::MatrixXd moments = actuation.moment_by_n_mm.middleRows(first, rows);
+  if (moments.rowwise().sum().minCoeff() > 0) actuation.few = few_diagonals(moments, kShareOfFew);
+}
+
+void find_over_stroke(const FoldingHistory& history, Index up_to_d, Actuation& actuation) {
+  const std::optional<double> limit = actuation.actuators.stroke_limit;
+  if (!limit) return;
+  for (Index row = 0; row < up_to_d; ++row) {
+    for (Index d = 0; d < history.length_mm.cols(); ++d) {
+      const double flat_mm = history.flat_mm[d];
+      if (std::abs(history.length_mm(row, d) - flat_mm) <= *limit * flat_mm) continue;
+      if (!actuation.over_stroke) actuation.over_stroke = {history.stops[row].pilot_deg, {}};
+      std::vector<int>& over = actuation.over_stroke->diagonals;
+      const auto at = std::lower_bound(over.begin(), over.end(), d);
+      if (at == over.end() || *at != d) over.insert(at, static_cast<int>(d));
+    }
+  }
+}
+
+}  // namespace
+
+Actuation actuate(const Actuators& actuators, const ShapedPath& path,
+                  const FlatVertices& vertices_mm) {
+  const FoldingHistory& history = path.history;
+  const Index stops = history.length_mm.rows(), diagonals = history.length_mm.cols();
+  const double k = actuators.stiffness_n_per_mm;
+  const auto [a, b] = farthest_apart(vertices_mm);
+  Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {}, {}, {}, {}};
+  actuation.force_n.setZero(stops + 1, diagonals);
+  actuation.moment_by_n_mm.setZero(stops + 1, diagonals);
+  actuation.mechanical_advantage.push_back(std::numeric_limits<double>::quiet_NaN());
+  const Eigen::RowVectorXd flat_mm = Eigen::RowVectorXd::Map(history.flat_mm.data(), diagonals);
+  Eigen::RowVectorXd before_mm = flat_mm;
+  double span_before_mm = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
+  for (Index row = 0; row < stops; ++row) {
+    const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - flat_mm;
+    actuation.pilot_deg.push_back(history.stops[row].pilot_deg);
+    actuation.force_n.row(row + 1) = k * stretch_mm;
+    actuation.moment_by_n_mm.row(row + 1) =
+        k * stretch_mm.cwiseProduct(history.slope_mm_per_deg.row(row)) / kRadPerDeg;
+    actuation.energy_n_mm.push_back(k / 2 * stretch_mm.squaredNorm());
+    actuation.moment_n_mm.push_back(actuation.moment_by_n_mm.row(row + 1).sum());
+    const Eigen::Matrix3Xd& shape_mm = path.shapes_mm[row];
+    const double span_mm = (shape_mm.col(a) - shape_mm.col(b)).norm();
+    actuation.mechanical_advantage.push_back(
+        (history.length_mm.row(row) - before_mm).cwiseAbs().sum() /
+        std::abs(span_mm - span_before_mm));
+    before_mm = history.length_mm.row(row);
+    span_before_mm = span_mm;
+  }
+  find_weakest(path.rows_up_to_d(), actuation);
+  find_over_stroke(history, path.rows_up_to_d(), actuation);
+  return actuation;
+}
+
+}  // namespace misalign::solver

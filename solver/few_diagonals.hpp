@@ -1,0 +1,23 @@
+// Which of the diagonals are needed: the fewest that still drive the folding everywhere.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace misalign::solver {
+
+struct FewDiagonals {
+  std::vector<int> diagonals;  ///< ascending
+  double share;                ///< of the least total of all diagonals that theirs is
+  bool proven;                 ///< whether no smaller set will do
+};
+
+/// The smallest set of columns whose sum is everywhere at least `share` of the least sum of all
+/// columns; of several as small the one with the greatest least sum. `moments` has a row for each
+/// place along the way (at least one) and a column for each diagonal; the least sum of all columns
+/// must be positive. Up to 16 columns every set is looked at; beyond that columns are taken away
+/// one by one, the one that is missed least first, and the set is proven only if no smaller one
+/// reaches the share in the worst row alone.
+FewDiagonals few_diagonals(const Eigen::MatrixXd& moments, double share);
+
+}  // namespace misalign::solver
