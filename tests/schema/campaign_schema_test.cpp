@@ -138,6 +138,11 @@ constexpr Mutation kRefused[] = {
     {"/stop/accepted", "9223372036854780000"},
     {"/stop/wall_s", "-1"},
     {"/stop/wall_s", "1000000001"},
+    {"/actuators/extra", "1"},
+    {"/actuators/stiffness_n_per_mm", "0"},
+    {"/actuators/stiffness_n_per_mm", "1000000001"},
+    {"/actuators/stroke_limit", "0"},
+    {"/actuators/stroke_limit", "10.5"},
 };
 
 void expect_refused_by_both(const Json& schema, const Json& value, const std::string& key) {
@@ -166,7 +171,8 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
     if (!value.is_object()) wrong.push_back(Json::object({{"a", 1}}));
     if (!value.is_string()) wrong.push_back("text");
     if (value.is_string() || value.is_object() || value.is_boolean()) wrong.push_back(7);
-    if (key.find("stop.") != 0) wrong.push_back(nullptr);
+    const bool may_be_null = key.find("stop.") == 0 || key == "actuators.stroke_limit";
+    if (!may_be_null) wrong.push_back(nullptr);
     for (const Json& other : wrong) {
       expect_refused_by_both(schema, at.empty() ? other : with(good, at.to_string(), other), key);
     }
@@ -212,6 +218,10 @@ constexpr Mutation kAccepted[] = {
     {"/stop/accepted", "12"},
     {"/stop/wall_s", "0"},
     {"/stop/wall_s", "1e9"},
+    {"/actuators", "{}"},
+    {"/actuators/stiffness_n_per_mm", "1e-6"},
+    {"/actuators/stroke_limit", "0.08"},
+    {"/actuators/stroke_limit", "10"},
     // Ends of ranges that need more than one key changed; the pointer "" is the whole document.
     {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "path": {"sample_deg": 60},
              "accept": {"deploys_from_deg": 180}})"},

@@ -95,6 +95,7 @@ TEST(Identity, DoesNotDependOnHowTheCampaignIsWritten) {
       R"({"name": "other"})",
       R"({"stop": {"draws": 5, "accepted": 7, "wall_s": 1.5}})",
       R"({"stop": {"draws": null}})",
+      R"({"actuators": {"stiffness_n_per_mm": 3, "stroke_limit": 0.08}})",
       R"({"misalignment": {"amplitude_mm": 0.4, "levels": "ternary", "vertices": "interior"}})",
       R"({"path": {"sample_deg": 1.0, "end_deg": 180}, "accept": {"deploys_from_deg": 170.0}})",
       R"({"seed": 1, "pattern": {"panel_width_mm": 80.0, "panel_height_mm": 8e1}})",

@@ -1,0 +1,132 @@
+// What goes into the report's page.
+#include "schema/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "schema/base64.hpp"
+#include "solver/outline.hpp"
+
+namespace misalign::schema {
+namespace {
+
+std::string base64_of(const std::string& text) {
+  return base64(reinterpret_cast<const unsigned char*>(text.data()), text.size());
+}
+
+TEST(Base64, TestVectorsOfRfc4648) {
+  EXPECT_EQ(base64_of(""), "");
+  EXPECT_EQ(base64_of("f"), "Zg==");
+  EXPECT_EQ(base64_of("fo"), "Zm8=");
+  EXPECT_EQ(base64_of("foo"), "Zm9v");
+  EXPECT_EQ(base64_of("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64_of("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64_of("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64_of("\xff\xfe\xfd"), "//79");
+}
+
+/// The numbers that were written, by a slow decoder of its own.
+template <class Number>
+std::vector<Number> decoded(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bits, bytes;
+  for (const char c : text) {
+    if (c == '=') break;
+    const auto digit = digits.find(c);
+    for (int k = 5; k >= 0; --k) bits += digit >> k & 1 ? '1' : '0';
+  }
+  for (std::size_t k = 0; k + 8 <= bits.size(); k += 8) {
+    bytes += static_cast<char>(std::stoi(bits.substr(k, 8), nullptr, 2));
+  }
+  std::vector<Number> numbers(bytes.size() / sizeof(Number));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+  return numbers;
+}
+
+TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
+  const Pattern pattern = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
+  const auto& base = pattern.base;
+  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const auto plan = solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, {});
+  const auto path = solver::record_shapes(base, mechanism, plan, pattern.vertices_mm());
+  const auto actuation = solver::actuate({}, path, pattern.vertices_mm());
+  const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
+  const Json detail =
+      detail_json(view, std::uint64_t{1} << 62, false, path, actuation, std::nullopt);
+  EXPECT_EQ(detail["draw"], "4611686018427387904");
+  EXPECT_EQ(detail["metrics"], nullptr);
+  const std::size_t rows = path.shapes_mm.size() + 1;
+  EXPECT_EQ(detail["pilot_deg"].size(), rows);
+  const auto lengths = decoded<float>(detail["length_mm"]);
+  ASSERT_EQ(lengths.size(), rows * 16);
+  EXPECT_FLOAT_EQ(lengths[3], static_cast<float>(path.history.flat_mm[3]));
+  EXPECT_FLOAT_EQ(lengths[100 * 16 + 5], static_cast<float>(path.history.length_mm(99, 5)));
+  const auto energies = decoded<float>(detail["energy_n_mm"]);
+  ASSERT_EQ(energies.size(), rows);
+  EXPECT_FLOAT_EQ(energies[50], static_cast<float>(actuation.energy_n_mm[50]));
+  EXPECT_TRUE(std::isnan(decoded<float>(detail["mechanical_advantage"])[0]));
+
+  const auto units = decoded<std::int16_t>(detail["vertices_mm"]["data"]);
+  const double unit_mm = detail["vertices_mm"]["unit_mm"];
+  EXPECT_EQ(unit_mm, 0.01);
+  ASSERT_EQ(units.size(), rows * 49 * 3);
+  const auto distance = [&](std::size_t row, std::size_t a, std::size_t b) {
+    double sq = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = units[(row * 49 + a) * 3 + k] - units[(row * 49 + b) * 3 + k];
+      sq += d * d;
+    }
+    return std::sqrt(sq) * unit_mm;
+  };
+  for (const std::size_t row : {0u, 1u, 80u, 150u}) {
+    for (std::size_t a = 0; a < 49; ++a) {
+      const double wanted = row == 0 ? (pattern.vertices_mm().col(static_cast<Eigen::Index>(a)) -
+                                        pattern.vertices_mm().col(17))
+                                           .norm()
+                                     : (path.shapes_mm[row - 1].col(static_cast<Eigen::Index>(a)) -
+                                        path.shapes_mm[row - 1].col(17))
+                                           .norm();
+      EXPECT_NEAR(distance(row, a, 17), wanted, 0.02) << row << " " << a;
+    }
+  }
+}
+
+TEST(ReportSheet, CutsAreTheEdgesWithOnePanel) {
+  const Campaign campaign = default_campaign();
+  const auto& base = campaign.pattern.base;
+  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const Json sheet = sheet_json(campaign.pattern, mechanism);
+  // 6 x 6 with 8 holes: 24 edges round the sheet, 4 round each hole.
+  EXPECT_EQ(sheet["cuts"].size(), 24u + 8 * 4);
+  EXPECT_EQ(sheet["panels"].size(), 28u);
+  EXPECT_EQ(sheet["creases"].size(), 28u);
+  EXPECT_EQ(sheet["ball_joints"].size(), 9u);
+  EXPECT_EQ(sheet["pilot"], Json({1, 8})) << "A2-A9";
+  EXPECT_EQ(sheet["creases"].size() + sheet["cuts"].size(), base.sheet.edges.size());
+}
+
+// The material lies on the left of every walk: areas are positive outside and negative in holes.
+TEST(Outlines, GoRoundTheMaterial) {
+  const Campaign campaign = default_campaign();
+  const auto& base = campaign.pattern.base;
+  const auto walks = solver::outlines(base.sheet, base.holes);
+  ASSERT_EQ(walks.size(), 1 + base.holes.size());
+  EXPECT_EQ(walks[0].size(), 24u);
+  double area_mm2 = 0;
+  for (const auto& walk : walks) {
+    double twice = 0;
+    for (std::size_t k = 0; k < walk.size(); ++k) {
+      const auto p = base.sheet.vertices_mm.col(walk[k]);
+      const auto q = base.sheet.vertices_mm.col(walk[(k + 1) % walk.size()]);
+      twice += p.x() * q.y() - p.y() * q.x();
+    }
+    EXPECT_EQ(twice > 0, &walk == &walks[0]);
+    area_mm2 += twice / 2;
+  }
+  // The sheet is 480 mm high and 480 or 520 mm wide in turns; the holes are 8 panels of 80 x 80.
+  EXPECT_NEAR(area_mm2, 480 * 520 - 8 * 80 * 80, 1e-6);
+}
+
+}  // namespace
+}  // namespace misalign::schema
