@@ -1,0 +1,84 @@
+// What is known about the picked draw in numbers and words, and the commands that go on from it.
+import { dashed, degrees, fault_words, fixed, h, plural } from "./format.js";
+import { metrics, with_unit } from "./metrics.js";
+
+async function copy(text, button, state) {
+  try {
+    await navigator.clipboard.writeText(text);
+  } catch {
+    // Pages opened from a file may be denied the clipboard: the old way needs a selected field.
+    const field = h("textarea", { class: "sr" });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand("copy");
+    field.remove();
+  }
+  const before = button.textContent;
+  button.textContent = "Copied";
+  state.set("said", "Copied");
+  setTimeout(() => (button.textContent = before), 1200);
+}
+
+const copy_button = (text, state, words = "Copy") => {
+  const button = h("button", { type: "button", "data-testid": "copy" }, words);
+  button.addEventListener("click", () => copy(text, button, state));
+  return button;
+};
+
+function command(about, text, state, id) {
+  return h("div", { class: "command" }, h("p", {}, about), h("div", { class: "row" }, h("code", { "data-testid": id }, text), copy_button(text, state)));
+}
+
+export function report_command({ commands }, draw) {
+  return `${commands.misalign} report ${commands.catalogue} --draw ${draw} --output ${commands.output}`;
+}
+
+export function show_commands(box, report, draw, state) {
+  const { misalign, catalogue } = report.commands;
+  const accepted = report.candidates.columns.draw?.includes(draw) || report.details.some((d) => d.draw === draw && d.accepted);
+  box.replaceChildren(...[
+    command("The path of this draw again, degree by degree:", `${misalign} replay ${catalogue} ${draw}`, state, "command-replay"),
+    accepted ? command("Pattern, verdict and metrics as JSON:", `${misalign} export ${catalogue} --draw ${draw} --output draw-${draw}`, state, "command-export") : null,
+    accepted ? command("Histories of the diagonals as CSV:", `${misalign} export ${catalogue} --draw ${draw} --format csv --output draw-${draw}`, state, "command-csv") : null,
+    command("This report with this draw first:", report_command(report, draw), state, "command-again"),
+  ].filter(Boolean));
+}
+
+export function show_no_details(box, report, draw, state) {
+  box.replaceChildren(h("p", {}, "This report has the metrics of this draw, but not its folding. To see its crease pattern, folding, histories and actuation, write the report again with it:"),
+    h("div", { class: "row" }, h("code", { "data-testid": "command-report" }, report_command(report, draw)), copy_button(report_command(report, draw), state)));
+}
+
+/** The verdict as a sentence. */
+export function verdict_words({ verdict, accepted, fold_limit_deg }) {
+  const from = verdict.deploys_from_deg > 0 ? `Deploys from ${degrees(verdict.deploys_from_deg)}: up to there every diagonal only grows or only shrinks.` : "Deploys from nowhere.";
+  const fault = verdict.first_fault === "none" ? "No fault up to the end of the path."
+    : `First fault${verdict.fault_deg === null ? "" : ` at ${degrees(verdict.fault_deg)}`}: ${fault_words(verdict.first_fault)}${verdict.where ? ` (${dashed(verdict.where)})` : ""}.`;
+  return `${accepted ? "Accepted. " : "Not accepted. "}${from} ${fault}` +
+    (fold_limit_deg !== null && fold_limit_deg !== undefined && fold_limit_deg < 180 ? ` The pilot turns at its fold limit, ${degrees(fold_limit_deg)}.` : "");
+}
+
+export function show_metrics(box, values) {
+  if (!values) {
+    box.replaceChildren(h("p", { class: "note" }, "No metrics: they are taken up to D, and this draw deploys from nowhere."));
+    return;
+  }
+  box.replaceChildren(h("dl", { class: "metrics" }, metrics.filter(({ name }) => values[name] !== undefined).map((metric) =>
+    h("div", { title: metric.about }, h("dt", {}, metric.label), h("dd", {}, with_unit(metric, values[metric.name]))))));
+}
+
+export function show_shifts(box, detail, state) {
+  const entries = Object.entries(detail.displacements_mm), json = JSON.stringify({ displacements_mm: detail.displacements_mm }, null, 1);
+  const save = h("button", { type: "button" }, "Save as JSON");
+  save.addEventListener("click", () => {
+    const link = h("a", { href: URL.createObjectURL(new Blob([json], { type: "application/json" })), download: `draw-${detail.draw}-displacements.json` });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  });
+  const signed = (value) => (value > 0 ? `+${fixed(value, 3)}` : fixed(value, 3)).replace(/\.?0+$/, "").replace(/^$/, "0");
+  box.replaceChildren(
+    h("p", { class: "note" }, `${plural(entries.length, "vertex", "vertices")} shifted from the correct pattern; all others stay. In mm, x to the right, y up.`),
+    h("ul", { class: "shifts" }, entries.map(([name, [x, y]]) => h("li", {}, h("b", {}, name), ` (${signed(x)}, ${signed(y)})`))),
+    h("div", { class: "row" }, save, copy_button(json, state, "Copy as JSON")));
+}

@@ -1,0 +1,93 @@
+// Charts that are drawn as wide as their place, and again when that changes; and those along the way
+// of the folding, which share an axis and a rule that moves with the slider.
+import * as Plot from "@observablehq/plot";
+import { degrees, h } from "./format.js";
+
+/** Shows draw(width) in the box; the answer draws it anew. */
+export function when_wide(box, draw) {
+  let width = Math.floor(box.clientWidth);
+  const redraw = () => {
+    if (width > 0) box.replaceChildren(draw(width));
+  };
+  new ResizeObserver(([entry]) => {
+    const now = Math.floor(entry.contentRect.width);
+    if (now === width || now === 0) return;
+    width = now;
+    redraw();
+  }).observe(box);
+  redraw();
+  return redraw;
+}
+
+const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180];
+export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
+
+/**
+ * A chart over the deployment ratio with the pilot angle above, D and the fold limit marked.
+ * `lines(svg, x, y)` adds what it shows; the rule follows the state's sample, and a press on the
+ * chart moves the sample there.
+ */
+export function folding_chart({ box, state, detail, decoded, end_deg, height, y, label, lines, marks = [] }) {
+  const D = detail.verdict.deploys_from_deg, limit_deg = detail.fold_limit_deg;
+  let rule = null, x = null;
+  const move = () => {
+    if (!rule) return;
+    const at = x.apply(decoded.deployment[state.get("sample")]);
+    rule.setAttribute("x1", at);
+    rule.setAttribute("x2", at);
+  };
+  const draw = (width) => {
+    const plot = Plot.plot({
+      width, height, marginLeft: 66, marginRight: 14, marginTop: 38, marginBottom: 40, className: "plot", ariaLabel: label,
+      x: { domain: [deployment(end_deg), 1], label: null },
+      y: { grid: true, labelArrow: "none", ...y },
+      marks: [
+        // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
+        limit_deg && limit_deg < end_deg ? Plot.rectX([0], { x1: deployment(end_deg), x2: deployment(Math.min(limit_deg, end_deg)), fill: "var(--nothing)" }) : null,
+        D < Math.min(limit_deg ?? end_deg, end_deg) ? Plot.rectX([0], { x1: deployment(Math.min(limit_deg ?? end_deg, end_deg)), x2: deployment(D), fill: "var(--beyond)" }) : null,
+        Plot.axisX({ label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)", labelAnchor: "center", labelArrow: "none" }),
+        Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), { anchor: "top", label: "pilot fold angle", labelArrow: "none", labelAnchor: "center",
+          labelOffset: 34, tickFormat: (share) => degrees(Math.round(180 * (1 - share))) }),
+        ...marks,
+        Plot.ruleX([deployment(D)], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
+        Plot.text([`D = ${degrees(D)}`], { x: () => deployment(D), frameAnchor: "top", dy: 4, dx: 5, textAnchor: "start", fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 }),
+        limit_deg && limit_deg < end_deg ? Plot.ruleX([deployment(limit_deg)], { stroke: "var(--mountain)", strokeDasharray: "6 2" }) : null,
+        limit_deg && limit_deg < end_deg ? Plot.text([`fold limit ${degrees(limit_deg)}`], { x: () => deployment(limit_deg), frameAnchor: "top", dy: 18, dx: 5, textAnchor: "start",
+          fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 }) : null,
+      ],
+    });
+    x = plot.scale("x");
+    lines(plot, x, plot.scale("y"));
+    rule = h("svg:line", { class: "now", y1: 38, y2: height - 40, "data-testid": "rule" });
+    plot.append(rule);
+    move();
+    const seek = (event) => {
+      const frame = plot.getBoundingClientRect(), ratio = x.invert(((event.clientX - frame.left) * width) / frame.width);
+      let best = 0;
+      decoded.deployment.forEach((value, k) => { if (Math.abs(value - ratio) < Math.abs(decoded.deployment[best] - ratio)) best = k; });
+      state.set("playing", false);
+      state.set("sample", best);
+    };
+    plot.addEventListener("pointerdown", (event) => { plot.setPointerCapture(event.pointerId); seek(event); });
+    plot.addEventListener("pointermove", (event) => event.buttons & 1 && seek(event));
+    return plot;
+  };
+  return { draw, move };
+}
+
+/** A path through (x, y) of the samples; samples without a value interrupt it. */
+export function path_of(samples, point) {
+  let path = "", pen_down = false;
+  for (const k of samples) {
+    const [px, py] = point(k);
+    if (!Number.isFinite(py)) {
+      pen_down = false;
+      continue;
+    }
+    path += `${pen_down ? "L" : "M"}${px.toFixed(2)},${py.toFixed(2)}`;
+    pen_down = true;
+  }
+  return path;
+}
+
+export const range = (from, to) => Array.from({ length: Math.max(0, to - from + 1) }, (_, i) => from + i);

@@ -1,0 +1,60 @@
+// Numbers and words as a reader wants them.
+
+const kMinus = "\u2212";
+
+/** Three significant digits unless told otherwise; powers of ten where zeros would pile up. */
+export function number(value, digits = 3) {
+  if (value === null || value === undefined || Number.isNaN(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  if (size >= 1e-4 && size < 1e7) {
+    const decimals = Math.max(0, Math.min(8, digits - 1 - Math.floor(Math.log10(size))));
+    return Number(size.toFixed(decimals)).toLocaleString("en", { maximumFractionDigits: decimals,
+      minimumFractionDigits: size < 1000 ? decimals : 0 }).replace(/^/, value < 0 ? kMinus : "");
+  }
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+  return `${mantissa.replace("-", kMinus)} × 10${superscript(Number(exponent))}`;
+}
+
+const superscript = (exponent) => String(exponent).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
+
+export const count = (value) => (value ?? 0).toLocaleString("en");
+export const fixed = (value, decimals) =>
+  value === null || value === undefined ? "–" : value.toFixed(decimals).replace("-", kMinus);
+export const percent = (share, digits = 3) =>
+  share === null || share === undefined ? "–" : `${number(100 * share, digits)} %`;
+export const signed_percent = (share, decimals = 2) =>
+  `${share >= 0 ? "+" : kMinus}${(100 * Math.abs(share)).toFixed(decimals)} %`;
+/** Angles: whole where they are, else two decimals. */
+export const degrees = (value) =>
+  value === null || value === undefined ? "–" : `${Number(value.toFixed(2)).toString().replace("-", kMinus)}°`;
+
+export const plural = (n, one, many = one + "s") => `${count(n)} ${n === 1 ? one : many}`;
+export const dashed = (name) => name.replace("-", "–");
+
+const kFaults = {
+  not_monotone: ["diagonal turns", "a diagonal turns: it stops growing or shrinking and goes back"],
+  fold_limit: ["fold limit", "the pilot crease reaches its fold limit: no flatter or deeper state follows"],
+  over_folded: ["over-folded", "a crease is folded beyond 180°: two panels would pass through each other"],
+  assignment_flipped: ["assignment flipped", "a crease changes from mountain to valley or back"],
+  inactive_diagonal: ["inactive diagonal", "a diagonal does not change its length: it drives nothing"],
+  bump: ["bump between samples", "a diagonal goes back and on again between two samples"],
+  undecided: ["undecided", "numerical failure: neither accepted nor rejected"],
+  none: ["no fault", "no fault up to the end of the path"],
+};
+export const fault_order = Object.keys(kFaults);
+export const fault_name = (fault) => kFaults[fault]?.[0] ?? fault;
+export const fault_words = (fault) => kFaults[fault]?.[1] ?? fault;
+
+/** An element in one line: h("p", { class: "note" }, "text", child). */
+export function h(tag, attributes = {}, ...children) {
+  const node = tag.startsWith("svg:") ? document.createElementNS("http://www.w3.org/2000/svg", tag.slice(4))
+                                      : document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === null || value === undefined || value === false) continue;
+    if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
+    else node.setAttribute(name, value === true ? "" : value);
+  }
+  node.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return node;
+}

@@ -1,0 +1,51 @@
+// The metrics of a candidate: name in the catalogue, words, unit, how a value is written, what it means.
+import { count, degrees, fixed, number } from "./format.js";
+
+const share = (value) => (value === null ? "–" : `${fixed(100 * value, 2)} %`);
+
+// label and unit head a column; `axis` is what a share is multiplied by on an axis (shares as %).
+export const metrics = [
+  { name: "deploys_from_deg", label: "deploys from", unit: "deg", text: degrees,
+    about: "D: the pilot fold angle up to which everything holds at every sample. The path exists, no crease is over-folded, mountains and valleys stay, and every diagonal keeps its direction." },
+  { name: "fold_limit_deg", label: "fold limit", unit: "deg", text: (v) => fixed(v, 2),
+    about: "Pilot fold angle where the pilot crease turns round: a misaligned sheet generally cannot fold flat. Or the end of the path." },
+  { name: "slope_min_mm_per_deg", label: "slope min", unit: "mm/deg", text: (v) => number(v),
+    about: "Margin of monotonicity: least change of any diagonal from one sample to the next, from 5° to D. The larger, the less a miscut matters." },
+  { name: "slope_between_min_mm_per_deg", label: "slope between", unit: "mm/deg", text: (v) => number(v),
+    about: "The same margin between the samples too. Negative where a diagonal goes back between two samples." },
+  { name: "bump_deg", label: "bump", unit: "deg", text: (v) => fixed(v, 1),
+    about: "Pilot fold angle where a diagonal first goes back and on again between two samples; – where it never does." },
+  { name: "stroke_min", label: "stroke min", unit: "%", axis: 100, text: share,
+    about: "Largest relative change of length of the least used diagonal." },
+  { name: "stroke_max", label: "stroke max", unit: "%", axis: 100, text: share,
+    about: "Largest relative change of length of the most used diagonal: what an actuator must be able to do." },
+  { name: "elongation_min", label: "shortest", unit: "%", axis: 100, text: share,
+    about: "Least elongation (L − L₀)/L₀ over all diagonals up to D." },
+  { name: "elongation_max", label: "longest", unit: "%", axis: 100, text: share,
+    about: "Largest elongation (L − L₀)/L₀ over all diagonals up to D." },
+  { name: "stretch_sq_mm2", label: "stretch²", unit: "mm²", text: (v) => number(v),
+    about: "Sum of (L − L₀)² at D: half of it times a stiffness is the energy the springs store." },
+  { name: "shifted_vertices", label: "shifted vertices", unit: "", text: count, about: "Vertices that are shifted." },
+  { name: "increasing", label: "increasing", unit: "", text: count, about: "Diagonals that are longer at D than flat." },
+  { name: "decreasing", label: "decreasing", unit: "", text: count, about: "Diagonals that are shorter at D than flat." },
+  { name: "kawasaki_defect_deg", label: "Kawasaki defect", unit: "deg", text: (v) => number(v),
+    about: "Largest |θ₁ + θ₃ − 180°| over the vertices with four panels: zero where such a vertex folds flat by itself." },
+  { name: "singular_value_min", label: "singular value", unit: "", text: (v) => number(v),
+    about: "Smallest singular value of the square Jacobian up to D: how far from a second way to move." },
+  { name: "residual_max", label: "residual", unit: "", text: (v) => number(v, 2),
+    about: "Largest closure error of any loop up to D, in radians or panel widths." },
+  { name: "isometry_error_mm", label: "isometry error", unit: "mm", text: (v) => number(v, 2),
+    about: "Largest change of any panel's edge or diagonal up to D, from the vertex coordinates alone." },
+];
+
+export const metric_of = Object.fromEntries(metrics.map((metric) => [metric.name, metric]));
+
+/** A value with its unit: "4.36 %", "0.0123 mm/deg", "172°". */
+export function with_unit(metric, value) {
+  const text = metric.text(value ?? null);
+  if (text === "–" || text.endsWith("%") || text.endsWith("°")) return text;
+  if (metric.unit === "deg") return `${text}°`;
+  return metric.unit ? `${text} ${metric.unit}` : text;
+}
+
+export const axis_title = (metric) => metric.label + (metric.unit ? ` (${metric.unit})` : "");

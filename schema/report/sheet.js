@@ -1,0 +1,28 @@
+// The flat sheet as SVG: what the map of the faults and the crease pattern have in common.
+import { h } from "./format.js";
+
+/** y points up on the sheet and down on the screen. */
+export const place = ([x, y]) => `${x.toFixed(2)},${(-y).toFixed(2)}`;
+
+/** Typical length of a panel's side, to size text and strokes by. */
+export function panel_size_mm({ vertices_mm, panels }) {
+  const [a, b] = panels[0];
+  return Math.hypot(vertices_mm[a][0] - vertices_mm[b][0], vertices_mm[a][1] - vertices_mm[b][1]);
+}
+
+/** An empty drawing of the sheet's extent with a margin. */
+export function sheet_svg(vertices_mm, margin_mm, label) {
+  const xs = vertices_mm.map((v) => v[0]), ys = vertices_mm.map((v) => -v[1]);
+  const [left, top] = [Math.min(...xs) - margin_mm, Math.min(...ys) - margin_mm];
+  const size = [Math.max(...xs) - left + margin_mm, Math.max(...ys) - top + margin_mm];
+  return h("svg:svg", { class: "sheet", role: "img", "aria-label": label,
+    viewBox: [left, top, ...size].map((value) => value.toFixed(1)).join(" ") });
+}
+
+export function polygon(corners, vertices_mm, attributes) {
+  return h("svg:polygon", { points: corners.map((k) => place(vertices_mm[k])).join(" "), ...attributes });
+}
+
+export function line(a, b, attributes) {
+  return h("svg:line", { x1: a[0].toFixed(3), y1: (-a[1]).toFixed(3), x2: b[0].toFixed(3), y2: (-b[1]).toFixed(3), ...attributes });
+}

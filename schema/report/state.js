@@ -1,0 +1,17 @@
+// What the page shows at present, and who wants to know when it changes.
+
+export function make_state(values) {
+  const listeners = new Map();
+  return {
+    get: (name) => values[name],
+    set(name, value) {
+      if (values[name] === value) return;
+      values[name] = value;
+      for (const listener of listeners.get(name) ?? []) listener(value);
+    },
+    on(name, listener) {
+      if (!listeners.has(name)) listeners.set(name, []);
+      listeners.get(name).push(listener);
+    },
+  };
+}

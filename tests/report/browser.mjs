@@ -1,0 +1,32 @@
+// The system's Chromium with a page opened from a file, without a network.
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+export function open_browser(more = []) {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more],
+  });
+}
+
+/** The page, and a list that fills with everything a reader should not meet: errors, requests. */
+export async function open_page(browser, report, options = {}) {
+  const context = await browser.newContext(options);
+  const problems = [];
+  await context.route("**/*", (route) => {
+    if (/^(file|data|blob):/.test(route.request().url())) return route.continue();
+    problems.push(`asked for ${route.request().url()}`);
+    return route.abort();
+  });
+  await context.setOffline(true);
+  const page = await context.newPage();
+  page.on("pageerror", (error) => problems.push(`error: ${error.message}`));
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type()) && !/GPU stall due to ReadPixels/.test(message.text())) problems.push(`console: ${message.text()}`);
+  });
+  const start = performance.now();
+  await page.goto(pathToFileURL(resolve(report)).href);
+  await page.waitForFunction(() => window.misalign !== undefined);
+  return { page, context, problems, load_ms: performance.now() - start };
+}

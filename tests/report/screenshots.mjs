@@ -1,0 +1,23 @@
+// Pictures of a report, light and dark, for people to look at:
+//   node screenshots.mjs REPORT.html DIRECTORY [WIDTH]
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { open_browser, open_page } from "./browser.mjs";
+
+const [report, directory, width = "1400"] = process.argv.slice(2);
+mkdirSync(directory, { recursive: true });
+const browser = await open_browser();
+for (const theme of ["light", "dark"]) {
+  const { page, problems } = await open_page(browser, report, { colorScheme: theme, viewport: { width: Number(width), height: 900 } });
+  await page.waitForTimeout(500);
+  for (const part of ["overview", "candidates", "inspect"]) {
+    const section = page.locator(`#${part}`);
+    await section.scrollIntoViewIfNeeded();
+    // Sticky bars would lie across a picture that is higher than the window.
+    await page.addStyleTag({ content: ".top, .pilot { position: static !important }" });
+    await section.screenshot({ path: join(directory, `${part}-${theme}.png`) });
+  }
+  if (problems.length) console.error(problems.join("\n"));
+  await page.close();
+}
+await browser.close();
