@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "schema/catalogue_state.hpp"
+#include "schema/key_list.hpp"
 #include "search/bench.hpp"
 #include "search/doctor.hpp"
 #include "search/merge.hpp"
@@ -141,14 +142,19 @@ Action add_config(CLI::App& app) {
       "Examples:\n  misalign config --default > mine.json\n"
       "  misalign config --check mine.json");
   auto checked = std::make_shared<std::string>();
-  auto show = std::make_shared<bool>(false);
+  auto show = std::make_shared<bool>(false), keys = std::make_shared<bool>(false);
   auto* choice = verb->add_option_group("choice", "");
   choice->add_flag("--default", *show, "print the default campaign with every key");
+  choice->add_flag("--keys", *keys, "print what each key means, as a Markdown table");
   choice->add_option("--check", *checked, "say what is wrong with a campaign file");
   choice->require_option(1);
   return [=] {
     if (*show) {
       std::puts(schema::campaign_json(schema::default_campaign()).dump(2).c_str());
+      return 0;
+    }
+    if (*keys) {
+      std::fputs(schema::campaign_keys_markdown().c_str(), stdout);
       return 0;
     }
     const schema::Campaign campaign = schema::read_campaign_file(*checked);

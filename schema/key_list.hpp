@@ -1,0 +1,11 @@
+// The keys of a campaign as a table for people, made from campaign.schema.json.
+#pragma once
+
+#include <string>
+
+namespace misalign::schema {
+
+/// Markdown: a row for each key, with its type, default, bounds and meaning.
+std::string campaign_keys_markdown();
+
+}  // namespace misalign::schema

@@ -1,0 +1,35 @@
+# Every query of the cookbook on a real catalogue, and what it says of the campaign's keys.
+. "$(dirname "$0")/lib.sh"
+"$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 20000 --progress none \
+  > /dev/null || fail "search"
+file=$(ls results/*.db)
+cookbook=$source_dir/schema/queries/README.md
+mkdir queries
+awk '/^## [0-9]+\. /{n = $2 + 0} /^```$/{sql = 0} sql{print > ("queries/" n ".sql")} /^```sql$/{sql = 1}' "$cookbook"
+[ "$(grep -c '^## [0-9]*\. .*?$' "$cookbook")" = 10 ] || fail "there are not ten questions"
+for n in 1 2 3 4 5 6 7 8 9 10; do
+  "$program" query "$file" "$(cat "queries/$n.sql")" --json > rows.json || fail "query $n"
+  rows=$(sqlite3 :memory: "SELECT json_array_length(readfile('rows.json'))")
+  [ "$rows" -gt 0 ] || fail "query $n has no rows"
+done
+named=$("$program" query "$file" --help | sed -n 's/^ *Named queries: //p')
+[ -n "$named" ] || fail "the help names no queries"
+
+# The Pareto front, the long way.
+"$program" query "$file" "$(cat queries/3.sql)" --csv | tail -n +2 | cut -d, -f1 | sort > front
+sql "$file" 'SELECT draw FROM candidates c WHERE slope_min_mm_per_deg IS NOT NULL AND NOT EXISTS (
+  SELECT 1 FROM candidates o WHERE o.deploys_from_deg >= c.deploys_from_deg
+    AND o.slope_min_mm_per_deg >= c.slope_min_mm_per_deg
+    AND (o.deploys_from_deg > c.deploys_from_deg OR o.slope_min_mm_per_deg > c.slope_min_mm_per_deg))' |
+  sort > expected
+cmp -s front expected || fail "the Pareto front: $(tr '\n' ' ' < front), expected $(tr '\n' ' ' < expected)"
+
+# The keys of a campaign as the schema says them.
+"$program" config --keys > keys.md || fail "config --keys"
+for key in pattern.rows misalignment.amplitude_mm accept.deploys_from_deg actuators.stroke_limit stop.wall_s; do
+  grep -q "^| \`$key\` |" keys.md || fail "config --keys: no $key"
+done
+sed -n '/^| key/,$p' "$source_dir/search/campaigns/README.md" | sed '/^$/,$d' > written.md
+cmp -s keys.md written.md ||
+  fail "search/campaigns/README.md is not what \`misalign config --keys\` prints; paste it there"
+finish
