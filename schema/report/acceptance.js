@@ -105,7 +105,7 @@ function survival_chart(rows, total, report, width) {
     width, height: 280, marginLeft: 62, marginBottom: 42, className: "plot", ariaLabel: "Survival along the folding",
     x: { label: "pilot fold angle (deg)", domain: [0, path.end_deg], labelAnchor: "center", labelArrow: "none" },
     y: { type: "log", label: "share without a fault (log scale)", grid: true, labelArrow: "none", domain: [least, 1], clamp: true,
-      tickFormat: (share) => (Number.isInteger(Math.round(Math.log10(share) * 1e6) / 1e6) ? percent(share, 1) : "") },
+      ticks: Array.from({ length: 12 }, (_, i) => 10 ** -i).filter((share) => share >= least), tickFormat: (share) => percent(share, 1) },
     marks: [
       Plot.areaY(points, { x: "angle", y1: "low", y2: "high", curve: "step-after", fill: "var(--accent)", fillOpacity: 0.18 }),
       Plot.lineY(points.filter((point) => point.left > 0), { x: "angle", y: "share", curve: "step-after", stroke: "var(--accent)", strokeWidth: 2 }),
@@ -132,7 +132,7 @@ function places(rows) {
   return { list, total };
 }
 
-const kMostBars = 16;
+const kMostBars = 20;
 
 function where_chart(list, width) {
   const shown = list.slice(0, kMostBars);
@@ -207,8 +207,9 @@ export function show_acceptance(report) {
     for (const id of ["where", "map"]) document.getElementById(id).closest("figure").hidden = true;
     return;
   }
-  document.getElementById("where-caption").textContent =
-    `${plural(placed, "sampled draw")} failed at one diagonal or crease` + (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : ".");
+  document.getElementById("where-caption").append(
+    `${plural(placed, "sampled draw")} failed at one diagonal or crease` + (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : "."),
+    legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))));
   when_wide(document.getElementById("where"), (width) => where_chart(list, width));
   document.getElementById("map").append(fault_map(list, report));
 }

@@ -30,7 +30,7 @@ function value_chart({ box, state, detail, decoded, end_deg, values, label, unit
       svg.append(h("svg:path", { class: "value", d: path_of(range(0, decoded.depth), point) }),
         h("svg:path", { class: "value beyond", d: path_of(range(decoded.depth, decoded.samples - 1), point) }));
       dot = h("svg:circle", { class: "value-dot", r: 4 });
-      readout = h("svg:text", { class: "readout", "text-anchor": "end", x: x.range[1] - 4, y: kHeight - 48 });
+      readout = h("svg:text", { class: "readout", "text-anchor": "end", x: x.range[1] - 4, y: 54 });
       svg.append(dot, readout);
     },
   });
@@ -55,19 +55,17 @@ function value_chart({ box, state, detail, decoded, end_deg, values, label, unit
 }
 
 export function make_actuation(report, detail, decoded, state, end_deg) {
-  const { stiffness_n_per_mm, stroke_limit } = report.actuators, boxes = (id) => document.getElementById(id);
+  const { stiffness_n_per_mm } = report.actuators, boxes = (id) => document.getElementById(id);
   const common = { state, detail, decoded, end_deg };
-  const over = detail.over_stroke
-    ? [Plot.ruleX([deployment(detail.over_stroke.from_deg)], { stroke: "var(--over-folded)", strokeDasharray: "1 3", strokeWidth: 1.5 })] : [];
   const weakest = detail.weakest ? [Plot.dot([detail.weakest], { x: (w) => deployment(w.pilot_deg), y: "moment_n_mm", symbol: "triangle", r: 5, fill: "var(--over-folded)" }),
     Plot.text([detail.weakest], { x: (w) => deployment(w.pilot_deg), y: "moment_n_mm", text: () => "weakest", dy: -12, fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4,
       textAnchor: detail.weakest.pilot_deg < 90 ? "end" : "start" })] : [];
   boxes("energy-caption").textContent = `Springs of ${number(stiffness_n_per_mm)} N/mm on all diagonals, relaxed on the flat sheet: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
   boxes("moment-caption").textContent = "dE/d(pilot angle). Positive: the springs unfold the sheet; at zero they could not.";
   return [
-    [boxes("energy"), value_chart({ ...common, box: boxes("energy"), values: decoded.energy_n_mm, label: "energy", unit: "N mm", marks: over })],
-    [boxes("moment"), value_chart({ ...common, box: boxes("moment"), values: decoded.moment_n_mm, label: "moment", unit: "N mm", marks: [...over, ...weakest] })],
-    [boxes("advantage"), value_chart({ ...common, box: boxes("advantage"), values: decoded.mechanical_advantage, label: "mechanical advantage (N per N)", unit: "", marks: over })],
+    [boxes("energy"), value_chart({ ...common, box: boxes("energy"), values: decoded.energy_n_mm, label: "energy", unit: "N mm"})],
+    [boxes("moment"), value_chart({ ...common, box: boxes("moment"), values: decoded.moment_n_mm, label: "moment", unit: "N mm", marks: weakest })],
+    [boxes("advantage"), value_chart({ ...common, box: boxes("advantage"), values: decoded.mechanical_advantage, label: "mechanical advantage (N per N)", unit: ""})],
   ];
 }
 
@@ -85,10 +83,11 @@ export function show_actuation_words(box, report, detail, decoded) {
     items.push(h("span", {}, h("strong", {}, "Fewest springs: "), `${plural(diagonals.length, "diagonal")} alone, ${names(diagonals)}, ${diagonals.length === 1 ? "keeps" : "keep"} ${percent(share, 2)} of the least moment. ` +
       (proven ? "No smaller set keeps half of it." : "A smaller set that keeps half of it was not found, but is not ruled out.")));
   }
+  if (!detail.few && detail.weakest) items.push("No set of fewest springs: the moment is not positive all the way.");
   if (!stroke_limit) items.push("No stroke limit was given; “actuators.stroke_limit” in the campaign file sets one.");
   else if (detail.over_stroke) {
-    items.push(h("span", {}, h("strong", {}, "Stroke limit "), `of ±${percent(stroke_limit, 2)}: exceeded from ${degrees(detail.over_stroke.from_deg)} on, first by ${plural(detail.over_stroke.diagonals.length, "diagonal")} ` +
-      `${names(detail.over_stroke.diagonals)}. Actuators of that stroke deploy it from there, not from D.`));
+    items.push(h("span", {}, h("strong", {}, "Stroke limit "), `of ±${percent(stroke_limit, 2)}: exceeded from ${degrees(detail.over_stroke.from_deg)} on; up to D by ${plural(detail.over_stroke.diagonals.length, "diagonal")}: ` +
+      `${names(detail.over_stroke.diagonals)}. With actuators of that stroke it deploys from there, not from D.`));
   } else items.push(`Stroke limit of ±${percent(stroke_limit, 2)}: kept by every diagonal.`);
   const at_D = decoded.mechanical_advantage[decoded.depth];
   if (Number.isFinite(at_D)) items.push(`At D one newton in the diagonals gives ${fixed(at_D, 3)} N on the sheet’s span.`);

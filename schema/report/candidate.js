@@ -37,12 +37,14 @@ export function report_command({ commands }, draw) {
 export function show_commands(box, report, draw, state) {
   const { misalign, catalogue } = report.commands;
   const accepted = report.candidates.columns.draw?.includes(draw) || report.details.some((d) => d.draw === draw && d.accepted);
+  const exports = [["Pattern, verdict, metrics and springs as JSON:", "json"], ["Histories of the diagonals as CSV:", "csv"],
+    ["Crease pattern at true scale as SVG, in layers for a cutter:", "svg"], ["Crease pattern and folded states as FOLD, for Origami Simulator and the like:", "fold"]];
   box.replaceChildren(...[
     command("The path of this draw again, degree by degree:", `${misalign} replay ${catalogue} ${draw}`, state, "command-replay"),
-    accepted ? command("Pattern, verdict and metrics as JSON:", `${misalign} export ${catalogue} --draw ${draw} --output draw-${draw}`, state, "command-export") : null,
-    accepted ? command("Histories of the diagonals as CSV:", `${misalign} export ${catalogue} --draw ${draw} --format csv --output draw-${draw}`, state, "command-csv") : null,
+    ...(accepted ? exports : []).map(([about, format]) =>
+      command(about, `${misalign} export ${catalogue} --draw ${draw} --format ${format} --output draw-${draw}`, state, `command-${format}`)),
     command("This report with this draw first:", report_command(report, draw), state, "command-again"),
-  ].filter(Boolean));
+  ]);
 }
 
 export function show_no_details(box, report, draw, state) {

@@ -27,8 +27,10 @@ export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
  * `lines(svg, x, y)` adds what it shows; the rule follows the state's sample, and a press on the
  * chart moves the sample there.
  */
-export function folding_chart({ box, state, detail, decoded, end_deg, height, y, label, lines, marks = [] }) {
-  const D = detail.verdict.deploys_from_deg, limit_deg = detail.fold_limit_deg;
+export function folding_chart({ box, state, detail, decoded, end_deg, height, y, label, lines, marks = [], room = 0 }) {
+  const D = detail.verdict.deploys_from_deg, limit_deg = detail.fold_limit_deg, over_deg = detail.over_stroke?.from_deg;
+  const word = (angle_deg, words, line) => Plot.text([words], { x: () => deployment(angle_deg), frameAnchor: "top", dy: 4 + 14 * line, dx: 5,
+    textAnchor: "start", fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 });
   let rule = null, x = null;
   const move = () => {
     if (!rule) return;
@@ -39,25 +41,27 @@ export function folding_chart({ box, state, detail, decoded, end_deg, height, y,
   const draw = (width) => {
     const plot = Plot.plot({
       width, height, marginLeft: 66, marginRight: 14, marginTop: 38, marginBottom: 40, className: "plot", ariaLabel: label,
-      x: { domain: [deployment(end_deg), 1], label: null },
+      x: { domain: [deployment(end_deg) - room, 1], label: null },
       y: { grid: true, labelArrow: "none", ...y },
       marks: [
         // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
-        limit_deg && limit_deg < end_deg ? Plot.rectX([0], { x1: deployment(end_deg), x2: deployment(Math.min(limit_deg, end_deg)), fill: "var(--nothing)" }) : null,
+        limit_deg && limit_deg < end_deg ? Plot.rectX([0], { x1: deployment(end_deg) - room, x2: deployment(Math.min(limit_deg, end_deg)), fill: "var(--nothing)" }) : null,
         D < Math.min(limit_deg ?? end_deg, end_deg) ? Plot.rectX([0], { x1: deployment(Math.min(limit_deg ?? end_deg, end_deg)), x2: deployment(D), fill: "var(--beyond)" }) : null,
         Plot.axisX({ label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)", labelAnchor: "center", labelArrow: "none" }),
         Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), { anchor: "top", label: "pilot fold angle", labelArrow: "none", labelAnchor: "center",
           labelOffset: 34, tickFormat: (share) => degrees(Math.round(180 * (1 - share))) }),
         ...marks,
         Plot.ruleX([deployment(D)], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
-        Plot.text([`D = ${degrees(D)}`], { x: () => deployment(D), frameAnchor: "top", dy: 4, dx: 5, textAnchor: "start", fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 }),
+        word(D, `D = ${degrees(D)}`, 0),
         limit_deg && limit_deg < end_deg ? Plot.ruleX([deployment(limit_deg)], { stroke: "var(--mountain)", strokeDasharray: "6 2" }) : null,
-        limit_deg && limit_deg < end_deg ? Plot.text([`fold limit ${degrees(limit_deg)}`], { x: () => deployment(limit_deg), frameAnchor: "top", dy: 18, dx: 5, textAnchor: "start",
-          fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 }) : null,
+        limit_deg && limit_deg < end_deg ? word(limit_deg, `fold limit ${degrees(limit_deg)}`, 1) : null,
+        over_deg ? Plot.ruleX([deployment(over_deg)], { stroke: "var(--over-folded)", strokeDasharray: "1 3", strokeWidth: 1.5 }) : null,
+        over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, 2) : null,
       ],
     });
     x = plot.scale("x");
     lines(plot, x, plot.scale("y"));
+    for (const words of plot.querySelectorAll('g[aria-label="text"]')) plot.append(words);
     rule = h("svg:line", { class: "now", y1: 38, y2: height - 40, "data-testid": "rule" });
     plot.append(rule);
     move();

@@ -4,12 +4,12 @@ import { ends_of, label_of } from "./data.js";
 import { h } from "./format.js";
 import { line, panel_size_mm, place, polygon, sheet_svg } from "./sheet.js";
 
-/** The largest round factor that keeps the longest arrow below three tenths of a panel. */
+/** The largest round factor that keeps the longest arrow below two fifths of a panel. */
 function arrow_scale(longest_mm, size_mm) {
   if (longest_mm === 0) return 1;
   let best = 1;
   for (let power = 1; power < 1e9; power *= 10) {
-    for (const factor of [1, 2, 5]) if (factor * power * longest_mm <= 0.3 * size_mm) best = factor * power;
+    for (const factor of [1, 2, 5]) if (factor * power * longest_mm <= 0.4 * size_mm) best = factor * power;
   }
   return best;
 }

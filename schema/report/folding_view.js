@@ -10,6 +10,7 @@ import { h } from "./format.js";
 import { colour, on_theme } from "./theme.js";
 
 const kFov_deg = 30, kReach_px = 9;
+const kFilled = 0.96;  // share of the view that a fitted sheet takes
 
 function has_webgl() {
   try {
@@ -159,11 +160,19 @@ export function make_folding_view(box, caption, report, state) {
     return most || 1;
   }
 
-  function look(azimuth_deg, elevation_deg, reach) {
-    const narrow = Math.min(1, camera.aspect), [az, el] = [azimuth_deg, elevation_deg].map((deg) => (deg * Math.PI) / 180);
-    const distance = (0.92 * reach) / Math.sin((kFov_deg * Math.PI) / 360) / narrow;
+  // From that direction, as near as all the points leave room.
+  function look(azimuth_deg, elevation_deg, values) {
+    const [az, el] = [azimuth_deg, elevation_deg].map((deg) => (deg * Math.PI) / 180);
+    const towards = new Vector3(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el));
+    const right = new Vector3(-Math.sin(az), Math.cos(az), 0), up = towards.clone().cross(right), point = new Vector3();
+    const slope = kFilled * Math.tan((kFov_deg * Math.PI) / 360);
+    let distance = 1;
+    for (let i = 0; i < values.length; i += 3) {
+      point.set(values[i], values[i + 1], values[i + 2]);
+      distance = Math.max(distance, point.dot(towards) + Math.max(Math.abs(point.dot(right)) / camera.aspect, Math.abs(point.dot(up))) / slope);
+    }
     controls.target.set(0, 0, 0);
-    camera.position.set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el)).multiplyScalar(distance);
+    camera.position.copy(towards).multiplyScalar(distance);
     camera.near = distance / 50;
     camera.far = distance * 20;
     camera.updateProjectionMatrix();
@@ -183,13 +192,14 @@ export function make_folding_view(box, caption, report, state) {
     draw();
   }
 
-  const whole = () => look(-62, 38, radius);
+  const flat = () => decoded.vertices_mm.subarray(0, 3 * decoded.vertex_count);
+  const whole = () => look(-62, 38, flat());
   const fit = () => {
     const { azimuth, elevation } = angles();
-    look((azimuth * 180) / Math.PI, (elevation * 180) / Math.PI, radius_of(points));
+    look((azimuth * 180) / Math.PI, (elevation * 180) / Math.PI, points);
   };
   for (const [words, action, about] of [["Whole sheet", whole, "The scale of the flat sheet, seen obliquely"], ["Fit", fit, "Fill the view with the present pose"],
-    ["From above", () => look(-90, 89.9, radius), "As the crease pattern is seen"]]) {
+    ["From above", () => look(-90, 89.9, flat()), "As the crease pattern is seen"]]) {
     buttons.append(h("button", { type: "button", title: about, onclick: action }, words));
   }
   canvas.addEventListener("keydown", (event) => {
@@ -201,7 +211,9 @@ export function make_folding_view(box, caption, report, state) {
   });
 
   function draw() {
-    if (points) pen.draw(points, camera);
+    if (!points) return;
+    camera.updateMatrixWorld();
+    pen.draw(points, camera);
   }
   controls.addEventListener("change", draw);
 
@@ -230,12 +242,12 @@ export function make_folding_view(box, caption, report, state) {
     if (!now || now === width) return;
     const first = width === 0;
     width = now;
-    height = Math.round(Math.min(0.78 * width, 560));
+    height = Math.round(Math.min(0.9 * width, 570));
     canvas.style.height = `${height}px`;
     pen.resize(width, height);
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
-    if (first) whole();
+    if (first && decoded) whole();
     draw();
   }).observe(box);
   on_theme(() => { pen.recolour(); draw(); });
@@ -245,7 +257,7 @@ export function make_folding_view(box, caption, report, state) {
     load(decoded_) {
       const before = radius;
       decoded = decoded_;
-      radius = radius_of(decoded.vertices_mm.subarray(0, 3 * decoded.vertex_count));
+      radius = radius_of(flat());
       const { sheet, diagonals } = report, creases = (kind) => sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
       marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
       pen.load(sheet.panels, [

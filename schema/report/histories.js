@@ -36,6 +36,7 @@ export function make_histories(box, caption, report, detail, decoded, state, end
 
   const chart = folding_chart({
     box, state, detail, decoded, end_deg, height: kHeight, label: "Relative lengths of the diagonals against the deployment ratio",
+    room: diagonals.length <= 32 ? 0.055 : 0,
     y: { domain, label: "relative length L / L₀" },
     marks: [
       Plot.ruleY([1], { stroke: "var(--ink-soft)" }),
@@ -57,7 +58,7 @@ export function make_histories(box, caption, report, detail, decoded, state, end
       });
       svg.addEventListener("pointermove", (event) => {
         if (event.buttons) return;
-        const frame = svg.getBoundingClientRect(), ratio = x.invert(((event.clientX - frame.left) * x.range[1] + 0) / x.range[1]);
+        const frame = svg.getBoundingClientRect(), ratio = x.invert(event.clientX - frame.left);
         let k = 0;
         decoded.deployment.forEach((value, i) => { if (Math.abs(value - ratio) < Math.abs(decoded.deployment[k] - ratio)) k = i; });
         let best = null, nearest = 12;
@@ -94,7 +95,7 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
       h("td", { title: decoded.grows[d] ? "increasing as it folds" : "decreasing as it folds" }, decoded.grows[d] ? "▲" : "▼"), now[d],
       h("td", { class: "number" }, signed_percent(decoded.relative(decoded.depth, d) - 1)),
       h("td", {}, few.has(d) ? h("span", { title: "one of the smallest set that keeps half of the least moment" }, "★") : null,
-        over.has(d) ? h("span", { title: `first beyond the stroke limit, at ${detail.over_stroke.from_deg}°` }, " !") : null));
+        over.has(d) ? h("span", { title: `beyond the stroke limit somewhere up to D` }, " !") : null));
     row.addEventListener("pointerenter", () => state.set("diagonal", d));
     row.addEventListener("pointerleave", () => state.set("diagonal", null));
     name.addEventListener("focus", () => state.set("diagonal", d));

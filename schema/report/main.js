@@ -17,7 +17,7 @@ import { make_filter, make_table } from "./table.js";
 import { set_up_theme } from "./theme.js";
 
 const by_id = (id) => document.getElementById(id);
-const kFirstPilot_deg = 100;  // a pose that shows the fold well
+const kFirstPilot_deg = 80;  // a pose that shows the fold well
 
 function show_candidates(report, candidates, state) {
   const { total, shown } = report.candidates, { deploys_from_deg } = report.campaign.configuration.accept;

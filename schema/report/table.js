@@ -6,7 +6,7 @@ const kRow_px = 28, kSpare = 6;
 
 const columns = [
   { name: "rank", label: "rank", unit: "", about: "Place in the program's order: best first.", width: 62 },
-  { name: "draw", label: "draw", unit: "", about: "Number of the draw. A dot marks draws with all details in this report.", width: 128 },
+  { name: "draw", label: "draw", unit: "", about: "Number of the draw. A dot marks draws with all details in this report.", width: 96 },
   ...metrics.map((metric) => ({ ...metric, width: Math.max(84, 20 + 7.3 * Math.max(metric.label.length, metric.unit.length + 2)) })),
 ];
 
@@ -15,7 +15,9 @@ const columns = [
  * is called when one is chosen.
  */
 export function make_table(box, candidates, state) {
-  const present = columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
+  const longest = candidates.columns.draw.reduce((most, draw) => Math.max(most, draw.length), 0);
+  const present = columns.filter(({ name }) => name === "rank" || candidates.columns[name])
+    .map((column) => (column.name === "draw" ? { ...column, width: Math.max(column.width, 44 + 8.7 * longest) } : column));
   const template = present.map((column) => `${column.width}px`).join(" ");
   let order = [], sorted_by = { name: "rank", descending: false }, passing = null;
 

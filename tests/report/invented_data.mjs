@@ -229,7 +229,8 @@ export function invented_report({ candidates = 400, details = 3, rows = 6, colum
   const table = candidate_columns(candidates, random);
   const draws = sampled * 1024, accepted = Math.max(candidates, Math.round(candidates * 1.5));
   const rate = accepted / draws, error = accepted ? 1.96 * Math.sqrt(rate * (1 - rate) / draws) : 0;
-  const made = Array.from({ length: Math.min(details, candidates) }, (_, i) => {
+  const made = Array.from({ length: Math.min(details, candidates) }, (_, k) => {
+    const i = Math.floor((k * candidates) / (details + 1));  // deep ones and others
     const metrics = Object.fromEntries(Object.entries(table).map(([name, values]) => [name, values[i]]));
     delete metrics.draw;
     return invented_detail(sheet, table.draw[i], metrics, random, stroke_limit);

@@ -1,14 +1,15 @@
 // Pictures of a report, light and dark, for people to look at:
-//   node screenshots.mjs REPORT.html DIRECTORY [WIDTH]
+//   node screenshots.mjs REPORT.html DIRECTORY [WIDTH] [DRAW]        DRAW: one with details
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { open_browser, open_page } from "./browser.mjs";
 
-const [report, directory, width = "1400"] = process.argv.slice(2);
+const [report, directory, width = "1400", draw] = process.argv.slice(2);
 mkdirSync(directory, { recursive: true });
 const browser = await open_browser();
 for (const theme of ["light", "dark"]) {
   const { page, problems } = await open_page(browser, report, { colorScheme: theme, viewport: { width: Number(width), height: 900 } });
+  if (draw) await page.click(`[data-chip="${draw}"]`);
   await page.waitForTimeout(500);
   for (const part of ["overview", "candidates", "inspect"]) {
     const section = page.locator(`#${part}`);
