@@ -140,7 +140,7 @@ function where_chart(list, width) {
     [...faults].map(([fault, part]) => ({ where, fault, part: (share * part) / draws, draws: part })));
   const present = fault_order.filter((fault) => parts.some((part) => part.fault === fault));
   return Plot.plot({
-    width, height: 44 + 20 * shown.length, marginLeft: 74, marginRight: 44, marginBottom: 38, className: "plot",
+    width, height: 44 + 23 * shown.length, marginLeft: 74, marginRight: 44, marginBottom: 38, className: "plot",
     ariaLabel: "Shares of the first faults by diagonal or crease",
     x: { label: "share of the first faults that have a place (%)", percent: true, labelAnchor: "center", labelArrow: "none", grid: true },
     y: { label: null, domain: shown.map((entry) => entry.where), tickFormat: dashed, tickSize: 0 },

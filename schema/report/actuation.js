@@ -6,10 +6,10 @@ import { degrees, fixed, h, number, percent, plural } from "./format.js";
 
 const kHeight = 270;
 
-/** The range of the values up to D: beyond it they may run away towards the fold limit. */
+/** The range of the values up to D or most of the way: towards the fold limit they may run away. */
 function domain_of(values, decoded) {
   let least = 0, most = 0;
-  for (let k = 0; k <= decoded.depth; ++k) {
+  for (let k = 0; k <= Math.max(decoded.depth, 0.9 * (decoded.samples - 1)); ++k) {
     if (!Number.isFinite(values[k])) continue;
     least = Math.min(least, values[k]);
     most = Math.max(most, values[k]);
@@ -26,11 +26,11 @@ function value_chart({ box, state, detail, decoded, end_deg, values, label, unit
     lines(svg, x_scale, y_scale) {
       [x, y] = [x_scale, y_scale];
       // What leaves the frame beyond D is cut off there.
-      const point = (k) => [x.apply(decoded.deployment[k]), Math.max(y.range[1] - 2, Math.min(y.range[0] + 2, y.apply(values[k])))];
+      const point = (k) => [x.apply(decoded.deployment[k]), values[k] >= y.domain[0] && values[k] <= y.domain[1] ? y.apply(values[k]) : NaN];
       svg.append(h("svg:path", { class: "value", d: path_of(range(0, decoded.depth), point) }),
         h("svg:path", { class: "value beyond", d: path_of(range(decoded.depth, decoded.samples - 1), point) }));
       dot = h("svg:circle", { class: "value-dot", r: 4 });
-      readout = h("svg:text", { class: "readout", "text-anchor": "end", x: x.range[1] - 4, y: 54 });
+      readout = h("svg:text", { class: "readout", "text-anchor": "end", x: x.range[1], y: 12 });
       svg.append(dot, readout);
     },
   });

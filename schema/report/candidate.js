@@ -1,4 +1,5 @@
 // What is known about the picked draw in numbers and words, and the commands that go on from it.
+import { ends_of } from "./data.js";
 import { dashed, degrees, fault_words, fixed, h, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 
@@ -71,7 +72,7 @@ export function show_metrics(box, values) {
 }
 
 export function show_shifts(box, detail, state) {
-  const entries = Object.entries(detail.displacements_mm), json = JSON.stringify({ displacements_mm: detail.displacements_mm }, null, 1);
+  const entries = Object.entries(detail.displacements_mm).sort(([a], [b]) => ends_of(a)[0] - ends_of(b)[0]), json = JSON.stringify({ displacements_mm: detail.displacements_mm }, null, 1);
   const save = h("button", { type: "button" }, "Save as JSON");
   save.addEventListener("click", () => {
     const link = h("a", { href: URL.createObjectURL(new Blob([json], { type: "application/json" })), download: `draw-${detail.draw}-displacements.json` });

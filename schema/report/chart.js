@@ -29,8 +29,8 @@ export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
  */
 export function folding_chart({ box, state, detail, decoded, end_deg, height, y, label, lines, marks = [], room = 0 }) {
   const D = detail.verdict.deploys_from_deg, limit_deg = detail.fold_limit_deg, over_deg = detail.over_stroke?.from_deg;
-  const word = (angle_deg, words, line) => Plot.text([words], { x: () => deployment(angle_deg), frameAnchor: "top", dy: 4 + 14 * line, dx: 5,
-    textAnchor: "start", fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 });
+  const word = (angle_deg, words, line) => Plot.text([words], { x: () => deployment(angle_deg), frameAnchor: "top", dy: 4 + 14 * line, 
+    dx: deployment(angle_deg) > 0.75 ? -5 : 5, textAnchor: deployment(angle_deg) > 0.75 ? "end" : "start", fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 });
   let rule = null, x = null;
   const move = () => {
     if (!rule) return;

@@ -39,13 +39,25 @@ function show_candidates(report, candidates, state) {
   say(state.get("order"));
 }
 
-function show_detail_chips(report, state) {
-  const box = by_id("detailed");
-  if (report.details.length === 0) return;
-  box.append(h("span", { class: "note" }, "with details:"), ...report.details.slice(0, 40).map(({ draw }) =>
-    h("button", { type: "button", "data-chip": draw, onclick: () => state.set("picked", draw) }, draw)));
+/** Goes through the draws that can be looked at. */
+function show_detailed(report, candidates, state) {
+  const draws = report.details.map(({ draw }) => draw);
+  if (draws.length === 0) return;
+  const words = ({ draw, verdict }) => {
+    const row = candidates.row_of.get(draw);
+    return `draw ${draw}: D ${degrees(verdict.deploys_from_deg)}${row === undefined ? ", asked for" : `, rank ${count(row + 1)}`}`;
+  };
+  const other = h("option", { value: "", disabled: true }, "without details");
+  const select = h("select", { "aria-label": "Draws with details", "data-testid": "detailed" }, other, ...report.details.map((detail) => h("option", { value: detail.draw }, words(detail))));
+  const step = (by) => state.set("picked", draws[Math.max(0, Math.min(draws.length - 1, draws.indexOf(state.get("picked")) + by))]);
+  const [previous, next] = [h("button", { type: "button", title: "The one before", onclick: () => step(-1) }, "‹"), h("button", { type: "button", title: "The next one", onclick: () => step(1) }, "›")];
+  select.addEventListener("change", () => state.set("picked", select.value));
+  by_id("detailed").append(h("span", { class: "note" }, `${plural(draws.length, "draw")} with details`), previous, select, next);
   state.on("picked", (picked) => {
-    for (const chip of box.querySelectorAll("[data-chip]")) chip.setAttribute("aria-pressed", String(chip.dataset.chip === picked));
+    const at = draws.indexOf(picked);
+    select.value = at < 0 ? "" : picked;
+    previous.disabled = at <= 0;
+    next.disabled = at === draws.length - 1;
   });
 }
 
@@ -67,7 +79,7 @@ function make_inspector(report, candidates, state) {
     const decoded = decode_detail(detail, report);
     state.set("playing", false);
     state.set("diagonal", null);
-    const before = state.get("pilot_deg") ?? Math.min(kFirstPilot_deg, detail.verdict.deploys_from_deg || kFirstPilot_deg);
+    const before = state.get("pilot_deg") ?? kFirstPilot_deg;
     parts = [];
     // The same pilot angle as for the draw before, so that two can be compared.
     state.set("sample", last_sample_up_to(decoded.pilot_deg, before));
@@ -137,7 +149,7 @@ function main() {
 
   show_acceptance(report);
   show_candidates(report, candidates, state);
-  show_detail_chips(report, state);
+  show_detailed(report, candidates, state);
   state.on("picked", make_inspector(report, candidates, state));
   state.on("said", (words) => (by_id("said").textContent = words));
   const first = report.details[0]?.draw ?? candidates.columns.draw[0];

@@ -9,7 +9,7 @@ mkdirSync(directory, { recursive: true });
 const browser = await open_browser();
 for (const theme of ["light", "dark"]) {
   const { page, problems } = await open_page(browser, report, { colorScheme: theme, viewport: { width: Number(width), height: 900 } });
-  if (draw) await page.click(`[data-chip="${draw}"]`);
+  if (draw) await page.getByTestId("detailed").selectOption(draw);
   await page.waitForTimeout(500);
   for (const part of ["overview", "candidates", "inspect"]) {
     const section = page.locator(`#${part}`);
