@@ -1,0 +1,53 @@
+# Reports that the program writes, in a browser. Called with a third argument: the directory of
+# tests/report with its packages.
+. "$(dirname "$0")/lib.sh"
+web=$3
+make() {  # NAME THRESHOLD DRAWS: a catalogue of the 4 x 4 sheet
+  sed "s/\"deploys_from_deg\": 150/\"deploys_from_deg\": $2/; s/\"end_deg\": 180/\"end_deg\": $4/" \
+    "$source_dir/search/campaigns/miura-4x4.json" > "$1.json"
+  "$program" search "$1.json" --draws "$3" --catalogue "$1.db" --progress none > /dev/null ||
+    fail "search $1"
+}
+make few 178 400 180        # about ten candidates
+make none 180 40 180        # none at all
+make many 60 16000 90       # more than ten thousand
+[ "$(sql none.db 'SELECT count(*) FROM candidate')" = 0 ] || fail "there are candidates in none.db"
+[ "$(sql many.db 'SELECT count(*) FROM candidate')" -gt 10000 ] || fail "too few candidates in many.db"
+# Another family, seen from the side where its pilot is a mountain, and a draw that was rejected.
+sed "s|\.\./patterns|$source_dir/search/patterns|; s/\"deploys_from_deg\": [0-9]*/\"deploys_from_deg\": 60/" \
+  "$source_dir/search/campaigns/turned-quads-6x6.json" > mesh.json
+"$program" search mesh.json --draws 200 --catalogue mesh.db --progress none > /dev/null || fail "search mesh"
+rejected=$(sql few.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 399)
+  SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
+
+"$program" report few.db --draw "$rejected" --stroke-limit 0.01 --output few.html > names || fail "report"
+[ "$(cat names)" = few.html ] || fail "report prints its file's name"
+for name in none many mesh; do
+  "$program" report $name.db --output $name.html > /dev/null || fail "report $name"
+done
+data() {  # FILE.html JSON-PATH
+  sed -n 's|.*<script type="application/json" id="report-data">\(.*\)</script>.*|\1|p' "$1" > data.json
+  sqlite3 :memory: "SELECT json_extract(readfile('data.json'), '\$.$2')"
+}
+[ "$(data few.html 'details[0].draw')" = "$rejected" ] || fail "the draw asked for is not the first"
+[ "$(data few.html 'details[0].accepted')" = 0 ] || fail "a rejected draw is accepted"
+[ "$(data many.html candidates.shown)" = 10000 ] || fail "candidates of many.db"
+[ "$(data many.html candidates.total)" = "$(sql many.db 'SELECT count(*) FROM candidate')" ] ||
+  fail "total of many.db"
+grep -q "http" few.html && grep -oE "(src|href)=[\"']https?:[^\"']*" few.html && fail "the page asks for something elsewhere"
+
+node "$web/page_test.mjs" few.html none.html many.html mesh.html || fail "the pages in a browser"
+
+"$program" report few.db --output nowhere/few.html > /dev/null 2> err
+[ $? = 1 ] || fail "report into a directory that is not there"
+grep -q "cannot be written" err || fail "the sentence: $(cat err)"
+"$program" report few.json --output x.html > /dev/null 2> err
+[ $? = 3 ] || fail "report of what is no catalogue"
+[ -e x.html ] && fail "a refused report leaves a file"
+# Texts of a catalogue cannot end the page's data early.
+cp few.db odd.db
+sqlite3 odd.db "UPDATE fault_sample SET \"where\" = '</script><script>alert(1)</script>'"
+"$program" report odd.db --output odd.html > /dev/null || fail "report odd"
+[ "$(grep -c 'alert(1)' odd.html)" -ge 1 ] && grep -q '</script><script>alert' odd.html &&
+  fail "a text of the catalogue becomes a program"
+finish
