@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs the main campaign on all cores for about a minute (again: goes
-# on from there), shows the best candidates and exports the best one.
+# on from there), shows the best candidates, exports the best one and writes a report to look at.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -27,3 +27,6 @@ echo "The best candidates (misalign query $catalogue best):"
 echo
 echo "The best one, as JSON:"
 "$program" export "$catalogue" --best 1 --format json --output results/candidates
+echo
+echo "Everything to look at, in a browser:"
+"$program" report "$catalogue" --output results/report.html

@@ -8,7 +8,7 @@ make() {  # NAME THRESHOLD DRAWS: a catalogue of the 4 x 4 sheet
   "$program" search "$1.json" --draws "$3" --catalogue "$1.db" --progress none > /dev/null ||
     fail "search $1"
 }
-make few 178 400 180        # about ten candidates
+make few 165 80 180         # about ten candidates
 make none 180 40 180        # none at all
 make many 60 16000 90       # more than ten thousand
 [ "$(sql none.db 'SELECT count(*) FROM candidate')" = 0 ] || fail "there are candidates in none.db"
@@ -17,7 +17,7 @@ make many 60 16000 90       # more than ten thousand
 sed "s|\.\./patterns|$source_dir/search/patterns|; s/\"deploys_from_deg\": [0-9]*/\"deploys_from_deg\": 60/" \
   "$source_dir/search/campaigns/turned-quads-6x6.json" > mesh.json
 "$program" search mesh.json --draws 200 --catalogue mesh.db --progress none > /dev/null || fail "search mesh"
-rejected=$(sql few.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 399)
+rejected=$(sql few.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 79)
   SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
 
 "$program" report few.db --draw "$rejected" --stroke-limit 0.01 --output few.html > names || fail "report"
