@@ -23,6 +23,18 @@ enum class Builds {
   mixed
 };
 
+/// What a campaign has found so far.
+struct Standing {
+  struct Best {
+    double deploys_from_deg;
+    std::uint64_t draw;
+  };
+  std::uint64_t draws = 0, accepted = 0;  ///< in the whole ledger
+  std::optional<Best> best{};             ///< the first of those that deploy from the deepest fold
+
+  void add(const UnitRecord& unit);
+};
+
 /// What committing has cost this run.
 struct CommitCost {
   std::uint64_t commits = 0;
@@ -43,6 +55,7 @@ class Catalogue {
 
   /// Ranges of draws that are done, ascending.
   std::vector<DrawRange> done() const;
+  Standing standing() const;
   /// Draws that no run could decide, ascending.
   std::vector<std::uint64_t> undecided() const;
   /// UserError: 5 if a build with other golden verdicts worked on this catalogue.

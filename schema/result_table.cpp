@@ -6,6 +6,7 @@
 
 #include "schema/carried_files.hpp"
 #include "schema/storage.hpp"
+#include "schema/text_table.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -41,24 +42,19 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
-using Row = std::vector<std::string>;
-
-std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& numeric) {
-  std::vector<std::size_t> width(numeric.size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+// Columns of one name are one key in JSON: the later ones get numbers, "draw_2".
+Row distinct(const Row& names) {
+  Row keys;
+  for (const std::string& name : names) {
+    std::string key = name;
+    const auto taken = [&] {
+      return std::find(keys.begin(), keys.end(), key) != keys.end() ||
+             (key != name && std::find(names.begin(), names.end(), key) != names.end());
+    };
+    for (int number = 2; taken(); ++number) key = name + "_" + std::to_string(number);
+    keys.push_back(key);
   }
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string pad(width[k] - row[k].size(), ' ');
-      line += (k ? "  " : "") + (numeric[k] ? pad + row[k] : row[k] + pad);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
+  return keys;
 }
 
 }  // namespace
@@ -84,6 +80,7 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
     if (columns == 0) throw bad_sql("it gives no rows");
     Row names;
     for (int k = 0; k < columns; ++k) names.emplace_back(statement.getColumnName(k));
+    const Row keys = distinct(names);
     std::vector<bool> numeric(columns, true);
     std::vector<Row> rows{names};
     Json list = Json::array();
@@ -93,12 +90,15 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
       for (int k = 0; k < columns; ++k) {
         const SQLite::Column cell = statement.getColumn(k);
         if (style == TableStyle::json) {
-          object[names[k]] = cell_json(cell);
+          object[keys[k]] = cell_json(cell);
           continue;
         }
         numeric[k] = numeric[k] && !cell.isText();
-        row.push_back(style == TableStyle::csv && cell.isFloat() ? Json(cell.getDouble()).dump()
-                                                                 : cell_text(cell));
+        if (style == TableStyle::aligned) {  // a line break would end the row
+          row.push_back(printable(utf8(cell_text(cell))));
+        } else {
+          row.push_back(cell.isFloat() ? Json(cell.getDouble()).dump() : cell_text(cell));
+        }
       }
       style == TableStyle::json ? list.push_back(std::move(object))
                                 : rows.push_back(std::move(row));

@@ -9,6 +9,7 @@ namespace misalign::schema {
 
 enum class TableStyle { aligned, json, csv };
 
+/// The first line of an aligned table, and of CSV, names the columns.
 /// Runs one read-only statement to its end. UserError (2) if it is no SQL, not a single statement,
 /// or more than a query; see storage_failure for what can happen to the file.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);

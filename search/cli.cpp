@@ -5,12 +5,16 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 
 #include "schema/input.hpp"
 #include "search/build_info.hpp"
+#include "search/help_format.hpp"
 #include "search/mpi_session.hpp"
+#include "search/progress.hpp"
+#include "search/suggestion.hpp"
+#include "search/terminal.hpp"
 #include "search/verbs.hpp"
 #include "solver/batch.hpp"
 
@@ -31,20 +35,67 @@ std::string version_text() {
          solver::instruction_set_name(solver::available_instruction_sets().back());
 }
 
-void set_up_log(const std::string& level) {
-  auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(
-      std::getenv("NO_COLOR") ? spdlog::color_mode::never : spdlog::color_mode::automatic);
+// Messages stand on lines of their own, not behind a live one.
+using ColorSink = spdlog::sinks::stderr_color_sink_mt;
+class MessageSink : public ColorSink {
+ public:
+  explicit MessageSink(spdlog::color_mode mode) : ColorSink(mode) {}
+  void log(const spdlog::details::log_msg& message) override {
+    erase_live_line();
+    ColorSink::log(message);
+  }
+};
+
+void set_up_log(const std::string& level, ColorWish color) {
+  auto sink = std::make_shared<MessageSink>(colors_wanted(color, is_terminal(STDERR_FILENO))
+                                                ? spdlog::color_mode::always
+                                                : spdlog::color_mode::never);
+  sink->set_color(spdlog::level::info, "");
   auto logger = std::make_shared<spdlog::logger>("misalign", sink);
   logger->set_pattern("misalign: %^%v%$");
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(logger);
 }
 
-// CLI11's sentence with the contract's exit code.
-int usage_error(const CLI::App& app, const CLI::ParseError& error) {
+const CLI::App* chosen_verb(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? nullptr : chosen.front();
+}
+
+// What was typed and is unknown, and what may have been meant; else CLI11's sentence.
+std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
+  const CLI::App* const verb = chosen_verb(app);
+  for (const std::string& word : app.remaining(/*recurse=*/true)) {
+    const bool is_option = word.size() > 1 && word[0] == '-';
+    if (!is_option && verb) continue;
+    std::vector<std::string> known;
+    if (is_option) {
+      for (const CLI::Option* option : options_of(verb ? *verb : app)) {
+        for (const std::string& name : names_of(*option)) known.push_back(name);
+      }
+    } else {
+      for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
+    }
+    const std::string typed = word.substr(0, word.find('='));
+    const std::string meant = nearest_word(typed, known);
+    return schema::printable(schema::utf8(typed)) +
+           (is_option ? " is no option" + (verb ? " of " + verb->get_name() : "") : " is no verb") +
+           (meant.empty() ? "" : " (did you mean " + meant + "?)");
+  }
+  return verb ? otherwise : "a verb is missing";
+}
+
+// The contract's exit code, and where to read on.
+int usage_error(const CLI::App& app, const CLI::ParseError& error, int words) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  if (launched_rank() == 0) {
-    std::fprintf(stderr, "misalign: %s; see misalign --help, or a verb's own\n", error.what());
+  if (launched_rank() != 0) return schema::kExitUsage;
+  if (words == 1) {
+    std::fputs(app.help().c_str(), stderr);
+  } else {
+    const CLI::App* const verb = chosen_verb(app);
+    const std::string sentence = usage_sentence(app, error.what());
+    std::fprintf(stderr, "misalign: %s; see misalign %s--help\n", sentence.c_str(),
+                 verb ? (verb->get_name() + " ").c_str() : "");
   }
   return schema::kExitUsage;
 }
@@ -62,6 +113,17 @@ CLI::Validator within(double least, double most) {
       "");
 }
 
+namespace {
+
+// As --help and completion want it: {auto,plain}.
+std::string shown_set(const Names& names) {
+  std::string set;
+  for (const auto& [name, value] : names) set += (set.empty() ? "{" : ",") + name;
+  return set + "}";
+}
+
+}  // namespace
+
 CLI::Validator one_of(const Names& names, const std::string& where) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -75,17 +137,32 @@ CLI::Validator one_of(const Names& names, const std::string& where) {
         }
         return "'" + text + "' is none of " + all + where;
       },
-      "");
+      shown_set(names));
 }
 
 int run_command_line(int argc, char** argv) {
   CLI::App app("Searches for misaligned origami that simple springs deploy.", "misalign");
-  app.set_version_flag("--version", version_text());
+  app.set_version_flag("--version", version_text(),
+                       "print version, commit, compiler, libraries and end");
   app.require_subcommand(1);
   app.fallthrough();
+  app.formatter(std::make_shared<HelpFormat>());
+  app.set_help_flag("-h,--help", "print this and end");
+  app.footer(
+      "See misalign VERB --help for the options of a verb, with examples.\n\n"
+      "Examples:\n"
+      "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
+      "  misalign query results/miura-4x4-*.db best\n"
+      "  misalign fold search/patterns/table1.json");
   std::string level = "info";
-  app.add_option("--log-level", level, "debug, info, warning, error or off [info]")
+  auto color = ColorWish::automatic;
+  app.add_option("--log-level", level, "least important messages to show [info]")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
+  app.add_option("--color", color,
+                 "when to color; auto: on terminals, unless NO_COLOR is set [auto]")
+      ->transform(one_of({{"auto", number_of(ColorWish::automatic)},
+                          {"always", number_of(ColorWish::always)},
+                          {"never", number_of(ColorWish::never)}}));
   std::map<std::string, Action> verbs = {
       {"search", add_search(app)},       {"status", add_status(app)},
       {"fold", add_fold(app)},           {"perforations", add_perforations(app)},
@@ -94,13 +171,14 @@ int run_command_line(int argc, char** argv) {
       {"merge", add_merge(app)},         {"config", add_config(app)},
       {"tolerance", add_tolerance(app)}, {"doctor", add_doctor(app)},
       {"actuators", add_actuators(app)}, {"report", add_report(app)},
-      {"bench", add_bench(app)}};
+      {"bench", add_bench(app)},         {"completion", add_completion(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return usage_error(app, error);
+    return usage_error(app, error, argc);
   }
-  set_up_log(level);
+  wish_colors(color);
+  set_up_log(level, color);
   const auto fail = [](const std::exception& error, int exit_code) {
     if (launched_rank() == 0) spdlog::error("{}", error.what());
     return exit_code;
@@ -108,6 +186,7 @@ int run_command_line(int argc, char** argv) {
   try {
     const int exit_code = verbs.at(app.get_subcommands().front()->get_name())();
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+      if (reader_has_gone()) return 128 + SIGPIPE;  // no alarm: as if that signal had ended it
       throw UserError(schema::kExitFailure,
                       "the results could not be written to standard output (is the disk full?)");
     }

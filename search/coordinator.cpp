@@ -1,5 +1,6 @@
 #include "search/coordinator.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "search/stop_signal.hpp"
@@ -20,7 +21,8 @@ class Coordinator {
         limited_(goal.planned_end() < schema::kEndOfDraws),
         dispatcher_({{goal.range.lo, catalogue.goal_end()}, catalogue.done()}, mpi.ranks(),
                     options.unit_size),
-        progress_(options.progress) {}
+        progress_(options.progress),
+        standing_(catalogue.standing()) {}
 
   RunEnd run() {
     for (int rank = 1; rank < mpi_.ranks(); ++rank) assign(rank);
@@ -33,12 +35,13 @@ class Coordinator {
       } else {
         backoff_.wait();
       }
-      progress_.show(counts(), status_wish());
+      if (progress_.due()) progress_.show(counts());
+      if (status_wish()) progress_.show_status(counts());
       stop = reason_to_stop();
     }
     if (own_work_) commit_own_work();
     end_workers();
-    progress_.show(counts(), true);
+    progress_.finish(counts());
     if (heartbeat_.lost()) return RunEnd::lost;
     return dispatcher_.complete() ? RunEnd::complete : *stop;
   }
@@ -106,8 +109,8 @@ class Coordinator {
   void commit(std::vector<schema::UnitRecord> units) {
     std::erase_if(units, [](const schema::UnitRecord& unit) { return unit.range.size() == 0; });
     for (const schema::UnitRecord& unit : units) {
-      draws_ += unit.range.size();
-      accepted_ += unit.accepted;
+      draws_of_run_ += unit.range.size();
+      standing_.add(unit);
     }
     if (!units.empty()) catalogue_.commit(units);
     dispatcher_.cut(catalogue_.goal_end());
@@ -124,7 +127,16 @@ class Coordinator {
     }
   }
 
-  ProgressCounts counts() const { return {draws_, accepted_, dispatcher_.draws_left(), limited_}; }
+  // With what rank 0 has under way, so that the numbers move although units take seconds.
+  ProgressCounts counts() const {
+    ProgressCounts counts{standing_, draws_of_run_, dispatcher_.draws_left(), limited_};
+    if (!own_work_) return counts;
+    const std::uint64_t draws = own_work_->so_far().range.size();
+    counts.standing.add(own_work_->so_far());
+    counts.draws_of_run += draws;
+    counts.draws_left -= std::min(draws, counts.draws_left);  // the goal may have been cut
+    return counts;
+  }
 
   const MpiSession& mpi_;
   const Heartbeat& heartbeat_;
@@ -134,11 +146,12 @@ class Coordinator {
   const bool limited_;
   Dispatcher dispatcher_;
   Progress progress_;
+  schema::Standing standing_;
   Backoff backoff_;
   std::vector<int> idle_;  // workers without a range
   std::optional<UnitWork> own_work_;
   bool worker_was_stopped_ = false;  // one of them saw a signal that rank 0 did not
-  std::uint64_t draws_ = 0, accepted_ = 0;
+  std::uint64_t draws_of_run_ = 0;
 };
 
 }  // namespace

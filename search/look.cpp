@@ -1,11 +1,15 @@
 #include "search/look.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 
 #include "schema/catalogue_state.hpp"
+#include "search/folding_text.hpp"
+#include "search/terminal.hpp"
 #include "search/trial.hpp"
 #include "solver/perforation.hpp"
 
@@ -16,43 +20,10 @@ using schema::Json;
 
 void print_json(const Json& json) { std::puts(json.dump(1).c_str()); }
 
-// Verdict and limits in words, then the diagonals every 10 degrees and at D.
-void print_folding(const schema::FoldingView& view) {
-  const solver::FoldingHistory& history = view.history;
-  const Json verdict = schema::verdict_json(view);
-  std::printf("%d unknowns, %d equations\n", view.mechanism.unknowns, view.mechanism.equations);
-  std::printf("deploys from %g deg; first fault: %s", verdict["deploys_from_deg"].get<double>(),
-              verdict["first_fault"].get<std::string>().c_str());
-  if (!verdict["fault_deg"].is_null()) {
-    std::printf(" at %g deg", verdict["fault_deg"].get<double>());
-  }
-  if (!verdict["where"].is_null()) std::printf(", %s", verdict["where"].get<std::string>().c_str());
-  if (verdict.contains("cause")) std::printf(", %s", verdict["cause"].get<std::string>().c_str());
-  const Json bump = schema::bump_json(view);
-  if (!bump.is_null()) {
-    std::printf("\nbump between samples from %.4f deg, %s", bump["from_deg"].get<double>(),
-                bump["where"].get<std::string>().c_str());
-  }
-  const char* const limit =
-      history.path.end == solver::PathEnd::fold_limit ? "fold limit" : "followed to";
-  std::printf("\n%s %.4f deg\n\n%9s", limit, history.path.fold_limit_deg, "pilot_deg");
-  for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
-    std::printf(" %9s", solver::line_label(diagonal.from, diagonal.to).c_str());
-  }
-  std::printf("\n%9d", 0);
-  for (const double flat : history.flat_mm) std::printf(" %9.4f", flat);
-  std::printf("\n");
-  for (std::size_t row = 0; row < history.stops.size(); ++row) {
-    const solver::Stop& stop = history.stops[row];
-    const bool at_d = stop.sample > 0 && stop.sample == history.verdict.deploys_from_sample;
-    const bool round = std::abs(std::remainder(stop.pilot_deg, 10)) < 1e-9;
-    if (!round && !at_d && stop.sample > 0) continue;  // what --step added is always shown
-    std::printf("%9g", stop.pilot_deg);
-    for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
-      std::printf(" %9.4f", history.length_mm(static_cast<Eigen::Index>(row), d));
-    }
-    std::printf("%s\n", at_d ? "  <- deploys from here" : "");
-  }
+void print_folding(const schema::FoldingView& view, bool table) {
+  const std::string text = folding_text(
+      view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO)});
+  std::fputs(text.c_str(), stdout);
 }
 
 // A set of holes and what the Jacobian says of it.
@@ -132,7 +103,7 @@ void fold(const FoldOptions& options) {
       solver::plan_path(mechanism, pattern.base.folding, pattern.base.sheet.vertices_mm, path);
   const auto history = solver::record_history(pattern.base, mechanism, plan, pattern.vertices_mm());
   const schema::FoldingView view{pattern, pattern.shifts_mm, mechanism, history, kSample_deg};
-  options.json ? print_json(schema::folding_json(view)) : print_folding(view);
+  options.json ? print_json(schema::folding_json(view)) : print_folding(view, options.table);
 }
 
 void list_perforations(const PerforationsOptions& options) {
@@ -160,9 +131,11 @@ void replay(const ReplayOptions& options) {
                                  campaign.sample_deg};
   const bool accepted = campaign.accepts(history.verdict);
   if (!options.json) {
+    const Paint paint = paint_for(STDOUT_FILENO);
     std::printf("draw %llu of %s: %s\n", static_cast<unsigned long long>(options.draw),
-                campaign.name.c_str(), accepted ? "accepted" : "not accepted");
-    print_folding(view);
+                campaign.name.c_str(),
+                (accepted ? paint.good("accepted") : paint.bad("not accepted")).c_str());
+    print_folding(view, options.table);
     return;
   }
   Json json = schema::folding_json(view);

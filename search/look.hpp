@@ -11,7 +11,7 @@ struct FoldOptions {
   std::string pattern_path;
   double to_deg = 180;
   double step_deg = 0;  ///< further angles to look at; 0: none
-  bool json = false;
+  bool json = false, table = false;
 };
 void fold(const FoldOptions& options);
 
@@ -24,7 +24,7 @@ void list_perforations(const PerforationsOptions& options);
 struct ReplayOptions {
   std::string catalogue_path;
   std::uint64_t draw = 0;
-  bool json = false;
+  bool json = false, table = false;
 };
 void replay(const ReplayOptions& options);
 

@@ -1,9 +1,14 @@
 // Verbs that look at a pattern or a catalogue.
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdio>
 
 #include "schema/result_table.hpp"
 #include "search/look.hpp"
 #include "search/status.hpp"
+#include "search/terminal.hpp"
 #include "search/tolerance.hpp"
 #include "search/verbs.hpp"
 #include "search/verify.hpp"
@@ -16,13 +21,23 @@ using schema::UserError;
 Action add_fold(CLI::App& app) {
   auto* verb = app.add_subcommand("fold", "the folding path of one pattern");
   verb->footer(
-      "Example:\n  misalign fold search/patterns/table1.json --json > table1-folding.json");
+      "Each diagonal is drawn from flat to the end of the path, between its least and\n"
+      "its largest length; a bar marks D, the angle that the sheet deploys from.\n"
+      "Lengths and elongations are those up to D, or up to the end if it does not\n"
+      "deploy.\n\n"
+      "Examples:\n"
+      "  misalign fold search/patterns/table1.json\n"
+      "  misalign fold search/patterns/table1.json --json > table1-folding.json");
   auto options = std::make_shared<FoldOptions>();
   verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
   verb->add_option("--to", options->to_deg, "last pilot angle, degrees [180]")
-      ->check(within(1, 180));
+      ->check(within(1, 180))
+      ->type_name("DEG");
   verb->add_option("--step", options->step_deg, "look at multiples of this too, degrees")
-      ->check(within(0.01, 180));
+      ->check(within(0.01, 180))
+      ->type_name("DEG");
+  verb->add_flag("--table", options->table,
+                 "also the lengths every 10 degrees, where they are too wide for the terminal");
   verb->add_flag("--json", options->json, "as JSON");
   return [options] {
     fold(*options);
@@ -33,9 +48,10 @@ Action add_fold(CLI::App& app) {
 Action add_perforations(CLI::App& app) {
   auto* verb = app.add_subcommand("perforations", "which holes leave one degree of freedom");
   verb->footer(
-      "Lists every set of inner panels, no two sharing an edge, that counts to one degree of\n"
-      "freedom and has one by the rank of the Jacobian. The pattern's own holes do not matter.\n"
-      "Example:\n  misalign perforations search/patterns/turned-quads-6x6.json");
+      "Lists every set of inner panels, no two sharing an edge, that counts to one\n"
+      "degree of freedom and has one by the rank of the Jacobian. The pattern's own\n"
+      "holes do not matter.\n\n"
+      "Examples:\n  misalign perforations search/patterns/turned-quads-6x6.json");
   auto options = std::make_shared<PerforationsOptions>();
   verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
   verb->add_flag("--json", options->json, "as JSON");
@@ -47,14 +63,15 @@ Action add_perforations(CLI::App& app) {
 
 Action add_status(CLI::App& app) {
   auto* verb = app.add_subcommand("status", "how far a campaign is, and what it found");
-  verb->footer("Example:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
+  verb->footer("Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
   auto path = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false), check = std::make_shared<bool>(false);
   auto at_deg = std::make_shared<std::optional<double>>();
   verb->add_option("CATALOGUE", *path, "catalogue file")->required();
   verb->add_flag("--json", *json, "as JSON");
   verb->add_flag("--check", *check, "exit with 75 while work remains, 0 when complete");
-  verb->add_option("--at", *at_deg, "also count what deploys from this many degrees");
+  verb->add_option("--at", *at_deg, "also count what deploys from this many degrees")
+      ->type_name("DEG");
   return [=] {
     const auto database = schema::open_for_reading(*path);
     const schema::CatalogueState state = schema::read_state(*database);
@@ -68,8 +85,8 @@ Action add_status(CLI::App& app) {
       if (deploying) answer["at"] = deploying_json(*deploying, state);
       std::puts(answer.dump(1).c_str());
     } else {
-      std::fputs(status_text(state).c_str(), stdout);
-      if (deploying) std::fputs(deploying_text(*deploying, state).c_str(), stdout);
+      std::fputs(status_text(state, deploying, paint_for(STDOUT_FILENO)).c_str(), stdout);
+      spdlog::info("next: {}", next_step(state, *path, ""));
     }
     return *check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
   };
@@ -77,12 +94,14 @@ Action add_status(CLI::App& app) {
 
 Action add_replay(CLI::App& app) {
   auto* verb = app.add_subcommand("replay", "any draw of a campaign again, from its number");
-  verb->footer("Example:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
+  verb->footer("Examples:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
   auto options = std::make_shared<ReplayOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   verb->add_option("DRAW", options->draw, "number of the draw")
       ->required()
       ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_flag("--table", options->table,
+                 "also the lengths every 10 degrees, where they are too wide for the terminal");
   verb->add_flag("--json", options->json, "as JSON");
   return [options] {
     replay(*options);
@@ -90,25 +109,59 @@ Action add_replay(CLI::App& app) {
   };
 }
 
+namespace {
+
+// Whether a named query's LIMIT left rows out: it is the last thing such a query says.
+bool was_cut_off(SQLite::Database& database, const std::string& sql, std::size_t rows) {
+  const std::size_t limit = sql.rfind("LIMIT ");
+  if (limit == std::string::npos || std::stoull(sql.substr(limit + 6)) != rows) return false;
+  const std::string next = "SELECT 1 FROM (" + sql.substr(0, limit) + ") LIMIT 1 OFFSET ";
+  const std::string row =
+      schema::query_table(database, next + std::to_string(rows), schema::TableStyle::csv);
+  return std::count(row.begin(), row.end(), '\n') > 1;  // more than the header
+}
+
+void show_rows(SQLite::Database& database, const std::string& name, const std::string& sql,
+               bool paged) {
+  const std::string table = schema::query_table(database, sql, schema::TableStyle::aligned);
+  const std::size_t header = table.find('\n');
+  show(paint_for(STDOUT_FILENO).bold(table.substr(0, header)) + table.substr(header), paged);
+  const auto rows = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) - 1;
+  if (!name.empty() && was_cut_off(database, sql, rows)) {
+    spdlog::info(
+        "the first {} rows; SQL of your own can ask for more, such as \"SELECT * FROM "
+        "candidates\"",
+        rows);
+  }
+}
+
+}  // namespace
+
 Action add_query(CLI::App& app) {
   auto* verb = app.add_subcommand("query", "a named query, or any read-only SQL");
   verb->footer("Named queries: " + schema::named_query_list() +
-               "\nExamples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
-               "  misalign query results/miura-6x6-1a2b3c4d.db "
-               "\"SELECT draw FROM candidates WHERE stroke_max < 0.08\" --csv");
+               ".\nOn a terminal the rows go through $PAGER [less].\n\n"
+               "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
+               "  misalign query results/miura-6x6-1a2b3c4d.db --csv \\\n"
+               "    \"SELECT draw FROM candidates WHERE stroke_max < 0.08\"");
   auto path = std::make_shared<std::string>(), sql = std::make_shared<std::string>("best");
   auto json = std::make_shared<bool>(false), csv = std::make_shared<bool>(false);
+  auto unpaged = std::make_shared<bool>(false);
   verb->add_option("CATALOGUE", *path, "catalogue file")->required();
   verb->add_option("QUERY", *sql, "name or SQL [best]");
-  auto* json_flag = verb->add_flag("--json", *json, "as JSON");
+  auto* json_flag = verb->add_flag("--json", *json, "as JSON; a second column x is called x_2");
   verb->add_flag("--csv", *csv, "as CSV")->excludes(json_flag);
+  verb->add_flag("--no-pager", *unpaged, "straight to the terminal");
   return [=] {
     const auto database = schema::open_for_reading(*path);
     const std::string named = schema::named_query(*sql);
-    const auto style = *json  ? schema::TableStyle::json
-                       : *csv ? schema::TableStyle::csv
-                              : schema::TableStyle::aligned;
-    std::fputs(schema::query_table(*database, named.empty() ? *sql : named, style).c_str(), stdout);
+    const std::string& text = named.empty() ? *sql : named;
+    if (!*json && !*csv) {
+      show_rows(*database, named.empty() ? "" : *sql, text, !*unpaged);
+    } else {
+      const auto style = *json ? schema::TableStyle::json : schema::TableStyle::csv;
+      std::fputs(schema::query_table(*database, text, style).c_str(), stdout);
+    }
     return 0;
   };
 }
@@ -116,11 +169,11 @@ Action add_query(CLI::App& app) {
 Action add_verify(CLI::App& app) {
   auto* verb = app.add_subcommand("verify", "a catalogue's ledger, and its candidates once more");
   verb->footer(
-      "Checks the file, every unit's candidates and the digest; follows the chosen candidates'\n"
-      "paths again from their stored displacements and compares every column; checks each folded\n"
-      "shape by its coordinates. Panels that cross are reported (they are assumed not to), and no\n"
-      "fault.\n"
-      "Exit code 6 if anything differs.\n"
+      "Checks the file, every unit's candidates and the digest; follows the chosen\n"
+      "candidates' paths again from their stored displacements and compares every\n"
+      "column; checks each folded shape by its coordinates. Panels that cross are\n"
+      "reported (they are assumed not to), and no fault.\n"
+      "Exit code 6 if anything differs.\n\n"
       "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"
       "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json");
   auto path = std::make_shared<std::string>();
@@ -130,7 +183,7 @@ Action add_verify(CLI::App& app) {
   auto* sample_option = verb->add_option("--sample", *sample,
                                          "so many candidates, spread evenly over them in the order "
                                          "of their draws [100]");
-  sample_option->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  sample_option->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws))->type_name("N");
   verb->add_flag("--all", *all, "every candidate")->excludes(sample_option);
   verb->add_flag("--json", *json, "as JSON");
   return [=] {
@@ -148,13 +201,12 @@ Action add_tolerance(CLI::App& app) {
   auto* verb =
       app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
   verb->footer(
-      "Every vertex, of the perimeter too, is moved by a random error, uniform on [-MM, MM] in x\n"
-      "and in y; then each vertex alone. Trial t makes the same errors for every candidate of a\n"
-      "campaign: they are numbers of the campaign's seed and of t. The intervals are exact ones "
-      "of\n"
-      "95 %.\n"
-      "Example:\n"
-      "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --trials 1000");
+      "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
+      "[-MM, MM] in x and in y; then each vertex alone. Trial t makes the same errors\n"
+      "for every candidate of a campaign: they are numbers of the campaign's seed and\n"
+      "of t. The intervals are exact ones of 95 %.\n\n"
+      "Examples:\n"
+      "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05");
   auto path = std::make_shared<std::string>();
   auto draw = std::make_shared<std::uint64_t>(), trials = std::make_shared<std::uint64_t>(1000);
   auto amplitude_mm = std::make_shared<double>();
@@ -165,9 +217,11 @@ Action add_tolerance(CLI::App& app) {
       ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
   verb->add_option("--amplitude", *amplitude_mm, "largest error, mm")
       ->required()
-      ->check(within(0, 1e6));
+      ->check(within(0, 1e6))
+      ->type_name("MM");
   verb->add_option("--trials", *trials, "copies with every vertex off its place [1000]")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}));
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}))
+      ->type_name("N");
   verb->add_flag("--json", *json, "as JSON");
   return [=] {
     const auto database = schema::open_for_reading(*path);

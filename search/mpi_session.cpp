@@ -133,11 +133,22 @@ void Backoff::wait() {
   microseconds_ = std::min(1000, microseconds_ + 50);
 }
 
-int launched_rank() {
+namespace {
+
+const char* launched_rank_text() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}) {
-    if (const char* rank = std::getenv(name)) return std::atoi(rank);
+    if (const char* rank = std::getenv(name)) return rank;
   }
-  return 0;
+  return nullptr;
 }
+
+}  // namespace
+
+int launched_rank() {
+  const char* const rank = launched_rank_text();
+  return rank ? std::atoi(rank) : 0;
+}
+
+bool launched_by_mpi() { return launched_rank_text() != nullptr; }
 
 }  // namespace misalign::search

@@ -69,5 +69,7 @@ class Backoff {
 
 /// The rank that a launcher gave this process, before or without MPI; 0 if there was no launcher.
 int launched_rank();
+/// Whether mpirun or the like started this process. To be asked before MPI begins.
+bool launched_by_mpi();
 
 }  // namespace misalign::search

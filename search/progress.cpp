@@ -1,45 +1,89 @@
 #include "search/progress.hpp"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <cstdio>
 #include <string>
+
+#include "search/terminal.hpp"
 
 namespace misalign::search {
 namespace {
 
-std::string duration(double seconds) {
-  char text[64];
-  const auto s = static_cast<long long>(seconds);
-  if (s >= 86400) {
-    std::snprintf(text, sizeof text, "%lld d %lld h", s / 86400, s % 86400 / 3600);
-  } else if (s >= 3600) {
-    std::snprintf(text, sizeof text, "%lld h %lld min", s / 3600, s % 3600 / 60);
-  } else if (s >= 60) {
-    std::snprintf(text, sizeof text, "%lld min %lld s", s / 60, s % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%lld s", s);
-  }
-  return text;
+std::atomic<bool> line_is_live = false;
+
+// Back to the start, the text, and what an older, longer one left is erased.
+void draw_live_line(const std::string& text) {
+  std::fputs(("\r" + text + "\x1b[K").c_str(), stderr);
+  std::fflush(stderr);
+  line_is_live = true;
 }
+
+double first_s(ProgressStyle style) {
+  switch (style) {
+    case ProgressStyle::bar:
+      return 0.2;
+    case ProgressStyle::json:
+      return 2;
+    default:
+      return 10;
+  }
+}
+
+double every_s(ProgressStyle style) { return style == ProgressStyle::plain ? 30 : first_s(style); }
 
 }  // namespace
 
-Progress::Progress(ProgressStyle style) : style_(style) {}
+Progress::Progress(ProgressStyle style) : style_(style), next_s_(first_s(style)) {}
 
-void Progress::show(const ProgressCounts& counts, bool now) {
-  constexpr double kEvery_s = 30;
-  const double elapsed = seconds();
-  if (style_ == ProgressStyle::none || (!now && elapsed < next_s_)) return;
-  if (elapsed >= next_s_) next_s_ = elapsed + kEvery_s;
-  const double draws = static_cast<double>(counts.draws);
-  const double speed = elapsed > 0 ? draws / elapsed : 0;
-  const double rate = counts.draws > 0 ? static_cast<double>(counts.accepted) / draws : 0;
-  std::string left;
-  if (counts.limited && speed > 0) {
-    left = ", " + duration(static_cast<double>(counts.draws_left) / speed) + " left";
+ProgressReport Progress::report(const ProgressCounts& counts) {
+  const double elapsed_s = seconds();
+  speed_.see(elapsed_s, counts.draws_of_run);
+  return {counts, elapsed_s, speed_.draws_per_s(),
+          elapsed_s > 0 ? static_cast<double>(counts.draws_of_run) / elapsed_s : 0, false};
+}
+
+void Progress::print(const ProgressReport& report) {
+  switch (style_) {
+    case ProgressStyle::bar:
+      draw_live_line(bar_line(report, terminal_width(STDERR_FILENO) - 1));
+      break;
+    case ProgressStyle::json:
+      std::fprintf(stderr, "%s\n", json_line(report).c_str());
+      break;
+    case ProgressStyle::automatic:
+    case ProgressStyle::plain:
+      std::fprintf(stderr, "%s\n", plain_line(report).c_str());
+      break;
+    case ProgressStyle::none:
+      break;
   }
-  std::fprintf(stderr, "%s: %llu draws, %.4g draws/s, %llu accepted (%.4g %%)%s\n",
-               duration(elapsed).c_str(), static_cast<unsigned long long>(counts.draws), speed,
-               static_cast<unsigned long long>(counts.accepted), 100 * rate, left.c_str());
+}
+
+void Progress::show(const ProgressCounts& counts) {
+  if (!due()) return;
+  next_s_ = seconds() + every_s(style_);
+  print(report(counts));
+}
+
+void Progress::show_status(const ProgressCounts& counts) {
+  if (style_ == ProgressStyle::none) return;
+  erase_live_line();
+  std::fprintf(stderr, "%s\n", plain_line(report(counts)).c_str());
+}
+
+void Progress::finish(const ProgressCounts& counts) {
+  ProgressReport last = report(counts);
+  last.last = true;
+  print(last);
+  if (line_is_live.exchange(false)) std::fputc('\n', stderr);
+}
+
+void erase_live_line() {
+  if (!line_is_live.exchange(false)) return;
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
 }
 
 }  // namespace misalign::search

@@ -1,31 +1,36 @@
-// One plain line to stderr now and then.
+// How far a search is, on standard error: in one live line, in a line now and then, or as JSON.
 #pragma once
 
-#include <cstdint>
-
+#include "search/progress_text.hpp"
 #include "search/stopwatch.hpp"
 
 namespace misalign::search {
 
-enum class ProgressStyle { plain, none };
-
-struct ProgressCounts {
-  std::uint64_t draws, accepted;  ///< of this run
-  std::uint64_t draws_left;
-  bool limited;  ///< whether draws_left means anything
-};
-
 class Progress {
  public:
+  /// Not `automatic`: see resolved().
   explicit Progress(ProgressStyle style);
-  /// Prints if 30 s have gone by (10 s the first time), or if `now`.
-  void show(const ProgressCounts& counts, bool now = false);
+  /// Whether show() would print; before that what it prints need not be counted.
+  bool due() const { return style_ != ProgressStyle::none && seconds() >= next_s_; }
+  /// A line of the style. Not more often than it is due.
+  void show(const ProgressCounts& counts);
+  /// A plain line, whatever the style.
+  void show_status(const ProgressCounts& counts);
+  /// The last line.
+  void finish(const ProgressCounts& counts);
   double seconds() const { return watch_.seconds(); }
 
  private:
+  ProgressReport report(const ProgressCounts& counts);
+  void print(const ProgressReport& report);
+
   ProgressStyle style_;
   Stopwatch watch_;
-  double next_s_ = 10;
+  RecentSpeed speed_;
+  double next_s_;
 };
+
+/// Makes room for another message on standard error; the next show() draws the live line again.
+void erase_live_line();
 
 }  // namespace misalign::search

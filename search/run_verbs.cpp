@@ -7,6 +7,7 @@
 #include "schema/catalogue_state.hpp"
 #include "schema/key_list.hpp"
 #include "search/bench.hpp"
+#include "search/completion.hpp"
 #include "search/doctor.hpp"
 #include "search/merge.hpp"
 #include "search/run_info.hpp"
@@ -24,7 +25,8 @@ CLI::Validator instruction_set_of_this_machine() {
   for (const auto set : solver::available_instruction_sets()) {
     names.emplace_back(solver::instruction_set_name(set), number_of(set));
   }
-  return one_of(names, ", which this machine has");
+  // --help is the same on every machine.
+  return one_of(names, ", which this machine has").description("{baseline,avx2,avx512}");
 }
 
 schema::DrawRange parse_range(const std::string& text) {
@@ -47,47 +49,63 @@ schema::DrawRange parse_range(const std::string& text) {
 Action add_search(CLI::App& app) {
   auto* verb = app.add_subcommand("search", "run or resume a campaign, alone or under mpirun");
   verb->footer(
+      "The same command again resumes: --draws is the total wanted.\n\n"
+      "Progress goes to standard error: one live line on a terminal (bar), a line\n"
+      "every 30 s elsewhere and under mpirun (plain), or an object of JSON every 2 s\n"
+      "(json) with the keys elapsed_s, draws, draws_left, draws_per_s,\n"
+      "draws_per_s_mean, accepted, rate, best (deploys_from_deg and draw), left_s and\n"
+      "last; what is not known is null. Counts are those of the whole catalogue.\n\n"
+      "Signals, to mpirun or to the program alone: SIGINT and SIGTERM end it within\n"
+      "half a second, a second one at once; SIGUSR1 ends it once all that is under\n"
+      "way is committed; SIGUSR2 prints a status line.\n\n"
       "Examples:\n"
       "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
-      "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600\n"
-      "The same command again resumes. Signals, to mpirun or to the program alone:\n"
-      "  SIGINT, SIGTERM  ends it within half a second; a second one at once\n"
-      "  SIGUSR1          ends it once all that is under way is committed\n"
-      "  SIGUSR2          prints a status line");
+      "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600");
   auto options = std::make_shared<SearchOptions>();
   auto range = std::make_shared<std::string>();
   auto mixed = std::make_shared<bool>(false);
   const auto draw_count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
   verb->add_option("--catalogue", options->catalogue_path,
-                   "catalogue file [results/NAME-<8 hex digits>.db]");
-  verb->add_option("--draws", options->draws, "draws wanted in total")->check(draw_count);
+                   "catalogue file [results/NAME-<8 hex digits>.db]")
+      ->type_name("CATALOGUE");
+  verb->add_option("--draws", options->draws, "draws wanted in total")
+      ->check(draw_count)
+      ->type_name("N");
   verb->add_option("--accepted", options->accepted, "accepted draws wanted in total")
-      ->check(draw_count);
+      ->check(draw_count)
+      ->type_name("K");
   verb->add_option("--relative-error", options->relative_error,
                    "end when the acceptance rate is known to this share of itself")
-      ->check(within(1e-6, 1));
+      ->check(within(1e-6, 1))
+      ->type_name("SHARE");
   verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
-      ->check(within(0, 1e9));
-  verb->add_option("--seed", options->seed, "instead of the campaign's seed")->check(draw_count);
-  verb->add_option("--range", *range, "only the draws LO:HI (half-open)");
+      ->check(within(0, 1e9))
+      ->type_name("SECONDS");
+  verb->add_option("--seed", options->seed, "instead of the campaign's seed")
+      ->check(draw_count)
+      ->type_name("SEED");
+  verb->add_option("--range", *range, "only the draws from LO to HI - 1")->type_name("LO:HI");
   verb->add_option("--unit-draws", options->unit_draws,
                    "draws of one unit of work [about 5 s worth]")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}));
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}))
+      ->type_name("N");
   verb->add_option("--instruction-set", options->instruction_set,
-                   "baseline, avx2 or avx512, changes no answer [the widest of this machine]")
+                   "changes no answer, only the speed [the widest of this machine]")
       ->transform(instruction_set_of_this_machine());
   verb->add_option("--storage", options->storage,
-                   "local or network: what the catalogue lies on [as the file system says]")
+                   "what the catalogue lies on [as the file system says]")
       ->transform(one_of({{"local", number_of(schema::Storage::local)},
                           {"network", number_of(schema::Storage::network)}}));
   verb->add_flag("--retry-undecided", options->retry_undecided,
                  "first judge again what no run could decide");
   verb->add_flag("--allow-mixed-builds", *mixed,
                  "go on although ranks or earlier runs give other golden verdicts");
-  verb->add_option("--progress", options->progress, "auto, plain or none [auto]")
-      ->transform(one_of({{"auto", number_of(ProgressStyle::plain)},
+  verb->add_option("--progress", options->progress, "how to show it, see below [auto]")
+      ->transform(one_of({{"auto", number_of(ProgressStyle::automatic)},
                           {"plain", number_of(ProgressStyle::plain)},
+                          {"bar", number_of(ProgressStyle::bar)},
+                          {"json", number_of(ProgressStyle::json)},
                           {"none", number_of(ProgressStyle::none)}}));
   return [options, range, mixed] {
     if (!range->empty()) options->range = parse_range(*range);
@@ -99,10 +117,11 @@ Action add_search(CLI::App& app) {
 Action add_merge(CLI::App& app) {
   auto* verb = app.add_subcommand("merge", "catalogues of one campaign into one");
   verb->footer(
-      "Draws that several of them have are compared (displacements and samples exactly, metrics\n"
-      "within the tolerances of verify) and counted once; parts of units that overlap others are\n"
-      "computed again. Exit code 6, and no file, if anything differs.\n"
-      "Example:\n  misalign merge all.db part-1.db part-2.db");
+      "Draws that several of them have are compared (displacements and samples\n"
+      "exactly, metrics within the tolerances of verify) and counted once; parts of\n"
+      "units that overlap others are computed again. Exit code 6, and no file, if\n"
+      "anything differs.\n\n"
+      "Examples:\n  misalign merge all.db part-1.db part-2.db");
   auto options = std::make_shared<MergeOptions>();
   auto mixed = std::make_shared<bool>(false);
   verb->add_option("OUT", options->output, "catalogue file to write; must not exist")->required();
@@ -143,10 +162,11 @@ Action add_config(CLI::App& app) {
       "  misalign config --check mine.json");
   auto checked = std::make_shared<std::string>();
   auto show = std::make_shared<bool>(false), keys = std::make_shared<bool>(false);
-  auto* choice = verb->add_option_group("choice", "");
+  auto* choice = verb->add_option_group("choice", "what to do");
   choice->add_flag("--default", *show, "print the default campaign with every key");
   choice->add_flag("--keys", *keys, "print what each key means, as a Markdown table");
-  choice->add_option("--check", *checked, "say what is wrong with a campaign file");
+  choice->add_option("--check", *checked, "say what is wrong with a campaign file")
+      ->type_name("CAMPAIGN");
   choice->require_option(1);
   return [=] {
     if (*show) {
@@ -167,9 +187,9 @@ Action add_config(CLI::App& app) {
 Action add_doctor(CLI::App& app) {
   auto* verb = app.add_subcommand("doctor", "whether this machine can run a campaign well");
   verb->footer(
-      "Looks at random numbers, verdicts in all registers, MPI and its slots, and the directory "
-      "for\n"
-      "catalogues. Exit code 1 if a campaign would fail, or could not be trusted.\n"
+      "Looks at random numbers, verdicts in all registers, MPI and its slots, and the\n"
+      "directory for catalogues. Exit code 1 if a campaign would fail, or could not be\n"
+      "trusted.\n\n"
       "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
   auto directory = std::make_shared<std::string>(".");
   auto json = std::make_shared<bool>(false);
@@ -186,14 +206,34 @@ Action add_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file [the default campaign]");
   verb->add_option("--seconds", options->seconds, "for each solver [3]")
-      ->check(CLI::Range(0.01, 1e6));
+      ->check(CLI::Range(0.01, 1e6))
+      ->type_name("SECONDS");
   verb->add_option(
           "--agree", options->agree_draws,
           "instead of speed: the verdicts of so many draws, each against the reference's at "
           "thresholds of every tenth degree, at its own D and one sample above")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}));
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}))
+      ->type_name("N");
   verb->add_flag("--json", options->json, "as JSON");
   return [options] { return bench(*options) ? 0 : schema::kExitCheckFailed; };
+}
+
+Action add_completion(CLI::App& app) {
+  auto* verb = app.add_subcommand("completion", "completion script for a shell");
+  verb->footer(
+      "Where the program was installed into a place that the shell looks at, it is there "
+      "already.\n\n"
+      "Examples:\n"
+      "  source <(misalign completion bash)\n"
+      "  misalign completion zsh > ~/.zfunc/_misalign");
+  auto shell = std::make_shared<std::string>();
+  verb->add_option("SHELL", *shell, "bash or zsh")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
+  return [&app, shell] {
+    std::fputs((*shell == "bash" ? bash_completion(app) : zsh_completion(app)).c_str(), stdout);
+    return 0;
+  };
 }
 
 }  // namespace misalign::search

@@ -1,6 +1,7 @@
 #include "search/search_run.hpp"
 
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -9,7 +10,9 @@
 #include "schema/catalogue_state.hpp"
 #include "search/draw.hpp"
 #include "search/run_info.hpp"
+#include "search/status.hpp"
 #include "search/stop_signal.hpp"
+#include "search/terminal.hpp"
 #include "search/worker.hpp"
 
 namespace misalign::search {
@@ -151,6 +154,9 @@ class RankZero {
                 static_cast<unsigned long long>(state.accepted), rate,
                 static_cast<unsigned long long>(state.undecided), state.digest.c_str());
     std::fflush(stdout);
+    if (options_.progress == ProgressStyle::none || options_.progress == ProgressStyle::json)
+      return;
+    spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
   }
 
   const SearchOptions& options_;
@@ -216,7 +222,11 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
   return "results/" + campaign.name + "-" + schema::identity(campaign).substr(0, 8) + ".db";
 }
 
-int run_search(const SearchOptions& options) {
+int run_search(const SearchOptions& wished) {
+  SearchOptions options = wished;
+  // Before MPI begins: alone it makes itself look as if mpirun had started it.
+  options.progress = resolved(wished.progress, is_terminal(STDERR_FILENO) && terminal_is_able(),
+                              launched_by_mpi());
   hold_signals();
   MpiSession mpi;
   // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "schema/share_interval.hpp"
+#include "schema/text_table.hpp"
 
 namespace misalign::search {
 namespace {
@@ -22,12 +24,26 @@ schema::Json rate_json(std::uint64_t hits, std::uint64_t undecided, std::uint64_
            hits > 0 ? schema::Json((high - low) / (2 * share(hits, trials))) : schema::Json()}};
 }
 
-std::string rate_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
-  const auto [low, high] = schema::share_interval(hits, undecided, trials);
-  char text[120];
-  std::snprintf(text, sizeof text, "%.4g %% (95 %%: %.4g to %.4g)", 100 * share(hits, trials),
-                100 * low, 100 * high);
+std::string percent(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g %%", 100 * value);
   return text;
+}
+
+std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
+  return percent(low) + " to " + percent(high);
+}
+
+// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                              "0123456789_-./+,:@%") == std::string::npos) {
+    return text;
+  }
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
 }
 
 bool endless(std::uint64_t end) { return end == schema::kEndOfDraws; }
@@ -40,41 +56,66 @@ std::uint64_t missing(const schema::CatalogueState& state) {
 
 }  // namespace
 
-std::string status_text(const schema::CatalogueState& state) {
-  std::string text;
-  const auto line = [&](const std::string& name, const std::string& value) {
-    text += name + std::string(13 - name.size(), ' ') + value + "\n";
+std::string status_text(const schema::CatalogueState& state,
+                        const std::optional<DeployingFrom>& deploying, const Paint& paint) {
+  const bool complete = state.gaps.empty();
+  const auto row = [&](const std::string& name, std::uint64_t draws, std::uint64_t of) {
+    return schema::Row{name, std::to_string(draws), of > 0 ? percent(share(draws, of)) : "", ""};
   };
-  line("campaign", state.name + " (" + state.identity.substr(0, 8) + ")");
-  line("goal", "draws from " + std::to_string(state.goal.range.lo) +
-                   (endless(state.goal_end) ? " on, without end"
-                                            : " to " + std::to_string(state.goal_end) + ", " +
-                                                  std::to_string(missing(state)) + " missing"));
-  if (state.goal.accepted) line("", "or " + std::to_string(*state.goal.accepted) + " accepted");
-  if (state.goal.relative_error) {
-    line("", "or a rate known to " + schema::shown_number(100 * *state.goal.relative_error) + " %");
+  std::vector<schema::Row> rows = {{"", "draws", "share", "95 % interval"},
+                                   {"done", std::to_string(state.draws)}};
+  rows.push_back(row("  accepted", state.accepted, state.draws));
+  rows.back()[3] = interval_text(state.accepted, state.undecided, state.draws);
+  if (deploying) {
+    rows.push_back(row("    from " + schema::shown_number(deploying->at_deg) + " deg",
+                       deploying->accepted, state.draws));
+    rows.back()[3] = interval_text(deploying->accepted, state.undecided, state.draws);
   }
-  line("draws", std::to_string(state.draws));
-  line("accepted", std::to_string(state.accepted) + ", " +
-                       rate_text(state.accepted, state.undecided, state.draws));
-  line("rejected", std::to_string(state.rejected));
-  line("undecided",
-       std::to_string(state.undecided) +
-           (state.undecided > 0 ? ", counted as rejected at the interval's low end, as "
-                                  "accepted at its high end"
-                                : ""));
-  std::string faults;
+  rows.push_back(row("  rejected", state.rejected, state.draws));
+  rows.push_back(row("  undecided", state.undecided, state.draws));
+  if (state.undecided > 0) rows.back()[3] = "rejected at the low ends, accepted at the high ones";
+  if (!endless(state.goal_end)) rows.push_back({"missing", std::to_string(missing(state))});
   std::uint64_t sampled = 0;
   for (const auto& [fault, draws] : state.faults) sampled += draws;
-  for (const auto& [fault, draws] : state.faults) {
-    char percent[40];
-    std::snprintf(percent, sizeof percent, " %.3g %%", 100 * share(draws, sampled));
-    faults += (faults.empty() ? "" : ", ") + fault + percent;
+  if (sampled > 0) rows.push_back({"first faults", std::to_string(sampled), "", "of a sample"});
+  for (const auto& [fault, draws] : state.faults) rows.push_back(row("  " + fault, draws, sampled));
+
+  std::string goal =
+      "draws from " + std::to_string(state.goal.range.lo) +
+      (endless(state.goal_end) ? " on, without end" : " to " + std::to_string(state.goal_end));
+  if (state.goal.accepted) goal += ", or " + std::to_string(*state.goal.accepted) + " accepted";
+  if (state.goal.relative_error) {
+    goal += ", or a rate known to " + schema::shown_number(100 * *state.goal.relative_error) + " %";
   }
-  if (sampled > 0) line("faults", faults + " (of a sample of " + std::to_string(sampled) + ")");
-  line("draws/s", schema::shown_number(std::round(state.draws_per_s * 10) / 10));
-  line("digest", state.digest);
-  return text;
+  std::string table = schema::aligned(rows, {false, true, true, false});
+  const std::size_t header = table.find('\n');
+  table = paint.bold(table.substr(0, header)) + table.substr(header);
+  return paint.bold(state.name) + " (" + state.identity.substr(0, 8) +
+         "): " + (complete ? paint.good("complete") : paint.bold("work remains")) + "\n" +
+         schema::aligned(
+             {{"goal", goal},
+              {"speed", schema::shown_number(std::round(state.draws_per_s * 10) / 10) + " draws/s"},
+              {"digest", state.digest}},
+             {false, false}) +
+         "\n" + table;
+}
+
+std::string next_step(const schema::CatalogueState& state, const std::string& path,
+                      const std::string& campaign_path) {
+  const std::string file = shell_word(path);
+  if (!state.gaps.empty()) {
+    std::string limit;
+    if (state.goal.draws) limit += " --draws " + std::to_string(*state.goal.draws);
+    if (state.goal.accepted) limit += " --accepted " + std::to_string(*state.goal.accepted);
+    return "misalign search " +
+           (campaign_path.empty() ? "CAMPAIGN.json" : shell_word(campaign_path)) + " --catalogue " +
+           file + limit + " goes on";
+  }
+  if (state.accepted == 0) {
+    return "nothing was accepted: ask for more with --draws, or for less with "
+           "accept.deploys_from_deg in a copy of the campaign";
+  }
+  return "misalign query " + file + " best; misalign export " + file + " --best 3 --output found";
 }
 
 schema::Json status_json(const schema::CatalogueState& state) {
@@ -117,12 +158,6 @@ DeployingFrom deploying_from(SQLite::Database& database, const schema::Catalogue
   }
   const int sample = static_cast<int>(std::ceil(at_deg / campaign.sample_deg - 1e-9));
   return {at_deg, std::min(schema::count_deploying_from(database, sample), state.accepted)};
-}
-
-std::string deploying_text(const DeployingFrom& deploying, const schema::CatalogueState& state) {
-  return "from " + schema::shown_number(deploying.at_deg) +
-         " deg: " + std::to_string(deploying.accepted) + ", " +
-         rate_text(deploying.accepted, state.undecided, state.draws) + "\n";
 }
 
 schema::Json deploying_json(const DeployingFrom& deploying, const schema::CatalogueState& state) {

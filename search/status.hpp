@@ -5,12 +5,9 @@
 #include <string>
 
 #include "schema/catalogue_state.hpp"
+#include "search/terminal.hpp"
 
 namespace misalign::search {
-
-/// The state of a catalogue, for people or as JSON.
-std::string status_text(const schema::CatalogueState& state);
-schema::Json status_json(const schema::CatalogueState& state);
 
 struct DeployingFrom {
   double at_deg;
@@ -20,7 +17,15 @@ struct DeployingFrom {
 /// if at_deg lies below the campaign's threshold or beyond its end.
 DeployingFrom deploying_from(SQLite::Database& database, const schema::CatalogueState& state,
                              const schema::Campaign& campaign, double at_deg);
-std::string deploying_text(const DeployingFrom& deploying, const schema::CatalogueState& state);
 schema::Json deploying_json(const DeployingFrom& deploying, const schema::CatalogueState& state);
+
+/// The state of a catalogue, for people or as JSON.
+std::string status_text(const schema::CatalogueState& state,
+                        const std::optional<DeployingFrom>& deploying, const Paint& paint);
+schema::Json status_json(const schema::CatalogueState& state);
+
+/// What somebody may want to type now; the campaign's file may be unknown (empty).
+std::string next_step(const schema::CatalogueState& state, const std::string& path,
+                      const std::string& campaign_path);
 
 }  // namespace misalign::search

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <initializer_list>
 
 namespace misalign::search {
 namespace {

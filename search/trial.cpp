@@ -152,7 +152,9 @@ UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range)
     : trial_(trial),
       range_(range),
       next_(range.lo),
-      seconds_per_path_(std::numeric_limits<double>::infinity()) {}
+      seconds_per_path_(std::numeric_limits<double>::infinity()) {
+  record_.range = {range.lo, range.lo};
+}
 
 void UnitWork::run_next_block() {
   constexpr double kShort_s = 0.015, kLong_s = 0.08, kPaths_s = 0.08;
@@ -160,6 +162,7 @@ void UnitWork::run_next_block() {
   const std::uint64_t draws = std::min(block_draws_, range_.hi - next_);
   trial_.screen({next_, next_ + draws}, record_);
   next_ += draws;
+  record_.range.hi = next_;
   if (finished() || static_cast<double>(trial_.waiting()) * seconds_per_path_ > kPaths_s) settle();
   record_.seconds += watch.seconds();
   if (watch.seconds() < kShort_s) block_draws_ = std::min(2 * block_draws_, trial_.largest_block());
@@ -178,7 +181,6 @@ schema::UnitRecord UnitWork::take() {
   const Stopwatch watch;
   settle();
   record_.seconds += watch.seconds();
-  record_.range = {range_.lo, next_};
   return std::move(record_);
 }
 

@@ -69,7 +69,9 @@ class UnitWork {
   /// As many draws as take less than about a tenth of a second: who waits for this must not wait
   /// long.
   void run_next_block();
-  /// What has been done so far: from the range's start up to the next draw.
+  /// What has been done so far; draws that still wait for their full paths are not in it.
+  const schema::UnitRecord& so_far() const { return record_; }
+  /// The same as a whole: from the range's start up to the next draw.
   schema::UnitRecord take();
 
  private:

@@ -18,6 +18,7 @@ Action add_merge(CLI::App& app);
 Action add_config(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_bench(CLI::App& app);
+Action add_completion(CLI::App& app);
 
 // Those that look at a pattern or a catalogue.
 Action add_status(CLI::App& app);

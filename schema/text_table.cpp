@@ -1,0 +1,71 @@
+#include "schema/text_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace misalign::schema {
+namespace {
+
+using Ranges = std::pair<char32_t, char32_t>;
+
+// Blocks of Unicode as a whole: exact enough for names in a table.
+constexpr std::array<Ranges, 6> kOnTheLetterBefore = {{{0x300, 0x36f},
+                                                       {0x483, 0x489},
+                                                       {0x1ab0, 0x1aff},
+                                                       {0x200b, 0x200f},
+                                                       {0x20d0, 0x20ff},
+                                                       {0xfe00, 0xfe0f}}};
+constexpr std::array<Ranges, 8> kWide = {{{0x1100, 0x115f},
+                                          {0x2e80, 0xa4cf},
+                                          {0xac00, 0xd7a3},
+                                          {0xf900, 0xfaff},
+                                          {0xfe30, 0xfe6f},
+                                          {0xff00, 0xff60},
+                                          {0x1f300, 0x1faff},
+                                          {0x20000, 0x3fffd}}};
+
+template <std::size_t count>
+bool within(const std::array<Ranges, count>& ranges, char32_t c) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [c](const Ranges& range) { return c >= range.first && c <= range.second; });
+}
+
+}  // namespace
+
+std::size_t display_width(const std::string& text) {
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < text.size();) {
+    const auto first = static_cast<unsigned char>(text[k++]);
+    char32_t c = first;
+    if (first >= 0xc0) c = first & (first >= 0xf0 ? 0x07 : first >= 0xe0 ? 0x0f : 0x1f);
+    for (; k < text.size() && (static_cast<unsigned char>(text[k]) & 0xc0) == 0x80; ++k) {
+      c = (c << 6) | (static_cast<unsigned char>(text[k]) & 0x3f);
+    }
+    width += within(kOnTheLetterBefore, c) ? 0 : within(kWide, c) ? 2 : 1;
+  }
+  return width;
+}
+
+std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& numeric) {
+  std::vector<std::size_t> width(numeric.size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      width[k] = std::max(width[k], display_width(row[k]));
+    }
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string pad(width[k] - display_width(row[k]), ' ');
+      line += (k ? "  " : "") + (numeric[k] ? pad + row[k] : row[k] + pad);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,18 @@
+// Rows of words and numbers, one below the other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace misalign::schema {
+
+/// Columns that a text (UTF-8) takes on a terminal: none for what is put on the letter before it,
+/// two for the wide letters of East Asia.
+std::size_t display_width(const std::string& text);
+
+using Row = std::vector<std::string>;
+
+/// Columns two apart; the numeric ones flush right. No blanks at the ends of lines.
+std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& numeric);
+
+}  // namespace misalign::schema

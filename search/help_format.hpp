@@ -1,0 +1,29 @@
+// How --help looks: GNU's way, so that help2man makes manual pages of it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace misalign::search {
+
+class HelpFormat : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override;
+};
+
+/// The verbs, in the order of --help.
+std::vector<const CLI::App*> verbs_of(const CLI::App& app);
+/// A verb's options with those of its groups and the program's own; or the program's alone.
+std::vector<const CLI::Option*> options_of(const CLI::App& app);
+std::vector<const CLI::Option*> positionals_of(const CLI::App& app);
+
+/// "-h", "--help"
+std::vector<std::string> names_of(const CLI::Option& option);
+/// What stands for its value: "N", "CAMPAIGN", "json|csv"; empty for a flag.
+std::string value_name(const CLI::Option& option);
+/// The values, if they are a fixed set.
+std::vector<std::string> fixed_values(const CLI::Option& option);
+
+}  // namespace misalign::search

@@ -1,0 +1,13 @@
+// What somebody may have meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace misalign::search {
+
+/// The known word that `typed` is nearest to: its beginning, or some letters off (one in three);
+/// empty if there is none.
+std::string nearest_word(const std::string& typed, const std::vector<std::string>& known);
+
+}  // namespace misalign::search
