@@ -3,13 +3,14 @@
 
 build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
-  libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev"
+  libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev help2man"
 # Node.js for the page of the report, unless a good one is there already (from elsewhere).
 if ! node -e 'process.exit(parseInt(process.versions.node) < 18)' 2> /dev/null ||
   ! command -v npm > /dev/null; then
   build_packages+=" nodejs npm"
 fi
-test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps chromium"
+test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps mandoc
+  chromium"
 hosts_packages="iproute2 mount"  # tests/cluster
 slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster
 

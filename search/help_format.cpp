@@ -81,7 +81,16 @@ std::string usage(const CLI::App& app) {
 
 std::string HelpFormat::make_help(const CLI::App* app, std::string /*name*/,
                                   CLI::AppFormatMode /*mode*/) const {
-  std::string text = usage(*app) + app->get_description() + "\n";
+  std::string description = app->get_description(), notes = app->get_footer(), examples;
+  description[0] = static_cast<char>(std::toupper(description[0]));
+  if (description.back() != '.') description += '.';
+  const std::size_t begin = notes.find("Examples:");
+  if (begin != std::string::npos) {
+    examples = "\n" + notes.substr(begin) + "\n";
+    notes.erase(begin);
+  }
+  while (!notes.empty() && notes.back() == '\n') notes.pop_back();
+  std::string text = usage(*app) + description + "\n" + (notes.empty() ? "" : "\n" + notes + "\n");
   text += section("Arguments", positionals_of(*app));
   const std::vector<const CLI::App*> verbs = verbs_of(*app);
   if (!verbs.empty()) text += "\nVerbs:\n";
@@ -94,7 +103,7 @@ std::string HelpFormat::make_help(const CLI::App* app, std::string /*name*/,
   text += section("Options", own_options(*app));
   if (app->get_parent())
     text += section("Options of every verb", shared_options(*app->get_parent()));
-  return text + "\n" + app->get_footer() + "\n";
+  return text + examples;
 }
 
 std::vector<const CLI::App*> verbs_of(const CLI::App& app) {

@@ -7,6 +7,7 @@
 
 namespace misalign::search {
 
+/// Usage, what a footer says before its "Examples:", arguments, options, the examples.
 class HelpFormat : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,

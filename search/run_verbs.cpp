@@ -101,7 +101,7 @@ Action add_search(CLI::App& app) {
                  "first judge again what no run could decide");
   verb->add_flag("--allow-mixed-builds", *mixed,
                  "go on although ranks or earlier runs give other golden verdicts");
-  verb->add_option("--progress", options->progress, "how to show it, see below [auto]")
+  verb->add_option("--progress", options->progress, "how to show it, see above [auto]")
       ->transform(one_of({{"auto", number_of(ProgressStyle::automatic)},
                           {"plain", number_of(ProgressStyle::plain)},
                           {"bar", number_of(ProgressStyle::bar)},

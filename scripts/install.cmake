@@ -1,0 +1,44 @@
+# What `cmake --install` puts where. The pages and completions are made by the program itself.
+include(GNUInstallDirs)
+install(TARGETS misalign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY schema/ DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema
+        FILES_MATCHING PATTERN "*.sql" PATTERN "*.json")
+# Beside each other: campaigns name the files of ../patterns.
+install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(COMPLETION ${PROJECT_BINARY_DIR}/completion)
+file(MAKE_DIRECTORY ${COMPLETION})
+add_custom_command(OUTPUT ${COMPLETION}/misalign ${COMPLETION}/_misalign
+  COMMAND misalign completion bash > ${COMPLETION}/misalign
+  COMMAND misalign completion zsh > ${COMPLETION}/_misalign
+  DEPENDS misalign VERBATIM)
+add_custom_target(completion ALL DEPENDS ${COMPLETION}/misalign ${COMPLETION}/_misalign)
+install(FILES ${COMPLETION}/misalign DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${COMPLETION}/_misalign DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+
+find_program(HELP2MAN help2man)
+if(NOT HELP2MAN)
+  message(STATUS "help2man not found: no man pages")
+  return()
+endif()
+# The same pages from the same commit, whenever they are made.
+set(PAGES_DATE $ENV{SOURCE_DATE_EPOCH})
+if(NOT PAGES_DATE)
+  execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} log -1 --format=%ct
+                  OUTPUT_VARIABLE PAGES_DATE OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+if(NOT PAGES_DATE)
+  set(PAGES_DATE 0)
+endif()
+set(ENV{SOURCE_DATE_EPOCH} ${PAGES_DATE})
+string(TIMESTAMP PAGES_DATE %Y-%m-%d UTC)
+set(PAGES_SCRIPT ${PROJECT_SOURCE_DIR}/scripts/man_pages.sh)
+set(PAGES_COMMON ${PROJECT_SOURCE_DIR}/search/man/common.h2m)
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/man/misalign.1
+  COMMAND ${PAGES_SCRIPT} $<TARGET_FILE:misalign> ${HELP2MAN} ${PROJECT_VERSION} ${PAGES_DATE}
+          ${PAGES_COMMON} ${PROJECT_BINARY_DIR}/man
+  DEPENDS misalign ${PAGES_SCRIPT} ${PAGES_COMMON} VERBATIM)
+add_custom_target(man ALL DEPENDS ${PROJECT_BINARY_DIR}/man/misalign.1)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+        FILES_MATCHING PATTERN "*.1")
