@@ -86,7 +86,7 @@ Action add_status(CLI::App& app) {
       std::puts(answer.dump(1).c_str());
     } else {
       std::fputs(status_text(state, deploying, paint_for(STDOUT_FILENO)).c_str(), stdout);
-      spdlog::info("next: {}", next_step(state, *path, ""));
+      if (!*check) spdlog::info("next: {}", next_step(state, *path, ""));
     }
     return *check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
   };

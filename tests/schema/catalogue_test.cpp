@@ -466,5 +466,31 @@ TEST_F(CatalogueTest, FaultsSayWhereAndWhen) {
   }
 }
 
+// What a run says of itself while it goes on, and what the next one begins with, agree.
+TEST_F(CatalogueTest, StandingIsThatOfTheWholeLedger) {
+  Standing seen;
+  const auto same = [&](const Standing& standing) {
+    EXPECT_EQ(standing.draws, seen.draws);
+    EXPECT_EQ(standing.accepted, seen.accepted);
+    ASSERT_EQ(standing.best.has_value(), seen.best.has_value());
+    if (!seen.best) return;
+    EXPECT_EQ(standing.best->deploys_from_deg, seen.best->deploys_from_deg);
+    EXPECT_EQ(standing.best->draw, seen.best->draw);
+  };
+  Catalogue catalogue = open();
+  catalogue.begin_run(kRun, {{0, kEndOfDraws}, 100000, {}});
+  same(catalogue.standing());
+  for (const std::uint64_t lo : {20000, 0, 10000}) {  // in any order
+    seen.add(unit(lo, lo + 5000));
+    catalogue.commit({unit(lo, lo + 5000)});
+    same(catalogue.standing());
+  }
+  EXPECT_EQ(seen.draws, 15000u);
+  std::uint64_t best = 0;
+  while (!is_accepted(best) || sample_of(best) != 180) ++best;
+  EXPECT_EQ(seen.best->draw, best);
+  EXPECT_EQ(seen.best->deploys_from_deg, 180);
+}
+
 }  // namespace
 }  // namespace misalign::schema

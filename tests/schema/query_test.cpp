@@ -134,5 +134,32 @@ TEST_F(CatalogueTest, TablesInThreeStyles) {
             third);
 }
 
+// Two columns of one name are two keys in JSON, which no column of the query has already.
+TEST_F(CatalogueTest, ColumnsOfOneNameStayApart) {
+  open();
+  const auto database = open_for_reading(path());
+  const auto first = [&](const std::string& sql) {
+    return Json::parse(query_table(*database, sql, TableStyle::json))[0];
+  };
+  EXPECT_EQ(first("SELECT 1 AS a, 2 AS a, 3 AS a"), (Json{{"a", 1}, {"a_2", 2}, {"a_3", 3}}));
+  EXPECT_EQ(first("SELECT 1 AS a, 2 AS a, 3 AS a_2"), (Json{{"a", 1}, {"a_3", 2}, {"a_2", 3}}));
+  EXPECT_EQ(first("SELECT 1 AS a_2, 2 AS a, 3 AS a"), (Json{{"a_2", 1}, {"a", 2}, {"a_3", 3}}));
+  EXPECT_EQ(query_table(*database, "SELECT 1 AS a, 2 AS a", TableStyle::csv), "a,a\n1,2\n");
+}
+
+TEST_F(CatalogueTest, CellsStayWithinTheirRowsAndColumns) {
+  open();
+  const auto database = open_for_reading(path());
+  const std::string text =
+      query_table(*database,
+                  "SELECT 'a' || char(10) || 'b' || char(27) AS x, 1 AS n UNION ALL "
+                  "SELECT char(233), 2 ORDER BY n",
+                  TableStyle::aligned);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+  EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+  const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_EQ(last.size(), text.find('\n') + 2) << text;  // one letter of two bytes, and \n
+}
+
 }  // namespace
 }  // namespace misalign::schema

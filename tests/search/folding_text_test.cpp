@@ -1,0 +1,117 @@
+#include "search/folding_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "schema/text_table.hpp"
+#include "search/trial.hpp"
+
+namespace misalign::search {
+namespace {
+
+schema::Campaign campaign(int side) {
+  return schema::read_campaign(
+      {{"pattern", {{"family", "miura"}, {"rows", side}, {"columns", side}}},
+       {"accept", {{"deploys_from_deg", 150}}}},
+      "a test");
+}
+
+std::string text_of(Trial& trial, std::uint64_t draw, const FoldingTextOptions& options) {
+  const auto history = trial.history(draw);
+  const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
+  return folding_text({trial.campaign().pattern, shifts_mm, trial.mechanism(), history,
+                       trial.campaign().sample_deg},
+                      options);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(Sparkline, GoesFromTheLeastToTheLargest) {
+  EXPECT_EQ(sparkline({0, 1, 2, 3, 4, 5, 6, 7}, true), "▁▂▃▄▅▆▇█");
+  EXPECT_EQ(sparkline({7, 0}, true), "█▁");
+  EXPECT_EQ(sparkline({-3, -3, -3}, true), "▁▁▁");
+  EXPECT_EQ(sparkline({}, true), "");
+  EXPECT_EQ(sparkline({1e-9, 2e-9, 1.5e-9}, false).size(), 3u);
+  EXPECT_EQ(sparkline({0, 1, 0}, false), "_#_");
+}
+
+TEST(FoldingText, FitsTheTerminal) {
+  for (const int side : {4, 6, 8}) {
+    Trial trial(campaign(side));
+    for (const int width : {80, 100, 200}) {
+      for (const bool utf8 : {false, true}) {
+        for (std::uint64_t draw = 0; draw < 5; ++draw) {
+          for (const std::string& line : lines_of(text_of(trial, draw, {width, utf8}))) {
+            EXPECT_LE(schema::display_width(line), static_cast<std::size_t>(width)) << line;
+          }
+        }
+      }
+    }
+  }
+}
+
+// Every diagonal has a line, whose lengths are the history's and whose signs go as they do.
+TEST(FoldingText, SaysWhatTheHistorySays) {
+  Trial trial(campaign(4));
+  for (std::uint64_t draw = 0; draw < 20; ++draw) {
+    const auto history = trial.history(draw);
+    const auto d = static_cast<Eigen::Index>(history.verdict.deploys_from_sample) - 1;
+    if (d < 0) continue;
+    const std::vector<std::string> lines = lines_of(text_of(trial, draw, {200, false}));
+    for (std::size_t k = 0; k < trial.mechanism().diagonals.size(); ++k) {
+      const solver::Diagonal& diagonal = trial.mechanism().diagonals[k];
+      const std::string name = solver::line_label(diagonal.from, diagonal.to) + " ";
+      const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& one) {
+        return one.rfind(name, 0) == 0;
+      });
+      ASSERT_NE(line, lines.end()) << name;
+      std::istringstream words(*line);
+      std::string label, hole, direction, drawn;
+      double flat_mm = 0, at_mm = 0, least = 0, most = 0;
+      words >> label >> hole >> flat_mm >> at_mm >> direction >> least >> most >> drawn;
+      const double length_mm = history.length_mm(d, static_cast<Eigen::Index>(k));
+      EXPECT_NEAR(flat_mm, history.flat_mm[k], 6e-4);
+      EXPECT_NEAR(at_mm, length_mm, 6e-4);
+      const double change = 100 * (length_mm / history.flat_mm[k] - 1);
+      EXPECT_EQ(direction, change > 0 ? "increasing" : "decreasing");
+      // Monotone up to D: one end of the range is flat, the other is at D.
+      EXPECT_NEAR(least, std::min(change, 0.0), 6e-3) << *line;
+      EXPECT_NEAR(most, std::max(change, 0.0), 6e-3) << *line;
+      // Up to the bar at D the signs go one way.
+      const std::string up_to_d = drawn.substr(0, drawn.find('|'));
+      const std::string heights = "_.:-=+*#";
+      for (std::size_t c = 1; c < up_to_d.size(); ++c) {
+        const auto before = heights.find(up_to_d[c - 1]), now = heights.find(up_to_d[c]);
+        EXPECT_TRUE(change > 0 ? now >= before : now <= before) << *line;
+      }
+      const double end_deg = history.stops.back().pilot_deg, d_deg = static_cast<double>(d + 1);
+      if (end_deg > d_deg + 10) {
+        ASSERT_NE(drawn.find('|'), std::string::npos) << *line;
+        EXPECT_NEAR(static_cast<double>(up_to_d.size()) / static_cast<double>(drawn.size()),
+                    d_deg / end_deg, 0.04)
+            << *line;
+      }
+    }
+  }
+}
+
+TEST(FoldingText, TheTableWhereItFitsOrIsAskedFor) {
+  Trial trial(campaign(6));
+  const auto has_table = [&](int width, bool asked) {
+    return text_of(trial, 0, {width, true, asked}).find("\npilot_deg") != std::string::npos;
+  };
+  EXPECT_FALSE(has_table(80, false));
+  EXPECT_TRUE(has_table(80, true));
+  EXPECT_TRUE(has_table(200, false));
+  EXPECT_EQ(text_of(trial, 0, {80, true}).find('\x1b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace misalign::search

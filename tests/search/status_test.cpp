@@ -1,0 +1,89 @@
+#include "search/status.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace misalign::search {
+namespace {
+
+schema::CatalogueState state(std::uint64_t draws, std::uint64_t accepted, std::uint64_t missing) {
+  schema::CatalogueState state{};
+  state.identity = "0123456789abcdef";
+  state.name = "small";
+  state.goal.draws = draws + missing;
+  state.goal_end = draws + missing;
+  state.draws = state.draws_in_ledger = draws;
+  state.accepted = accepted;
+  state.rejected = draws - accepted;
+  if (missing > 0) state.gaps = {{draws, draws + missing}};
+  state.digest = "d";
+  state.faults = {{"not_monotone", 3}, {"fold_limit", 1}};
+  return state;
+}
+
+// The words of the line that begins with `name`; empty if there is none.
+std::vector<std::string> line(const std::string& text, const std::string& name) {
+  std::istringstream lines(text);
+  for (std::string one; std::getline(lines, one);) {
+    std::istringstream words(one);
+    std::vector<std::string> found;
+    for (std::string word; words >> word;) found.push_back(word);
+    if (!found.empty() && found[0] == name) return found;
+  }
+  return {};
+}
+
+using Words = std::vector<std::string>;
+
+TEST(StatusText, IsATable) {
+  const std::string text = status_text(state(200, 50, 10), {}, Paint(false));
+  EXPECT_NE(text.find("small (01234567): work remains\n"), std::string::npos) << text;
+  EXPECT_EQ(line(text, "done"), (Words{"done", "200"}));
+  const Words accepted = line(text, "accepted");
+  ASSERT_EQ(accepted.size(), 9u) << text;  // accepted 50 25 % LOW % to HIGH %
+  EXPECT_EQ(accepted[1], "50");
+  EXPECT_EQ(accepted[2], "25");
+  EXPECT_LT(std::stod(accepted[4]), 25);
+  EXPECT_GT(std::stod(accepted[7]), 25);
+  EXPECT_EQ(line(text, "rejected"), (Words{"rejected", "150", "75", "%"}));
+  EXPECT_EQ(line(text, "missing"), (Words{"missing", "10"}));
+  EXPECT_EQ(line(text, "not_monotone"), (Words{"not_monotone", "3", "75", "%"}));
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  const auto column_after = [&](const std::string& part) {
+    const std::size_t at = text.find(part);
+    return at + part.size() - text.rfind('\n', at);
+  };
+  EXPECT_EQ(column_after(" 200"), column_after(" 150"));  // numbers end in one column
+}
+
+TEST(StatusText, CompleteOrEndlessOrAtAHigherThreshold) {
+  EXPECT_NE(status_text(state(200, 50, 0), {}, Paint(false)).find(": complete\n"),
+            std::string::npos);
+  EXPECT_NE(status_text(state(200, 50, 0), {}, Paint(true)).find("\x1b["), std::string::npos);
+  const std::string at = status_text(state(200, 50, 0), DeployingFrom{172, 7}, Paint(false));
+  EXPECT_EQ(line(at, "from")[3], "7") << at;
+  schema::CatalogueState endless = state(200, 50, 10);
+  endless.goal_end = schema::kEndOfDraws;
+  endless.goal.draws = {};
+  const std::string text = status_text(endless, {}, Paint(false));
+  EXPECT_NE(text.find("without end"), std::string::npos) << text;
+  EXPECT_TRUE(line(text, "missing").empty()) << text;
+  // Nothing done at all: no share of nothing.
+  const std::string none = status_text(state(0, 0, 10), {}, Paint(false));
+  EXPECT_EQ(none.find("nan"), std::string::npos) << none;
+}
+
+TEST(NextStep, FollowsFromTheState) {
+  EXPECT_EQ(next_step(state(200, 50, 10), "a.db", ""),
+            "misalign search CAMPAIGN.json --catalogue a.db --draws 210 goes on");
+  EXPECT_EQ(next_step(state(200, 50, 10), "a.db", "my campaign.json"),
+            "misalign search 'my campaign.json' --catalogue a.db --draws 210 goes on");
+  EXPECT_NE(next_step(state(200, 50, 0), "it's.db", "").find("misalign query 'it'\\''s.db' best"),
+            std::string::npos);
+  const std::string nothing = next_step(state(200, 0, 0), "a.db", "");
+  EXPECT_NE(nothing.find("deploys_from_deg"), std::string::npos) << nothing;
+}
+
+}  // namespace
+}  // namespace misalign::search

@@ -1,0 +1,36 @@
+#include "search/suggestion.hpp"
+
+#include <gtest/gtest.h>
+
+namespace misalign::search {
+namespace {
+
+TEST(Suggestion, IsTheNearestWordOrNone) {
+  const std::vector<std::string> verbs = {"search", "status", "fold", "query", "export", "replay"};
+  for (const auto& [typed, meant] :
+       std::vector<std::pair<std::string, std::string>>{{"serch", "search"},   // one left out
+                                                        {"seacrh", "search"},  // two swapped
+                                                        {"statuss", "status"},
+                                                        {"stat", "status"},
+                                                        {"Fold", "fold"},
+                                                        {"qurey", "query"},
+                                                        {"exprot", "export"},
+                                                        {"frobnicate", ""},
+                                                        {"x", ""},
+                                                        {"", ""},
+                                                        {"go", ""}}) {
+    EXPECT_EQ(nearest_word(typed, verbs), meant) << typed;
+  }
+  EXPECT_EQ(nearest_word("--draw", {"--help", "--draws", "--range"}), "--draws");
+  EXPECT_EQ(nearest_word("--colour", {"--color", "--check"}), "--color");
+  EXPECT_EQ(nearest_word("anything", {}), "");
+}
+
+// The nearer of two, whatever their order.
+TEST(Suggestion, PrefersFewerLettersOff) {
+  EXPECT_EQ(nearest_word("merje", {"verify", "merge", "marge"}), "merge");
+  EXPECT_EQ(nearest_word("merje", {"marge", "merge"}), "merge");
+}
+
+}  // namespace
+}  // namespace misalign::search

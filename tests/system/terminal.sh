@@ -1,0 +1,149 @@
+# What the program shows on a terminal, and what it does not show elsewhere. The terminals are those
+# of script (util-linux).
+. "$(dirname "$0")/lib.sh"
+export TERM=xterm LC_ALL=C.UTF-8
+unset NO_COLOR PAGER LESS
+escape=$'\x1b'
+campaign=quick.json
+quick_campaign $campaign
+pattern=$source_dir/search/patterns/table1.json
+
+# on_terminal COLUMNS COMMAND: what it shows, the carriage returns before line feeds left out.
+on_terminal() { script -qec "stty cols $1; $2" /dev/null < /dev/null | sed 's/\r$//'; }
+
+# The live line: drawn again and again within the terminal's width, and what follows is on a new line.
+on_terminal 60 "$program search $campaign --catalogue bar.db --draws 1000000 --max-time 0.7" > shown
+tr '\r' '\n' < shown | grep -c "draws.*$escape\[K" > redrawn
+[ "$(cat redrawn)" -ge 2 ] || fail "no live line: $(cat -v shown)"
+tr '\r' '\n' < shown | grep "$escape\[K" | sed "s/$escape\[K//" > lines
+while IFS= read -r line; do
+  [ ${#line} -lt 60 ] || fail "a live line of ${#line} columns: $line"
+done < lines
+grep -q "^bar.db: max_time" shown || fail "the summary does not begin a line: $(cat -v shown)"
+grep -q "^misalign: next: " shown || fail "no next step: $(cat -v shown)"
+
+# A message in between has a line of its own.
+script -qec "$program search $campaign --catalogue usr2.db --draws 1000000000" /dev/null > shown < /dev/null &
+terminal=$!
+for wait in {1..200}; do
+  [ "$(tr '\r' '\n' < shown | grep -c "$escape\[K")" -ge 2 ] && break
+  sleep 0.05
+done
+pkill -USR2 -f "^$program search $campaign --catalogue usr2.db"
+for wait in {1..200}; do
+  grep -q "draws/s" shown && break
+  sleep 0.05
+done
+pkill -TERM -f "^$program search $campaign --catalogue usr2.db"
+wait $terminal
+grep -q $'\r'"$escape\[K[0-9]* s: .*draws/s" shown || fail "USR2 within a live line: $(cat -v shown)"
+
+# Nowhere else: not under mpirun, not in a file, not on a terminal that cannot, not if not wanted.
+for case in "${ranks[*]} 2 $program|" "$program|2> err" "TERM=dumb $program|" "NO_COLOR=1 $program|--progress plain"; do
+  on_terminal 100 "${case%|*} search $campaign --catalogue plain.db --draws 1000 ${case#*|}" > shown
+  ! grep -q "$escape\[K" shown || fail "a live line for $case: $(cat -v shown)"
+  cat shown err 2> /dev/null | grep -q "^0 s: 1000 of 1000 draws" || fail "no plain line for $case"
+  rm -f plain.db
+done
+"$program" search $campaign --catalogue none.db --draws 1000 --progress none 2> err > /dev/null
+grep -qv "^misalign: campaign" err && fail "--progress none: $(cat err)"
+
+# For programs: objects of JSON, the last one with what the catalogue says.
+"$program" search $campaign --catalogue json.db --draws 3000 --progress json 2> err > /dev/null
+grep -v "^misalign: " err > objects
+[ -s objects ] || fail "--progress json prints nothing"
+while IFS= read -r object; do
+  [ "$(sqlite3 :memory: "SELECT json_valid('$object')")" = 1 ] || fail "no JSON: $object"
+done < objects
+said() { sqlite3 :memory: "SELECT json_extract('$(tail -1 objects)', '\$.$1')"; }
+[ "$(said last)$(said draws)$(said draws_left)$(said left_s)" = 1300000.0 ] || fail "the last object: $(tail -1 objects)"
+[ "$(said accepted)" = "$(sql json.db 'SELECT count(*) FROM candidate')" ] || fail "accepted: $(tail -1 objects)"
+[ "$(said best.draw)" = "$(sql json.db 'SELECT draw FROM candidate ORDER BY deploys_from_deg DESC, draw LIMIT 1')" ] ||
+  fail "best: $(tail -1 objects)"
+for key in elapsed_s draws draws_left draws_per_s draws_per_s_mean accepted rate best left_s last; do
+  "$program" search --help | grep -q "\b$key\b" || fail "search --help does not say $key"
+  grep -q "\"$key\":" objects || fail "$key is in no object"
+done
+
+# Colors only where they are wanted.
+colored() { grep -q "$escape\[[0-9]"; }
+on_terminal 80 "$program status json.db" | colored || fail "no colors on a terminal"
+on_terminal 80 "$program status json.db --color never" | colored && fail "--color never"
+on_terminal 80 "NO_COLOR=1 $program status json.db" | colored && fail "NO_COLOR"
+on_terminal 80 "TERM=dumb $program status json.db" | colored && fail "TERM=dumb"
+"$program" status json.db 2>&1 | colored && fail "colors in a pipe"
+"$program" status json.db --color always 2> /dev/null | colored || fail "--color always"
+on_terminal 80 "$program fold $pattern --json" | colored && fail "colors in JSON"
+
+# The table of status, and the sparklines of fold: 80 columns, and signs that the locale has.
+narrow() {
+  while IFS= read -r line; do
+    [ ${#line} -le 80 ] || fail "$1: ${#line} columns: $line"
+  done
+}
+narrow status < <("$program" status json.db --at 25 2> /dev/null)
+for draw in 0 1; do narrow replay < <("$program" replay json.db $draw); done
+"$program" fold "$pattern" > folding || fail "fold"
+narrow fold < folding
+[ "$(grep -c '▁.*█\|█.*▁' folding)" = 16 ] || fail "sparklines: $(cat folding)"
+grep -q "^pilot_deg" folding && fail "the table is too wide, and was shown"
+"$program" fold "$pattern" --table | grep -q "^pilot_deg" || fail "--table"
+on_terminal 200 "$program fold $pattern" | grep -q "^pilot_deg" || fail "a wide terminal has room for the table"
+LC_ALL=C "$program" fold "$pattern" > folding
+LC_ALL=C grep -q '[^ -~]' folding && fail "signs beyond ASCII: $(cat folding)"
+[ "$(grep -c '_.*#\|#.*_' folding)" = 16 ] || fail "sparklines in ASCII: $(cat folding)"
+
+# The pager.
+query="$program query json.db best"
+$query > rows 2> err
+[ "$(wc -l < rows)" = 21 ] || fail "query best: $(cat rows)"
+grep -q "first 20 rows" err || fail "nothing said of the rows left out: $(cat err)"
+$query --color never > same 2> /dev/null && cmp -s rows same || fail "query: not the same twice"
+on_terminal 80 "PAGER='cat > paged' $query --color never" > shown
+cmp -s rows paged || fail "what the pager gets: $(cat -v paged)"
+for unpaged in "PAGER=cat $query" "PAGER= $query" "PAGER='touch called; cat' $query --no-pager" \
+  "PAGER='touch called; cat' $query --csv" "PAGER='touch called; cat' $query | cat" "PAGER=/no/such/pager $query"; do
+  on_terminal 80 "$unpaged" > shown
+  [ "$(grep -c '^.\{0,8\} *[0-9]' shown)" -ge 20 ] || fail "$unpaged: $(cat -v shown)"
+  [ ! -e called ] || fail "$unpaged: paged"
+done
+all="SELECT * FROM candidates a, candidates LIMIT 3000"
+on_terminal 80 "PAGER='head -1' $program query json.db '$all'; echo exit \$?" > shown
+[ "$(tail -1 shown)" = "exit 0" ] && ! grep -q misalign: shown || fail "a pager that is left: $(tail -3 shown)"
+for pipe in "" "trap '' PIPE;"; do
+  bash -c "$pipe \"\$0\" query json.db '$all' | head -1 > /dev/null" "$program" 2> err
+  [ ! -s err ] || fail "a pipe that is closed ($pipe): $(cat err)"
+done
+
+# What to type next can be typed.
+next_of() { sed -n 's/^misalign: next: //p' | sed "s|misalign |$program |g; s|CAMPAIGN.json|$campaign|; s| goes on\$||"; }
+"$program" search $campaign --catalogue "next one.db" --draws 40 2>&1 > /dev/null | next_of > next
+[ "$(wc -l < next)" = 1 ] || fail "next: $(cat next)"
+bash -e next > out 2>&1 || fail "$(cat next): $(cat out)"
+[ -n "$(ls found)" ] || fail "next exports nothing: $(cat next)"
+"$program" search $campaign --catalogue part.db --draws 1000000 --max-time 0.2 > /dev/null 2>&1
+near=$(sql part.db 'SELECT sum(hi - lo) + 100 FROM unit')
+sqlite3 part.db "UPDATE campaign SET goal_draws = $near, goal_end = $near" || fail "a nearer goal"
+"$program" status part.db 2>&1 > /dev/null | next_of > next
+bash -e next > out 2>&1 || fail "$(cat next): $(cat out)"
+"$program" status part.db --check > /dev/null 2>&1 || fail "not complete after $(cat next)"
+
+# Usage.
+"$program" > out 2> err
+[ $? = 2 ] && [ ! -s out ] && grep -q "^  search " err || fail "misalign alone: $(cat err)"
+while IFS='|' read -r words meant; do
+  # shellcheck disable=SC2086
+  "$program" $words > out 2> err
+  [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] && [ ! -s out ] || fail "$words: $(cat err)"
+  grep -q -- "$meant" err || fail "no '$meant' for: $words: $(cat err)"
+done << 'END'
+serch x.json|did you mean search?
+quer x.db|did you mean query?
+search x.json --draw 5|did you mean --draws?
+search x.json --max-tim=5|did you mean --max-time?
+status x.db --colour never|did you mean --color?
+--jsn|--jsn is no option;
+status|CATALOGUE is required; see misalign status --help
+frobnicate|frobnicate is no verb;
+END
+finish
