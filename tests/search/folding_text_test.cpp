@@ -35,6 +35,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(Sparkline, GoesFromTheLeastToTheLargest) {
   EXPECT_EQ(sparkline({0, 1, 2, 3, 4, 5, 6, 7}, true), "▁▂▃▄▅▆▇█");
+  EXPECT_EQ(sparkline({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, false),
+            "__..::--==++**##");  // all equally high
   EXPECT_EQ(sparkline({7, 0}, true), "█▁");
   EXPECT_EQ(sparkline({-3, -3, -3}, true), "▁▁▁");
   EXPECT_EQ(sparkline({}, true), "");
