@@ -80,6 +80,10 @@ void Progress::finish(const ProgressCounts& counts) {
   if (line_is_live.exchange(false)) std::fputc('\n', stderr);
 }
 
+void leave_live_line() {
+  if (line_is_live.exchange(false) && write(STDERR_FILENO, "\n", 1) < 0) return;  // gone, too
+}
+
 void erase_live_line() {
   if (!line_is_live.exchange(false)) return;
   std::fputs("\r\x1b[K", stderr);

@@ -32,5 +32,7 @@ class Progress {
 
 /// Makes room for another message on standard error; the next show() draws the live line again.
 void erase_live_line();
+/// Safe in a signal handler that ends the program: what others print begins a line.
+void leave_live_line();
 
 }  // namespace misalign::search

@@ -8,6 +8,8 @@
 #include <ctime>
 #include <initializer_list>
 
+#include "search/progress.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -20,10 +22,16 @@ extern "C" {
 
 void note_drain(int) { drain_seen = 1; }
 void note_status(int) { status_seen = 1; }
-void end_here(int) { _exit(leave_code); }
+void end_here(int) {
+  leave_live_line();
+  _exit(leave_code);
+}
 
 void note_leave(int signal) {
-  if (leave_seen) _exit(128 + signal);
+  if (leave_seen) {
+    leave_live_line();
+    _exit(128 + signal);
+  }
   leave_seen = 1;
   timer_settime(leave_timer, 0, &leave_after, nullptr);
 }

@@ -39,11 +39,11 @@ wait $terminal
 grep -q $'\r'"$escape\[K[0-9]* s: .*draws/s" shown || fail "USR2 within a live line: $(cat -v shown)"
 
 # Nowhere else: not under mpirun, not in a file, not on a terminal that cannot, not if not wanted.
-for case in "${ranks[*]} 2 $program|" "$program|2> err" "TERM=dumb $program|" "NO_COLOR=1 $program|--progress plain"; do
+for case in "${ranks[*]} 2 $program|" "OMPI_COMM_WORLD_RANK=0 $program|" "$program|2> err" "TERM=dumb $program|" "$program|--progress plain"; do
+  rm -f plain.db err
   on_terminal 100 "${case%|*} search $campaign --catalogue plain.db --draws 1000 ${case#*|}" > shown
   ! grep -q "$escape\[K" shown || fail "a live line for $case: $(cat -v shown)"
   cat shown err 2> /dev/null | grep -q "^0 s: 1000 of 1000 draws" || fail "no plain line for $case"
-  rm -f plain.db
 done
 "$program" search $campaign --catalogue none.db --draws 1000 --progress none 2> err > /dev/null
 grep -qv "^misalign: campaign" err && fail "--progress none: $(cat err)"
