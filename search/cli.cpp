@@ -67,7 +67,10 @@ std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
   const CLI::App* const verb = chosen_verb(app);
   for (const std::string& word : app.remaining(/*recurse=*/true)) {
     const bool is_option = word.size() > 1 && word[0] == '-';
-    if (!is_option && verb) continue;
+    if (!is_option && verb) {
+      return verb->get_name() + " takes no further argument, such as " +
+             schema::printable(schema::utf8(word));
+    }
     std::vector<std::string> known;
     if (is_option) {
       for (const CLI::Option* option : options_of(verb ? *verb : app)) {

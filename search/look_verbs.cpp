@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 #include "schema/result_table.hpp"
 #include "search/look.hpp"
 #include "search/status.hpp"
+#include "search/suggestion.hpp"
 #include "search/terminal.hpp"
 #include "search/tolerance.hpp"
 #include "search/verbs.hpp"
@@ -86,6 +88,7 @@ Action add_status(CLI::App& app) {
       std::puts(answer.dump(1).c_str());
     } else {
       std::fputs(status_text(state, deploying, paint_for(STDOUT_FILENO)).c_str(), stdout);
+      std::fflush(stdout);
       if (!*check) spdlog::info("next: {}", next_step(state, *path, ""));
     }
     return *check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
@@ -111,6 +114,27 @@ Action add_replay(CLI::App& app) {
 
 namespace {
 
+bool is_one_word(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+  });
+}
+
+UserError no_such_query(const std::string& name) {
+  std::string names = schema::named_query_list();
+  std::vector<std::string> known;
+  std::istringstream list(names);
+  for (std::string word; list >> word;) {
+    if (word.back() == ',') word.pop_back();
+    known.push_back(word);
+  }
+  const std::string meant = nearest_word(name, known);
+  return UserError(schema::kExitUsage, "the query was refused (" + name + " is the name of none" +
+                                           (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                                           "); it must be one SELECT, or one of the names " +
+                                           names);
+}
+
 // Whether a named query's LIMIT left rows out: it is the last thing such a query says.
 bool was_cut_off(SQLite::Database& database, const std::string& sql, std::size_t rows) {
   const std::size_t limit = sql.rfind("LIMIT ");
@@ -127,6 +151,7 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   const std::size_t header = table.find('\n');
   show(paint_for(STDOUT_FILENO).bold(table.substr(0, header)) + table.substr(header), paged);
   const auto rows = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) - 1;
+  std::fflush(stdout);
   if (!name.empty() && was_cut_off(database, sql, rows)) {
     spdlog::info(
         "the first {} rows; SQL of your own can ask for more, such as \"SELECT * FROM "
@@ -156,6 +181,7 @@ Action add_query(CLI::App& app) {
     const auto database = schema::open_for_reading(*path);
     const std::string named = schema::named_query(*sql);
     const std::string& text = named.empty() ? *sql : named;
+    if (named.empty() && is_one_word(*sql)) throw no_such_query(*sql);
     if (!*json && !*csv) {
       show_rows(*database, named.empty() ? "" : *sql, text, !*unpaged);
     } else {

@@ -30,12 +30,12 @@ std::size_t letters_off(const std::string& a, const std::string& b) {
 
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& known) {
   std::string nearest;
-  std::size_t least = typed.size() / 3 + 1;
+  std::size_t fewer_than = typed.size() / 3 + 1;
   for (const std::string& word : known) {
     const bool begins = typed.size() > 2 && word.rfind(typed, 0) == 0;
     const std::size_t off = begins ? 1 : letters_off(typed, word);
-    if (off >= least + (nearest.empty() ? 1 : 0) || off >= word.size()) continue;
-    least = off;
+    if (off >= fewer_than) continue;
+    fewer_than = off;
     nearest = word;
   }
   return nearest;

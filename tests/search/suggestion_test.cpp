@@ -17,12 +17,14 @@ TEST(Suggestion, IsTheNearestWordOrNone) {
                                                         {"exprot", "export"},
                                                         {"frobnicate", ""},
                                                         {"x", ""},
+                                                        {"fo", ""},
                                                         {"", ""},
                                                         {"go", ""}}) {
     EXPECT_EQ(nearest_word(typed, verbs), meant) << typed;
   }
   EXPECT_EQ(nearest_word("--draw", {"--help", "--draws", "--range"}), "--draws");
   EXPECT_EQ(nearest_word("--colour", {"--color", "--check"}), "--color");
+  EXPECT_EQ(nearest_word("-v", {"-h", "--help"}), "");
   EXPECT_EQ(nearest_word("anything", {}), "");
 }
 

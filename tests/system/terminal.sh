@@ -144,6 +144,9 @@ search x.json --max-tim=5|did you mean --max-time?
 status x.db --colour never|did you mean --color?
 --jsn|--jsn is no option;
 status|CATALOGUE is required; see misalign status --help
+query json.db bst|did you mean best?
+query json.db nonsense|nonsense is the name of none);
+fold PATTERN more|fold takes no further argument, such as more
 frobnicate|frobnicate is no verb;
 END
 finish
