@@ -18,11 +18,29 @@ function domain_of(values, decoded) {
   return [least < 0 ? least - spare : 0, most + spare];
 }
 
-function value_chart({ box, state, detail, decoded, end_deg, values, label, unit, marks }) {
+/** The same on a logarithmic scale: from the least positive value between 5 degrees and D. */
+function log_domain_of(values, decoded, from_deg = 5) {
+  let least = Infinity, most = 0;
+  for (let k = 0; k <= Math.max(decoded.depth, 0.9 * (decoded.samples - 1)); ++k) {
+    if (!(values[k] > 0)) continue;
+    most = Math.max(most, values[k]);
+    if (decoded.pilot_deg[k] >= from_deg) least = Math.min(least, values[k]);
+  }
+  return least < most ? [least / 2, most * 1.5] : null;
+}
+
+const powers = ([least, most]) => {
+  const first = Math.ceil(Math.log10(least));
+  return Array.from({ length: Math.floor(Math.log10(most)) - first + 1 }, (_, i) => 10 ** (first + i));
+};
+
+function value_chart({ box, state, detail, decoded, end_deg, values, label, unit, marks, log }) {
   let dot = null, readout = null, x = null, y = null;
+  const title = `${label}${unit ? ` (${unit})` : ""}${log ? ", log scale" : ""}`;
   const chart = folding_chart({
     box, state, detail, decoded, end_deg, height: kHeight, label: `${label} against the deployment ratio`,
-    y: { domain: domain_of(values, decoded), label: `${label}${unit ? ` (${unit})` : ""}` }, marks: [Plot.ruleY([0], { stroke: "var(--ink-soft)" }), ...(marks ?? [])],
+    y: log ? { type: "log", domain: log, ticks: powers(log), tickFormat: (value) => number(value, 1), label: title } : { domain: domain_of(values, decoded), label: title },
+    marks: [log ? null : Plot.ruleY([0], { stroke: "var(--ink-soft)" }), ...(marks ?? [])],
     lines(svg, x_scale, y_scale) {
       [x, y] = [x_scale, y_scale];
       // What leaves the frame beyond D is cut off there.
@@ -57,14 +75,16 @@ function value_chart({ box, state, detail, decoded, end_deg, values, label, unit
 export function make_actuation(report, detail, decoded, state, end_deg) {
   const { stiffness_n_per_mm } = report.actuators, boxes = (id) => document.getElementById(id);
   const common = { state, detail, decoded, end_deg };
+  // Energy and moment begin at nothing: near flat only a logarithmic scale shows them.
+  const log_of = (values) => (document.getElementById("log").checked ? log_domain_of(values, decoded) : null);
   const weakest = detail.weakest ? [Plot.dot([detail.weakest], { x: (w) => deployment(w.pilot_deg), y: "moment_n_mm", symbol: "triangle", r: 5, fill: "var(--over-folded)" }),
     Plot.text([detail.weakest], { x: (w) => deployment(w.pilot_deg), y: "moment_n_mm", text: () => "weakest", dy: -12, fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4,
       textAnchor: detail.weakest.pilot_deg < 90 ? "end" : "start" })] : [];
   boxes("energy-caption").textContent = `Springs of ${number(stiffness_n_per_mm)} N/mm on all diagonals, relaxed on the flat sheet: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
   boxes("moment-caption").textContent = "dE/d(pilot angle). Positive: the springs unfold the sheet; at zero they could not.";
   return [
-    [boxes("energy"), value_chart({ ...common, box: boxes("energy"), values: decoded.energy_n_mm, label: "energy", unit: "N mm"})],
-    [boxes("moment"), value_chart({ ...common, box: boxes("moment"), values: decoded.moment_n_mm, label: "moment", unit: "N mm", marks: weakest })],
+    [boxes("energy"), value_chart({ ...common, box: boxes("energy"), values: decoded.energy_n_mm, label: "energy", unit: "N mm", log: log_of(decoded.energy_n_mm)})],
+    [boxes("moment"), value_chart({ ...common, box: boxes("moment"), values: decoded.moment_n_mm, label: "moment", unit: "N mm", marks: weakest, log: log_of(decoded.moment_n_mm) })],
     [boxes("advantage"), value_chart({ ...common, box: boxes("advantage"), values: decoded.mechanical_advantage, label: "mechanical advantage (N per N)", unit: ""})],
   ];
 }
@@ -90,6 +110,6 @@ export function show_actuation_words(box, report, detail, decoded) {
       `${names(detail.over_stroke.diagonals)}. With actuators of that stroke it deploys from there, not from D.`));
   } else items.push(`Stroke limit of ±${percent(stroke_limit, 2)}: kept by every diagonal.`);
   const at_D = decoded.mechanical_advantage[decoded.depth];
-  if (Number.isFinite(at_D)) items.push(`At D one newton in the diagonals gives ${fixed(at_D, 3)} N on the sheet’s span.`);
+  if (Number.isFinite(at_D)) items.push(`At D one newton in every diagonal gives ${fixed(at_D, 3)} N on the sheet’s span.`);
   box.replaceChildren(h("ul", { class: "words" }, items.map((item) => h("li", {}, item))));
 }

@@ -89,7 +89,7 @@ function make_inspector(report, candidates, state) {
     const mark_crease = show_crease_pattern(by_id("crease"), by_id("crease-caption"), report, detail, decoded, state);
     const list = make_diagonal_list(by_id("diagonals"), report, detail, decoded, state);
     const histories = make_histories(by_id("histories"), by_id("histories-caption"), report, detail, decoded, state, end_deg);
-    const actuation = make_actuation(report, detail, decoded, state, end_deg);
+    let actuation = make_actuation(report, detail, decoded, state, end_deg);
     place_chart(by_id("histories"), histories);
     for (const [box, chart] of actuation) place_chart(box, chart);
     pilot.load(detail, decoded);
@@ -97,10 +97,15 @@ function make_inspector(report, candidates, state) {
     show_actuation_words(by_id("actuation"), report, detail, decoded);
     show_shifts(by_id("shifts"), detail, state);
     parts = [
-      { move: () => folding.pose(state.get("sample")), mark: folding.mark }, { mark: mark_crease }, list, histories, pilot, ...actuation.map(([, chart]) => chart),
+      { move: () => folding.pose(state.get("sample")), mark: folding.mark }, { mark: mark_crease }, list, histories, pilot,
+      { move: () => actuation.forEach(([, chart]) => chart.move()) },
       { move: () => state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]) },
     ];
     list.move();
+    by_id("log").onchange = () => {
+      actuation = make_actuation(report, detail, decoded, state, end_deg);
+      for (const [box, chart] of actuation) place_chart(box, chart);
+    };
   }
 
   state.on("sample", () => parts.forEach((part) => part.move?.()));
