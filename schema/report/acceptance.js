@@ -1,7 +1,7 @@
 // What was asked, what came out of it, and where along the folding and on the sheet draws fail.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
-import { count, dashed, degrees, fault_name, fault_order, fault_words, h, number, percent, plural } from "./format.js";
+import { count, dashed, degrees, fault_name, fault_order, fault_words, h, number, percent, plural, powers } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { when_wide } from "./chart.js";
 
@@ -105,7 +105,7 @@ function survival_chart(rows, total, report, width) {
     width, height: 280, marginLeft: 62, marginBottom: 42, className: "plot", ariaLabel: "Survival along the folding",
     x: { label: "pilot fold angle (deg)", domain: [0, path.end_deg], labelAnchor: "center", labelArrow: "none" },
     y: { type: "log", label: "share without a fault (log scale)", grid: true, labelArrow: "none", domain: [least, 1], clamp: true,
-      ticks: Array.from({ length: 12 }, (_, i) => 10 ** -i).filter((share) => share >= least), tickFormat: (share) => percent(share, 1) },
+      ticks: powers(least, 1), tickFormat: (share) => percent(share, 1) },
     marks: [
       Plot.areaY(points, { x: "angle", y1: "low", y2: "high", curve: "step-after", fill: "var(--accent)", fillOpacity: 0.18 }),
       Plot.lineY(points.filter((point) => point.left > 0), { x: "angle", y: "share", curve: "step-after", stroke: "var(--accent)", strokeWidth: 2 }),

@@ -2,7 +2,7 @@
 // advantage, and what follows from them in words.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, deployment, path_of, range } from "./chart.js";
-import { degrees, fixed, h, number, percent, plural } from "./format.js";
+import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";
 
 const kHeight = 270;
 
@@ -29,17 +29,13 @@ function log_domain_of(values, decoded, from_deg = 5) {
   return least < most ? [least / 2, most * 1.5] : null;
 }
 
-const powers = ([least, most]) => {
-  const first = Math.ceil(Math.log10(least));
-  return Array.from({ length: Math.floor(Math.log10(most)) - first + 1 }, (_, i) => 10 ** (first + i));
-};
 
 function value_chart({ box, state, detail, decoded, end_deg, values, label, unit, marks, log }) {
   let dot = null, readout = null, x = null, y = null;
   const title = `${label}${unit ? ` (${unit})` : ""}${log ? ", log scale" : ""}`;
   const chart = folding_chart({
     box, state, detail, decoded, end_deg, height: kHeight, label: `${label} against the deployment ratio`,
-    y: log ? { type: "log", domain: log, ticks: powers(log), tickFormat: (value) => number(value, 1), label: title } : { domain: domain_of(values, decoded), label: title },
+    y: log ? { type: "log", domain: log, ticks: powers(...log), tickFormat: power, label: title } : { domain: domain_of(values, decoded), label: title },
     marks: [log ? null : Plot.ruleY([0], { stroke: "var(--ink-soft)" }), ...(marks ?? [])],
     lines(svg, x_scale, y_scale) {
       [x, y] = [x_scale, y_scale];

@@ -75,10 +75,12 @@ function best_rotation(from, to, start) {
              [zx - xz, xy + yx, yy - xx - zz, yz + zy], [xy - yx, zx + xz, yz + zy, zz - xx - yy]];
   const shift = Math.hypot(...n.flat()) || 1;
   let q = start;
-  for (let step = 0; step < 300; ++step) {
+  for (let step = 0, change = 1; step < 300 && change > 1e-9; ++step) {
     const next = n.map((row, i) => row.reduce((sum, value, k) => sum + value * q[k], shift * q[i]));
     const length = Math.hypot(...next);
-    q = next.map((value) => value / length);
+    const turned = next.map((value) => value / length);
+    change = Math.hypot(...turned.map((value, i) => value - q[i]));
+    q = turned;
   }
   return q;
 }

@@ -18,6 +18,16 @@ export function number(value, digits = 3) {
 
 const superscript = (exponent) => String(exponent).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
 
+/** Powers of ten between two positive numbers, and how an axis writes them. */
+export function powers(least, most) {
+  const first = Math.ceil(Math.log10(least) - 1e-9), last = Math.floor(Math.log10(most) + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => 10 ** (first + i));
+}
+export function power(value) {
+  const exponent = Math.round(Math.log10(value));
+  return exponent >= -2 && exponent <= 4 ? value.toLocaleString("en") : `10${superscript(exponent)}`;
+}
+
 export const count = (value) => (value ?? 0).toLocaleString("en");
 export const fixed = (value, decimals) =>
   value === null || value === undefined ? "–" : value.toFixed(decimals).replace("-", kMinus);

@@ -1,17 +1,11 @@
 // Any two metrics of the candidates against each other: axes by Plot, points on a canvas, which stays
 // quick with tens of thousands of them.
 import * as Plot from "@observablehq/plot";
-import { count, h, number } from "./format.js";
+import { count, h, power, powers } from "./format.js";
 import { axis_title, metrics, metric_of, with_unit } from "./metrics.js";
 import { colour, on_theme } from "./theme.js";
 
 const kHeight = 400, kMargins = { marginLeft: 66, marginRight: 16, marginTop: 14, marginBottom: 44 };
-
-/** Powers of ten from just below to just above. */
-function powers(least, most) {
-  const [first, last] = [Math.floor(Math.log10(least)), Math.ceil(Math.log10(most))];
-  return Array.from({ length: last - first + 1 }, (_, i) => 10 ** (first + i));
-}
 
 /** Positive values over more than three decades are read better on a logarithmic axis. */
 function scale_of(metric, values) {
@@ -25,7 +19,7 @@ function scale_of(metric, values) {
   const log = least > 0 && most / least > 1000;
   const spare = log ? 0 : (most - least) * 0.03 || Math.abs(most) * 0.05 || 0.5;
   return { type: log ? "log" : "linear", domain: log ? [least / 1.2, most * 1.2] : [least - spare, most + spare],
-    ...(log ? { ticks: powers(least, most), tickFormat: (value) => number(value, 1) } : {}),
+    ...(log ? { ticks: powers(least / 1.2, most * 1.2), tickFormat: power } : {}),
     label: axis_title(metric) + (log ? ", log scale" : ""), labelAnchor: "center", labelArrow: "none", grid: true };
 }
 

@@ -1,7 +1,10 @@
 // The system's Chromium with a page opened from a file, without a network.
+import { createRequire } from "node:module";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+
+// By require, which also looks along NODE_PATH: the packages may lie in a build directory.
+const { chromium } = createRequire(import.meta.url)("playwright-core");
 
 export function open_browser(more = []) {
   return chromium.launch({

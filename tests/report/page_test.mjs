@@ -300,6 +300,27 @@ async function detail_checks(page, data, detail, webgl = true) {
     await page.mouse.move(2, 2);
   });
 
+  await check("energy and moment on a logarithmic scale", async () => {
+    const line = () => Promise.all(["energy", "moment", "advantage"].map((id) => by(page, id).locator("path.value").first().getAttribute("d")));
+    const before = await line();
+    await by(page, "log").check();
+    const after = await line();
+    if (detail.weakest?.moment_n_mm > 0) assert.notEqual(after[1], before[1], "moment");
+    assert.notEqual(after[0], before[0], "energy");
+    assert.equal(after[2], before[2], "mechanical advantage");
+    await by(page, "log").uncheck();
+    assert.deepEqual(await line(), before);
+  });
+
+  await check("forces run through the data", async () => {
+    const depth = detail.pilot_deg.findLastIndex((pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9);
+    for (const [id, values] of [["energy", floats(detail.energy_n_mm)], ["moment", floats(detail.moment_n_mm)]]) {
+      const y = await axis(by(page, id), "y");
+      const path = await by(page, id).locator("path.value").first().getAttribute("d"), [, py] = path.split(/[ML]/).at(-1).split(",").map(Number);
+      assert.ok(Math.abs(py - y(values[depth])) < 1, `${id} at D`);
+    }
+  });
+
   await check("space plays and pauses, arrow keys move the slider", async () => {
     await go(detail.pilot_deg.length - 1);
     await slider.focus();
