@@ -62,13 +62,34 @@ export function verdict_words({ verdict, accepted, fold_limit_deg }) {
     (fold_limit_deg !== null && fold_limit_deg !== undefined && fold_limit_deg < 180 ? ` The pilot turns at its fold limit, ${degrees(fold_limit_deg)}.` : "");
 }
 
-export function show_metrics(box, values) {
+/** The share of the candidates in the table that lie below a value, equals counted half. */
+function share_below(column, value) {
+  let below = 0, equal = 0, all = 0;
+  for (const other of column) {
+    if (other === null) continue;
+    ++all;
+    if (other < value) ++below;
+    else if (other === value) ++equal;
+  }
+  return all > 1 ? (below + equal / 2) / all : null;
+}
+
+function place_among(column, value) {
+  const share = column && value !== null ? share_below(column, value) : null;
+  return share === null ? h("i", { class: "place none" })
+    : h("i", { class: "place", style: `--at: ${(100 * share).toFixed(1)}%`, role: "img",
+        "aria-label": `larger than ${Math.round(100 * share)} % of the candidates`, title: `larger than ${Math.round(100 * share)} % of the candidates in the table` });
+}
+
+export function show_metrics(box, values, candidates) {
   if (!values) {
     box.replaceChildren(h("p", { class: "note" }, "No metrics: they are taken up to D, and this draw deploys from nowhere."));
     return;
   }
   box.replaceChildren(h("dl", { class: "metrics" }, metrics.filter(({ name }) => values[name] !== undefined).map((metric) =>
-    h("div", { title: metric.about }, h("dt", {}, metric.label), h("dd", {}, with_unit(metric, values[metric.name]))))));
+    h("div", { title: metric.about }, h("dt", {}, metric.label), h("dd", {}, with_unit(metric, values[metric.name])),
+      place_among(candidates.columns[metric.name], values[metric.name] ?? null)))),
+    candidates.count > 1 ? h("p", { class: "note" }, "The small scale shows where this draw lies among the candidates in the table, least to the left.") : "");
 }
 
 export function show_shifts(box, detail, state) {

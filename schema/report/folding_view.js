@@ -149,9 +149,13 @@ export function make_folding_view(box, caption, report, state) {
   camera.up.set(0, 0, 1);
   const controls = new OrbitControls(camera, canvas);
   controls.zoomSpeed = 0.6;
+  // The wheel scrolls the page, until the sheet was clicked on.
+  controls.enableZoom = false;
+  canvas.addEventListener("focus", () => (controls.enableZoom = true));
+  canvas.addEventListener("blur", () => (controls.enableZoom = false));
   let decoded = null, radius = 1, marked = null, points = null;
 
-  caption.textContent = `Two-toned: light is the side seen in the crease pattern. Drag to turn, wheel to zoom; with the keyboard: arrows, + and −, 0.` +
+  caption.textContent = `Two-toned: light is the side seen in the crease pattern. Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.` +
     (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
 
   function radius_of(values) {
@@ -259,13 +263,14 @@ export function make_folding_view(box, caption, report, state) {
       decoded = decoded_;
       radius = radius_of(flat());
       const { sheet, diagonals } = report, creases = (kind) => sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
+      const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length)));  // for sheets of many panels
       marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
       pen.load(sheet.panels, [
-        { pairs: sheet.cuts, width: 1.4, colour: "edge" },
-        { pairs: creases("mountain"), width: 1.8, colour: "mountain" },
-        { pairs: creases("valley"), width: 1.8, colour: "valley" },
-        { pairs: pairs_of(diagonals.filter((_, d) => decoded.grows[d])), width: 3, colour: "grows" },
-        { pairs: pairs_of(diagonals.filter((_, d) => !decoded.grows[d])), width: 3, colour: "shrinks", dashed: true, dash: radius / 34 },
+        { pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" },
+        { pairs: creases("mountain"), width: 1.8 * thin, colour: "mountain" },
+        { pairs: creases("valley"), width: 1.8 * thin, colour: "valley" },
+        { pairs: pairs_of(diagonals.filter((_, d) => decoded.grows[d])), width: 3 * thin, colour: "grows" },
+        { pairs: pairs_of(diagonals.filter((_, d) => !decoded.grows[d])), width: 3 * thin, colour: "shrinks", dashed: true, dash: (radius / 34) * thin },
         marked,
       ]);
       pen.recolour();

@@ -128,7 +128,7 @@ function make_inspector(report, candidates, state) {
       state.set("pilot_deg", null);
       show_no_details(by_id("no-details"), report, draw, state);
     }
-    show_metrics(by_id("metrics"), values);
+    show_metrics(by_id("metrics"), values, candidates);
     show_commands(by_id("commands"), report, draw, state);
   };
 }

@@ -24,18 +24,20 @@ export function make_pilot(box, state) {
     state.set("playing", !state.get("playing"));
   });
 
-  // Unfolds, rests, and starts again from where the sheet deploys from.
+  // Unfolds, rests, and starts again from where the sheet deploys from; what was not accepted is
+  // shown from where its path ends.
+  const start = () => (detail.accepted && decoded.depth > 0 ? decoded.depth : decoded.samples - 1);
   let frame = 0;
   state.on("playing", (playing) => {
     cancelAnimationFrame(frame);
     label();
     if (!playing) return;
-    let place = state.get("sample") > 0 ? state.get("sample") : decoded.samples - 1, before = performance.now(), rest = 0;
+    let place = state.get("sample") > 0 ? state.get("sample") : start(), before = performance.now(), rest = 0;
     const step = (now) => {
       const passed = Math.min(0.1, (now - before) / 1000);
       before = now;
       if (rest > 0) rest -= passed;
-      else if (place <= 0) [place, rest] = [decoded.samples - 1, 0.4];
+      else if (place <= 0) [place, rest] = [start(), 0.4];
       else {
         place = Math.max(0, place - (passed / kSweep_s) * (decoded.samples - 1));
         if (place === 0) rest = 0.9;

@@ -159,6 +159,7 @@ function invented_detail(sheet, draw, metrics, random, stroke_limit) {
   const most = diagonals.map((_, d) => (random() < 0.5 ? 1 : -1) * (d ? 0.1 + 0.9 * random() : 1) * metrics.stroke_max);
   const power = diagonals.map(() => 1.3 + random());
   const length_mm = new Float32Array(n * diagonals.length), vertices = new Int16Array(n * sheet.vertices_mm.length * 3);
+  const unit_mm = Math.max(0.01, Math.hypot(...sheet.vertices_mm.at(-1)) / 32000);  // folded, it is nowhere longer
   const energy = new Float32Array(n), moment = new Float32Array(n), advantage = new Float32Array(n);
   pilot_deg.forEach((angle, k) => {
     diagonals.forEach((_, d) => {
@@ -167,7 +168,7 @@ function invented_detail(sheet, draw, metrics, random, stroke_limit) {
       length_mm[k * diagonals.length + d] = flat_mm[d] * (1 + most[d] * share - Math.sign(most[d]) * back);
       energy[k] += 0.5 * kStiffness * (flat_mm[d] * most[d] * share) ** 2;
     });
-    folded_vertices_mm(sheet, angle).flat().forEach((x, i) => (vertices[k * sheet.vertices_mm.length * 3 + i] = Math.round(x / 0.02)));
+    folded_vertices_mm(sheet, angle).flat().forEach((x, i) => (vertices[k * sheet.vertices_mm.length * 3 + i] = Math.round(x / unit_mm)));
     advantage[k] = k ? 0.02 + 0.3 * (angle / 180) ** 2 : NaN;
   });
   for (let k = 1; k < n; ++k) moment[k] = ((energy[Math.min(n - 1, k + 1)] - energy[k - 1]) / (Math.min(n - 1, k + 1) - k + 1)) * (180 / Math.PI);
@@ -187,7 +188,7 @@ function invented_detail(sheet, draw, metrics, random, stroke_limit) {
       : { deploys_from_deg: depth_deg, first_fault: "not_monotone", fault_deg: depth_deg + 1, where: `${diagonals[2].from}-${diagonals[2].to}` },
     fold_limit_deg: metrics.fold_limit_deg, metrics: { ...metrics, deploys_from_sample: depth_deg },
     displacements_mm, pilot_deg, length_mm: base64(length_mm),
-    vertices_mm: { unit_mm: 0.02, data: base64(vertices) },
+    vertices_mm: { unit_mm, data: base64(vertices) },
     energy_n_mm: base64(energy), moment_n_mm: base64(moment), mechanical_advantage: base64(advantage),
     weakest: { pilot_deg: weakest, moment_n_mm: moment[weakest] },
     few: { diagonals: [0, 3, 7], share: 0.53, proven: true },

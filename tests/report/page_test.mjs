@@ -386,7 +386,10 @@ async function report_checks(browser, report) {
   await check("campaign, draws and acceptance are shown", async () => {
     assert.equal(await by(page, "campaign").textContent(), data.campaign.name);
     const figures = await by(page, "figures").textContent();
-    for (const number of [data.state.draws, data.state.accepted]) assert.ok(figures.includes(number.toLocaleString("en")), `${number}`);
+    for (const [term, number] of [["Draws", data.state.draws], ["Accepted", data.state.accepted], ["Undecided", data.state.undecided]]) {
+      const tile = by(page, "figures").locator("div", { has: page.getByText(term, { exact: true }) });
+      assert.equal(await tile.locator("strong").textContent(), number.toLocaleString("en"), term);
+    }
     const asked = await by(page, "asked").textContent(), { accept, misalignment } = data.campaign.configuration;
     assert.ok(asked.includes(`${accept.deploys_from_deg}°`) && asked.includes(`${misalignment.amplitude_mm} mm`), asked);
     if (data.state.acceptance.rate > 0) assert.match(figures, /Acceptance rate[\d.,]+ %95 %: [\d.,]+ % – [\d.,]+ %/);
