@@ -96,7 +96,9 @@ std::string HelpFormat::make_help(const CLI::App* app, std::string /*name*/,
   if (!verbs.empty()) text += "\nVerbs:\n";
   for (const CLI::App* verb : verbs) text += entry(verb->get_name(), verb->get_description());
   for (const CLI::App* group : option_groups(*app)) {
-    std::string title = group->get_description() + " (exactly one of these)";
+    const bool one_only = group->get_require_option_max() == 1;
+    std::string title =
+        group->get_description() + (one_only ? " (exactly one of these)" : " (one is needed)");
     title[0] = static_cast<char>(std::toupper(title[0]));
     text += section(title, own_options(*group));
   }

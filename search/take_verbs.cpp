@@ -15,10 +15,12 @@ CLI::Validator a_draw() { return CLI::Range(std::uint64_t{0}, schema::kEndOfDraw
 void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
   verb.add_option("--stiffness", actuators.stiffness_n_per_mm,
                   "of each spring, N/mm [the campaign's]")
-      ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm));
+      ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm))
+      ->type_name("N/MM");
   verb.add_option("--stroke-limit", actuators.stroke_limit,
                   "largest elongation of an actuator, 0.08 for Ti-Ni wires [the campaign's]")
-      ->check(within(schema::kLeastStroke, schema::kMostStroke));
+      ->check(within(schema::kLeastStroke, schema::kMostStroke))
+      ->type_name("SHARE");
 }
 
 }  // namespace
@@ -26,10 +28,11 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
 Action add_actuators(CLI::App& app) {
   auto* verb = app.add_subcommand("actuators", "springs on the diagonals of one draw");
   verb->footer(
-      "Energy, moment about the pilot crease and mechanical advantage along the way, the force on\n"
-      "each diagonal, where the moment is least, and the fewest diagonals that keep half of that.\n"
+      "Energy, moment about the pilot crease and mechanical advantage along the way, the\n"
+      "force on each diagonal, where the moment is least, and the fewest diagonals that\n"
+      "keep half of that.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
-      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stiffness 20 --stroke-limit 0.08");
+      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08");
   auto options = std::make_shared<ActuatorsOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   verb->add_option("DRAW", options->draw, "number of the draw")->required()->check(a_draw());
@@ -44,36 +47,45 @@ Action add_actuators(CLI::App& app) {
 Action add_export(CLI::App& app) {
   auto* verb = app.add_subcommand("export", "chosen candidates as files");
   verb->footer(
-      "Formats: json (pattern, verdict, metrics, springs), csv (histories), fold (crease pattern\n"
-      "and folded states, for Origami Simulator and the like), svg (true scale, layers for a\n"
-      "cutter), obj (one file per state).\n"
+      "Formats: json (pattern, verdict, metrics, springs), csv (histories), fold (crease\n"
+      "pattern and folded states, for Origami Simulator and the like), svg (true scale,\n"
+      "layers for a cutter), obj (one file per state).\n\n"
       "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
-      "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 --where \"stroke_max < 0.08\" "
-      "\\\n"
-      "    --format fold --step 5 --output out\n"
+      "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
+      "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
   auto options = std::make_shared<ExportOptions>();
   Choice& choice = options->choice;
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   auto* group = verb->add_option_group("choice", "which candidates");
   auto* draw = group->add_option("--draw", choice.draws, "this one (again: and that one)");
-  auto* best = group->add_option("--best", choice.best, "so many, the best first")->check(a_draw());
+  auto* best = group->add_option("--best", choice.best, "so many, the best first")
+                   ->check(a_draw())
+                   ->type_name("K");
   auto* diverse = group->add_option(
       "--diverse", choice.diverse,
       "so many that differ most, among the best " + std::to_string(kDiverseAmong));
   auto* where =
-      group->add_option("--where", choice.where, "those for which this SQL condition holds");
+      group
+          ->add_option(
+              "--where", choice.where,
+              "those for which this SQL condition holds; with --best or --diverse: of those")
+          ->type_name("SQL");
   auto compat = std::make_shared<bool>(false);
   auto* plain =
       group->add_flag("--sqlite-compat", *compat,
                       "the whole catalogue, as one file that SQLite from 3.8 (2014) on can read");
-  draw->check(a_draw())->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  draw->check(a_draw())
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("N");
   draw->excludes(best)->excludes(diverse)->excludes(where)->excludes(plain);
-  diverse->check(a_draw())->excludes(best);
+  diverse->check(a_draw())->excludes(best)->type_name("K");
   plain->excludes(best)->excludes(diverse)->excludes(where);
   group->require_option(1, 0);
-  verb->add_option("--by", choice.by, "column that the best are sorted by [deploys_from_deg]");
+  verb->add_option("--by", choice.by, "column that the best are sorted by [deploys_from_deg]")
+      ->type_name("COLUMN");
   verb->add_option("--format", options->format, "json, csv, fold, svg or obj [json]")
       ->transform(one_of({{"json", number_of(ExportFormat::json)},
                           {"csv", number_of(ExportFormat::csv)},
@@ -82,11 +94,13 @@ Action add_export(CLI::App& app) {
                           {"obj", number_of(ExportFormat::obj)}}));
   verb->add_option("--step", options->step_deg,
                    "degrees of the pilot between two states of fold and obj [10]")
-      ->check(within(0.01, 180));
+      ->check(within(0.01, 180))
+      ->type_name("DEG");
   add_other_actuators(*verb, options->actuators);
   verb->add_option("--output", options->output,
                    "directory, made if it is not there; with --sqlite-compat a new file")
-      ->required();
+      ->required()
+      ->type_name("PATH");
   return [options, compat] {
     if (*compat) {
       schema::export_plain(*schema::open_for_reading(options->catalogue_path), options->output);
@@ -101,24 +115,28 @@ Action add_export(CLI::App& app) {
 Action add_report(CLI::App& app) {
   auto* verb = app.add_subcommand("report", "one page to look at, complete in itself");
   verb->footer(
-      "The page needs no network. Its table holds the best candidates; the best few dozen of "
-      "them,\n"
-      "and the draws that are asked for, can be looked at: crease pattern, folding, histories,\n"
-      "springs.\n"
+      "The page needs no network. Its table holds the best candidates; the best few dozen\n"
+      "of them, and the draws that are asked for, can be looked at: crease pattern, folding,\n"
+      "histories, springs.\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html");
   auto options = std::make_shared<ReportOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
-  verb->add_option("--output", options->output, "HTML file to write")->required();
+  verb->add_option("--output", options->output, "HTML file to write")
+      ->required()
+      ->type_name("FILE");
   verb->add_option("--draw", options->draws,
                    "a draw to look at, accepted or not (again: and that one)")
       ->check(a_draw())
       ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("N");
   verb->add_option("--rows", options->rows, "at most so many candidates in the table [10000]")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1000000}));
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1000000}))
+      ->type_name("N");
   verb->add_option("--details", options->details, "so many of the best can be looked at [36]")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1000}));
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1000}))
+      ->type_name("N");
   add_other_actuators(*verb, options->actuators);
   return [options] {
     write_report(*options);
