@@ -15,10 +15,15 @@ if (!output) {
 const esbuild = createRequire(join(resolve(directory), "package.json"))("esbuild");
 
 const options = {
-  bundle: true, minify: true, write: false, target: "es2022", legalComments: "none",
+  bundle: true,
+  minify: true,
+  write: false,
+  target: "es2022",
+  legalComments: "none",
   nodePaths: [join(resolve(directory), "node_modules")],
 };
-const bundled = (file, extra) => esbuild.build({ ...options, ...extra, entryPoints: [join(here, file)] });
+const bundled = (file, extra) =>
+  esbuild.build({ ...options, ...extra, entryPoints: [join(here, file)] });
 
 /** The licences of the packages in the bundle: their authors ask that copies carry them. */
 function licences(inputs) {
@@ -27,23 +32,32 @@ function licences(inputs) {
     const name = /node_modules\/((?:@[^/]+\/)?[^/]+)\/(?!.*node_modules\/)/.exec(input)?.[1];
     if (name) packages.add(name);
   }
-  return [...packages].sort().map((name) => {
-    const root = join(resolve(directory), "node_modules", name);
-    const file = existsSync(root) && readdirSync(root).find((entry) => /^licen[cs]e/i.test(entry));
-    return `${name}\n\n${file ? readFileSync(join(root, file), "utf8").trim() : "(no licence file)"}\n`;
-  }).join("\n----\n\n");
+  return [...packages]
+    .sort()
+    .map((name) => {
+      const root = join(resolve(directory), "node_modules", name);
+      const file =
+        existsSync(root) && readdirSync(root).find((entry) => /^licen[cs]e/i.test(entry));
+      return `${name}\n\n${file ? readFileSync(join(root, file), "utf8").trim() : "(no licence file)"}\n`;
+    })
+    .join("\n----\n\n");
 }
 
 // Inside the page's own tags nothing may end them early.
 const code = await bundled("main.js", { format: "iife", charset: "utf8", metafile: true });
-const script = code.outputFiles[0].text.trim()
-  .replaceAll(/<\/(script)/gi, "<\\/$1").replaceAll("<!--", "<\\!--");
-const style = (await bundled("page.css", {})).outputFiles[0].text.trim()
+const script = code.outputFiles[0].text
+  .trim()
+  .replaceAll(/<\/(script)/gi, "<\\/$1")
+  .replaceAll("<!--", "<\\!--");
+const style = (await bundled("page.css", {})).outputFiles[0].text
+  .trim()
   .replaceAll(/<\/(style)/gi, "<\\/$1");
 const notices = licences(code.metafile.inputs).replaceAll("<", "&lt;");
 
 const page = readFileSync(join(here, "page.html"), "utf8")
-  .replace("/* page.css */", () => style).replace("/* main.js */", () => script)
+  .replace("/* page.css */", () => style)
+  .replace("/* main.js */", () => script)
   .replace("<!-- licences -->", () => notices);
-if (page.split("@REPORT_DATA@").length !== 2) throw new Error("@REPORT_DATA@ must occur exactly once");
+if (page.split("@REPORT_DATA@").length !== 2)
+  throw new Error("@REPORT_DATA@ must occur exactly once");
 writeFileSync(output, page);

@@ -28,7 +28,12 @@ const copy_button = (text, state, words = "Copy") => {
 };
 
 function command(about, text, state, id) {
-  return h("div", { class: "command" }, h("p", {}, about), h("div", { class: "row" }, h("code", { "data-testid": id }, text), copy_button(text, state)));
+  return h(
+    "div",
+    { class: "command" },
+    h("p", {}, about),
+    h("div", { class: "row" }, h("code", { "data-testid": id }, text), copy_button(text, state)),
+  );
 }
 
 export function report_command({ commands }, draw) {
@@ -37,34 +42,80 @@ export function report_command({ commands }, draw) {
 
 export function show_commands(box, report, draw, state) {
   const { misalign, catalogue } = report.commands;
-  const accepted = report.candidates.columns.draw?.includes(draw) || report.details.some((d) => d.draw === draw && d.accepted);
-  const exports = [["Pattern, verdict, metrics and springs as JSON:", "json"], ["Histories of the diagonals as CSV:", "csv"],
-    ["Crease pattern at true scale as SVG, in layers for a cutter:", "svg"], ["Crease pattern and folded states as FOLD, for Origami Simulator and the like:", "fold"]];
-  box.replaceChildren(...[
-    command("The path of this draw again, degree by degree:", `${misalign} replay ${catalogue} ${draw}`, state, "command-replay"),
-    ...(accepted ? exports : []).map(([about, format]) =>
-      command(about, `${misalign} export ${catalogue} --draw ${draw} --format ${format} --output draw-${draw}`, state, `command-${format}`)),
-    command("This report with this draw first:", report_command(report, draw), state, "command-again"),
-  ]);
+  const accepted =
+    report.candidates.columns.draw?.includes(draw) ||
+    report.details.some((d) => d.draw === draw && d.accepted);
+  const exports = [
+    ["Pattern, verdict, metrics and springs as JSON:", "json"],
+    ["Histories of the diagonals as CSV:", "csv"],
+    ["Crease pattern at true scale as SVG, in layers for a cutter:", "svg"],
+    ["Crease pattern and folded states as FOLD, for Origami Simulator and the like:", "fold"],
+  ];
+  box.replaceChildren(
+    ...[
+      command(
+        "The path of this draw again, degree by degree:",
+        `${misalign} replay ${catalogue} ${draw}`,
+        state,
+        "command-replay",
+      ),
+      ...(accepted ? exports : []).map(([about, format]) =>
+        command(
+          about,
+          `${misalign} export ${catalogue} --draw ${draw} --format ${format} --output draw-${draw}`,
+          state,
+          `command-${format}`,
+        ),
+      ),
+      command(
+        "This report with this draw first:",
+        report_command(report, draw),
+        state,
+        "command-again",
+      ),
+    ],
+  );
 }
 
 export function show_no_details(box, report, draw, state) {
-  box.replaceChildren(h("p", {}, "This report has the metrics of this draw, but not its folding. To see its crease pattern, folding, histories and actuation, write the report again with it:"),
-    h("div", { class: "row" }, h("code", { "data-testid": "command-report" }, report_command(report, draw)), copy_button(report_command(report, draw), state)));
+  box.replaceChildren(
+    h(
+      "p",
+      {},
+      "This report has the metrics of this draw, but not its folding. To see its crease pattern, folding, histories and actuation, write the report again with it:",
+    ),
+    h(
+      "div",
+      { class: "row" },
+      h("code", { "data-testid": "command-report" }, report_command(report, draw)),
+      copy_button(report_command(report, draw), state),
+    ),
+  );
 }
 
 /** The verdict as a sentence. */
 export function verdict_words({ verdict, accepted, fold_limit_deg }) {
-  const from = verdict.deploys_from_deg > 0 ? `Deploys from ${degrees(verdict.deploys_from_deg)}: up to there every diagonal only grows or only shrinks.` : "Deploys from nowhere.";
-  const fault = verdict.first_fault === "none" ? "No fault up to the end of the path."
-    : `First fault${verdict.fault_deg === null ? "" : ` at ${degrees(verdict.fault_deg)}`}: ${fault_words(verdict.first_fault)}${verdict.where ? ` (${dashed(verdict.where)})` : ""}.`;
-  return `${accepted ? "Accepted. " : "Not accepted. "}${from} ${fault}` +
-    (fold_limit_deg !== null && fold_limit_deg !== undefined && fold_limit_deg < 180 ? ` The pilot turns at its fold limit, ${degrees(fold_limit_deg)}.` : "");
+  const from =
+    verdict.deploys_from_deg > 0
+      ? `Deploys from ${degrees(verdict.deploys_from_deg)}: up to there every diagonal only grows or only shrinks.`
+      : "Deploys from nowhere.";
+  const fault =
+    verdict.first_fault === "none"
+      ? "No fault up to the end of the path."
+      : `First fault${verdict.fault_deg === null ? "" : ` at ${degrees(verdict.fault_deg)}`}: ${fault_words(verdict.first_fault)}${verdict.where ? ` (${dashed(verdict.where)})` : ""}.`;
+  return (
+    `${accepted ? "Accepted. " : "Not accepted. "}${from} ${fault}` +
+    (fold_limit_deg !== null && fold_limit_deg !== undefined && fold_limit_deg < 180
+      ? ` The pilot turns at its fold limit, ${degrees(fold_limit_deg)}.`
+      : "")
+  );
 }
 
 /** The share of the candidates in the table that lie below a value, equals counted half. */
 function share_below(column, value) {
-  let below = 0, equal = 0, all = 0;
+  let below = 0,
+    equal = 0,
+    all = 0;
   for (const other of column) {
     if (other === null) continue;
     ++all;
@@ -76,33 +127,83 @@ function share_below(column, value) {
 
 function place_among(column, value) {
   const share = column && value !== null ? share_below(column, value) : null;
-  return share === null ? h("i", { class: "place none" })
-    : h("i", { class: "place", style: `--at: ${(100 * share).toFixed(1)}%`, role: "img",
-        "aria-label": `larger than ${Math.round(100 * share)} % of the candidates`, title: `larger than ${Math.round(100 * share)} % of the candidates in the table` });
+  return share === null
+    ? h("i", { class: "place none" })
+    : h("i", {
+        class: "place",
+        style: `--at: ${(100 * share).toFixed(1)}%`,
+        role: "img",
+        "aria-label": `larger than ${Math.round(100 * share)} % of the candidates`,
+        title: `larger than ${Math.round(100 * share)} % of the candidates in the table`,
+      });
 }
 
 export function show_metrics(box, values, candidates) {
   if (!values) {
-    box.replaceChildren(h("p", { class: "note" }, "No metrics: they are taken up to D, and this draw deploys from nowhere."));
+    box.replaceChildren(
+      h(
+        "p",
+        { class: "note" },
+        "No metrics: they are taken up to D, and this draw deploys from nowhere.",
+      ),
+    );
     return;
   }
-  box.replaceChildren(h("dl", { class: "metrics" }, metrics.filter(({ name }) => values[name] !== undefined).map((metric) =>
-    h("div", { title: metric.about }, h("dt", {}, metric.label), h("dd", {}, with_unit(metric, values[metric.name])),
-      place_among(candidates.columns[metric.name], values[metric.name] ?? null)))),
-    candidates.count > 1 ? h("p", { class: "note" }, "The small scale shows where this draw lies among the candidates in the table, least to the left.") : "");
+  box.replaceChildren(
+    h(
+      "dl",
+      { class: "metrics" },
+      metrics
+        .filter(({ name }) => values[name] !== undefined)
+        .map((metric) =>
+          h(
+            "div",
+            { title: metric.about },
+            h("dt", {}, metric.label),
+            h("dd", {}, with_unit(metric, values[metric.name])),
+            place_among(candidates.columns[metric.name], values[metric.name] ?? null),
+          ),
+        ),
+    ),
+    candidates.count > 1
+      ? h(
+          "p",
+          { class: "note" },
+          "The small scale shows where this draw lies among the candidates in the table, least to the left.",
+        )
+      : "",
+  );
 }
 
 export function show_shifts(box, detail, state) {
-  const entries = Object.entries(detail.displacements_mm).sort(([a], [b]) => ends_of(a)[0] - ends_of(b)[0]), json = JSON.stringify({ displacements_mm: detail.displacements_mm }, null, 1);
+  const entries = Object.entries(detail.displacements_mm).sort(
+      ([a], [b]) => ends_of(a)[0] - ends_of(b)[0],
+    ),
+    json = JSON.stringify({ displacements_mm: detail.displacements_mm }, null, 1);
   const save = h("button", { type: "button" }, "Save as JSON");
   save.addEventListener("click", () => {
-    const link = h("a", { href: URL.createObjectURL(new Blob([json], { type: "application/json" })), download: `draw-${detail.draw}-displacements.json` });
+    const link = h("a", {
+      href: URL.createObjectURL(new Blob([json], { type: "application/json" })),
+      download: `draw-${detail.draw}-displacements.json`,
+    });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   });
-  const signed = (value) => (value > 0 ? `+${fixed(value, 3)}` : fixed(value, 3)).replace(/\.?0+$/, "").replace(/^$/, "0");
+  const signed = (value) =>
+    (value > 0 ? `+${fixed(value, 3)}` : fixed(value, 3)).replace(/\.?0+$/, "").replace(/^$/, "0");
   box.replaceChildren(
-    h("p", { class: "note" }, `${plural(entries.length, "vertex", "vertices")} shifted from the correct pattern; all others stay. In mm, x to the right, y up.`),
-    h("ul", { class: "shifts" }, entries.map(([name, [x, y]]) => h("li", {}, h("b", {}, name), ` (${signed(x)}, ${signed(y)})`))),
-    h("div", { class: "row" }, save, copy_button(json, state, "Copy as JSON")));
+    h(
+      "p",
+      { class: "note" },
+      `${plural(entries.length, "vertex", "vertices")} shifted from the correct pattern; all others stay. In mm, x to the right, y up.`,
+    ),
+    h(
+      "ul",
+      { class: "shifts" },
+      entries.map(([name, [x, y]]) =>
+        h("li", {}, h("b", {}, name), ` (${signed(x)}, ${signed(y)})`),
+      ),
+    ),
+    h("div", { class: "row" }, save, copy_button(json, state, "Copy as JSON")),
+  );
 }

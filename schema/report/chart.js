@@ -27,11 +27,35 @@ export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
  * `lines(svg, x, y)` adds what it shows; the rule follows the state's sample, and a press on the
  * chart moves the sample there.
  */
-export function folding_chart({ box, state, detail, decoded, end_deg, height, y, label, lines, marks = [], room = 0 }) {
-  const D = detail.verdict.deploys_from_deg, limit_deg = detail.fold_limit_deg, over_deg = detail.over_stroke?.from_deg;
-  const word = (angle_deg, words, line) => Plot.text([words], { x: () => deployment(angle_deg), frameAnchor: "top", dy: 4 + 14 * line, 
-    dx: deployment(angle_deg) > 0.75 ? -5 : 5, textAnchor: deployment(angle_deg) > 0.75 ? "end" : "start", fill: "var(--ink)", stroke: "var(--card)", strokeWidth: 4 });
-  let rule = null, x = null;
+export function folding_chart({
+  box,
+  state,
+  detail,
+  decoded,
+  end_deg,
+  height,
+  y,
+  label,
+  lines,
+  marks = [],
+  room = 0,
+}) {
+  const D = detail.verdict.deploys_from_deg,
+    limit_deg = detail.fold_limit_deg,
+    over_deg = detail.over_stroke?.from_deg;
+  const word = (angle_deg, words, line) =>
+    Plot.text([words], {
+      x: () => deployment(angle_deg),
+      frameAnchor: "top",
+      dy: 4 + 14 * line,
+      dx: deployment(angle_deg) > 0.75 ? -5 : 5,
+      textAnchor: deployment(angle_deg) > 0.75 ? "end" : "start",
+      fill: "var(--ink)",
+      stroke: "var(--card)",
+      strokeWidth: 4,
+    });
+  let rule = null,
+    x = null;
   const move = () => {
     if (!rule) return;
     const at = x.apply(decoded.deployment[state.get("sample")]);
@@ -40,22 +64,64 @@ export function folding_chart({ box, state, detail, decoded, end_deg, height, y,
   };
   const draw = (width) => {
     const plot = Plot.plot({
-      width, height, marginLeft: 66, marginRight: 14, marginTop: 38, marginBottom: 40, className: "plot", ariaLabel: label,
+      width,
+      height,
+      marginLeft: 66,
+      marginRight: 14,
+      marginTop: 38,
+      marginBottom: 40,
+      className: "plot",
+      ariaLabel: label,
       x: { domain: [deployment(end_deg) - room, 1], label: null },
       y: { grid: true, labelArrow: "none", ...y },
       marks: [
         // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
-        limit_deg && limit_deg < end_deg ? Plot.rectX([0], { x1: deployment(end_deg) - room, x2: deployment(Math.min(limit_deg, end_deg)), fill: "var(--nothing)" }) : null,
-        D < Math.min(limit_deg ?? end_deg, end_deg) ? Plot.rectX([0], { x1: deployment(Math.min(limit_deg ?? end_deg, end_deg)), x2: deployment(D), fill: "var(--beyond)" }) : null,
-        Plot.axisX({ label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)", labelAnchor: "center", labelArrow: "none" }),
-        Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), { anchor: "top", label: "pilot fold angle", labelArrow: "none", labelAnchor: "center",
-          labelOffset: 34, tickFormat: (share) => degrees(Math.round(180 * (1 - share))) }),
+        limit_deg && limit_deg < end_deg
+          ? Plot.rectX([0], {
+              x1: deployment(end_deg) - room,
+              x2: deployment(Math.min(limit_deg, end_deg)),
+              fill: "var(--nothing)",
+            })
+          : null,
+        D < Math.min(limit_deg ?? end_deg, end_deg)
+          ? Plot.rectX([0], {
+              x1: deployment(Math.min(limit_deg ?? end_deg, end_deg)),
+              x2: deployment(D),
+              fill: "var(--beyond)",
+            })
+          : null,
+        Plot.axisX({
+          label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)",
+          labelAnchor: "center",
+          labelArrow: "none",
+        }),
+        Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
+          anchor: "top",
+          label: "pilot fold angle",
+          labelArrow: "none",
+          labelAnchor: "center",
+          labelOffset: 34,
+          tickFormat: (share) => degrees(Math.round(180 * (1 - share))),
+        }),
         ...marks,
         Plot.ruleX([deployment(D)], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
         word(D, `D = ${degrees(D)}`, 0),
-        limit_deg && limit_deg < end_deg ? Plot.ruleX([deployment(limit_deg)], { stroke: "var(--mountain)", strokeDasharray: "6 2" }) : null,
-        limit_deg && limit_deg < end_deg ? word(limit_deg, `fold limit ${degrees(limit_deg)}`, 1) : null,
-        over_deg ? Plot.ruleX([deployment(over_deg)], { stroke: "var(--over-folded)", strokeDasharray: "1 3", strokeWidth: 1.5 }) : null,
+        limit_deg && limit_deg < end_deg
+          ? Plot.ruleX([deployment(limit_deg)], {
+              stroke: "var(--mountain)",
+              strokeDasharray: "6 2",
+            })
+          : null,
+        limit_deg && limit_deg < end_deg
+          ? word(limit_deg, `fold limit ${degrees(limit_deg)}`, 1)
+          : null,
+        over_deg
+          ? Plot.ruleX([deployment(over_deg)], {
+              stroke: "var(--over-folded)",
+              strokeDasharray: "1 3",
+              strokeWidth: 1.5,
+            })
+          : null,
         over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, 2) : null,
       ],
     });
@@ -66,13 +132,19 @@ export function folding_chart({ box, state, detail, decoded, end_deg, height, y,
     plot.append(rule);
     move();
     const seek = (event) => {
-      const frame = plot.getBoundingClientRect(), ratio = x.invert(((event.clientX - frame.left) * width) / frame.width);
+      const frame = plot.getBoundingClientRect(),
+        ratio = x.invert(((event.clientX - frame.left) * width) / frame.width);
       let best = 0;
-      decoded.deployment.forEach((value, k) => { if (Math.abs(value - ratio) < Math.abs(decoded.deployment[best] - ratio)) best = k; });
+      decoded.deployment.forEach((value, k) => {
+        if (Math.abs(value - ratio) < Math.abs(decoded.deployment[best] - ratio)) best = k;
+      });
       state.set("playing", false);
       state.set("sample", best);
     };
-    plot.addEventListener("pointerdown", (event) => { plot.setPointerCapture(event.pointerId); seek(event); });
+    plot.addEventListener("pointerdown", (event) => {
+      plot.setPointerCapture(event.pointerId);
+      seek(event);
+    });
     plot.addEventListener("pointermove", (event) => event.buttons & 1 && seek(event));
     return plot;
   };
@@ -81,7 +153,8 @@ export function folding_chart({ box, state, detail, decoded, end_deg, height, y,
 
 /** A path through (x, y) of the samples; samples without a value interrupt it. */
 export function path_of(samples, point) {
-  let path = "", pen_down = false;
+  let path = "",
+    pen_down = false;
   for (const k of samples) {
     const [px, py] = point(k);
     if (!Number.isFinite(py)) {
@@ -94,4 +167,5 @@ export function path_of(samples, point) {
   return path;
 }
 
-export const range = (from, to) => Array.from({ length: Math.max(0, to - from + 1) }, (_, i) => from + i);
+export const range = (from, to) =>
+  Array.from({ length: Math.max(0, to - from + 1) }, (_, i) => from + i);

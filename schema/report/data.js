@@ -18,7 +18,9 @@ export function read_report() {
     throw new Error("This page holds no data: it is written by “misalign report CATALOGUE”.");
   }
   if (report.format !== 1) {
-    throw new Error(`This page reads reports of format 1, and this one has format ${report.format}.`);
+    throw new Error(
+      `This page reads reports of format 1, and this one has format ${report.format}.`,
+    );
   }
   return report;
 }
@@ -44,13 +46,21 @@ function steady(vertices_mm, samples, count) {
     const points = centred(vertices_mm, k * count * 3, count);
     q = best_rotation(points, flat, q);
     const [w, x, y, z] = q;
-    const r = [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-               2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-               2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)];
+    const r = [
+      1 - 2 * (y * y + z * z),
+      2 * (x * y - w * z),
+      2 * (x * z + w * y),
+      2 * (x * y + w * z),
+      1 - 2 * (x * x + z * z),
+      2 * (y * z - w * x),
+      2 * (x * z - w * y),
+      2 * (y * z + w * x),
+      1 - 2 * (x * x + y * y),
+    ];
     for (let i = 0; i < count * 3; i += 3) {
       for (let row = 0; row < 3; ++row) {
-        out[k * count * 3 + i + row] = r[3 * row] * points[i] + r[3 * row + 1] * points[i + 1] +
-                                       r[3 * row + 2] * points[i + 2];
+        out[k * count * 3 + i + row] =
+          r[3 * row] * points[i] + r[3 * row + 1] * points[i + 1] + r[3 * row + 2] * points[i + 2];
       }
     }
   }
@@ -71,8 +81,12 @@ function best_rotation(from, to, start) {
     for (let a = 0; a < 3; ++a) for (let b = 0; b < 3; ++b) s[3 * a + b] += from[i + a] * to[i + b];
   }
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = s;
-  const n = [[xx + yy + zz, yz - zy, zx - xz, xy - yx], [yz - zy, xx - yy - zz, xy + yx, zx + xz],
-             [zx - xz, xy + yx, yy - xx - zz, yz + zy], [xy - yx, zx + xz, yz + zy, zz - xx - yy]];
+  const n = [
+    [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+    [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+    [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+    [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+  ];
   const shift = Math.hypot(...n.flat()) || 1;
   let q = start;
   for (let step = 0, change = 1; step < 300 && change > 1e-9; ++step) {
@@ -87,7 +101,8 @@ function best_rotation(from, to, start) {
 
 /** A draw's histories: n samples, the first of them flat. */
 export function decode_detail(detail, report) {
-  const diagonals = report.diagonals.length, vertices = report.sheet.vertices_mm.length;
+  const diagonals = report.diagonals.length,
+    vertices = report.sheet.vertices_mm.length;
   const samples = detail.pilot_deg.length;
   const length_mm = floats(detail.length_mm);
   const packed = new Int16Array(bytes_of(detail.vertices_mm.data));
@@ -95,13 +110,19 @@ export function decode_detail(detail, report) {
   const relative = (k, d) => length_mm[k * diagonals + d] / length_mm[d];
   const depth = last_sample_up_to(detail.pilot_deg, detail.verdict.deploys_from_deg);
   return {
-    samples, depth, pilot_deg: detail.pilot_deg,
+    samples,
+    depth,
+    pilot_deg: detail.pilot_deg,
     deployment: detail.pilot_deg.map((pilot) => (180 - pilot) / 180),
-    relative, length: (k, d) => length_mm[k * diagonals + d],
+    relative,
     // The direction is that of the range it deploys from: beyond D a diagonal may turn.
-    grows: report.diagonals.map((_, d) => relative(Math.max(depth, Math.min(1, samples - 1)), d) >= 1),
-    vertex_count: vertices, vertices_mm: steady(coordinates, samples, vertices),
-    energy_n_mm: floats(detail.energy_n_mm), moment_n_mm: floats(detail.moment_n_mm),
+    grows: report.diagonals.map(
+      (_, d) => relative(Math.max(depth, Math.min(1, samples - 1)), d) >= 1,
+    ),
+    vertex_count: vertices,
+    vertices_mm: steady(coordinates, samples, vertices),
+    energy_n_mm: floats(detail.energy_n_mm),
+    moment_n_mm: floats(detail.moment_n_mm),
     mechanical_advantage: floats(detail.mechanical_advantage),
   };
 }

@@ -9,8 +9,12 @@ const kMirror = { "<": ">", ">": "<", "<=": ">=", ">=": "<=", "=": "=", "!=": "!
 const kNone = new Set(["none", "null", "–", "-"]);
 
 const compare = {
-  "<": (a, b) => a < b, ">": (a, b) => a > b, "<=": (a, b) => a <= b, ">=": (a, b) => a >= b,
-  "=": (a, b) => a === b, "!=": (a, b) => a !== b,
+  "<": (a, b) => a < b,
+  ">": (a, b) => a > b,
+  "<=": (a, b) => a <= b,
+  ">=": (a, b) => a >= b,
+  "=": (a, b) => a === b,
+  "!=": (a, b) => a !== b,
 };
 
 /** { holds(row) } for the candidates, or { error } in words. */
@@ -18,7 +22,8 @@ export function parse_filter(text, candidates) {
   const tokens = [];
   kToken.lastIndex = 0;
   while (kToken.lastIndex < text.trimEnd().length) {
-    const start = kToken.lastIndex, match = kToken.exec(text);
+    const start = kToken.lastIndex,
+      match = kToken.exec(text);
     if (!match) return { error: `“${text.slice(start).trim()[0]}” is not understood here.` };
     if (match[1]) tokens.push({ sign: kSame[match[1]] ?? match[1] });
     else if (match[2] && match[2].toLowerCase() !== "and") tokens.push({ word: match[2] });
@@ -26,8 +31,10 @@ export function parse_filter(text, candidates) {
   const tests = [];
   for (let i = 0; i < tokens.length;) {
     const first = tokens[i];
-    if (first.sign) return { error: `A name is missing before “${first.sign}”, as in “stroke_max < 0.05”.` };
-    if (first.word === "or") return { error: "“or” is not understood: all conditions must hold together." };
+    if (first.sign)
+      return { error: `A name is missing before “${first.sign}”, as in “stroke_max < 0.05”.` };
+    if (first.word === "or")
+      return { error: "“or” is not understood: all conditions must hold together." };
     if (first.word === "details") {
       tests.push((row) => candidates.detailed.has(candidates.columns.draw[row]));
       ++i;
@@ -37,10 +44,16 @@ export function parse_filter(text, candidates) {
     if (!is_value && !kNames.includes(first.word)) return { error: unknown_name(first.word) };
     const sign = tokens[i + 1]?.word === "is" ? "=" : tokens[i + 1]?.sign;
     const second = tokens[i + 2]?.word;
-    if (!sign) return { error: `After “${first.word}” a comparison is missing: <, <=, >, >=, = or !=.` };
-    if (second === undefined) return { error: `After “${first.word} ${sign}” a ${is_value ? "name" : "number"} is missing.` };
+    if (!sign)
+      return { error: `After “${first.word}” a comparison is missing: <, <=, >, >=, = or !=.` };
+    if (second === undefined)
+      return {
+        error: `After “${first.word} ${sign}” a ${is_value ? "name" : "number"} is missing.`,
+      };
     // 150 <= deploys_from_deg < 175: the name serves twice, so only two tokens are used up.
-    const [name, value, operator] = is_value ? [second, first.word, kMirror[sign]] : [first.word, second, sign];
+    const [name, value, operator] = is_value
+      ? [second, first.word, kMirror[sign]]
+      : [first.word, second, sign];
     if (!kNames.includes(name)) return { error: unknown_name(name) };
     const made = condition(name, operator, value, candidates);
     if (made.error) return made;
@@ -57,7 +70,8 @@ function number_of(word) {
 }
 
 function condition(name, operator, word, { columns }) {
-  const values = columns[name], holds = compare[operator];
+  const values = columns[name],
+    holds = compare[operator];
   if (!values) return { error: `This catalogue has no column “${name}”.` };
   if (name === "draw") {
     if (!/^\d+$/.test(word)) return { error: `“${word}” is no number of a draw.` };
@@ -65,19 +79,30 @@ function condition(name, operator, word, { columns }) {
     return { test: (row) => holds(BigInt(values[row]), draw) };
   }
   if (kNone.has(word.toLowerCase())) {
-    if (operator !== "=" && operator !== "!=") return { error: `“${word}” can only be compared by = or !=.` };
+    if (operator !== "=" && operator !== "!=")
+      return { error: `“${word}” can only be compared by = or !=.` };
     return { test: (row) => holds(values[row] ?? null, null) };
   }
   const value = number_of(word);
   if (value === null) return { error: `“${word}” is no number.` };
-  return { test: (row) => values[row] !== null && values[row] !== undefined && holds(values[row], value) };
+  return {
+    test: (row) => values[row] !== null && values[row] !== undefined && holds(values[row], value),
+  };
 }
 
 function unknown_name(word) {
   const near = kNames.map((name) => [distance(word, name), name]).sort((a, b) => a[0] - b[0])[0];
-  const part = kNames.find((name) => name.includes(word.toLowerCase()) || name.replaceAll("_", "").includes(word.toLowerCase()));
+  const part = kNames.find(
+    (name) =>
+      name.includes(word.toLowerCase()) || name.replaceAll("_", "").includes(word.toLowerCase()),
+  );
   const guess = part ?? (near[0] <= 4 ? near[1] : null);
-  return `“${word}” is no column` + (guess ? `: did you mean “${guess}”?` : "; their names are in the list of columns below the field.");
+  return (
+    `“${word}” is no column` +
+    (guess
+      ? `: did you mean “${guess}”?`
+      : "; their names are in the list of columns below the field.")
+  );
 }
 
 function distance(a, b) {

@@ -1,16 +1,15 @@
 // The sheet folding in space. Drawn by WebGL where there is one, else by a painter on a 2-D canvas:
 // the same camera and controls, panels from back to front.
-import { AmbientLight, BufferAttribute, BufferGeometry, BackSide, Color, DirectionalLight, FrontSide, Group, Mesh,
-  MeshLambertMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { h } from "./format.js";
-import { colour, on_theme } from "./theme.js";
+import { painter_pen } from "./painter_pen.js";
+import { on_theme } from "./theme.js";
+import { webgl_pen } from "./webgl_pen.js";
 
-const kFov_deg = 30, kReach_px = 9;
-const kFilled = 0.96;  // share of the view that a fitted sheet takes
+const kFov_deg = 30,
+  kReach_px = 9;
+const kFilled = 0.96; // share of the view that a fitted sheet takes
 
 function has_webgl() {
   try {
@@ -20,127 +19,14 @@ function has_webgl() {
   }
 }
 
-/** Draws with three.js. `parts` are lines: { pairs, width, colour, dashed, on_top }. */
-function webgl_pen(canvas) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-  const scene = new Scene(), lamp = new DirectionalLight(0xffffff, 1.9);
-  scene.add(new AmbientLight(0xffffff, 1.7), lamp);
-  let group = null, panels = null, lines = [];
-
-  function segments(part) {
-    const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(new Float32Array(part.pairs.length * 6));
-    if (part.dashed) new LineSegments2(geometry).computeLineDistances();
-    const dashes = part.dashed ? { dashed: true, dashSize: part.dash, gapSize: part.dash * 0.75 } : {};
-    const material = new LineMaterial({ linewidth: part.width, depthTest: !part.on_top, depthWrite: !part.on_top, ...dashes });
-    const mesh = new LineSegments2(geometry, material);
-    mesh.frustumCulled = false;
-    mesh.renderOrder = part.on_top ? 2 : 1;
-    return { part, mesh };
-  }
-
-  return {
-    load(corners, parts) {
-      if (group) {
-        scene.remove(group);
-        group.traverse((node) => { node.geometry?.dispose(); node.material?.dispose(); });
-      }
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners.length * 18), 3));
-      panels = { corners, geometry };
-      group = new Group();
-      for (const [side, name] of [[FrontSide, "panel-front"], [BackSide, "panel-back"]]) {
-        const mesh = new Mesh(geometry, new MeshLambertMaterial({ side, flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }));
-        mesh.userData.colour = name;
-        mesh.frustumCulled = false;
-        group.add(mesh);
-      }
-      lines = parts.filter((part) => part.pairs.length > 0).map(segments);
-      group.add(...lines.map(({ mesh }) => mesh));
-      scene.add(group);
-    },
-    recolour() {
-      group?.children.forEach((mesh) => mesh.userData.colour && mesh.material.color.set(colour(mesh.userData.colour)));
-      for (const { part, mesh } of lines) mesh.material.color.set(colour(part.colour));
-    },
-    resize(width, height) {
-      renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
-      renderer.setSize(width, height, false);
-    },
-    draw(points, camera) {
-      if (!group) return;
-      const positions = panels.geometry.attributes.position;
-      panels.corners.forEach(([a, b, c, d], i) => [a, b, c, a, c, d].forEach((k, n) =>
-        positions.array.set(points.subarray(3 * k, 3 * k + 3), 18 * i + 3 * n)));
-      positions.needsUpdate = true;
-      for (const { part, mesh } of lines) {
-        const buffer = mesh.geometry.attributes.instanceStart.data;
-        part.pairs.forEach(([a, b], i) => {
-          buffer.array.set(points.subarray(3 * a, 3 * a + 3), 6 * i);
-          buffer.array.set(points.subarray(3 * b, 3 * b + 3), 6 * i + 3);
-        });
-        buffer.needsUpdate = true;
-        if (part.dashed) {
-          const distances = mesh.geometry.attributes.instanceDistanceStart.data;
-          part.pairs.forEach(([a, b], i) => distances.array.set([0, Math.hypot(...[0, 1, 2].map((x) => points[3 * a + x] - points[3 * b + x]))], 2 * i));
-          distances.needsUpdate = true;
-        }
-        mesh.visible = !part.hidden;
-      }
-      lamp.position.copy(camera.position).add(new Vector3(0, 0, camera.position.length() * 0.6));
-      renderer.render(scene, camera);
-    },
-  };
-}
-
-/** The same without WebGL: whole panels and lines, the farthest first. */
-function painter_pen(canvas) {
-  let corners = [], parts = [], ratio = 1;
-  return {
-    load(corners_, parts_) { [corners, parts] = [corners_, parts_]; },
-    recolour() {},
-    resize(width, height) {
-      ratio = Math.min(2, devicePixelRatio || 1);
-      canvas.width = width * ratio;
-      canvas.height = height * ratio;
-    },
-    draw(points, camera) {
-      const pen = canvas.getContext("2d"), seen = [], depth = [];
-      for (let k = 0; 3 * k < points.length; ++k) {
-        const point = new Vector3(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
-        depth.push(point.distanceTo(camera.position));
-        point.project(camera);
-        seen.push([((point.x + 1) / 2) * canvas.width, ((1 - point.y) / 2) * canvas.height]);
-      }
-      const mean = (list) => list.reduce((total, k) => total + depth[k], 0) / list.length;
-      const items = corners.map((list) => ({ list, depth: mean(list) }));
-      // Lines lie a little nearer than the panels they bound.
-      for (const part of parts) if (!part.hidden) for (const list of part.pairs) items.push({ list, part, depth: part.on_top ? -1 : mean(list) * 0.98 });
-      items.sort((a, b) => b.depth - a.depth);
-      pen.clearRect(0, 0, canvas.width, canvas.height);
-      for (const { list, part } of items) {
-        pen.beginPath();
-        list.forEach((k, i) => (i ? pen.lineTo(...seen[k]) : pen.moveTo(...seen[k])));
-        if (part) {
-          pen.setLineDash(part.dashed ? [5 * ratio, 4 * ratio] : []);
-          pen.lineWidth = part.width * ratio;
-          pen.strokeStyle = colour(part.colour);
-          pen.stroke();
-        } else {
-          const [a, b, c] = list.map((k) => seen[k]);
-          const front = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
-          pen.fillStyle = colour(front ? "panel-front" : "panel-back");
-          pen.closePath();
-          pen.fill();
-        }
-      }
-    },
-  };
-}
-
 export function make_folding_view(box, caption, report, state) {
-  const canvas = h("canvas", { tabindex: 0, role: "application", "data-testid": "folding-canvas",
-    "aria-label": "The sheet folding in space. Arrow keys turn it, plus and minus zoom, 0 shows all of it again." });
+  const canvas = h("canvas", {
+    tabindex: 0,
+    role: "application",
+    "data-testid": "folding-canvas",
+    "aria-label":
+      "The sheet folding in space. Arrow keys turn it, plus and minus zoom, 0 shows all of it again.",
+  });
   const buttons = h("div", { class: "view-buttons" });
   box.append(canvas, buttons);
   const webgl = has_webgl();
@@ -153,27 +39,42 @@ export function make_folding_view(box, caption, report, state) {
   controls.enableZoom = false;
   canvas.addEventListener("focus", () => (controls.enableZoom = true));
   canvas.addEventListener("blur", () => (controls.enableZoom = false));
-  let decoded = null, radius = 1, marked = null, points = null;
+  let decoded = null,
+    radius = 1,
+    marked = null,
+    points = null;
 
-  caption.textContent = `Two-toned: light is the side seen in the crease pattern. Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.` +
+  caption.textContent =
+    `Two-toned: light is the side seen in the crease pattern. Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.` +
     (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
 
   function radius_of(values) {
     let most = 0;
-    for (let i = 0; i < values.length; i += 3) most = Math.max(most, Math.hypot(values[i], values[i + 1], values[i + 2]));
+    for (let i = 0; i < values.length; i += 3)
+      most = Math.max(most, Math.hypot(values[i], values[i + 1], values[i + 2]));
     return most || 1;
   }
 
   // From that direction, as near as all the points leave room.
   function look(azimuth_deg, elevation_deg, values) {
     const [az, el] = [azimuth_deg, elevation_deg].map((deg) => (deg * Math.PI) / 180);
-    const towards = new Vector3(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el));
-    const right = new Vector3(-Math.sin(az), Math.cos(az), 0), up = towards.clone().cross(right), point = new Vector3();
+    const towards = new Vector3(
+      Math.cos(el) * Math.cos(az),
+      Math.cos(el) * Math.sin(az),
+      Math.sin(el),
+    );
+    const right = new Vector3(-Math.sin(az), Math.cos(az), 0),
+      up = towards.clone().cross(right),
+      point = new Vector3();
     const slope = kFilled * Math.tan((kFov_deg * Math.PI) / 360);
     let distance = 1;
     for (let i = 0; i < values.length; i += 3) {
       point.set(values[i], values[i + 1], values[i + 2]);
-      distance = Math.max(distance, point.dot(towards) + Math.max(Math.abs(point.dot(right)) / camera.aspect, Math.abs(point.dot(up))) / slope);
+      distance = Math.max(
+        distance,
+        point.dot(towards) +
+          Math.max(Math.abs(point.dot(right)) / camera.aspect, Math.abs(point.dot(up))) / slope,
+      );
     }
     controls.target.set(0, 0, 0);
     camera.position.copy(towards).multiplyScalar(distance);
@@ -185,13 +86,23 @@ export function make_folding_view(box, caption, report, state) {
   }
 
   function angles() {
-    const away = camera.position.clone().sub(controls.target), distance = away.length();
-    return { azimuth: Math.atan2(away.y, away.x), elevation: Math.asin(away.z / distance), distance };
+    const away = camera.position.clone().sub(controls.target),
+      distance = away.length();
+    return {
+      azimuth: Math.atan2(away.y, away.x),
+      elevation: Math.asin(away.z / distance),
+      distance,
+    };
   }
 
   function turn(azimuth, elevation, factor) {
-    const now = angles(), el = Math.max(-1.5, Math.min(1.5, now.elevation + elevation)), az = now.azimuth + azimuth;
-    camera.position.set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el)).multiplyScalar(now.distance * factor).add(controls.target);
+    const now = angles(),
+      el = Math.max(-1.5, Math.min(1.5, now.elevation + elevation)),
+      az = now.azimuth + azimuth;
+    camera.position
+      .set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el))
+      .multiplyScalar(now.distance * factor)
+      .add(controls.target);
     controls.update();
     draw();
   }
@@ -202,13 +113,25 @@ export function make_folding_view(box, caption, report, state) {
     const { azimuth, elevation } = angles();
     look((azimuth * 180) / Math.PI, (elevation * 180) / Math.PI, points);
   };
-  for (const [words, action, about] of [["Whole sheet", whole, "The scale of the flat sheet, seen obliquely"], ["Fit", fit, "Fill the view with the present pose"],
-    ["From above", () => look(-90, 89.9, flat()), "As the crease pattern is seen"]]) {
+  for (const [words, action, about] of [
+    ["Whole sheet", whole, "The scale of the flat sheet, seen obliquely"],
+    ["Fit", fit, "Fill the view with the present pose"],
+    ["From above", () => look(-90, 89.9, flat()), "As the crease pattern is seen"],
+  ]) {
     buttons.append(h("button", { type: "button", title: about, onclick: action }, words));
   }
   canvas.addEventListener("keydown", (event) => {
-    const action = { ArrowLeft: () => turn(-0.12, 0, 1), ArrowRight: () => turn(0.12, 0, 1), ArrowUp: () => turn(0, 0.1, 1), ArrowDown: () => turn(0, -0.1, 1),
-      "+": () => turn(0, 0, 0.9), "=": () => turn(0, 0, 0.9), "-": () => turn(0, 0, 1 / 0.9), 0: whole, f: fit }[event.key];
+    const action = {
+      ArrowLeft: () => turn(-0.12, 0, 1),
+      ArrowRight: () => turn(0.12, 0, 1),
+      ArrowUp: () => turn(0, 0.1, 1),
+      ArrowDown: () => turn(0, -0.1, 1),
+      "+": () => turn(0, 0, 0.9),
+      "=": () => turn(0, 0, 0.9),
+      "-": () => turn(0, 0, 1 / 0.9),
+      0: whole,
+      f: fit,
+    }[event.key];
     if (!action || event.ctrlKey || event.metaKey) return;
     action();
     event.preventDefault();
@@ -224,23 +147,40 @@ export function make_folding_view(box, caption, report, state) {
   // The diagonal nearest to the pointer, on the screen.
   canvas.addEventListener("pointermove", (event) => {
     if (!decoded || event.buttons) return;
-    const frame = canvas.getBoundingClientRect(), corner = new Vector3();
+    const frame = canvas.getBoundingClientRect(),
+      corner = new Vector3();
     const seen = (k) => {
       corner.set(points[3 * k], points[3 * k + 1], points[3 * k + 2]).project(camera);
-      return [frame.left + ((corner.x + 1) / 2) * frame.width, frame.top + ((1 - corner.y) / 2) * frame.height];
+      return [
+        frame.left + ((corner.x + 1) / 2) * frame.width,
+        frame.top + ((1 - corner.y) / 2) * frame.height,
+      ];
     };
-    let best = null, least = kReach_px;
+    let best = null,
+      least = kReach_px;
     report.diagonals.forEach(({ from_vertex, to_vertex }, d) => {
-      const [x1, y1] = seen(from_vertex), [x2, y2] = seen(to_vertex);
-      const along = Math.max(0, Math.min(1, ((event.clientX - x1) * (x2 - x1) + (event.clientY - y1) * (y2 - y1)) / ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1)));
-      const away = Math.hypot(event.clientX - x1 - along * (x2 - x1), event.clientY - y1 - along * (y2 - y1));
+      const [x1, y1] = seen(from_vertex),
+        [x2, y2] = seen(to_vertex);
+      const along = Math.max(
+        0,
+        Math.min(
+          1,
+          ((event.clientX - x1) * (x2 - x1) + (event.clientY - y1) * (y2 - y1)) /
+            ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1),
+        ),
+      );
+      const away = Math.hypot(
+        event.clientX - x1 - along * (x2 - x1),
+        event.clientY - y1 - along * (y2 - y1),
+      );
       if (away < least) [best, least] = [d, away];
     });
     state.set("diagonal", best);
   });
   canvas.addEventListener("pointerleave", () => state.set("diagonal", null));
 
-  let width = 0, height = 0;
+  let width = 0,
+    height = 0;
   new ResizeObserver(([entry]) => {
     const now = Math.floor(entry.contentRect.width);
     if (!now || now === width) return;
@@ -254,7 +194,10 @@ export function make_folding_view(box, caption, report, state) {
     if (first && decoded) whole();
     draw();
   }).observe(box);
-  on_theme(() => { pen.recolour(); draw(); });
+  on_theme(() => {
+    pen.recolour();
+    draw();
+  });
 
   const pairs_of = (list) => list.map(({ from_vertex, to_vertex }) => [from_vertex, to_vertex]);
   return {
@@ -262,15 +205,27 @@ export function make_folding_view(box, caption, report, state) {
       const before = radius;
       decoded = decoded_;
       radius = radius_of(flat());
-      const { sheet, diagonals } = report, creases = (kind) => sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
-      const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length)));  // for sheets of many panels
+      const { sheet, diagonals } = report,
+        creases = (kind) =>
+          sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
+      const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length))); // for sheets of many panels
       marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
       pen.load(sheet.panels, [
         { pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" },
         { pairs: creases("mountain"), width: 1.8 * thin, colour: "mountain" },
         { pairs: creases("valley"), width: 1.8 * thin, colour: "valley" },
-        { pairs: pairs_of(diagonals.filter((_, d) => decoded.grows[d])), width: 3 * thin, colour: "grows" },
-        { pairs: pairs_of(diagonals.filter((_, d) => !decoded.grows[d])), width: 3 * thin, colour: "shrinks", dashed: true, dash: (radius / 34) * thin },
+        {
+          pairs: pairs_of(diagonals.filter((_, d) => decoded.grows[d])),
+          width: 3 * thin,
+          colour: "grows",
+        },
+        {
+          pairs: pairs_of(diagonals.filter((_, d) => !decoded.grows[d])),
+          width: 3 * thin,
+          colour: "shrinks",
+          dashed: true,
+          dash: (radius / 34) * thin,
+        },
         marked,
       ]);
       pen.recolour();
@@ -279,7 +234,10 @@ export function make_folding_view(box, caption, report, state) {
     },
     pose(sample) {
       if (!decoded) return;
-      points = decoded.vertices_mm.subarray(3 * sample * decoded.vertex_count, 3 * (sample + 1) * decoded.vertex_count);
+      points = decoded.vertices_mm.subarray(
+        3 * sample * decoded.vertex_count,
+        3 * (sample + 1) * decoded.vertex_count,
+      );
       draw();
     },
     mark(d) {

@@ -9,8 +9,12 @@ export function number(value, digits = 3) {
   const size = Math.abs(value);
   if (size >= 1e-4 && size < 1e7) {
     const decimals = Math.max(0, Math.min(8, digits - 1 - Math.floor(Math.log10(size))));
-    return Number(size.toFixed(decimals)).toLocaleString("en", { maximumFractionDigits: decimals,
-      minimumFractionDigits: size < 1000 ? decimals : 0 }).replace(/^/, value < 0 ? kMinus : "");
+    return Number(size.toFixed(decimals))
+      .toLocaleString("en", {
+        maximumFractionDigits: decimals,
+        minimumFractionDigits: size < 1000 ? decimals : 0,
+      })
+      .replace(/^/, value < 0 ? kMinus : "");
   }
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
   return `${mantissa.replace("-", kMinus)} × 10${superscript(Number(exponent))}`;
@@ -20,12 +24,15 @@ const superscript = (exponent) => String(exponent).replace(/./g, (c) => "⁰¹²
 
 /** Powers of ten between two positive numbers, and how an axis writes them. */
 export function powers(least, most) {
-  const first = Math.ceil(Math.log10(least) - 1e-9), last = Math.floor(Math.log10(most) + 1e-9);
+  const first = Math.ceil(Math.log10(least) - 1e-9),
+    last = Math.floor(Math.log10(most) + 1e-9);
   return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => 10 ** (first + i));
 }
 export function power(value) {
   const exponent = Math.round(Math.log10(value));
-  return exponent >= -2 && exponent <= 4 ? value.toLocaleString("en") : `10${superscript(exponent)}`;
+  return exponent >= -2 && exponent <= 4
+    ? value.toLocaleString("en")
+    : `10${superscript(exponent)}`;
 }
 
 export const count = (value) => (value ?? 0).toLocaleString("en");
@@ -37,17 +44,28 @@ export const signed_percent = (share, decimals = 2) =>
   `${share >= 0 ? "+" : kMinus}${(100 * Math.abs(share)).toFixed(decimals)} %`;
 /** Angles: whole where they are, else two decimals. */
 export const degrees = (value) =>
-  value === null || value === undefined ? "–" : `${Number(value.toFixed(2)).toString().replace("-", kMinus)}°`;
+  value === null || value === undefined
+    ? "–"
+    : `${Number(value.toFixed(2)).toString().replace("-", kMinus)}°`;
 
 export const plural = (n, one, many = one + "s") => `${count(n)} ${n === 1 ? one : many}`;
 export const dashed = (name) => name.replace("-", "–");
 
 const kFaults = {
   not_monotone: ["diagonal turns", "a diagonal turns: it stops growing or shrinking and goes back"],
-  fold_limit: ["fold limit", "the pilot crease reaches its fold limit: no flatter or deeper state follows"],
-  over_folded: ["over-folded", "a crease is folded beyond 180°: two panels would pass through each other"],
+  fold_limit: [
+    "fold limit",
+    "the pilot crease reaches its fold limit: no flatter or deeper state follows",
+  ],
+  over_folded: [
+    "over-folded",
+    "a crease is folded beyond 180°: two panels would pass through each other",
+  ],
   assignment_flipped: ["assignment flipped", "a crease changes from mountain to valley or back"],
-  inactive_diagonal: ["inactive diagonal", "a diagonal does not change its length: it drives nothing"],
+  inactive_diagonal: [
+    "inactive diagonal",
+    "a diagonal does not change its length: it drives nothing",
+  ],
   bump: ["bump between samples", "a diagonal goes back and on again between two samples"],
   undecided: ["undecided", "numerical failure: neither accepted nor rejected"],
   none: ["no fault", "no fault up to the end of the path"],
@@ -58,8 +76,9 @@ export const fault_words = (fault) => kFaults[fault]?.[1] ?? fault;
 
 /** An element in one line: h("p", { class: "note" }, "text", child). */
 export function h(tag, attributes = {}, ...children) {
-  const node = tag.startsWith("svg:") ? document.createElementNS("http://www.w3.org/2000/svg", tag.slice(4))
-                                      : document.createElement(tag);
+  const node = tag.startsWith("svg:")
+    ? document.createElementNS("http://www.w3.org/2000/svg", tag.slice(4))
+    : document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;
     if (name.startsWith("on")) node.addEventListener(name.slice(2), value);

@@ -12,17 +12,31 @@ export function panel_size_mm({ vertices_mm, panels }) {
 
 /** An empty drawing of the sheet's extent with a margin. */
 export function sheet_svg(vertices_mm, margin_mm, label) {
-  const xs = vertices_mm.map((v) => v[0]), ys = vertices_mm.map((v) => -v[1]);
+  const xs = vertices_mm.map((v) => v[0]),
+    ys = vertices_mm.map((v) => -v[1]);
   const [left, top] = [Math.min(...xs) - margin_mm, Math.min(...ys) - margin_mm];
   const size = [Math.max(...xs) - left + margin_mm, Math.max(...ys) - top + margin_mm];
-  return h("svg:svg", { class: "sheet", role: "img", "aria-label": label,
-    viewBox: [left, top, ...size].map((value) => value.toFixed(1)).join(" ") });
+  return h("svg:svg", {
+    class: "sheet",
+    role: "img",
+    "aria-label": label,
+    viewBox: [left, top, ...size].map((value) => value.toFixed(1)).join(" "),
+  });
 }
 
 export function polygon(corners, vertices_mm, attributes) {
-  return h("svg:polygon", { points: corners.map((k) => place(vertices_mm[k])).join(" "), ...attributes });
+  return h("svg:polygon", {
+    points: corners.map((k) => place(vertices_mm[k])).join(" "),
+    ...attributes,
+  });
 }
 
 export function line(a, b, attributes) {
-  return h("svg:line", { x1: a[0].toFixed(3), y1: (-a[1]).toFixed(3), x2: b[0].toFixed(3), y2: (-b[1]).toFixed(3), ...attributes });
+  return h("svg:line", {
+    x1: a[0].toFixed(3),
+    y1: (-a[1]).toFixed(3),
+    x2: b[0].toFixed(3),
+    y2: (-b[1]).toFixed(3),
+    ...attributes,
+  });
 }

@@ -29,7 +29,8 @@ function apply() {
 export const on_theme = (listener) => listeners.push(listener);
 
 /** The present value of a colour of page.css, for canvases. */
-export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+export const colour = (name) =>
+  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 export function set_up_theme(button) {
   apply();
@@ -49,8 +50,17 @@ export function set_up_theme(button) {
     apply();
     label();
   });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { apply(); label(); });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    apply();
+    label();
+  });
   // Paper is white: canvases cannot follow a print style sheet, so they are drawn again.
-  addEventListener("beforeprint", () => { printing = true; apply(); });
-  addEventListener("afterprint", () => { printing = false; apply(); });
+  addEventListener("beforeprint", () => {
+    printing = true;
+    apply();
+  });
+  addEventListener("afterprint", () => {
+    printing = false;
+    apply();
+  });
 }

@@ -9,7 +9,13 @@ const { chromium } = createRequire(import.meta.url)("playwright-core");
 export function open_browser(more = []) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more],
+    args: [
+      "--no-sandbox",
+      "--use-gl=angle",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      ...more,
+    ],
   });
 }
 
@@ -24,9 +30,14 @@ export async function open_page(browser, report, options = {}) {
   });
   await context.setOffline(true);
   const page = await context.newPage();
+  page.setDefaultTimeout(10000);
   page.on("pageerror", (error) => problems.push(`error: ${error.message}`));
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type()) && !/GPU stall due to ReadPixels/.test(message.text())) problems.push(`console: ${message.text()}`);
+    if (
+      ["error", "warning"].includes(message.type()) &&
+      !/GPU stall due to ReadPixels/.test(message.text())
+    )
+      problems.push(`console: ${message.text()}`);
   });
   const start = performance.now();
   await page.goto(pathToFileURL(resolve(report)).href);

@@ -8,7 +8,10 @@ const [report, directory, width = "1400", draw] = process.argv.slice(2);
 mkdirSync(directory, { recursive: true });
 const browser = await open_browser();
 for (const theme of ["light", "dark"]) {
-  const { page, problems } = await open_page(browser, report, { colorScheme: theme, viewport: { width: Number(width), height: 900 } });
+  const { page, problems } = await open_page(browser, report, {
+    colorScheme: theme,
+    viewport: { width: Number(width), height: 900 },
+  });
   if (draw) await page.getByTestId("detailed").selectOption(draw);
   await page.waitForTimeout(500);
   for (const part of ["overview", "candidates", "inspect"]) {

@@ -1,0 +1,57 @@
+// Draws the folded sheet without WebGL: whole panels and lines, the farthest first.
+import { Vector3 } from "three";
+import { colour } from "./theme.js";
+
+/** The same methods as webgl_pen. */
+export function painter_pen(canvas) {
+  let corners = [],
+    parts = [],
+    ratio = 1;
+  return {
+    load(corners_, parts_) {
+      [corners, parts] = [corners_, parts_];
+    },
+    recolour() {},
+    resize(width, height) {
+      ratio = Math.min(2, devicePixelRatio || 1);
+      canvas.width = width * ratio;
+      canvas.height = height * ratio;
+    },
+    draw(points, camera) {
+      const pen = canvas.getContext("2d"),
+        seen = [],
+        depth = [];
+      for (let k = 0; 3 * k < points.length; ++k) {
+        const point = new Vector3(points[3 * k], points[3 * k + 1], points[3 * k + 2]);
+        depth.push(point.distanceTo(camera.position));
+        point.project(camera);
+        seen.push([((point.x + 1) / 2) * canvas.width, ((1 - point.y) / 2) * canvas.height]);
+      }
+      const mean = (list) => list.reduce((total, k) => total + depth[k], 0) / list.length;
+      const items = corners.map((list) => ({ list, depth: mean(list) }));
+      // Lines lie a little nearer than the panels they bound.
+      for (const part of parts)
+        if (!part.hidden)
+          for (const list of part.pairs)
+            items.push({ list, part, depth: part.on_top ? -1 : mean(list) * 0.98 });
+      items.sort((a, b) => b.depth - a.depth);
+      pen.clearRect(0, 0, canvas.width, canvas.height);
+      for (const { list, part } of items) {
+        pen.beginPath();
+        list.forEach((k, i) => (i ? pen.lineTo(...seen[k]) : pen.moveTo(...seen[k])));
+        if (part) {
+          pen.setLineDash(part.dashed ? [5 * ratio, 4 * ratio] : []);
+          pen.lineWidth = part.width * ratio;
+          pen.strokeStyle = colour(part.colour);
+          pen.stroke();
+        } else {
+          const [a, b, c] = list.map((k) => seen[k]);
+          const front = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
+          pen.fillStyle = colour(front ? "panel-front" : "panel-back");
+          pen.closePath();
+          pen.fill();
+        }
+      }
+    },
+  };
+}
