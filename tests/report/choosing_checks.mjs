@@ -1,0 +1,290 @@
+// Table, filter and scatter of the candidates, and rows without details.
+import assert from "node:assert/strict";
+import { axis, by, median, state, unfiltered } from "./reading.mjs";
+
+export async function table_checks(page, data) {
+  const { columns, shown } = data.candidates;
+  const rows = columns.draw.map((_, i) => i);
+  const filter = async (text) => {
+    await by(page, "filter").fill(text);
+    return (await state(page)).filtered;
+  };
+  const expected = (test) => rows.filter(test).length;
+
+  await unfiltered(page, "only the rows in view are in the document", async () => {
+    const lines = await by(page, "grid").locator(".line").count();
+    assert.ok(lines > 0 && lines < 60 && lines <= shown, `${lines} rows`);
+    return `${lines} of ${shown}`;
+  });
+
+  await unfiltered(page, "the filter leaves what the data say", async () => {
+    const stroke = median(columns.stroke_max),
+      depth = median(columns.deploys_from_deg),
+      few = median(columns.shifted_vertices);
+    const cases = [
+      [`stroke_max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
+      [
+        `stroke_max<${stroke} deploys_from_deg >= ${depth}`,
+        (i) => columns.stroke_max[i] < stroke && columns.deploys_from_deg[i] >= depth,
+      ],
+      [
+        `stroke_max ≥ ${stroke * 100}% and shifted_vertices <= ${few}`,
+        (i) => columns.stroke_max[i] >= (stroke * 100) / 100 && columns.shifted_vertices[i] <= few,
+      ],
+      [
+        `${depth} < deploys_from_deg <= ${depth + 3}`,
+        (i) => columns.deploys_from_deg[i] > depth && columns.deploys_from_deg[i] <= depth + 3,
+      ],
+      ["bump_deg = none", (i) => columns.bump_deg[i] === null],
+      ["bump_deg > 0", (i) => columns.bump_deg[i] !== null && columns.bump_deg[i] > 0],
+      [`draw = ${columns.draw.at(-1)}`, (i) => columns.draw[i] === columns.draw.at(-1)],
+      ["details", (i) => data.details.some(({ draw }) => draw === columns.draw[i])],
+      ["stroke_max < -1", () => false],
+    ];
+    for (const [text, test] of cases) {
+      assert.equal(await filter(text), expected(test), text);
+      if (expected(test) < rows.length)
+        assert.match(
+          await by(page, "filter-says").textContent(),
+          new RegExp(`^${expected(test).toLocaleString("en")} of`),
+          text,
+        );
+    }
+    assert.equal(
+      await by(page, "grid").locator(".line").count(),
+      0,
+      "rows although none meets the conditions",
+    );
+    assert.equal(await filter(""), rows.length);
+    return `${cases.length} conditions`;
+  });
+
+  await unfiltered(
+    page,
+    "mistakes in the filter are said in words, and change nothing",
+    async () => {
+      for (const [text, words] of [
+        ["strok_max < 1", /no column.*stroke_max/],
+        ["stroke_max <", /number is missing/],
+        ["stroke_max < x", /no number/],
+        ["stroke_max 5", /comparison is missing/],
+        ["< 5", /name is missing/],
+        ["stroke_max < 1 or bump_deg = none", /“or” is not understood/],
+        ["stroke_max ! 5", /not understood/],
+      ]) {
+        await by(page, "filter").fill(text);
+        assert.match(await by(page, "filter-says").textContent(), words, text);
+        assert.equal(await by(page, "filter").getAttribute("aria-invalid"), "true");
+        assert.equal((await state(page)).filtered, rows.length, text);
+      }
+      await filter("");
+    },
+  );
+
+  const first_draw = () => by(page, "grid").locator(".line").first().getAttribute("data-draw");
+  await unfiltered(page, "columns sort, up, down and back, by mouse and keyboard", async () => {
+    const sorted = (name, sign) => {
+      const with_value = rows.filter((i) => columns[name][i] !== null);
+      return columns.draw[
+        with_value.reduce((best, i) =>
+          sign * (columns[name][i] - columns[name][best]) < 0 ? i : best,
+        )
+      ];
+    };
+    const head = by(page, "head-stroke_min");
+    await head.locator("button").click();
+    assert.equal(await head.getAttribute("aria-sort"), "ascending");
+    assert.equal(await first_draw(), sorted("stroke_min", 1));
+    await page.keyboard.press("Enter");
+    assert.equal(await head.getAttribute("aria-sort"), "descending");
+    assert.equal(await first_draw(), sorted("stroke_min", -1));
+    await page.keyboard.press("Enter");
+    assert.equal(await head.getAttribute("aria-sort"), "none");
+    assert.equal(await first_draw(), columns.draw[0]);
+    await by(page, "head-draw").locator("button").click();
+    assert.equal(
+      await first_draw(),
+      columns.draw.reduce((a, b) => (BigInt(b) < BigInt(a) ? b : a)),
+      "draws as numbers, all digits",
+    );
+    await by(page, "head-rank").locator("button").click();
+  });
+
+  await unfiltered(
+    page,
+    "rows are picked by click and arrow keys, and come into view",
+    async () => {
+      await by(page, "grid")
+        .locator(".line")
+        .nth(Math.min(2, shown - 1))
+        .click();
+      const third = Math.min(2, shown - 1);
+      assert.equal((await state(page)).picked, columns.draw[third]);
+      await by(page, "grid").focus();
+      await page.keyboard.press("Home");
+      assert.equal((await state(page)).picked, columns.draw[0]);
+      await page.keyboard.press("ArrowDown");
+      assert.equal((await state(page)).picked, columns.draw[Math.min(1, shown - 1)]);
+      await page.keyboard.press("ArrowUp");
+      await page.keyboard.press("End");
+      assert.equal((await state(page)).picked, columns.draw.at(-1));
+      const last = by(page, "grid").locator(`[data-draw="${columns.draw.at(-1)}"]`);
+      await last.waitFor();
+      assert.equal(await last.getAttribute("aria-selected"), "true");
+      const [row, grid] = [await last.boundingBox(), await by(page, "grid").boundingBox()];
+      assert.ok(
+        row.y >= grid.y && row.y + row.height <= grid.y + grid.height + 1,
+        "the picked row is not in view",
+      );
+      await by(page, "grid").focus();
+      await page.keyboard.press("Home");
+    },
+  );
+}
+
+export async function scatter_checks(page, data) {
+  const { columns } = data.candidates;
+  const across = "stroke_max",
+    up = "elongation_max";
+  await unfiltered(
+    page,
+    "a click on the scatter picks the nearest, of those that the filter leaves",
+    async () => {
+      await by(page, "scatter-x").selectOption(across);
+      await by(page, "scatter-y").selectOption(up);
+      const box = by(page, "scatter"),
+        canvas = by(page, "scatter-canvas");
+      await canvas.scrollIntoViewIfNeeded();
+      const [x, y] = [await axis(box, "x"), await axis(box, "y")];
+      const points = columns.draw.map((draw, i) => ({
+        draw,
+        x: x(100 * columns[across][i]),
+        y: y(100 * columns[up][i]),
+        filtered: columns[up][i],
+      }));
+      const nearest = (to, among) =>
+        among.reduce((best, p) =>
+          (p.x - to.x) ** 2 + (p.y - to.y) ** 2 < (best.x - to.x) ** 2 + (best.y - to.y) ** 2
+            ? p
+            : best,
+        );
+      const lonely = points
+        .map((p) => ({
+          p,
+          away: Math.min(
+            ...points.filter((q) => q !== p).map((q) => Math.hypot(p.x - q.x, p.y - q.y)),
+            1e9,
+          ),
+        }))
+        .sort((a, b) => b.away - a.away)
+        .slice(0, 3)
+        .map(({ p }) => p);
+      for (const p of lonely) {
+        await canvas.click({ position: { x: p.x + 1, y: p.y + 1 } });
+        assert.equal((await state(page)).picked, p.draw);
+      }
+      for (const [across_px, up_px] of [
+        [0.3, 0.3],
+        [0.5, 0.6],
+        [0.7, 0.2],
+        [0.8, 0.8],
+      ]) {
+        const { width, height } = await canvas.boundingBox(),
+          place = { x: across_px * width, y: up_px * height };
+        await canvas.click({ position: place });
+        const { picked } = await state(page),
+          away = (q) => Math.hypot(q.x - place.x, q.y - place.y);
+        assert.ok(
+          away(points.find(({ draw }) => draw === picked)) < away(nearest(place, points)) + 2,
+          `a click at ${place.x}, ${place.y}`,
+        );
+      }
+      const [p] = lonely,
+        limit = median(columns[up]);
+      const condition = p.filtered < limit ? `${up} >= ${limit}` : `${up} < ${limit}`;
+      const kept = points.filter((q) =>
+        p.filtered < limit ? q.filtered >= limit : q.filtered < limit,
+      );
+      await by(page, "filter").fill(condition);
+      await canvas.click({ position: { x: p.x, y: p.y } });
+      const { picked } = await state(page),
+        q = kept.find(({ draw }) => draw === picked);
+      if (kept.length) {
+        const away = (r) => Math.hypot(r.x - p.x, r.y - p.y);
+        assert.ok(
+          q && away(q) < away(nearest(p, kept)) + 2,
+          "the filter does not hold in the scatter",
+        );
+      }
+      await by(page, "filter").fill("");
+    },
+  );
+
+  await unfiltered(page, "arrow keys go through the scatter", async () => {
+    await by(page, "scatter-canvas").focus();
+    const least = columns[across].indexOf(Math.min(...columns[across]));
+    await by(page, "filter").fill(`draw = ${columns.draw[least]}`);
+    await by(page, "scatter-canvas").click({ position: { x: 100, y: 100 } });
+    assert.equal((await state(page)).picked, columns.draw[least]);
+    await by(page, "filter").fill("");
+    await by(page, "scatter-canvas").focus();
+    await page.keyboard.press("ArrowRight");
+    const next = (await state(page)).picked,
+      value = columns[across][columns.draw.indexOf(next)];
+    assert.notEqual(next, columns.draw[least]);
+    assert.equal(
+      columns[across].filter((v) => v < value && v > columns[across][least]).length,
+      0,
+      "not the next one to the right",
+    );
+  });
+}
+
+export async function no_detail_checks(page, data) {
+  const bares = data.candidates.columns.draw.filter(
+    (draw) => !data.details.some((detail) => detail.draw === draw),
+  );
+  if (bares.length === 0) return;
+  const bare = bares.find((draw) => String(Number(draw)) !== draw) ?? bares[0]; // all of its digits count
+  await unfiltered(
+    page,
+    "a row without details shows its metrics and the command that brings them",
+    async () => {
+      await by(page, "filter").fill(`draw = ${bare}`);
+      await by(page, "grid").locator(".line").first().click();
+      const { misalign, catalogue, output } = data.commands;
+      assert.equal(
+        await by(page, "command-report").textContent(),
+        `${misalign} report ${catalogue} --draw ${bare} --output ${output}`,
+      );
+      assert.equal(
+        await by(page, "command-replay").textContent(),
+        `${misalign} replay ${catalogue} ${bare}`,
+      );
+      assert.ok(await by(page, "no-details").isVisible());
+      assert.ok(!(await by(page, "folding").isVisible()));
+      assert.equal((await state(page)).pilot_deg, null);
+      const row = data.candidates.columns.draw.indexOf(bare);
+      assert.ok(
+        (await by(page, "metrics").textContent()).includes(
+          `${(100 * data.candidates.columns.stroke_max[row]).toFixed(2)} %`,
+        ),
+      );
+      await page.evaluate(() =>
+        Object.defineProperty(navigator, "clipboard", {
+          value: {
+            writeText: async (text) => {
+              window.copied = text;
+            },
+          },
+        }),
+      );
+      await by(page, "no-details").getByTestId("copy").click();
+      assert.equal(
+        await page.evaluate(() => window.copied),
+        `${misalign} report ${catalogue} --draw ${bare} --output ${output}`,
+      );
+      await by(page, "filter").fill("");
+    },
+  );
+}

@@ -1,0 +1,261 @@
+// A picked draw: crease pattern, folding, histories, springs.
+import assert from "node:assert/strict";
+import { axis, by, check, eventually, floats, pixels, state } from "./reading.mjs";
+
+export async function detail_checks(page, data, detail, webgl = true) {
+  const canvas = by(page, "folding-canvas"),
+    slider = by(page, "pilot");
+  await by(page, "detailed").selectOption(detail.draw);
+  await check(`draw ${detail.draw}: title, verdict and metrics`, async () => {
+    assert.equal((await state(page)).picked, detail.draw);
+    assert.match(await by(page, "picked").textContent(), new RegExp(detail.draw));
+    assert.match(
+      await by(page, "picked-words").textContent(),
+      detail.accepted ? /^Accepted/ : /^Not accepted/,
+    );
+    if (detail.verdict.deploys_from_deg > 0)
+      assert.ok(
+        (await by(page, "picked-words").textContent()).includes(
+          `${detail.verdict.deploys_from_deg}°`,
+        ),
+      );
+    if (detail.metrics)
+      assert.ok(
+        (await by(page, "metrics").textContent()).includes(
+          `${(100 * detail.metrics.stroke_max).toFixed(2)} %`,
+        ),
+        "stroke_max",
+      );
+    assert.ok(await by(page, "folding").isVisible());
+  });
+
+  await check("the crease pattern has every crease, hole, diagonal and shift", async () => {
+    const svg = by(page, "crease-pattern").locator("svg.sheet");
+    const of = (kind) => data.sheet.creases.filter((crease) => crease.assignment === kind).length;
+    const shifted = Object.entries(detail.displacements_mm).filter(([, [x, y]]) => x || y);
+    assert.deepEqual(
+      await Promise.all(
+        [".mountain", ".valley", ".hole", ".diagonal", ".arrow"].map((name) =>
+          svg.locator(name).count(),
+        ),
+      ),
+      [
+        of("mountain"),
+        of("valley"),
+        data.sheet.holes.length,
+        data.diagonals.length,
+        shifted.length,
+      ],
+    );
+    const labels = await svg.locator(".vertex-label").allTextContents();
+    assert.deepEqual(labels.sort(), shifted.map(([name]) => name).sort());
+    // An arrow points where the shift points: y is up on the sheet and down on the screen.
+    for (const [i, [name, [dx, dy]]] of shifted.entries()) {
+      const [x1, y1, x2, y2] = await svg
+        .locator(".arrow")
+        .nth(i)
+        .evaluate((node) => ["x1", "y1", "x2", "y2"].map((a) => Number(node.getAttribute(a))));
+      assert.ok(
+        Math.abs(Math.atan2(y1 - y2, x2 - x1) - Math.atan2(dy, dx)) < 0.01,
+        `arrow of ${name}`,
+      );
+      if (i > 3) break;
+    }
+  });
+
+  await check("the sheet is drawn in space", async () => {
+    const { colours } = await pixels(canvas);
+    assert.ok(colours > (webgl ? 20 : 4), `${colours} colours`);
+    return `${colours} colours`;
+  });
+
+  const go = async (k) => {
+    await slider.evaluate((node, value) => {
+      node.value = value;
+      node.dispatchEvent(new Event("input", { bubbles: true }));
+    }, k);
+    return state(page);
+  };
+  const rules = () =>
+    page
+      .locator('[data-testid="rule"]')
+      .evaluateAll((nodes) => nodes.map((node) => Number(node.getAttribute("x1"))));
+  await check("slider, sheet, histories and forces move together", async () => {
+    const n = detail.pilot_deg.length,
+      seen = new Set(),
+      covered = [],
+      lengths = floats(detail.length_mm),
+      count = data.diagonals.length;
+    const charts = ["histories", "energy", "moment", "advantage"],
+      scales = [];
+    for (const id of charts) scales.push(await axis(by(page, id), "x"));
+    for (const k of [0, Math.floor(n / 3), Math.floor((2 * n) / 3), n - 1]) {
+      const pilot = detail.pilot_deg[k];
+      assert.equal((await go(k)).pilot_deg, pilot);
+      assert.equal(await by(page, "pilot-deg").textContent(), `${pilot}°`);
+      const now = await rules();
+      assert.equal(now.length, charts.length, "charts with a rule");
+      charts.forEach((id, i) =>
+        assert.ok(
+          Math.abs(now[i] - scales[i]((180 - pilot) / 180)) < 1,
+          `the rule of ${id} at ${pilot}°`,
+        ),
+      );
+      const picture = await pixels(canvas);
+      seen.add(picture.hash);
+      covered.push(picture.covered);
+      const relative = lengths[k * count + count - 1] / lengths[count - 1] - 1;
+      const cell = (
+        await by(page, "diagonals").locator("tbody tr").last().locator("td").nth(3).textContent()
+      )
+        .replace("−", "-")
+        .replace(" %", "");
+      assert.ok(
+        Math.abs(Number(cell) - 100 * relative) < 0.0051,
+        `elongation of the last diagonal: ${cell}`,
+      );
+    }
+    assert.equal(
+      seen.size,
+      Math.min(4, new Set([0, Math.floor(n / 3), Math.floor((2 * n) / 3), n - 1]).size),
+      "the sheet's pictures",
+    );
+    if (detail.pilot_deg.at(-1) >= 60) {
+      assert.ok(covered.at(-1) < 0.95 * covered[0], "folded, the sheet covers less");
+    }
+  });
+
+  await check("histories run through the data", async () => {
+    const x = await axis(by(page, "histories"), "x"),
+      y = await axis(by(page, "histories"), "y"),
+      lengths = floats(detail.length_mm),
+      count = data.diagonals.length;
+    const depth = detail.pilot_deg.findLastIndex(
+      (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
+    );
+    for (const d of [0, count - 1]) {
+      const path = await by(page, "histories")
+        .locator(`.history[data-diagonal="${d}"] path`)
+        .first()
+        .getAttribute("d");
+      const [px, py] = path.split(/[ML]/).at(-1).split(",").map(Number);
+      assert.ok(
+        Math.abs(px - x((180 - detail.pilot_deg[depth]) / 180)) < 1 &&
+          Math.abs(py - y(lengths[depth * count + d] / lengths[d])) < 1,
+        `diagonal ${d + 1} at D`,
+      );
+      const grows = lengths[depth * count + d] >= lengths[d];
+      if (depth > 0)
+        assert.equal(
+          await by(page, "histories")
+            .locator(`.history[data-diagonal="${d}"]`)
+            .evaluate((node) => node.classList.contains("grows")),
+          grows,
+        );
+    }
+  });
+
+  await check("D is marked on the slider", async () => {
+    await go(
+      detail.pilot_deg.findLastIndex((pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9),
+    );
+    const [mark, track] = [await by(page, "mark-depth").boundingBox(), await slider.boundingBox()];
+    const share = 1 - Number(await slider.inputValue()) / (detail.pilot_deg.length - 1);
+    assert.ok(
+      Math.abs(mark.x - (track.x + 8 + share * (track.width - 16))) < 3,
+      "the mark and the slider's place",
+    );
+  });
+
+  await check("a diagonal in focus or under the pointer is marked in all views", async () => {
+    await go(Math.floor(detail.pilot_deg.length / 2));
+    const picked = () =>
+      Promise.all(
+        ["crease-pattern", "histories", "diagonals"].map((id) =>
+          by(page, id)
+            .locator(".picked")
+            .evaluateAll((nodes) => nodes.map((node) => Number(node.dataset.diagonal))),
+        ),
+      );
+    const before = (await pixels(canvas)).hash;
+    await by(page, "diagonals").locator("button").nth(1).focus();
+    assert.deepEqual(await picked(), [[1], [1], [1]]);
+    assert.notEqual((await pixels(canvas)).hash, before, "not marked on the sheet");
+    await slider.focus();
+    assert.deepEqual(await picked(), [[], [], []]);
+    assert.equal((await pixels(canvas)).hash, before);
+    await by(page, "crease-pattern").locator('.diagonal[data-diagonal="0"] text').hover();
+    assert.deepEqual(await picked(), [[0], [0], [0]]);
+    await page.mouse.move(2, 2);
+  });
+
+  await check("energy and moment on a logarithmic scale", async () => {
+    const line = () =>
+      Promise.all(
+        ["energy", "moment", "advantage"].map((id) =>
+          by(page, id).locator("path.value").first().getAttribute("d"),
+        ),
+      );
+    const before = await line();
+    await by(page, "log").check();
+    const after = await line();
+    if (detail.weakest?.moment_n_mm > 0) assert.notEqual(after[1], before[1], "moment");
+    assert.notEqual(after[0], before[0], "energy");
+    assert.equal(after[2], before[2], "mechanical advantage");
+    await by(page, "log").uncheck();
+    assert.deepEqual(await line(), before);
+  });
+
+  await check("forces run through the data", async () => {
+    const depth = detail.pilot_deg.findLastIndex(
+      (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
+    );
+    for (const [id, values] of [
+      ["energy", floats(detail.energy_n_mm)],
+      ["moment", floats(detail.moment_n_mm)],
+    ]) {
+      const y = await axis(by(page, id), "y");
+      const path = await by(page, id).locator("path.value").first().getAttribute("d"),
+        [, py] = path.split(/[ML]/).at(-1).split(",").map(Number);
+      assert.ok(Math.abs(py - y(values[depth])) < 1, `${id} at D`);
+    }
+  });
+
+  await check("space plays and pauses, arrow keys move the slider", async () => {
+    await go(detail.pilot_deg.length - 1);
+    await slider.focus();
+    await page.keyboard.press("Space");
+    await eventually(
+      page,
+      { test: (from) => misalign.pilot_deg !== from, with: detail.pilot_deg.at(-1) },
+      "it does not play",
+    );
+    await page.keyboard.press("Space");
+    const { pilot_deg } = await state(page);
+    await page.waitForTimeout(250);
+    assert.equal((await state(page)).pilot_deg, pilot_deg, "it does not pause");
+    await go(3);
+    await page.keyboard.press("ArrowLeft");
+    assert.equal((await state(page)).pilot_deg, detail.pilot_deg[4], "left folds");
+    await page.keyboard.press("ArrowRight");
+    assert.equal((await state(page)).pilot_deg, detail.pilot_deg[3], "right unfolds");
+  });
+
+  await check("mouse and keyboard turn the sheet", async () => {
+    const seen = [(await pixels(canvas)).hash];
+    await canvas.focus();
+    for (const key of ["ArrowLeft", "ArrowUp", "+"]) {
+      await page.keyboard.press(key);
+      seen.push((await pixels(canvas)).hash);
+    }
+    const { x, y, width, height } = await canvas.boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2 + 60, y + height / 2 + 20, { steps: 3 });
+    await page.mouse.up();
+    await page.mouse.move(2, 2);
+    seen.push((await pixels(canvas)).hash);
+    assert.equal(new Set(seen).size, 5);
+    await page.keyboard.press("0");
+  });
+}

@@ -1,0 +1,107 @@
+// What the checks of a page are made of: the data inside it, read without the page's code, and what
+// can be seen on it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+
+let failures = 0,
+  checks = 0;
+/** Says how many checks passed; whether all did. */
+export function summary() {
+  console.log(`\n${checks - failures} of ${checks} checks passed`);
+  return failures === 0;
+}
+
+export async function check(what, run) {
+  ++checks;
+  try {
+    const said = await run();
+    console.log(`ok    ${what}${said ? `: ${said}` : ""}`);
+  } catch (error) {
+    ++failures;
+    console.log(
+      `FAIL  ${what}\n      ${String(error.message).split("\n").slice(0, 6).join("\n      ")}`,
+    );
+  }
+}
+
+export function data_of(report) {
+  const text = readFileSync(report, "utf8"),
+    open = '<script type="application/json" id="report-data">';
+  const start = text.indexOf(open) + open.length;
+  return JSON.parse(text.slice(start, text.indexOf("</script>", start)));
+}
+
+export const floats = (base64) => {
+  const bytes = Buffer.from(base64, "base64");
+  return Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readFloatLE(4 * i));
+};
+export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+export const by = (page, id) => page.getByTestId(id);
+export const state = (page) =>
+  page.evaluate(() => ({
+    picked: misalign.picked,
+    pilot_deg: misalign.pilot_deg,
+    filtered: misalign.filtered,
+  }));
+export const eventually = async (page, wanted, what) => {
+  try {
+    await page.waitForFunction(wanted.test, wanted.with, { timeout: 5000 });
+  } catch {
+    assert.fail(what);
+  }
+};
+
+/** Pixels of a canvas: a hash, how many are covered, and by how many colours. */
+export const pixels = (locator) =>
+  locator.evaluate((canvas) => {
+    const copy = Object.assign(document.createElement("canvas"), {
+      width: canvas.width,
+      height: canvas.height,
+    });
+    const pen = copy.getContext("2d");
+    pen.drawImage(canvas, 0, 0);
+    const { data } = pen.getImageData(0, 0, copy.width, copy.height),
+      colours = new Set();
+    let hash = 0,
+      covered = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const colour = data[i] | (data[i + 1] << 8) | (data[i + 2] << 16) | (data[i + 3] << 24);
+      hash = (Math.imul(hash, 31) + colour) | 0;
+      if (data[i + 3] < 200) continue;
+      colours.add(colour);
+      ++covered;
+    }
+    return { hash, covered, colours: colours.size };
+  });
+
+/** The map from values to pixels of an axis, from where its ticks are written. */
+export async function axis(box, which) {
+  const ticks = await box
+    .locator(`g[aria-label^="${which}-axis tick label"] text`)
+    .evaluateAll((nodes) =>
+      nodes.map((node) => {
+        const [, x, y] = /translate\(([-\d.]+),([-\d.]+)\)/.exec(node.getAttribute("transform"));
+        return {
+          value: Number(node.textContent.replaceAll(",", "").replace("−", "-")),
+          x: Number(x),
+          y: Number(y),
+        };
+      }),
+    );
+  // Charts of the folding have a second axis on the other side: the first one counts.
+  const across = which === "x" ? "y" : "x",
+    first = ticks[0],
+    last = ticks.filter((tick) => tick[across] === first[across]).at(-1);
+  assert.ok(ticks.length > 1 && last.value !== first.value, `the ${which} axis has no ticks`);
+  // The labels stand half a pixel off where the values are.
+  return (value) =>
+    first[which] +
+    ((value - first.value) * (last[which] - first[which])) / (last.value - first.value);
+}
+
+/** A check that begins with no filter, whatever the one before left. */
+export const unfiltered = (page, what, run) =>
+  check(what, async () => {
+    await by(page, "filter").fill("");
+    return run();
+  });
