@@ -12,7 +12,9 @@
 #include "schema/catalogue_state.hpp"
 #include "schema/ledger_check.hpp"
 #include "schema/plain_export.hpp"
+#include "schema/report.hpp"
 #include "schema/result_table.hpp"
+#include "search/choice.hpp"
 #include "search/merge.hpp"
 #include "search/status.hpp"
 #include "search/trial.hpp"
@@ -160,13 +162,17 @@ class Reader {
       const bool is_plain = ends([&] { export_plain(*database, plain); });
       if (is_plain != std::filesystem::exists(plain)) found("a plain export by halves");
       const CatalogueState state = read_state(*database);
-      search::status_text(state);
       search::status_json(state).dump();
       const Campaign campaign = read_campaign_of(*database, path);
       is_new = identity(campaign) == identity(new_.trial.campaign());
       const auto deploying =
           search::deploying_from(*database, state, campaign, campaign.threshold_deg);
-      search::deploying_text(deploying, state);
+      search::status_text(state, deploying, search::Paint(false));
+      candidates_json(*database, 10).dump();
+      faults_json(*database, campaign).dump();
+      search::Choice choice;
+      choice.diverse = 3;
+      ends([&] { search::chosen_draws(*database, choice); });
       is_good = check_ledger(*database, campaign).empty();
       const search::Verification verification = search::verify(*database, path, 1);
       search::verification_text(verification);
