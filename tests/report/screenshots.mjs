@@ -14,8 +14,16 @@ for (const theme of ["light", "dark"]) {
   });
   if (draw) await page.getByTestId("detailed").selectOption(draw);
   await page.waitForTimeout(500);
-  for (const part of ["overview", "candidates", "inspect"]) {
-    const section = page.locator(`#${part}`);
+  const parts = {
+    overview: "#overview",
+    candidates: "#candidates",
+    folding: "#views > .grid >> nth=0",
+    charts: "#views > .grid >> nth=1",
+    facts: "#facts",
+  };
+  for (const [part, place] of Object.entries(parts)) {
+    const section = page.locator(place);
+    if (!(await section.isVisible())) continue;
     await section.scrollIntoViewIfNeeded();
     // Sticky bars would lie across a picture that is higher than the window.
     await page.addStyleTag({ content: ".top, .pilot { position: static !important }" });
