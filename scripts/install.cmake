@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 install(TARGETS misalign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY schema/ DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema
-        FILES_MATCHING PATTERN "*.sql" PATTERN "*.json")
+        FILES_MATCHING PATTERN "*.sql" PATTERN "*.json" PATTERN README.md PATTERN report EXCLUDE)
 # Beside each other: campaigns name the files of ../patterns.
 install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
