@@ -23,18 +23,20 @@ grep -q "^bar.db: max_time" shown || fail "the summary does not begin a line: $(
 grep -q "^misalign: next: " shown || fail "no next step: $(cat -v shown)"
 
 # A message in between has a line of its own.
-script -qec "$program search $campaign --catalogue usr2.db --draws 1000000000" /dev/null > shown < /dev/null &
+rm shown
+script -qec "echo \$\$ > pid; exec $program search $campaign --catalogue usr2.db --draws 1000000000" \
+  /dev/null > shown < /dev/null &
 terminal=$!
 for wait in {1..200}; do
-  [ "$(tr '\r' '\n' < shown | grep -c "$escape\[K")" -ge 2 ] && break
+  [ -s shown ] && [ "$(tr '\r' '\n' < shown | grep -c "$escape\[K")" -ge 2 ] && break
   sleep 0.05
 done
-pkill -USR2 -f "^$program search $campaign --catalogue usr2.db"
+kill -USR2 "$(cat pid)"
 for wait in {1..200}; do
   grep -q "draws/s" shown && break
   sleep 0.05
 done
-pkill -TERM -f "^$program search $campaign --catalogue usr2.db"
+kill -TERM "$(cat pid)"
 wait $terminal
 grep -q $'\r'"$escape\[K[0-9]* s: .*draws/s" shown || fail "USR2 within a live line: $(cat -v shown)"
 
@@ -43,7 +45,7 @@ for case in "${ranks[*]} 2 $program|" "OMPI_COMM_WORLD_RANK=0 $program|" "$progr
   rm -f plain.db err
   on_terminal 100 "${case%|*} search $campaign --catalogue plain.db --draws 1000 ${case#*|}" > shown
   ! grep -q "$escape\[K" shown || fail "a live line for $case: $(cat -v shown)"
-  cat shown err 2> /dev/null | grep -q "^0 s: 1000 of 1000 draws" || fail "no plain line for $case"
+  cat shown err 2> /dev/null | grep -q "^[0-9]* s: 1000 of 1000 draws" || fail "no plain line for $case"
 done
 "$program" search $campaign --catalogue none.db --draws 1000 --progress none 2> err > /dev/null
 grep -qv "^misalign: campaign" err && fail "--progress none: $(cat err)"
