@@ -37,68 +37,6 @@ export function read_candidates(report) {
   return { columns, count: columns.draw.length, row_of, detailed };
 }
 
-/** Rotations and shifts that lay each pose on the flat sheet as well as can be: it stays in view. */
-function steady(vertices_mm, samples, count) {
-  const flat = centred(vertices_mm, 0, count);
-  const out = new Float32Array(vertices_mm.length);
-  let q = [1, 0, 0, 0];
-  for (let k = 0; k < samples; ++k) {
-    const points = centred(vertices_mm, k * count * 3, count);
-    q = best_rotation(points, flat, q);
-    const [w, x, y, z] = q;
-    const r = [
-      1 - 2 * (y * y + z * z),
-      2 * (x * y - w * z),
-      2 * (x * z + w * y),
-      2 * (x * y + w * z),
-      1 - 2 * (x * x + z * z),
-      2 * (y * z - w * x),
-      2 * (x * z - w * y),
-      2 * (y * z + w * x),
-      1 - 2 * (x * x + y * y),
-    ];
-    for (let i = 0; i < count * 3; i += 3) {
-      for (let row = 0; row < 3; ++row) {
-        out[k * count * 3 + i + row] =
-          r[3 * row] * points[i] + r[3 * row + 1] * points[i + 1] + r[3 * row + 2] * points[i + 2];
-      }
-    }
-  }
-  return out;
-}
-
-function centred(values, start, count) {
-  const mean = [0, 0, 0];
-  for (let i = 0; i < count * 3; ++i) mean[i % 3] += values[start + i] / count;
-  return Float64Array.from({ length: count * 3 }, (_, i) => values[start + i] - mean[i % 3]);
-}
-
-// Horn's quaternion: the eigenvector of the largest eigenvalue, by power iteration from the last
-// pose's, so that the sheet never jumps.
-function best_rotation(from, to, start) {
-  const s = new Float64Array(9);
-  for (let i = 0; i < from.length; i += 3) {
-    for (let a = 0; a < 3; ++a) for (let b = 0; b < 3; ++b) s[3 * a + b] += from[i + a] * to[i + b];
-  }
-  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = s;
-  const n = [
-    [xx + yy + zz, yz - zy, zx - xz, xy - yx],
-    [yz - zy, xx - yy - zz, xy + yx, zx + xz],
-    [zx - xz, xy + yx, yy - xx - zz, yz + zy],
-    [xy - yx, zx + xz, yz + zy, zz - xx - yy],
-  ];
-  const shift = Math.hypot(...n.flat()) || 1;
-  let q = start;
-  for (let step = 0, change = 1; step < 300 && change > 1e-9; ++step) {
-    const next = n.map((row, i) => row.reduce((sum, value, k) => sum + value * q[k], shift * q[i]));
-    const length = Math.hypot(...next);
-    const turned = next.map((value) => value / length);
-    change = Math.hypot(...turned.map((value, i) => value - q[i]));
-    q = turned;
-  }
-  return q;
-}
-
 /** A draw's histories: n samples, the first of them flat. */
 export function decode_detail(detail, report) {
   const diagonals = report.diagonals.length,
@@ -106,7 +44,7 @@ export function decode_detail(detail, report) {
   const samples = detail.pilot_deg.length;
   const length_mm = floats(detail.length_mm);
   const packed = new Int16Array(bytes_of(detail.vertices_mm.data));
-  const coordinates = Float64Array.from(packed, (value) => value * detail.vertices_mm.unit_mm);
+  const coordinates = Float32Array.from(packed, (value) => value * detail.vertices_mm.unit_mm);
   const relative = (k, d) => length_mm[k * diagonals + d] / length_mm[d];
   const depth = last_sample_up_to(detail.pilot_deg, detail.verdict.deploys_from_deg);
   return {
@@ -120,7 +58,7 @@ export function decode_detail(detail, report) {
       (_, d) => relative(Math.max(depth, Math.min(1, samples - 1)), d) >= 1,
     ),
     vertex_count: vertices,
-    vertices_mm: steady(coordinates, samples, vertices),
+    vertices_mm: coordinates,
     energy_n_mm: floats(detail.energy_n_mm),
     moment_n_mm: floats(detail.moment_n_mm),
     mechanical_advantage: floats(detail.mechanical_advantage),

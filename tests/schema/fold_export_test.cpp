@@ -128,6 +128,16 @@ TEST_P(FoldExport, AnglesAreDegreesWithValleysPositive) {
   EXPECT_GT(largest, 10) << "degrees";
 }
 
+// What `fold --json` says of a crease is what its angles say, from whichever side the pilot is a
+// valley.
+TEST_P(FoldExport, FoldingJsonNamesMountainsAndValleysAsTheyFold) {
+  const Json folding = folding_json(exported_.view());
+  for (const Json& crease : folding["creases"]) {
+    EXPECT_EQ(crease["fold_angle_deg"][4] > 0, crease["assignment"] == "valley")
+        << crease["from"] << crease["to"];
+  }
+}
+
 TEST_P(FoldExport, FramesInheritAndRestateWhatTheyMust) {
   const Json& frames = fold_["file_frames"];
   ASSERT_GE(frames.size(), 2u);
