@@ -1,0 +1,127 @@
+// Which diagonals and creases fail first, as bars and on the sheet.
+import * as Plot from "@observablehq/plot";
+import { ends_of } from "./data.js";
+import { count, dashed, fault_name, fault_order, h, percent } from "./format.js";
+import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
+import { sum } from "./faults.js";
+
+export function places(rows) {
+  const shares = new Map();
+  const named = rows.filter((row) => row.where && row.first_fault !== "none");
+  const total = sum(named);
+  for (const { where, first_fault, draws } of named) {
+    if (!shares.has(where)) shares.set(where, { where, draws: 0, faults: new Map() });
+    const entry = shares.get(where);
+    entry.draws += draws;
+    entry.faults.set(first_fault, (entry.faults.get(first_fault) ?? 0) + draws);
+  }
+  const list = [...shares.values()].sort((a, b) => b.draws - a.draws);
+  for (const entry of list) entry.share = entry.draws / total;
+  return { list, total };
+}
+
+export const kMostBars = 20;
+
+export function where_chart(list, width) {
+  const shown = list.slice(0, kMostBars);
+  const parts = shown.flatMap(({ where, faults, draws, share }) =>
+    [...faults].map(([fault, part]) => ({
+      where,
+      fault,
+      part: (share * part) / draws,
+      draws: part,
+    })),
+  );
+  const present = fault_order.filter((fault) => parts.some((part) => part.fault === fault));
+  return Plot.plot({
+    width,
+    height: 44 + 23 * shown.length,
+    marginLeft: 74,
+    marginRight: 44,
+    marginBottom: 38,
+    className: "plot",
+    ariaLabel: "Shares of the first faults by diagonal or crease",
+    x: {
+      label: "share of the first faults that have a place (%)",
+      percent: true,
+      labelAnchor: "center",
+      labelArrow: "none",
+      grid: true,
+    },
+    y: { label: null, domain: shown.map((entry) => entry.where), tickFormat: dashed, tickSize: 0 },
+    color: {
+      domain: present,
+      range: present.map((fault) => `var(--${fault.replaceAll("_", "-")})`),
+    },
+    marks: [
+      Plot.barX(
+        parts,
+        Plot.stackX({
+          y: "where",
+          x: "part",
+          fill: "fault",
+          order: present,
+          insetTop: 1,
+          insetBottom: 1,
+          title: (d) =>
+            `${dashed(d.where)}: ${fault_name(d.fault)}\n${count(d.draws)} sampled draws (${percent(d.part)})`,
+          tip: true,
+        }),
+      ),
+      Plot.text(shown, {
+        y: "where",
+        x: "share",
+        text: (d) => percent(d.share, 2),
+        textAnchor: "start",
+        dx: 5,
+        fill: "var(--ink-soft)",
+      }),
+    ],
+  });
+}
+
+export function fault_map(list, report) {
+  const { sheet, diagonals } = report,
+    size = panel_size_mm(sheet);
+  const svg = sheet_svg(
+    sheet.vertices_mm,
+    0.25 * size,
+    "Map of the sheet: diagonals and creases coloured by their share of the first faults",
+  );
+  const shares = new Map(list.map((entry) => [entry.where, entry]));
+  const most = list[0]?.share ?? 1;
+  for (const panel of sheet.panels)
+    svg.append(polygon(panel, sheet.vertices_mm, { class: "map-panel" }));
+  for (const { a, b } of sheet.creases)
+    svg.append(line(sheet.vertices_mm[a], sheet.vertices_mm[b], { class: "map-crease" }));
+  const draw = (name) => {
+    const entry = shares.get(name),
+      [a, b] = ends_of(name),
+      part = (entry?.share ?? 0) / most;
+    const stroke = line(sheet.vertices_mm[a], sheet.vertices_mm[b], {
+      class: "map-place",
+      "data-where": name,
+      style: `stroke: color-mix(in oklab, var(--heat-most) ${(100 * part).toFixed(1)}%, var(--heat-least)); stroke-width: ${(size * (0.03 + 0.06 * part)).toFixed(2)}`,
+    });
+    stroke.append(
+      h(
+        "svg:title",
+        {},
+        `${dashed(name)}: ${entry ? `${percent(entry.share)} (${count(entry.draws)} sampled draws)` : "no first fault in the sample"}`,
+      ),
+    );
+    svg.append(stroke);
+  };
+  const of_diagonals = new Set(diagonals.map((d) => `${d.from}-${d.to}`));
+  for (const { where } of [...list].reverse()) if (!of_diagonals.has(where)) draw(where);
+  // The least first, so that the most stays on top where diagonals cross.
+  [...of_diagonals]
+    .sort((a, b) => (shares.get(a)?.share ?? 0) - (shares.get(b)?.share ?? 0))
+    .forEach(draw);
+  return h(
+    "div",
+    {},
+    svg,
+    h("div", { class: "scale" }, h("span", {}, "0 %"), h("i", {}), h("span", {}, percent(most, 2))),
+  );
+}
