@@ -52,6 +52,7 @@ export function decode_detail(detail, report) {
     depth,
     pilot_deg: detail.pilot_deg,
     deployment: detail.pilot_deg.map((pilot) => (180 - pilot) / 180),
+    flat_mm: length_mm.slice(0, diagonals),
     relative,
     // The direction is that of the range it deploys from: beyond D a diagonal may turn.
     grows: report.diagonals.map(

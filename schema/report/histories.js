@@ -1,7 +1,7 @@
 // Relative lengths of the diagonals along the folding, as figure 13b-d of the paper, and their list.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, path_of, range } from "./chart.js";
-import { h, signed_percent } from "./format.js";
+import { fixed, h, signed_percent } from "./format.js";
 
 const kHeight = 400;
 
@@ -133,9 +133,12 @@ export function make_histories(box, caption, report, detail, decoded, state, end
 export function make_diagonal_list(box, report, detail, decoded, state) {
   const few = new Set(detail.few?.diagonals ?? []),
     over = new Set(detail.over_stroke?.diagonals ?? []);
-  const now = [];
+  const k_n_per_mm = report.actuators.stiffness_n_per_mm;
+  const now = [],
+    force = [];
   const rows = report.diagonals.map((diagonal, d) => {
     now.push(h("td", { class: "number" }));
+    force.push(h("td", { class: "number" }));
     const name = h(
       "button",
       { type: "button", "data-diagonal": d },
@@ -153,6 +156,7 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
       ),
       now[d],
       h("td", { class: "number" }, signed_percent(decoded.relative(decoded.depth, d) - 1)),
+      force[d],
       h(
         "td",
         {},
@@ -186,6 +190,7 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
             ["", "direction as the sheet folds"],
             ["now", "elongation at the slider’s angle"],
             ["at D", "elongation at D"],
+            ["force", "of its spring at the slider’s angle, N: positive where it pulls"],
             ["", ""],
           ].map(([words, about]) => h("th", { title: about }, words)),
         ),
@@ -196,7 +201,11 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
   return {
     move() {
       const k = state.get("sample");
-      now.forEach((cell, d) => (cell.textContent = signed_percent(decoded.relative(k, d) - 1)));
+      now.forEach((cell, d) => {
+        const elongation = decoded.relative(k, d) - 1;
+        cell.textContent = signed_percent(elongation);
+        force[d].textContent = `${fixed(k_n_per_mm * decoded.flat_mm[d] * elongation, 1)} N`;
+      });
     },
     mark(picked) {
       rows.forEach((row, d) => row.classList.toggle("picked", d === picked));

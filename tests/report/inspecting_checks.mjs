@@ -114,6 +114,15 @@ export async function detail_checks(page, data, detail, webgl = true) {
         Math.abs(Number(cell) - 100 * relative) < 0.0051,
         `elongation of the last diagonal: ${cell}`,
       );
+      const newtons =
+        data.actuators.stiffness_n_per_mm *
+        (lengths[k * count + count - 1] - lengths[count - 1]);
+      const said = (
+        await by(page, "diagonals").locator("tbody tr").last().locator("td").nth(5).textContent()
+      )
+        .replace("−", "-")
+        .replace(" N", "");
+      assert.ok(Math.abs(Number(said) - newtons) < 0.06, `force of its spring: ${said} N`);
     }
     assert.equal(
       seen.size,

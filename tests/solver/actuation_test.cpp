@@ -134,6 +134,7 @@ TEST_F(Table1, ShapesAreThoseOfVertexCoordinates) {
   const ShapedPath folded = path();
   VertexCoordinates other(sheet.base, vertices_mm, folded.shapes_mm[9], 10);
   const Eigen::Matrix3Xd mine = folded.shapes_mm[99];
+  ASSERT_EQ(mine.cols(), vertices_mm.cols());
   ASSERT_TRUE(other.fold_to(100));
   for (int a = 0; a < mine.cols(); ++a) {
     for (int b = 0; b < a; ++b) {
@@ -207,9 +208,9 @@ TEST(FewDiagonals, OfManyAreWhatTheyAreSaidToBe) {
   std::mt19937 words(17);
   std::uniform_real_distribution<double> moment(0.01, 1);
   int proven = 0, smallest = 0;
-  for (int trial = 0; trial < 30; ++trial) {
+  for (int trial = 0; trial < 12; ++trial) {
     const Eigen::MatrixXd moments =
-        Eigen::MatrixXd::NullaryExpr(3, 17, [&] { return std::pow(moment(words), 3); });
+        Eigen::MatrixXd::NullaryExpr(2, 17, [&] { return std::pow(moment(words), 3); });
     const FewDiagonals few = few_diagonals(moments, 0.5), best = one_by_one(moments, 0.5);
     const double all = moments.rowwise().sum().minCoeff();
     EXPECT_NEAR(moments(Eigen::all, few.diagonals).rowwise().sum().minCoeff() / all, few.share,
@@ -218,11 +219,18 @@ TEST(FewDiagonals, OfManyAreWhatTheyAreSaidToBe) {
     if (few.proven) {
       EXPECT_EQ(few.diagonals.size(), best.diagonals.size());
     }
+    // Proven by the worst row alone, as the header says, and only so.
+    std::size_t of_worst_row = 0;
+    for (Eigen::Index row = 0; row < moments.rows(); ++row) {
+      const FewDiagonals alone = one_by_one(moments.row(row), 0.5 * all / moments.row(row).sum());
+      of_worst_row = std::max(of_worst_row, alone.diagonals.size());
+    }
+    EXPECT_EQ(few.proven, few.diagonals.size() == of_worst_row) << trial;
     proven += few.proven;
     smallest += few.diagonals.size() == best.diagonals.size();
   }
   EXPECT_GT(proven, 0);
-  EXPECT_GT(smallest, 20);
+  EXPECT_GT(smallest, 6);
   RecordProperty("proven", proven);
   RecordProperty("smallest", smallest);
 }
