@@ -5,10 +5,11 @@
 namespace misalign::schema {
 namespace {
 
-Json labels_json(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
-  Json labels = Json::array();
-  for (const int d : diagonals) labels.push_back(diagonal_label(mechanism, d));
-  return labels;
+// A list; null for what is no number.
+Json numbers_json(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double x : numbers) list.push_back(std::isfinite(x) ? Json(x) : Json());
+  return list;
 }
 
 }  // namespace
@@ -17,10 +18,22 @@ std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
   return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
 }
 
-Json numbers_json(const std::vector<double>& numbers) {
-  Json list = Json::array();
-  for (const double x : numbers) list.push_back(std::isfinite(x) ? Json(x) : Json());
-  return list;
+Json limits_json(const solver::Actuation& actuation) {
+  Json json = {{"weakest", nullptr}, {"few", nullptr}, {"over_stroke", nullptr}};
+  if (actuation.weakest) {
+    json["weakest"] = {{"pilot_deg", actuation.weakest->pilot_deg},
+                       {"moment_n_mm", actuation.weakest->moment_n_mm}};
+  }
+  if (actuation.few) {
+    json["few"] = {{"diagonals", actuation.few->diagonals},
+                   {"share", actuation.few->share},
+                   {"proven", actuation.few->proven}};
+  }
+  if (actuation.over_stroke) {
+    json["over_stroke"] = {{"from_deg", actuation.over_stroke->from_deg},
+                           {"diagonals", actuation.over_stroke->diagonals}};
+  }
+  return json;
 }
 
 Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
@@ -37,22 +50,13 @@ Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
   Json json = {{"stiffness_n_per_mm", actuation.actuators.stiffness_n_per_mm},
                {"stroke_limit", limit ? Json(*limit) : Json()},
                {"energy_n_mm", actuation.energy_n_mm[at_d]},
-               {"forces", forces},
-               {"weakest", nullptr},
-               {"few", nullptr},
-               {"over_stroke", nullptr}};
-  if (actuation.weakest) {
-    json["weakest"] = {{"pilot_deg", actuation.weakest->pilot_deg},
-                       {"moment_n_mm", actuation.weakest->moment_n_mm}};
-  }
-  if (actuation.few) {
-    json["few"] = {{"diagonals", labels_json(mechanism, actuation.few->diagonals)},
-                   {"share", actuation.few->share},
-                   {"proven", actuation.few->proven}};
-  }
-  if (actuation.over_stroke) {
-    json["over_stroke"] = {{"from_deg", actuation.over_stroke->from_deg},
-                           {"diagonals", labels_json(mechanism, actuation.over_stroke->diagonals)}};
+               {"forces", forces}};
+  json.update(limits_json(actuation));
+  for (const char* key : {"few", "over_stroke"}) {
+    if (json[key].is_null()) continue;
+    for (Json& diagonal : json[key]["diagonals"]) {
+      diagonal = diagonal_label(mechanism, diagonal.get<int>());
+    }
   }
   return json;
 }

@@ -18,7 +18,7 @@ Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
 Json actuation_history_json(const FoldingView& view, const solver::ShapedPath& path,
                             const solver::Actuation& actuation);
 
-/// A list; null for what is no number.
-Json numbers_json(const std::vector<double>& numbers);
+/// weakest, few and over_stroke, null where there is none; diagonals by their number, from 0.
+Json limits_json(const solver::Actuation& actuation);
 
 }  // namespace misalign::schema

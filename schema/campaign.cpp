@@ -260,6 +260,13 @@ Json campaign_json(const Campaign& campaign) {
             {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}}};
 }
 
+Json stored_configuration(const Campaign& campaign) {
+  static const Json defaults = campaign_json(default_campaign());
+  Json configuration = campaign_json(campaign);
+  if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  return configuration;
+}
+
 Json identity_json(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json identity = campaign_json(campaign);

@@ -49,6 +49,7 @@ struct Campaign {
   int threshold_sample() const;
   /// Whether a draw with this verdict is kept.
   bool accepts(const solver::Verdict& verdict) const;
+  Sampling sampling() const { return {sample_deg, end_deg, between_samples}; }
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
 
@@ -67,6 +68,10 @@ Campaign default_campaign();
 
 /// The resolved configuration, every key. Reading it again gives the same campaign.
 Json campaign_json(const Campaign& campaign);
+
+/// The same without what programs from before the actuators do not know, where that is the default:
+/// what a catalogue keeps, so that they can still read it.
+Json stored_configuration(const Campaign& campaign);
 
 /// What the identity is made of: pattern, misalignment, path, accept and seed, keys at their
 /// defaults left out.

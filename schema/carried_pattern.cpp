@@ -1,5 +1,6 @@
 #include "schema/carried_pattern.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/outline.hpp"
@@ -23,17 +24,31 @@ bool is_mesh_of(const Pattern& pattern, const Json& fold) {
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
     if (!is_at(points[static_cast<std::size_t>(v)], vertices_mm.col(v))) return false;
   }
-  return fold.value("faces_vertices", Json()) == faces_json(pattern);
+  const Json mesh = perforated_mesh_json(pattern);
+  for (const auto& [key, value] : mesh.items()) {
+    if (fold.value(key, Json()) != value) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-Json faces_json(const Pattern& pattern) {
-  Json faces = Json::array();
-  for (const int f : solver::kept_facets(pattern.base.sheet, pattern.base.holes)) {
-    faces.push_back(pattern.base.sheet.facets[f]);
+Json perforated_mesh_json(const Pattern& pattern) {
+  const solver::PerforatedSheet& base = pattern.base;
+  const std::vector<int> kept = solver::kept_facets(base.sheet, base.holes);
+  const auto is_kept = [&](int f) { return std::binary_search(kept.begin(), kept.end(), f); };
+  Json edges = Json::array(), letters = Json::array(), faces = Json::array();
+  for (std::size_t e = 0; e < base.sheet.edges.size(); ++e) {
+    const solver::Edge& edge = base.sheet.edges[e];
+    edges.push_back({edge.a, edge.b});
+    if (is_kept(edge.left) && is_kept(edge.right)) {
+      letters.push_back(base.folding.side() * base.folding.assignment()[e] > 0 ? "V" : "M");
+    } else {
+      letters.push_back("B");
+    }
   }
-  return faces;
+  for (const int f : kept) faces.push_back(base.sheet.facets[f]);
+  return {{"edges_vertices", edges}, {"edges_assignment", letters}, {"faces_vertices", faces}};
 }
 
 Pattern read_carried_pattern(const Json& fold, InputFaults& faults, Perforations perforations) {
@@ -41,9 +56,10 @@ Pattern read_carried_pattern(const Json& fold, InputFaults& faults, Perforations
   Pattern pattern = read_pattern(fold.at(kCarriedPattern), kCarriedPattern, Displacements::allowed,
                                  {}, faults, perforations);
   if (faults.sentences().size() == before && !is_mesh_of(pattern, fold)) {
-    faults.add(kCarriedPattern,
-               "is not the pattern of this file's vertices and faces, which were changed since",
-               "export the candidate again, or take the key out to read the mesh as it is");
+    faults.add(
+        kCarriedPattern,
+        "is not the pattern of this file's vertices, edges and faces, which were changed since",
+        "export the candidate again, or take the key out to read the mesh as it is");
   }
   return pattern;
 }

@@ -144,7 +144,7 @@ void Catalogue::create() {
       "VALUES (1, :identity, :name, :configuration, :diagonals, 0, :end, :end)");
   insert.bind(":identity", identity_);
   insert.bind(":name", campaign_.name);
-  insert.bind(":configuration", campaign_json(campaign_).dump());
+  insert.bind(":configuration", stored_configuration(campaign_).dump());
   insert.bind(":diagonals", diagonals_json(campaign_, mechanism_).dump());
   insert.bind(":end", stored(kEndOfDraws));
   insert.exec();
@@ -194,7 +194,7 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
     if (builds == Builds::same) check_same_builds(run);
     goal_ = goal;
     const GoalEnd end = goal_end_of_rows(goal);
-    const std::string configuration = campaign_json(campaign_).dump();
+    const std::string configuration = stored_configuration(campaign_).dump();
     transact([&] {
       SQLite::Statement campaign(
           *database_,

@@ -138,10 +138,11 @@ CatalogueState state_of(SQLite::Database& database) {
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
   const bool knows_errors = database.execAndGet("PRAGMA user_version").getInt() >= 3;
-  SQLite::Statement campaign(
-      database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
-                            "goal_accepted, goal_end, ") +
-                    (knows_errors ? "goal_relative_error" : "NULL") + " FROM campaign");
+  SQLite::Statement campaign(database,
+                             std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
+                                         "goal_accepted, goal_end, ") +
+                                 (knows_errors ? "goal_relative_error" : "NULL") +
+                                 ", json_extract(configuration, '$.seed') FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
@@ -154,6 +155,7 @@ CatalogueState state_of(SQLite::Database& database) {
   state.goal_end = draw_of(campaign.getColumn(6));
   if (!campaign.getColumn(7).isNull())
     state.goal.relative_error = campaign.getColumn(7).getDouble();
+  state.seed = draw_of(campaign.getColumn(8));
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);

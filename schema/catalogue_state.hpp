@@ -14,6 +14,7 @@ namespace misalign::schema {
 /// Totals of what lies below the goal's end.
 struct CatalogueState {
   std::string identity, name;
+  std::uint64_t seed;
   Goal goal;
   std::uint64_t goal_end;
   std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end

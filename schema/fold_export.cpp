@@ -58,16 +58,6 @@ Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
                       const std::vector<Index>& rows, const std::string& title, const Json& data) {
   const solver::CreasePattern& sheet = view.base.base.sheet;
   const std::vector<int> creases = crease_of_edge(sheet, view.mechanism);
-  Json edges = Json::array(), letters = Json::array();
-  for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
-    edges.push_back({sheet.edges[e].a, sheet.edges[e].b});
-    const int crease = creases[e];
-    if (crease < 0) {
-      letters.push_back("B");
-    } else {
-      letters.push_back(view.mechanism.is_valley(view.mechanism.creases[crease]) ? "V" : "M");
-    }
-  }
   Json frames = Json::array();
   for (const Index row : rows) {
     const double pilot_deg = view.history.stops[row].pilot_deg;
@@ -82,22 +72,21 @@ Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
                       {"misalign:pilot_deg", pilot_deg}});
   }
   const Eigen::Matrix2Xd vertices_mm = sheet.vertices_mm + view.shifts_mm;
-  return {{"file_spec", 1.2},
-          {"file_creator", "misalign"},
-          {"file_title", title},
-          {"file_classes", {"singleModel", "animation"}},
-          {"frame_title", "crease pattern"},
-          {"frame_classes", {"creasePattern"}},
-          {"frame_attributes", {"2D", "orientable"}},
-          {"frame_unit", "mm"},
-          {"vertices_coords", coordinates_json(vertices_mm)},
-          {"edges_vertices", edges},
-          {"edges_assignment", letters},
-          {"edges_foldAngle", angles_json(view, creases, path.rows_up_to_d() - 1)},
-          {"faces_vertices", faces_json(view.base)},
-          {"file_frames", frames},
-          {kCarriedPattern, pattern_json(view.base, view.shifts_mm)},
-          {"misalign:data", data}};
+  Json fold = {{"file_spec", 1.2},
+               {"file_creator", "misalign"},
+               {"file_title", title},
+               {"file_classes", {"singleModel", "animation"}},
+               {"frame_title", "crease pattern"},
+               {"frame_classes", {"creasePattern"}},
+               {"frame_attributes", {"2D", "orientable"}},
+               {"frame_unit", "mm"},
+               {"vertices_coords", coordinates_json(vertices_mm)},
+               {"edges_foldAngle", angles_json(view, creases, path.rows_up_to_d() - 1)},
+               {"file_frames", frames},
+               {kCarriedPattern, pattern_json(view.base, view.shifts_mm)},
+               {"misalign:data", data}};
+  fold.update(perforated_mesh_json(view.base));
+  return fold;
 }
 
 }  // namespace misalign::schema

@@ -168,6 +168,7 @@ Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingV
   return {{"campaign", {{"name", campaign.name}, {"identity", identity(campaign)}}},
           {"draw", draw},
           {"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"sampling", sampling_json(campaign.sampling())},
           {"verdict", verdict_json(view)},
           {"metrics", metrics_json(metrics)},
           {"diagonals", diagonals},

@@ -37,7 +37,7 @@ Json bump_json(const FoldingView& view);
 Json folding_json(const FoldingView& view);
 
 /// One row per stop, flat first: pilot_deg, the length of each diagonal in mm, then energy, moment
-/// and mechanical advantage of the springs (empty when flat).
+/// and mechanical advantage of the springs (the latter empty when flat).
 std::string folding_csv(const FoldingView& view, const solver::Actuation& actuation);
 
 /// The metrics under the names of their columns.

@@ -309,6 +309,19 @@ void read_displacements(ObjectReader& reader, Pattern& pattern) {
   }
 }
 
+// "sampling" of an exported candidate.
+Sampling read_sampling(const Json& candidate, InputFaults& faults) {
+  Sampling sampling;
+  const auto value = candidate.find("sampling");
+  if (!candidate.is_object() || value == candidate.end()) return sampling;
+  ObjectReader reader(*value, "sampling", faults);
+  reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
+  reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
+  reader.flag("between_samples", sampling.between_samples);
+  reader.refuse_unknown_keys();
+  return sampling;
+}
+
 }  // namespace
 
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
@@ -368,22 +381,36 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
   return pattern;
 }
 
-Pattern read_pattern_file(const std::string& path, Perforations perforations) {
+Json sampling_json(const Sampling& sampling) {
+  return {{"sample_deg", sampling.sample_deg},
+          {"end_deg", sampling.end_deg},
+          {"between_samples", sampling.between_samples}};
+}
+
+PatternFile read_sampled_pattern_file(const std::string& path, Perforations perforations) {
   InputFaults faults;
+  const std::filesystem::path file(path);
   const Json document = read_json_file(path);
-  const bool is_fold = document.is_object() && document.contains("vertices_coords");
-  const auto read = [&] {
-    if (is_fold && document.contains(kCarriedPattern)) {
-      return read_carried_pattern(document, faults, perforations);
-    }
-    const std::filesystem::path file(path);
+  const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
+  PatternFile read;
+  if (has("vertices_coords") && has(kCarriedPattern)) {
+    read.pattern = read_carried_pattern(document, faults, perforations);
+    read.sampling = read_sampling(document.value("misalign:data", Json::object()), faults);
+  } else if (has("pattern") && has("draw")) {
+    read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed,
+                                file.parent_path(), faults, perforations);
+    read.sampling = read_sampling(document, faults);
+  } else {
     const Json mesh = {{"family", "fold"}, {"file", file.filename().string()}};
-    return read_pattern(is_fold ? mesh : document, "", Displacements::allowed, file.parent_path(),
-                        faults, perforations);
-  };
-  Pattern pattern = read();
+    read.pattern = read_pattern(has("vertices_coords") ? mesh : document, "",
+                                Displacements::allowed, file.parent_path(), faults, perforations);
+  }
   faults.refuse(path);
-  return pattern;
+  return read;
+}
+
+Pattern read_pattern_file(const std::string& path, Perforations perforations) {
+  return read_sampled_pattern_file(path, perforations).pattern;
 }
 
 Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm) {

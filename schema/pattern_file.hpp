@@ -28,8 +28,24 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
                      const std::filesystem::path& directory, InputFaults& faults,
                      Perforations perforations = Perforations::of_one_freedom);
 
-/// A pattern file, or a FOLD file: an exported candidate, or a mesh without shifts. UserError (3)
-/// with every fault.
+/// Where a path is looked at, and what counts as a fault between.
+struct Sampling {
+  double sample_deg = 1, end_deg = 180;
+  bool between_samples = false;
+};
+Json sampling_json(const Sampling& sampling);
+
+struct PatternFile {
+  Pattern pattern;
+  Sampling sampling;  ///< an exported candidate's is its campaign's
+};
+
+/// A pattern file; an exported candidate, JSON or FOLD; or a FOLD mesh without shifts. UserError
+/// (3) with every fault.
+PatternFile read_sampled_pattern_file(const std::string& path,
+                                      Perforations perforations = Perforations::of_one_freedom);
+
+/// The pattern of such a file.
 Pattern read_pattern_file(const std::string& path,
                           Perforations perforations = Perforations::of_one_freedom);
 

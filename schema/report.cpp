@@ -131,23 +131,8 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
                {"vertices_mm", shapes_json(vertices_mm, path)},
                {"energy_n_mm", floats(actuation.energy_n_mm)},
                {"moment_n_mm", floats(actuation.moment_n_mm)},
-               {"mechanical_advantage", floats(actuation.mechanical_advantage)},
-               {"weakest", nullptr},
-               {"few", nullptr},
-               {"over_stroke", nullptr}};
-  if (actuation.weakest) {
-    json["weakest"] = {{"pilot_deg", actuation.weakest->pilot_deg},
-                       {"moment_n_mm", actuation.weakest->moment_n_mm}};
-  }
-  if (actuation.few) {
-    json["few"] = {{"diagonals", actuation.few->diagonals},
-                   {"share", actuation.few->share},
-                   {"proven", actuation.few->proven}};
-  }
-  if (actuation.over_stroke) {
-    json["over_stroke"] = {{"from_deg", actuation.over_stroke->from_deg},
-                           {"diagonals", actuation.over_stroke->diagonals}};
-  }
+               {"mechanical_advantage", floats(actuation.mechanical_advantage)}};
+  json.update(limits_json(actuation));
   return json;
 }
 
@@ -156,9 +141,10 @@ std::string report_page(const Json& data) {
   const auto page = std::find_if(files.begin(), files.end(),
                                  [](const CarriedFile& file) { return file.path == kPage; });
   if (page == files.end()) {
-    throw UserError(kExitFailure,
-                    "this program was built without the report's page (no Node.js and npm, or "
-                    "MISALIGN_REPORT=OFF); build it with them");
+    throw UserError(
+        kExitFailure,
+        "this program was built without the report's page (MISALIGN_REPORT=OFF); build it "
+        "with Node.js and npm");
   }
   std::string json;
   for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {

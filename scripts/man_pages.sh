@@ -5,6 +5,7 @@ set -eu
 program=$1 help2man=$2 version=$3 date=$4 common=$5 folder=$6
 mkdir -p "$folder"
 export LC_ALL=C
+PATH=$(dirname "$program"):$PATH  # help2man takes its first argument to pieces at blanks
 
 # "VERB description", one a line.
 verbs=$("$program" --help | awk '
@@ -20,14 +21,14 @@ page() {
   # help2man takes a verb for an argument of the program, and runs the lines of examples together.
   "$help2man" --no-info --manual=misalign --source="misalign $version" \
     --version-string="$version" --name="$2" --include="$common" --include="$also" \
-    "$program${4:+ $4}" |
-    sed -e "s/^\.TH [^ ]* \"1\" \"[^\"]*\"/.TH $(echo "$1" | tr a-z- A-Z-) \"1\" \"$date\"/" \
-      -e "/^\.SH NAME/{n;s/.* \\\\- /$(echo "$1" | sed 's/-/\\\\-/g') \\\\- /;}" \
-      -e "/^\.B misalign\$/{N;s/\n\\\\fI\\\\,${4:-VERB} \\\\\/\\\\fR/${4:+ $4}\\n/;}" \
-      -e '/^\.SH EXAMPLES/,$s/^\.IP$/.nf/' -e 's/^\.SH "SEE ALSO"/.fi\n&/' \
-      > "$folder/$1.1.part"
+    "$(basename "$program")${4:+ $4}" > "$folder/$1.raw"
+  sed -e "s/^\.TH [^ ]* \"1\" \"[^\"]*\"/.TH $(echo "$1" | tr a-z- A-Z-) \"1\" \"$date\"/" \
+    -e "/^\.SH NAME/{n;s/.* \\\\- /$(echo "$1" | sed 's/-/\\\\-/g') \\\\- /;}" \
+    -e "/^\.B misalign\$/{N;s/\n\\\\fI\\\\,${4:-VERB} \\\\\/\\\\fR/${4:+ $4}\\n/;}" \
+    -e '/^\.SH EXAMPLES/,$s/^\.IP$/.nf/' -e 's/^\.SH "SEE ALSO"/.fi\n&/' \
+    "$folder/$1.raw" > "$folder/$1.1.part"
   mv "$folder/$1.1.part" "$folder/$1.1"
-  rm "$also"
+  rm "$also" "$folder/$1.raw"
 }
 
 all=

@@ -94,9 +94,12 @@ void show_actuators(const ActuatorsOptions& options) {
     std::puts(json.dump(1).c_str());
     return;
   }
-  std::printf("draw %llu of %s, deploys from %g deg\n",
+  const schema::Json verdict = schema::verdict_json(view);
+  std::printf("draw %llu of %s: %s, deploys from %g deg%s\n",
               static_cast<unsigned long long>(options.draw), campaign.name.c_str(),
-              schema::verdict_json(view)["deploys_from_deg"].get<double>());
+              folded.accepted ? "accepted" : "not accepted",
+              verdict["deploys_from_deg"].get<double>(),
+              verdict.contains("cause") ? " as far as could be told (undecided)" : "");
   print_summary(folder.mechanism(), folded);
   print_way(folded);
   print_forces(folder.mechanism(), folded);

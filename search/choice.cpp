@@ -130,7 +130,8 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     }
     return draws;
   }
-  const std::string where = choice.where.empty() ? "" : " WHERE (" + choice.where + ")";
+  const std::string where =
+      choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)";  // which ends a comment
   if (!choice.best && !choice.diverse) {
     return draws_of_rows(
         database, rows_of(database, "SELECT draw FROM candidates" + where + " ORDER BY draw"));

@@ -106,6 +106,7 @@ _misalign() {
         _misalign_offer "$offer" "$current"
         return
       fi
+      while [[ ${COMP_WORDS[i + 1]} == ':' ]]; do ((i += 2)); done  # LO:HI is three words to bash
     elif [[ ! $verb ]]; then
       verb=$word
     else
@@ -150,9 +151,9 @@ std::string zsh_specifications(const CLI::App& app) {
   std::string text;
   for (const CLI::Option* option : options_of(app)) {
     const std::vector<std::string> names = names_of(*option);
-    const std::string excluded = "(" + joined(names) + ")";
+    const std::string again = is_repeated(*option) ? "*" : "(" + joined(names) + ")";
     for (const std::string& name : names) {
-      std::string one = excluded + name;
+      std::string one = again + name;
       if (takes_value(*option) && name.size() > 2) one += "=";
       one += "[" + zsh_text(option->get_description()) + "]";
       if (takes_value(*option)) {

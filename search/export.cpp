@@ -1,7 +1,9 @@
 #include "search/export.hpp"
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -40,11 +42,16 @@ std::string of_state(double pilot_deg) {
 // One candidate's files.
 class Exporter {
  public:
-  Exporter(const schema::Campaign& campaign, const DrawFolder& folder, const ExportOptions& options)
-      : campaign_(campaign), folder_(folder), options_(options) {}
+  Exporter(const SQLite::Database& database, const schema::Campaign& campaign,
+           const DrawFolder& folder, const ExportOptions& options)
+      : database_(database), campaign_(campaign), folder_(folder), options_(options) {}
 
   void write(std::uint64_t draw) const {
     const FoldedDraw folded = folder_.fold(draw);
+    if (!folded.accepted) {
+      throw schema::damaged(
+          database_, "draw " + std::to_string(draw) + " is among the candidates, but is none");
+    }
     const schema::FoldingView view = folder_.view(folded);
     const std::string stem = campaign_.name + "-" + std::to_string(draw);
     const std::string title = "misalign: " + campaign_.name + ", draw " + std::to_string(draw);
@@ -102,6 +109,7 @@ class Exporter {
     std::puts(path.c_str());
   }
 
+  const SQLite::Database& database_;
   const schema::Campaign& campaign_;
   const DrawFolder& folder_;
   const ExportOptions& options_;
@@ -130,21 +138,38 @@ void export_candidates(const ExportOptions& options) {
         schema::kExitFailure,
         options.output + ": cannot be made (" + error.message() + "); choose another --output");
   }
-  const Exporter exporter(campaign, folder, options);
+  const Exporter exporter(*database, campaign, folder, options);
   for (const std::uint64_t draw : draws) exporter.write(draw);
 }
 
 void write_file(const std::string& path, const std::string& text) {
-  const std::string part = path + ".part";
+  const auto refuse = [&](const std::string& why) {
+    throw schema::UserError(schema::kExitFailure,
+                            path + ": cannot be written (" + why + "); choose another --output");
+  };
+  std::error_code error;
+  std::filesystem::path target = path;  // what a link points to is written, not the link
+  if (std::filesystem::is_symlink(target, error)) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, error);
+  }
+  if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error)) {
+    refuse("it is there, and no file");
+  }
+  const std::filesystem::path part = target.string() + ".part";
+  errno = 0;
   std::ofstream file(part, std::ios::binary);
   file << text;
   file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) {
+  const std::string why = std::strerror(errno != 0 ? errno : EIO);
+  if (!file) {
     std::filesystem::remove(part, error);
-    throw schema::UserError(schema::kExitFailure,
-                            path + ": cannot be written; choose another --output");
+    refuse(why);
+  }
+  std::filesystem::rename(part, target, error);
+  if (error) {
+    const std::string message = error.message();
+    std::filesystem::remove(part, error);
+    refuse(message);
   }
 }
 

@@ -86,8 +86,11 @@ std::string scale_text(const Scale& scale) {
   const std::string end = number("%.4g", scale.end_deg), d = number("%g", scale.d_deg) + "|";
   std::string text(scale.columns + 1, ' ');
   text.replace(0, 1, "0");
-  text.replace(text.size() - end.size(), end.size(), end);
   const std::size_t to_d = scale.columns_to_d();
+  // Where D is that near, its bar stands in the end's place.
+  if (to_d == scale.columns || to_d + 1 < text.size() - end.size()) {
+    text.replace(text.size() - end.size(), end.size(), end);
+  }
   if (to_d == scale.columns) return text.substr(1).replace(0, 1, "0");
   if (scale.d_deg > 0) text[to_d] = '|';
   if (scale.d_deg > 0 && to_d >= d.size() + 1 && to_d + end.size() + 2 < text.size()) {
@@ -107,7 +110,7 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   const double d_deg = history.verdict.deploys_from_sample * view.sample_deg;
   // Up to D is what can be used; what does not deploy at all is shown up to the end.
   const double to_deg = d_deg > 0 ? std::min(d_deg, end_deg) : end_deg;
-  const std::string to = number("%.4g", to_deg);
+  const std::string to = schema::shown_number(to_deg);
   std::vector<schema::Row> rows = {
       {"diagonal", "hole", "flat_mm", "at " + to, "up to " + to, "elongation %", ""}};
   std::vector<Course> courses;

@@ -1,6 +1,7 @@
 // Verbs that look at single patterns: `fold`, `perforations` and `replay`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "schema/folding_json.hpp"
@@ -9,8 +10,8 @@ namespace misalign::search {
 
 struct FoldOptions {
   std::string pattern_path;
-  double to_deg = 180;
-  double step_deg = 0;  ///< further angles to look at; 0: none
+  std::optional<double> to_deg;  ///< the file's own end, or 180
+  double step_deg = 0;           ///< further angles to look at; 0: none
   bool json = false, table = false;
 };
 void fold(const FoldOptions& options);

@@ -26,13 +26,17 @@ Action add_fold(CLI::App& app) {
       "Each diagonal is drawn from flat to the end of the path, between its least and\n"
       "its largest length; a bar marks D, the angle that the sheet deploys from.\n"
       "Lengths and elongations are those up to D, or up to the end if it does not\n"
-      "deploy.\n\n"
+      "deploy.\n"
+      "An exported candidate, JSON or FOLD, is sampled as its campaign was; any other\n"
+      "pattern at every degree to 180.\n\n"
       "Examples:\n"
       "  misalign fold search/patterns/table1.json\n"
       "  misalign fold search/patterns/table1.json --json > table1-folding.json");
   auto options = std::make_shared<FoldOptions>();
-  verb->add_option("PATTERN", options->pattern_path, "pattern file (JSON)")->required();
-  verb->add_option("--to", options->to_deg, "last pilot angle, degrees [180]")
+  verb->add_option("PATTERN", options->pattern_path,
+                   "pattern file (JSON), exported candidate or FOLD file")
+      ->required();
+  verb->add_option("--to", options->to_deg, "last pilot angle, degrees [180, or the campaign's]")
       ->check(within(1, 180))
       ->type_name("DEG");
   verb->add_option("--step", options->step_deg, "look at multiples of this too, degrees")

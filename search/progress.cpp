@@ -68,9 +68,10 @@ void Progress::show(const ProgressCounts& counts) {
 }
 
 void Progress::show_status(const ProgressCounts& counts) {
-  if (style_ == ProgressStyle::none) return;
   erase_live_line();
-  std::fprintf(stderr, "%s\n", plain_line(report(counts)).c_str());
+  const ProgressReport now = report(counts);
+  const bool json = style_ == ProgressStyle::json;
+  std::fprintf(stderr, "%s\n", (json ? json_line(now) : plain_line(now)).c_str());
 }
 
 void Progress::finish(const ProgressCounts& counts) {

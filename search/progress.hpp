@@ -14,7 +14,7 @@ class Progress {
   bool due() const { return style_ != ProgressStyle::none && seconds() >= next_s_; }
   /// A line of the style. Not more often than it is due.
   void show(const ProgressCounts& counts);
-  /// A plain line, whatever the style.
+  /// A line that was asked for: even where the style is none, and JSON where it is that.
   void show_status(const ProgressCounts& counts);
   /// The last line.
   void finish(const ProgressCounts& counts);

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 
 #include "schema/catalogue_state.hpp"
 #include "schema/report.hpp"
-#include "schema/result_table.hpp"
 #include "search/build_info.hpp"
 #include "search/folded_draw.hpp"
 #include "search/status.hpp"
@@ -19,18 +19,6 @@ using schema::Json;
 
 // Details may take about so much of the page; large sheets get fewer of them.
 constexpr std::size_t kMostDetailBytes = 24 << 20;
-
-// A word for a shell.
-std::string quoted(const std::string& word) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) ||
-           std::string("_-./=:,+@%").find(static_cast<char>(c)) != std::string::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
 
 std::string now() {
   const std::time_t time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -66,48 +54,63 @@ Json details_json(const DrawFolder& folder, const std::vector<std::uint64_t>& dr
   return details;
 }
 
+Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism) {
+  Json diagonals = Json::array();
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    diagonals.push_back({{"hole", schema::facet_json(pattern, mechanism.loops[diagonal.loop].hole)},
+                         {"from", solver::vertex_label(diagonal.from)},
+                         {"to", solver::vertex_label(diagonal.to)},
+                         {"from_vertex", diagonal.from},
+                         {"to_vertex", diagonal.to}});
+  }
+  return diagonals;
+}
+
+// What the catalogue says, all of it of one moment: a search may be writing.
+Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
+                    std::uint64_t rows) {
+  return schema::reading(database, [&] {
+    const SQLite::Transaction moment(database);
+    return Json{{"state", status_json(schema::read_state(database))},
+                {"faults", schema::faults_json(database, campaign)},
+                {"candidates", schema::candidates_json(database, rows)}};
+  });
+}
+
 }  // namespace
 
 void write_report(const ReportOptions& options) {
+  std::error_code error;
+  if (std::filesystem::equivalent(options.output, options.catalogue_path, error)) {
+    throw schema::UserError(schema::kExitUsage, "--output " + options.output +
+                                                    ": is the catalogue itself; name another file");
+  }
   const auto database = schema::open_for_reading(options.catalogue_path);
   schema::Campaign campaign = schema::read_campaign_of(*database, options.catalogue_path);
   campaign.actuators = options.actuators.instead_of(campaign.actuators);
+  const Json catalogue = catalogue_json(*database, campaign, options.rows);
   const DrawFolder folder(campaign);
-  const solver::Mechanism& mechanism = folder.mechanism();
-  Json diagonals = Json::array();
-  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
-    diagonals.push_back(
-        {{"hole", schema::facet_json(campaign.pattern, mechanism.loops[diagonal.loop].hole)},
-         {"from", solver::vertex_label(diagonal.from)},
-         {"to", solver::vertex_label(diagonal.to)},
-         {"from_vertex", diagonal.from},
-         {"to_vertex", diagonal.to}});
-  }
-  const Json candidates = schema::candidates_json(*database, options.rows);
   const auto& limit = campaign.actuators.stroke_limit;
-  const Json data = {
-      {"format", 1},
-      {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
-      {"written_at", now()},
-      {"catalogue", options.catalogue_path},
-      {"commands",
-       {{"misalign", "misalign"},
-        {"catalogue", quoted(options.catalogue_path)},
-        {"output", quoted(options.output)}}},
-      {"campaign",
-       {{"name", campaign.name},
-        {"identity", schema::identity(campaign)},
-        {"configuration", schema::campaign_json(campaign)}}},
-      {"state", status_json(schema::read_state(*database))},
-      {"faults", schema::faults_json(*database, campaign)},
-      {"sheet", schema::sheet_json(campaign.pattern, mechanism)},
-      {"diagonals", diagonals},
-      {"candidates", candidates},
-      {"actuators",
-       {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
-        {"stroke_limit", limit ? Json(*limit) : Json()}}},
-      {"details",
-       details_json(folder, draws_to_look_at(candidates, options), options.draws.size())}};
+  Json data = {{"format", 1},
+               {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
+               {"written_at", now()},
+               {"catalogue", options.catalogue_path},
+               {"commands",
+                {{"misalign", "misalign"},
+                 {"catalogue", shell_word(options.catalogue_path)},
+                 {"output", shell_word(options.output)}}},
+               {"campaign",
+                {{"name", campaign.name},
+                 {"identity", schema::identity(campaign)},
+                 {"configuration", schema::campaign_json(campaign)}}},
+               {"sheet", schema::sheet_json(campaign.pattern, folder.mechanism())},
+               {"diagonals", diagonals_json(campaign.pattern, folder.mechanism())},
+               {"actuators",
+                {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
+                 {"stroke_limit", limit ? Json(*limit) : Json()}}},
+               {"details", details_json(folder, draws_to_look_at(catalogue["candidates"], options),
+                                        options.draws.size())}};
+  data.update(catalogue);
   write_file(options.output, schema::report_page(data));
   std::puts(options.output.c_str());
 }

@@ -35,17 +35,6 @@ std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint
   return percent(low) + " to " + percent(high);
 }
 
-// As a shell takes it for one word.
-std::string shell_word(const std::string& text) {
-  if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                              "0123456789_-./+,:@%") == std::string::npos) {
-    return text;
-  }
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
-
 bool endless(std::uint64_t end) { return end == schema::kEndOfDraws; }
 
 std::uint64_t missing(const schema::CatalogueState& state) {
@@ -100,13 +89,31 @@ std::string status_text(const schema::CatalogueState& state,
          "\n" + table;
 }
 
+std::string shell_word(const std::string& text) {
+  if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                              "0123456789_-./+,:@%") == std::string::npos) {
+    return text;
+  }
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 std::string next_step(const schema::CatalogueState& state, const std::string& path,
                       const std::string& campaign_path) {
   const std::string file = shell_word(path);
   if (!state.gaps.empty()) {
+    const schema::DrawRange& range = state.goal.range;
     std::string limit;
     if (state.goal.draws) limit += " --draws " + std::to_string(*state.goal.draws);
     if (state.goal.accepted) limit += " --accepted " + std::to_string(*state.goal.accepted);
+    if (state.goal.relative_error) {
+      limit += " --relative-error " + schema::shown_number(*state.goal.relative_error);
+    }
+    if (range.lo > 0 || !endless(range.hi)) {
+      limit += " --range " + std::to_string(range.lo) + ":" + std::to_string(range.hi);
+    }
+    if (state.seed != 1) limit += " --seed " + std::to_string(state.seed);
     return "misalign search " +
            (campaign_path.empty() ? "CAMPAIGN.json" : shell_word(campaign_path)) + " --catalogue " +
            file + limit + " goes on";

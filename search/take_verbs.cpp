@@ -71,7 +71,12 @@ Action add_export(CLI::App& app) {
           ->add_option(
               "--where", choice.where,
               "those for which this SQL condition holds; with --best or --diverse: of those")
-          ->type_name("SQL");
+          ->type_name("SQL")
+          ->check(CLI::Validator(
+              [](const std::string& text) {
+                return text.empty() ? "the condition is empty" : std::string();
+              },
+              ""));
   auto compat = std::make_shared<bool>(false);
   auto* plain =
       group->add_flag("--sqlite-compat", *compat,
@@ -101,7 +106,16 @@ Action add_export(CLI::App& app) {
                    "directory, made if it is not there; with --sqlite-compat a new file")
       ->required()
       ->type_name("PATH");
-  return [options, compat] {
+  return [options, compat, verb] {
+    const auto only_with = [&](const char* option, bool has_sense, const char* with) {
+      if (verb->count(option) == 0 || has_sense) return;
+      throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
+                                                      with + "; take it out, or add that");
+    };
+    const bool in_states =
+        options->format == ExportFormat::fold || options->format == ExportFormat::obj;
+    only_with("--by", options->choice.best || options->choice.diverse, "--best or --diverse");
+    only_with("--step", in_states, "--format fold or obj");
     if (*compat) {
       schema::export_plain(*schema::open_for_reading(options->catalogue_path), options->output);
       std::puts(options->output.c_str());

@@ -24,30 +24,38 @@ std::pair<Index, Index> farthest_apart(const FlatVertices& vertices_mm) {
   return span;
 }
 
-// Rows of the actuation from 5 degrees to D.
-std::pair<Index, Index> judged_rows(const Actuation& actuation, Index up_to_d) {
-  Index first = 1;
-  while (first <= up_to_d && actuation.pilot_deg[first] < kSlopeFrom_deg) ++first;
-  return {first, std::max<Index>(up_to_d - first + 1, 0)};
+// Rows of the actuation that are samples from 5 degrees to D.
+std::vector<Index> judged_rows(const FoldingHistory& history) {
+  std::vector<Index> rows;
+  for (std::size_t i = 0; i < history.stops.size(); ++i) {
+    const Stop& stop = history.stops[i];
+    if (stop.sample > 0 && stop.sample <= history.verdict.deploys_from_sample &&
+        stop.pilot_deg >= kSlopeFrom_deg) {
+      rows.push_back(static_cast<Index>(i) + 1);
+    }
+  }
+  return rows;
 }
 
-void find_weakest(Index up_to_d, Actuation& actuation) {
-  const auto [first, rows] = judged_rows(actuation, up_to_d);
-  for (Index row = first; row < first + rows; ++row) {
+void find_weakest(const FoldingHistory& history, Actuation& actuation) {
+  const std::vector<Index> rows = judged_rows(history);
+  for (const Index row : rows) {
     const double moment = actuation.moment_n_mm[row];
     if (!actuation.weakest || std::abs(moment) < std::abs(actuation.weakest->moment_n_mm)) {
       actuation.weakest = {actuation.pilot_deg[row], moment};
     }
   }
-  if (!actuation.weakest) return;
-  const Eigen::MatrixXd moments = actuation.moment_by_n_mm.middleRows(first, rows);
+  if (rows.empty()) return;
+  const Eigen::MatrixXd moments = actuation.moment_by_n_mm(rows, Eigen::all);
   if (moments.rowwise().sum().minCoeff() > 0) actuation.few = few_diagonals(moments, kShareOfFew);
 }
 
-void find_over_stroke(const FoldingHistory& history, Index up_to_d, Actuation& actuation) {
+void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   const std::optional<double> limit = actuation.actuators.stroke_limit;
   if (!limit) return;
-  for (Index row = 0; row < up_to_d; ++row) {
+  for (Index row = 0; row < history.length_mm.rows(); ++row) {
+    const int sample = history.stops[row].sample;
+    if (sample == 0 || sample > history.verdict.deploys_from_sample) continue;
     for (Index d = 0; d < history.length_mm.cols(); ++d) {
       const double flat_mm = history.flat_mm[d];
       if (std::abs(history.length_mm(row, d) - flat_mm) <= *limit * flat_mm) continue;
@@ -90,8 +98,8 @@ Actuation actuate(const Actuators& actuators, const ShapedPath& path,
     before_mm = history.length_mm.row(row);
     span_before_mm = span_mm;
   }
-  find_weakest(path.rows_up_to_d(), actuation);
-  find_over_stroke(history, path.rows_up_to_d(), actuation);
+  find_weakest(history, actuation);
+  find_over_stroke(history, actuation);
   return actuation;
 }
 

@@ -36,12 +36,12 @@ struct Actuation {
   struct Weakest {
     double pilot_deg, moment_n_mm;
   };
-  /// The least |moment| from 5 degrees (kSlopeFrom_deg) to D; none if D lies below.
+  /// The least |moment| at the samples from 5 degrees (kSlopeFrom_deg) to D; none if D lies below.
   std::optional<Weakest> weakest;
   /// The fewest diagonals that keep half of that; none also where the moment turns round.
   std::optional<FewDiagonals> few;
   struct OverStroke {
-    double from_deg;             ///< the first stop up to D where one exceeds the limit
+    double from_deg;             ///< the first sample up to D where one exceeds the limit
     std::vector<int> diagonals;  ///< all that do, up to D
   };
   std::optional<OverStroke> over_stroke;

@@ -19,7 +19,7 @@ namespace {
 /// A carried pattern, its interior vertices shifted, folded and exported.
 struct Exported {
   explicit Exported(const std::string& name, double step_deg = 10)
-      : pattern(read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/" + name + ".json")),
+      : pattern(pattern_of(name)),
         mechanism(
             solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding)) {
     const solver::PerforatedSheet& base = pattern.base;
@@ -39,6 +39,17 @@ struct Exported {
     rows = rows_to_show(path, step_deg);
     fold = folded_fold_json(view(), path, rows, "a test", {{"draw", 7}});
   }
+  /// A carried one; or the first with a mountain as its pilot, seen from below by the solver.
+  static Pattern pattern_of(const std::string& name) {
+    const std::string folder = MISALIGN_SOURCE_DIR "/search/patterns/";
+    if (name != "mountain-pilot") return read_pattern_file(folder + name + ".json");
+    Json table1 = read_json_file(folder + "table1.json");
+    table1["pilot"] = "A3-A10";
+    InputFaults faults;
+    Pattern pattern = read_pattern(table1, "", Displacements::allowed, {}, faults);
+    EXPECT_EQ(pattern.base.folding.side(), -1);
+    return pattern;
+  }
   FoldingView view() const { return {pattern, pattern.shifts_mm, mechanism, path.history, 1}; }
   int d() const { return path.history.verdict.deploys_from_sample; }
 
@@ -56,8 +67,8 @@ class FoldExport : public testing::TestWithParam<std::string> {
 };
 
 std::vector<std::string> names() {
-  return {"table1", "miura-graded-6x6", "double-corrugation-6x6", "angle-array-6x6",
-          "turned-quads-6x6"};
+  return {"table1",          "miura-graded-6x6", "double-corrugation-6x6",
+          "angle-array-6x6", "turned-quads-6x6", "mountain-pilot"};
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, FoldExport, testing::ValuesIn(names()), [](const auto& name) {

@@ -11,6 +11,7 @@ schema::CatalogueState state(std::uint64_t draws, std::uint64_t accepted, std::u
   schema::CatalogueState state{};
   state.identity = "0123456789abcdef";
   state.name = "small";
+  state.seed = 1;
   state.goal.draws = draws + missing;
   state.goal_end = draws + missing;
   state.draws = state.draws_in_ledger = draws;
@@ -77,6 +78,13 @@ TEST(StatusText, CompleteOrEndlessOrAtAHigherThreshold) {
 TEST(NextStep, FollowsFromTheState) {
   EXPECT_EQ(next_step(state(200, 50, 10), "a.db", ""),
             "misalign search CAMPAIGN.json --catalogue a.db --draws 210 goes on");
+  schema::CatalogueState part = state(200, 50, 10);
+  part.goal.range = {1000, 900000};
+  part.goal.relative_error = 0.05;
+  part.seed = 7;
+  EXPECT_EQ(next_step(part, "a.db", "c.json"),
+            "misalign search c.json --catalogue a.db --draws 210 --relative-error 0.05 --range "
+            "1000:900000 --seed 7 goes on");
   EXPECT_EQ(next_step(state(200, 50, 10), "a.db", "my campaign.json"),
             "misalign search 'my campaign.json' --catalogue a.db --draws 210 goes on");
   EXPECT_NE(next_step(state(200, 50, 0), "it's.db", "").find("misalign query 'it'\\''s.db' best"),

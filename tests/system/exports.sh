@@ -39,10 +39,25 @@ for fold in out/*.fold; do
       fail "$fold: $key is $(field again.json verdict.$key), was $(field replay.json verdict.$key)"
   done
 done
+# Of other samples, too, and from the JSON.
+sed 's/"end_deg": 180/"end_deg": 112/; s/"sample_deg": 1/"sample_deg": 0.7/; s/"deploys_from_deg": 150/"deploys_from_deg": 70/' \
+  "$campaign" > fine.json
+"$program" search fine.json --catalogue fine.db --draws 100 --progress none > /dev/null || fail "search fine.json"
+draw=$(sql fine.db 'SELECT draw FROM candidates WHERE deploys_from_deg < 112 ORDER BY deploys_from_deg DESC LIMIT 1')
+deploys=$(sql fine.db "SELECT round(deploys_from_deg, 6) FROM candidate WHERE draw = $draw")
+for format in json fold; do
+  "$program" export fine.db --draw "$draw" --format $format --output fine > name || fail "export fine"
+  "$program" fold "$(cat name)" --json > again.json || fail "fold of $format"
+  [ "$(sqlite3 :memory: "SELECT round(json_extract(readfile('again.json'), '\$.verdict.deploys_from_deg'), 6)")" = \
+    "$deploys" ] || fail "fold of $format, other samples: $(field again.json verdict.deploys_from_deg), was $deploys"
+done
 sed 's/"faces_vertices":\[\[0,/"faces_vertices":[[1,/' "$fold" > edited.fold
 "$program" fold edited.fold > /dev/null 2> err
 [ $? = 3 ] || fail "an edited FOLD file is folded"
 grep -q "were changed since" err || fail "an edited FOLD file: $(cat err)"
+sed 's/"M"/"x"/g; s/"V"/"M"/g; s/"x"/"V"/g' "$fold" > edited.fold
+"$program" fold edited.fold > /dev/null 2>&1
+[ $? = 3 ] || fail "a FOLD file with mountains for valleys is folded"
 "$program" fold "$source_dir/search/patterns/angle-array-6x6.fold" > /dev/null || fail "fold of a mesh"
 
 # OBJ: a file for the flat sheet, one every 30 degrees and one at D.
@@ -67,27 +82,49 @@ done
   "energy_n_mm moment_n_mm mechanical_advantage " ] || fail "csv: springs"
 [ "$(tail -n +2 "out/miura-4x4-$best.csv" | tail -1 | tr , '\n' | wc -l)" = 8 ] || fail "csv: columns"
 
-# Near twins of the best one: --best takes them, --diverse does not.
+# Near twins of the best one, in the rows of two other candidates: --best takes them, --diverse not.
 cp "$file" twins.db
-sqlite3 twins.db "CREATE TEMP TABLE twin AS SELECT * FROM candidate WHERE draw = $best;
-  UPDATE twin SET draw = 1000001; INSERT INTO candidate SELECT * FROM twin;
-  UPDATE twin SET draw = 1000002; INSERT INTO candidate SELECT * FROM twin;"
+twins=$(sqlite3 -separator ' ' twins.db "SELECT min(draw), max(draw) FROM candidate WHERE draw != $best")
+read -r one other <<< "$twins"
+for twin in $one $other; do
+  sqlite3 twins.db "UPDATE candidate SET (deploys_from_sample, deploys_from_deg, slope_min_mm_per_deg,
+    displacements_mm, elongation) = (SELECT deploys_from_sample, deploys_from_deg,
+    slope_min_mm_per_deg * 0.999, displacements_mm, elongation FROM candidate WHERE draw = $best)
+    WHERE draw = $twin"
+done
+sorted=$(printf '%s\n' "$best" "$one" "$other" | sort -n | tr '\n' ' ')
 chosen() { "$program" export twins.db "$@" --output twins | sed 's/.*-\([0-9]*\).json/\1/' | sort -n | tr '\n' ' '; }
-[ "$(chosen --best 3)" = "$best 1000001 1000002 " ] || fail "--best among twins: $(chosen --best 3)"
-case " $(chosen --diverse 3)" in *" 100000"*) fail "--diverse takes twins: $(chosen --diverse 3)" ;; esac
+[ "$(chosen --best 3)" = "$sorted" ] || fail "--best among twins: $(chosen --best 3)"
+for twin in $one $other; do
+  case " $(chosen --diverse 3)" in *" $twin "*) fail "--diverse takes a twin" ;; esac
+done
 case " $(chosen --diverse 3)" in *" $best "*) ;; *) fail "--diverse leaves the best one out" ;; esac
-[ "$(chosen --draw 1000001 --draw "$best")" = "$best 1000001 " ] || fail "--draw twice"
-[ "$(chosen --best 1 --where "draw > 1000001")" = "1000002 " ] || fail "--best with --where"
+[ "$(chosen --draw "$one" --draw "$best" | wc -w)" = 2 ] || fail "--draw twice"
+[ "$(chosen --best 1 --where "draw = $other -- a comment")" = "$other " ] || fail "--best with --where"
 for wrong in "--best 1 --diverse 2" "--draw 1 --best 2" "" "--draw 999999" "--best 1 --by nothing" \
-  "--where nonsense"; do
+  "--where nonsense" "--where 1)--" "--draw $best --by draw" "--best 1 --step 5"; do
   # shellcheck disable=SC2086
   "$program" export "$file" $wrong --output none > /dev/null 2> err
   [ $? = 2 ] || fail "export $wrong: exit code, $(cat err)"
 done
 [ -e none ] && fail "a refused export leaves a directory"
 
-# A row of a catalogue that is no candidate is a sentence, not a crash.
-sqlite3 twins.db "UPDATE candidate SET elongation = '{}' WHERE draw = 1000001"
+# Rows of a catalogue that are no candidates are a sentence, not a crash.
+sqlite3 twins.db "UPDATE candidate SET elongation = '{}' WHERE draw = $one"
 "$program" export twins.db --diverse 2 --output twins > /dev/null 2> err
 [ $? = 3 ] || fail "a damaged candidate: $(cat err)"
+rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 1499)
+  SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
+sqlite3 twins.db "UPDATE candidate SET draw = $rejected WHERE draw = $other"
+for format in json csv fold svg obj; do
+  "$program" export twins.db --draw "$rejected" --format $format --output twins > /dev/null 2> err
+  [ $? = 3 ] || fail "a row that is no candidate, as $format: $(cat err)"
+done
+# What is there and is no file stays; a link is written through.
+mkdir -p taken/"miura-4x4-$best.json" && ln -s elsewhere.svg taken/"miura-4x4-$best.svg"
+"$program" export "$file" --draw "$best" --output taken > /dev/null 2> err
+[ $? = 1 ] || fail "export onto a directory"
+grep -q "no file" err || fail "export onto a directory: $(cat err)"
+"$program" export "$file" --draw "$best" --format svg --output taken > /dev/null || fail "export onto a link"
+[ -L "taken/miura-4x4-$best.svg" ] && [ -s taken/elsewhere.svg ] || fail "a link is not written through"
 finish
