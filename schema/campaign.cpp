@@ -219,7 +219,13 @@ Campaign read_campaign(const Json& value, const std::string& source,
 }
 
 Campaign read_campaign_file(const std::string& path) {
-  return read_campaign(read_json_file(path), path, std::filesystem::path(path).parent_path());
+  const Json document = read_json_file(path);
+  if (document.is_object() && document.contains("family") && !document.contains("pattern")) {
+    throw UserError(kExitBadInput, path +
+                                       ": is a pattern, not a campaign; `misalign fold` folds it, "
+                                       "and a campaign has it under \"pattern\"");
+  }
+  return read_campaign(document, path, std::filesystem::path(path).parent_path());
 }
 
 Campaign default_campaign() {

@@ -54,6 +54,12 @@ class Page {
     return number(vertices_mm_(0, v) - least_.x() + kMargin_mm) + " " +
            number(most_.y() - vertices_mm_(1, v) + kMargin_mm);
   }
+  std::string label(int v) const {
+    const std::string at = point(v);
+    const auto blank = at.find(' ');
+    return "    <text x=\"" + at.substr(0, blank) + "\" y=\"" + at.substr(blank + 1) + "\">" +
+           solver::vertex_label(v) + "</text>\n";
+  }
   std::string path(const std::vector<int>& vertices, bool closed) const {
     std::string d;
     for (const int v : vertices) d += (d.empty() ? "M " : " L ") + point(v);
@@ -65,9 +71,10 @@ class Page {
   const Eigen::Vector2d least_, most_;
 };
 
-std::string layer(const std::string& name, const std::string& colour, const std::string& paths) {
-  return "  <g id=\"" + name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + name +
-         "\" stroke=\"" + colour + "\">\n" + paths + "  </g>\n";
+std::string layer(const std::string& name, const std::string& attributes,
+                  const std::string& content) {
+  return "  <g id=\"" + name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + name + "\" " +
+         attributes + ">\n" + content + "  </g>\n";
 }
 
 }  // namespace
@@ -75,13 +82,17 @@ std::string layer(const std::string& name, const std::string& colour, const std:
 std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
                                const solver::Mechanism& mechanism, const std::string& title) {
   const Page page(vertices_mm);
-  std::string cuts, mountains, valleys;
+  std::string cuts, mountains, valleys, springs, labels;
   for (const auto& outline : solver::outlines(base.base.sheet, base.base.holes)) {
     cuts += page.path(outline, true);
   }
   for (const solver::Crease& crease : mechanism.creases) {
     (mechanism.is_valley(crease) ? valleys : mountains) += page.path({crease.a, crease.b}, false);
   }
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    springs += page.path({diagonal.from, diagonal.to}, false);
+  }
+  for (int v = 0; v < vertices_mm.cols(); ++v) labels += page.label(v);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<svg xmlns=\"http://www.w3.org/2000/svg\" "
          "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
@@ -93,8 +104,15 @@ std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vert
          number(kLine_mm) +
          "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
          "  <title>" +
-         escaped(title) + "</title>\n" + layer("mountain", "#ff0000", mountains) +
-         layer("valley", "#0000ff", valleys) + layer("cut", "#000000", cuts) + "</svg>\n";
+         escaped(title) + "</title>\n" +
+         layer("springs", "stroke=\"#008000\" style=\"display:none\"", springs) +
+         layer("labels",
+               "fill=\"#008000\" font-family=\"sans-serif\" font-size=\"4\" "
+               "style=\"display:none\"",
+               labels) +
+         layer("mountain", "stroke=\"#ff0000\"", mountains) +
+         layer("valley", "stroke=\"#0000ff\"", valleys) + layer("cut", "stroke=\"#000000\"", cuts) +
+         "</svg>\n";
 }
 
 std::string folded_obj(const Pattern& base, const Eigen::Matrix3Xd& shape_mm,

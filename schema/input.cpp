@@ -161,6 +161,11 @@ Json read_json_file(const std::string& path) {
                                          " MB (no file of ours is); check the path");
     }
   }
+  if (text.starts_with("SQLite format 3")) {
+    throw UserError(kExitBadInput, path +
+                                       ": is a catalogue, not JSON; `misalign status` and "
+                                       "`misalign replay` read those");
+  }
   return parse_json(text, path);
 }
 

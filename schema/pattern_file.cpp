@@ -392,6 +392,11 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
   const std::filesystem::path file(path);
   const Json document = read_json_file(path);
   const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
+  if (has("pattern") && !has("draw")) {
+    throw UserError(kExitBadInput, path +
+                                       ": is a campaign, not a pattern; `misalign search` runs "
+                                       "it, and its \"pattern\" alone can be folded");
+  }
   PatternFile read;
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "schema/carried_files.hpp"
 #include "schema/storage.hpp"
@@ -28,9 +29,14 @@ Json cell_json(const SQLite::Column& cell) {
   return cell.getString();
 }
 
+// For people: six digits; JSON and CSV have all.
 std::string cell_text(const SQLite::Column& cell) {
   if (cell.isNull()) return "";
-  if (cell.isFloat()) return shown_number(cell.getDouble());
+  if (cell.isFloat()) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", cell.getDouble());
+    return text;
+  }
   const Json value = cell_json(cell);
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -83,10 +89,10 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
     const Row keys = distinct(names);
     std::vector<bool> numeric(columns, true);
     std::vector<Row> rows{names};
-    Json list = Json::array();
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();  // columns in their order
     while (statement.executeStep()) {
       Row row;
-      Json object = Json::object();
+      nlohmann::ordered_json object = nlohmann::ordered_json::object();
       for (int k = 0; k < columns; ++k) {
         const SQLite::Column cell = statement.getColumn(k);
         if (style == TableStyle::json) {
@@ -104,7 +110,7 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
                                 : rows.push_back(std::move(row));
     }
     if (style == TableStyle::json) {
-      return list.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+      return list.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }
     if (style == TableStyle::aligned) return aligned(rows, numeric);
     std::string text;

@@ -121,6 +121,19 @@ Eigen::MatrixXd places_of(const SQLite::Database& database, const Json& rows) {
   return places;
 }
 
+// So that what is wrong with it is said of the condition, not of a query around it.
+void check_condition(SQLite::Database& database, const std::string& where) {
+  try {
+    rows_of(database, "SELECT 1 FROM candidates WHERE (" + where + "\n) LIMIT 0");
+  } catch (const schema::UserError& error) {
+    if (error.exit_code() != schema::kExitUsage) throw;
+    throw schema::UserError(schema::kExitUsage, "--where " + where +
+                                                    ": is no condition on the columns " +
+                                                    columns_of_candidates(database, "") +
+                                                    "; try \"stroke_max < 0.08\"");
+  }
+}
+
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
   if (!choice.draws.empty()) {
     std::vector<std::uint64_t> draws;
@@ -130,6 +143,7 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     }
     return draws;
   }
+  if (!choice.where.empty()) check_condition(database, choice.where);
   const std::string where =
       choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)";  // which ends a comment
   if (!choice.best && !choice.diverse) {
@@ -169,9 +183,9 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
 std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice) {
   const std::vector<std::uint64_t> draws = chosen(database, choice);
   if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
-    throw schema::UserError(schema::kExitUsage, database.getFilename() +
-                                                    ": holds no such candidate; `misalign query " +
-                                                    database.getFilename() + " best` shows some");
+    throw schema::UserError(schema::kExitUsage,
+                            database.getFilename() + ": holds no such candidate; `misalign query " +
+                                database.getFilename() + " best` shows those that it holds");
   }
   return draws;
 }

@@ -5,9 +5,11 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 
+#include "schema/draw_range.hpp"
 #include "schema/input.hpp"
 #include "search/build_info.hpp"
 #include "search/help_format.hpp"
@@ -126,6 +128,21 @@ std::string shown_set(const Names& names) {
 }
 
 }  // namespace
+
+CLI::Validator counted(std::uint64_t least, std::uint64_t most) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = error == std::errc{} && stop == text.data() + text.size();
+        if (whole && value >= least && value <= most) return "";
+        return text + " is not a whole number from " + std::to_string(least) + " to " +
+               std::to_string(most) + ", written with digits alone";
+      },
+      "");
+}
+
+CLI::Validator a_draw() { return counted(0, schema::kEndOfDraws); }
 
 CLI::Validator one_of(const Names& names, const std::string& where) {
   return CLI::Validator(

@@ -21,11 +21,9 @@ std::string number(const char* format, double value) {
 // Verdict and limits in words.
 std::string summary(const schema::FoldingView& view, const Paint& paint) {
   const Json verdict = schema::verdict_json(view);
-  std::string text = std::to_string(view.mechanism.unknowns) + " unknowns, " +
-                     std::to_string(view.mechanism.equations) + " equations\n";
-  text += paint.bold("deploys from " + number("%g", verdict["deploys_from_deg"].get<double>()) +
-                     " deg") +
-          "; first fault: " + verdict["first_fault"].get<std::string>();
+  std::string text = paint.bold("deploys from " +
+                                number("%g", verdict["deploys_from_deg"].get<double>()) + " deg") +
+                     "; first fault: " + verdict["first_fault"].get<std::string>();
   if (!verdict["fault_deg"].is_null()) {
     text += " at " + number("%g", verdict["fault_deg"].get<double>()) + " deg";
   }
@@ -38,7 +36,9 @@ std::string summary(const schema::FoldingView& view, const Paint& paint) {
   }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
   return text + "\n" + (limit ? "fold limit " : "followed to ") +
-         number("%.4f", view.history.path.fold_limit_deg) + " deg\n";
+         number("%.4f", view.history.path.fold_limit_deg) + " deg; " +
+         std::to_string(view.mechanism.unknowns) + " unknowns, " +
+         std::to_string(view.mechanism.equations) + " equations\n";
 }
 
 // One diagonal's lengths over the path, flat first.

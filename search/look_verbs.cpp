@@ -104,9 +104,7 @@ Action add_replay(CLI::App& app) {
   verb->footer("Examples:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
   auto options = std::make_shared<ReplayOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
-  verb->add_option("DRAW", options->draw, "number of the draw")
-      ->required()
-      ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_option("DRAW", options->draw, "number of the draw")->required()->check(a_draw());
   verb->add_flag("--table", options->table,
                  "also the lengths every 10 degrees, where they are too wide for the terminal");
   verb->add_flag("--json", options->json, "as JSON");
@@ -213,7 +211,7 @@ Action add_verify(CLI::App& app) {
   auto* sample_option = verb->add_option("--sample", *sample,
                                          "so many candidates, spread evenly over them in the order "
                                          "of their draws [100]");
-  sample_option->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws))->type_name("N");
+  sample_option->check(a_draw())->type_name("N");
   verb->add_flag("--all", *all, "every candidate")->excludes(sample_option);
   verb->add_flag("--json", *json, "as JSON");
   return [=] {
@@ -242,15 +240,13 @@ Action add_tolerance(CLI::App& app) {
   auto amplitude_mm = std::make_shared<double>();
   auto json = std::make_shared<bool>(false);
   verb->add_option("CATALOGUE", *path, "catalogue file")->required();
-  verb->add_option("DRAW", *draw, "number of the candidate's draw")
-      ->required()
-      ->check(CLI::Range(std::uint64_t{0}, schema::kEndOfDraws));
+  verb->add_option("DRAW", *draw, "number of the candidate's draw")->required()->check(a_draw());
   verb->add_option("--amplitude", *amplitude_mm, "largest error, mm")
       ->required()
       ->check(within(0, 1e6))
       ->type_name("MM");
   verb->add_option("--trials", *trials, "copies with every vertex off its place [1000]")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}))
+      ->check(counted(1, 100000000))
       ->type_name("N");
   verb->add_flag("--json", *json, "as JSON");
   return [=] {

@@ -64,7 +64,7 @@ Action add_search(CLI::App& app) {
   auto options = std::make_shared<SearchOptions>();
   auto range = std::make_shared<std::string>();
   auto mixed = std::make_shared<bool>(false);
-  const auto draw_count = CLI::Range(std::uint64_t{0}, schema::kEndOfDraws);
+  const auto draw_count = a_draw();
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
   verb->add_option("--catalogue", options->catalogue_path,
                    "catalogue file [results/NAME-<8 hex digits>.db]")
@@ -88,7 +88,7 @@ Action add_search(CLI::App& app) {
   verb->add_option("--range", *range, "only the draws from LO to HI - 1")->type_name("LO:HI");
   verb->add_option("--unit-draws", options->unit_draws,
                    "draws of one unit of work [about 5 s worth]")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1000000000}))
+      ->check(counted(1, 1000000000))
       ->type_name("N");
   verb->add_option("--instruction-set", options->instruction_set,
                    "changes no answer, only the speed [the widest of this machine]")
@@ -206,13 +206,13 @@ Action add_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file [the default campaign]");
   verb->add_option("--seconds", options->seconds, "for each solver [3]")
-      ->check(CLI::Range(0.01, 1e6))
+      ->check(within(0.01, 1e6))
       ->type_name("SECONDS");
   verb->add_option(
           "--agree", options->agree_draws,
           "instead of speed: the verdicts of so many draws, each against the reference's at "
           "thresholds of every tenth degree, at its own D and one sample above")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100000000}))
+      ->check(counted(1, 100000000))
       ->type_name("N");
   verb->add_flag("--json", options->json, "as JSON");
   return [options] { return bench(*options) ? 0 : schema::kExitCheckFailed; };

@@ -64,6 +64,10 @@ std::string status_text(const schema::CatalogueState& state,
   rows.push_back(row("  undecided", state.undecided, state.draws));
   if (state.undecided > 0) rows.back()[3] = "rejected at the low ends, accepted at the high ones";
   if (!endless(state.goal_end)) rows.push_back({"missing", std::to_string(missing(state))});
+  if (state.draws_in_ledger > state.draws) {
+    rows.push_back({"beyond goal", std::to_string(state.draws_in_ledger - state.draws), "",
+                    "not counted above; queries and report have them"});
+  }
   std::uint64_t sampled = 0;
   for (const auto& [fault, draws] : state.faults) sampled += draws;
   if (sampled > 0) rows.push_back({"first faults", std::to_string(sampled), "", "of a sample"});
@@ -117,6 +121,10 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
     return "misalign search " +
            (campaign_path.empty() ? "CAMPAIGN.json" : shell_word(campaign_path)) + " --catalogue " +
            file + limit + " goes on";
+  }
+  if (state.accepted == 0 && state.draws_in_ledger > state.draws) {
+    return "nothing was accepted up to the goal; the catalogue has more draws: misalign query " +
+           file + " best";
   }
   if (state.accepted == 0) {
     return "nothing was accepted: ask for more with --draws, or for less with "

@@ -10,8 +10,6 @@
 namespace misalign::search {
 namespace {
 
-CLI::Validator a_draw() { return CLI::Range(std::uint64_t{0}, schema::kEndOfDraws); }
-
 void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
   verb.add_option("--stiffness", actuators.stiffness_n_per_mm,
                   "of each spring, N/mm [the campaign's]")
@@ -28,9 +26,11 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
 Action add_actuators(CLI::App& app) {
   auto* verb = app.add_subcommand("actuators", "springs on the diagonals of one draw");
   verb->footer(
-      "Energy, moment about the pilot crease and mechanical advantage along the way, the\n"
-      "force on each diagonal, where the moment is least, and the fewest diagonals that\n"
-      "keep half of that.\n\n"
+      "Energy, moment about the pilot crease (dE/d pilot angle; negative: the springs\n"
+      "would fold the sheet further) and mechanical advantage (newtons on the sheet's\n"
+      "span for each newton in every diagonal) along the way, the force on each\n"
+      "diagonal, where the moment is least, and the fewest diagonals that keep half of\n"
+      "that.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08");
   auto options = std::make_shared<ActuatorsOptions>();
@@ -47,9 +47,11 @@ Action add_actuators(CLI::App& app) {
 Action add_export(CLI::App& app) {
   auto* verb = app.add_subcommand("export", "chosen candidates as files");
   verb->footer(
-      "Formats: json (pattern, verdict, metrics, springs), csv (histories), fold (crease\n"
-      "pattern and folded states, for Origami Simulator and the like), svg (true scale,\n"
-      "layers for a cutter), obj (one file per state).\n\n"
+      "Formats: json (pattern, verdict, metrics, springs), csv (histories), fold\n"
+      "(crease pattern and folded states, for Origami Simulator and the like), svg\n"
+      "(true scale, layers for a cutter, hidden ones for springs and labels), obj (one\n"
+      "file per state). Where two holes meet, the panels between them touch in a\n"
+      "point: a ball joint that the drawing does not make.\n\n"
       "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
@@ -129,9 +131,9 @@ Action add_export(CLI::App& app) {
 Action add_report(CLI::App& app) {
   auto* verb = app.add_subcommand("report", "one page to look at, complete in itself");
   verb->footer(
-      "The page needs no network. Its table holds the best candidates; the best few dozen\n"
-      "of them, and the draws that are asked for, can be looked at: crease pattern, folding,\n"
-      "histories, springs.\n\n"
+      "The page needs no network. Its table holds the best candidates; the best few\n"
+      "dozen of them, and the draws that are asked for, can be looked at: crease\n"
+      "pattern, folding, histories, springs.\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html");
   auto options = std::make_shared<ReportOptions>();
@@ -146,10 +148,10 @@ Action add_report(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("N");
   verb->add_option("--rows", options->rows, "at most so many candidates in the table [10000]")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1000000}))
+      ->check(counted(0, 1000000))
       ->type_name("N");
   verb->add_option("--details", options->details, "so many of the best can be looked at [36]")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1000}))
+      ->check(counted(0, 1000))
       ->type_name("N");
   add_other_actuators(*verb, options->actuators);
   return [options] {

@@ -187,7 +187,9 @@ std::string tolerance_text(const Tolerance& t) {
     text += line;
   };
   add_share(t.threshold_deg, t.copies.from_threshold);
-  add_share(t.own_sample * t.sample_deg, t.copies.from_own);
+  if (t.own_sample * t.sample_deg > t.threshold_deg) {
+    add_share(t.own_sample * t.sample_deg, t.copies.from_own);
+  }
   if (t.copies.undecided > 0) {
     std::snprintf(line, sizeof line, "undecided         %llu: the intervals allow for both\n",
                   number(t.copies.undecided));

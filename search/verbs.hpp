@@ -37,6 +37,11 @@ Action add_report(CLI::App& app);
 /// A number within bounds, which NaN is not.
 CLI::Validator within(double least, double most);
 
+/// A whole number within bounds, written as one: not 1e6.
+CLI::Validator counted(std::uint64_t least, std::uint64_t most);
+/// Any number of a draw, or of draws.
+CLI::Validator a_draw();
+
 /// What is typed, and what it stands for.
 using Names = std::vector<std::pair<std::string, std::string>>;
 

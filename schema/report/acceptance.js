@@ -75,6 +75,14 @@ function show_figures({ state, campaign, candidates }) {
     ),
     tile("Undecided", count(state.undecided), "numerical failures, counted apart"),
   );
+  if (state.draws_in_ledger > state.draws)
+    box.append(
+      tile(
+        "Beyond the goal",
+        count(state.draws_in_ledger - state.draws),
+        "draws that the figures before do not count, but table and charts do",
+      ),
+    );
   if (candidates.shown < candidates.total)
     box.append(
       tile(

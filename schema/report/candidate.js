@@ -68,6 +68,22 @@ export function show_commands(box, report, draw, state) {
         ),
       ),
       command(
+        "Springs on its diagonals, in numbers:",
+        `${misalign} actuators ${catalogue} ${draw}`,
+        state,
+        "command-actuators",
+      ),
+      ...(accepted
+        ? [
+            command(
+              "How many copies, cut up to 0.05 mm off, still deploy, and which vertices matter most:",
+              `${misalign} tolerance ${catalogue} ${draw} --amplitude 0.05`,
+              state,
+              "command-tolerance",
+            ),
+          ]
+        : []),
+      command(
         "This report with this draw first:",
         report_command(report, draw),
         state,

@@ -18,7 +18,8 @@ const compare = {
 };
 
 /** { holds(row) } for the candidates, or { error } in words. */
-export function parse_filter(text, candidates) {
+export function parse_filter(typed, candidates) {
+  const text = with_names(typed);
   const tokens = [];
   kToken.lastIndex = 0;
   while (kToken.lastIndex < text.trimEnd().length) {
@@ -41,6 +42,10 @@ export function parse_filter(text, candidates) {
       continue;
     }
     const is_value = number_of(first.word) !== null;
+    if (is_value && /^\d+$/.test(first.word) && tokens.length === 1) {
+      const made = condition("draw", "=", first.word, candidates); // a number alone is a draw's
+      return made.error ? made : { holds: made.test };
+    }
     if (!is_value && !kNames.includes(first.word)) return { error: unknown_name(first.word) };
     const sign = tokens[i + 1]?.word === "is" ? "=" : tokens[i + 1]?.sign;
     const second = tokens[i + 2]?.word;
@@ -61,6 +66,15 @@ export function parse_filter(text, candidates) {
     i += is_value && tokens[i + 3]?.sign ? 2 : 3;
   }
   return { holds: (row) => tests.every((test) => test(row)) };
+}
+
+/** The table's headings as the columns' names: “stroke max < 5%”. */
+function with_names(text) {
+  let named = text;
+  for (const { label, name } of metrics) {
+    if (label.includes(" ")) named = named.replaceAll(new RegExp(`\\b${label}\\b`, "gi"), name);
+  }
+  return named;
 }
 
 function number_of(word) {

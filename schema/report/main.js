@@ -42,7 +42,7 @@ function show_candidates(report, candidates, state) {
       ? `The best ${count(shown)} of ${count(total)} candidates`
       : plural(total, "candidate")) +
     `, best first: the deepest D, then the largest margin. ` +
-    `● marks ${plural(candidates.detailed.size, "draw")} with all details in this report.`;
+    `● marks ${plural(candidates.detailed.size, "draw")} with all details in this report. The one that is picked is shown below.`;
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state);
   const say = make_filter(candidates, table, parse_filter);

@@ -35,7 +35,7 @@ export const metrics = [
     unit: "mm/deg",
     text: (v) => number(v),
     about:
-      "The same margin between the samples too. Negative where a diagonal goes back between two samples.",
+      "Least rate of change at and between the samples from 5° on (slope min: steps, of which the first ends at 5°). Negative where a diagonal goes back between two samples.",
   },
   {
     name: "bump_deg",

@@ -35,7 +35,12 @@ const seen = await page.evaluate(() => {
       paths: [...layer.querySelectorAll("path")].map(on_page),
     };
   }
-  return { width_mm: corner.width * mm, height_mm: corner.height * mm, layers, tags: [...new Set([...document.querySelectorAll("*")].map((e) => e.tagName))] };
+  const hidden = {};
+  for (const id of ["springs", "labels"]) {
+    const layer = document.getElementById(id);
+    hidden[id] = layer !== null && getComputedStyle(layer).display === "none";
+  }
+  return { hidden, labels: document.querySelectorAll("#labels text").length, width_mm: corner.width * mm, height_mm: corner.height * mm, layers };
 });
 await browser.close();
 
@@ -74,6 +79,12 @@ for (const [id, letter] of [["mountain", "M"], ["valley", "V"], ["cut", "B"]]) {
   check(same(drawn(seen.layers[id]), of_fold(letter)), `${id}: other lines than the ${letter} edges of the FOLD file`);
 }
 check(seen.layers.cut.paths.every((path) => path.closed), "cuts are closed outlines");
+
+// What is not to be cut is there, and hidden.
+for (const id of ["springs", "labels"]) {
+  check(seen.hidden[id], `${id} are not hidden`);
+}
+check(seen.labels === fold.vertices_coords.length, `${seen.labels} labels`);
 
 // One length, as the browser measures the drawn line.
 const [a, b] = fold.edges_vertices[fold.edges_assignment.indexOf("M")].map((v) => fold.vertices_coords[v]);

@@ -78,6 +78,10 @@ TEST(StatusText, CompleteOrEndlessOrAtAHigherThreshold) {
 TEST(NextStep, FollowsFromTheState) {
   EXPECT_EQ(next_step(state(200, 50, 10), "a.db", ""),
             "misalign search CAMPAIGN.json --catalogue a.db --draws 210 goes on");
+  schema::CatalogueState beyond = state(200, 0, 0);
+  beyond.draws_in_ledger = 5000;
+  EXPECT_NE(next_step(beyond, "a.db", "").find("has more draws"), std::string::npos);
+  EXPECT_EQ(line(status_text(beyond, {}, Paint(false)), "beyond")[2], "4800");
   schema::CatalogueState part = state(200, 50, 10);
   part.goal.range = {1000, 900000};
   part.goal.relative_error = 0.05;
