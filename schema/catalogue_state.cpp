@@ -1,6 +1,9 @@
 #include "schema/catalogue_state.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
+#include <optional>
 
 #include "schema/digest.hpp"
 
@@ -134,7 +137,8 @@ bool is_goal(const Goal& goal, std::uint64_t goal_end) {
 }
 
 CatalogueState state_of(SQLite::Database& database) {
-  SQLite::Transaction snapshot(database);  // one moment for all that follows
+  std::optional<SQLite::Transaction> snapshot;  // one moment for all that follows
+  if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
   const bool knows_errors = database.execAndGet("PRAGMA user_version").getInt() >= 3;
