@@ -38,6 +38,8 @@ export async function table_checks(page, data) {
       ["bump_deg = none", (i) => columns.bump_deg[i] === null],
       ["bump_deg > 0", (i) => columns.bump_deg[i] !== null && columns.bump_deg[i] > 0],
       [`draw = ${columns.draw.at(-1)}`, (i) => columns.draw[i] === columns.draw.at(-1)],
+      [`${columns.draw[0]}`, (i) => columns.draw[i] === columns.draw[0]],
+      [`Stroke max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
       ["details", (i) => data.details.some(({ draw }) => draw === columns.draw[i])],
       ["stroke_max < -1", () => false],
     ];
