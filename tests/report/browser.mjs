@@ -13,7 +13,7 @@ export function open_browser(more = []) {
       "--no-sandbox",
       "--use-gl=angle",
       "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader",
+      "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
       ...more,
     ],
   });

@@ -47,10 +47,14 @@ TEST(Sparkline, GoesFromTheLeastToTheLargest) {
 TEST(FoldingText, FitsTheTerminal) {
   for (const int side : {4, 6, 8}) {
     Trial trial(campaign(side));
-    for (const int width : {80, 100, 200}) {
-      for (const bool utf8 : {false, true}) {
-        for (std::uint64_t draw = 0; draw < 5; ++draw) {
-          for (const std::string& line : lines_of(text_of(trial, draw, {width, utf8}))) {
+    for (std::uint64_t draw = 0; draw < 5; ++draw) {
+      const auto history = trial.history(draw);
+      const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
+      const schema::FoldingView view{trial.campaign().pattern, shifts_mm, trial.mechanism(),
+                                     history, trial.campaign().sample_deg};
+      for (const int width : {80, 100, 200}) {
+        for (const bool utf8 : {false, true}) {
+          for (const std::string& line : lines_of(folding_text(view, {width, utf8}))) {
             EXPECT_LE(schema::display_width(line), static_cast<std::size_t>(width)) << line;
           }
         }

@@ -158,10 +158,10 @@ TEST_F(Table1, ShapesLieOverTheFlatSheet) {
         const Eigen::Vector3d along = by * Eigen::Vector3d::Unit(axis);
         EXPECT_LT(distance_sq, ((shape.colwise() + along) - flat).squaredNorm());
         const Eigen::Vector3d middle = shape.rowwise().mean();
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(by, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
         const Eigen::Matrix3Xd turned =
-            (Eigen::AngleAxisd(by, Eigen::Vector3d::Unit(axis)) * (shape.colwise() - middle))
-                .colwise() +
-            middle;
+            (turn * (shape.colwise() - middle)).eval().colwise() + middle;
         EXPECT_LT(distance_sq, (turned - flat).squaredNorm());
       }
     }
