@@ -19,4 +19,4 @@ many_paths='IsometryOnEverySample|StepsOfTheSolver|SamplesDoNotMove|LargeShifts|
 many_paths+='|ToleranceTest.(Instr|Trials|Most|NoErr)|MergeTest.(Pieces|Overlaps|Disagree)'
 ctest --preset asan -E "^system|^stress|NOT_BUILT|$many_paths" -j 2
 echo "== release: every test"
-ctest --preset release -j 2
+ctest --preset release -j 3  # many of them wait

@@ -13,7 +13,8 @@ export function open_browser(more = []) {
       "--no-sandbox",
       "--use-gl=angle",
       "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
+      "--enable-unsafe-swiftshader",
+      "--disable-gpu-compositing", // WebGL alone in software: the page itself is drawn faster without
       ...more,
     ],
   });
