@@ -105,13 +105,14 @@ class LargeCatalogue {
     }
     print("status", time_five([&] {
             const auto database = schema::open_for_reading(path_);
-            search::status_text(schema::read_state(*database));
+            search::status_text(schema::read_state(*database), {}, search::Paint(false));
           }));
     print("status --at 175", time_five([&] {
             const auto database = schema::open_for_reading(path_);
             const schema::CatalogueState state = schema::read_state(*database);
-            search::deploying_text(search::deploying_from(*database, state, draws_.campaign(), 175),
-                                   state);
+            search::status_text(state,
+                                search::deploying_from(*database, state, draws_.campaign(), 175),
+                                search::Paint(false));
           }));
   }
 
