@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "schema/carried_pattern.hpp"
-#include "solver/outline.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -44,6 +44,8 @@ solver::Mechanism mechanism_of(const solver::PerforatedSheet& base) {
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
     : campaign_(campaign),
       mechanism_(mechanism_of(campaign.pattern.base)),
+      elimination_(solver::plan_elimination(mechanism_, campaign.pattern.base.folding,
+                                            campaign.pattern.base.sheet.vertices_mm)),
       plan_(solver::plan_path(mechanism_, campaign.pattern.base.folding,
                               campaign.pattern.base.sheet.vertices_mm, campaign.path())),
       tolerances_{mechanism_.panel_width_mm, campaign.sample_deg},
@@ -79,7 +81,7 @@ CandidateReport CandidateCheck::check(const Json& row, int schema_version) const
 
   std::vector<solver::FoldState<double>> states;  // of the samples in turn
   const solver::FoldingHistory history = solver::record_history(
-      base, mechanism_, plan_, vertices_mm,
+      base, mechanism_, elimination_, plan_, vertices_mm,
       {campaign_.between_samples,
        [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
          if (stop.sample == 0) return;

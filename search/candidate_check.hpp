@@ -5,6 +5,7 @@
 #include "schema/ledger_check.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/contact.hpp"
+#include "solver/elimination.hpp"
 #include "solver/fold_lines.hpp"
 #include "solver/metrics.hpp"
 
@@ -40,6 +41,7 @@ class CandidateCheck {
 
   const schema::Campaign& campaign_;
   const solver::Mechanism mechanism_;
+  const solver::Elimination elimination_;
   const solver::PathPlan plan_;
   const ColumnTolerances tolerances_;
   const solver::FoldedShape shape_;

@@ -18,6 +18,8 @@ DrawFolder::DrawFolder(const schema::Campaign& campaign, double look_deg)
     : campaign_(campaign),
       mechanism_(solver::build_mechanism(campaign.pattern.base.sheet, campaign.pattern.base.holes,
                                          campaign.pattern.base.folding)),
+      elimination_(solver::plan_elimination(mechanism_, campaign.pattern.base.folding,
+                                            campaign.pattern.base.sheet.vertices_mm)),
       plan_(solver::plan_path(mechanism_, campaign.pattern.base.folding,
                               campaign.pattern.base.sheet.vertices_mm,
                               path_of(campaign, look_deg))),
@@ -30,8 +32,8 @@ FoldedDraw DrawFolder::fold(std::uint64_t draw) const {
   folded.shifts_mm.setZero(2, base.sheet.vertex_count());
   draw_shifts(campaign_.misalignment, campaign_.seed, draw, folded.shifts_mm);
   folded.vertices_mm = base.sheet.vertices_mm + folded.shifts_mm;
-  folded.path =
-      solver::record_shapes(base, mechanism_, plan_, folded.vertices_mm, campaign_.between_samples);
+  folded.path = solver::record_shapes(base, mechanism_, elimination_, plan_, folded.vertices_mm,
+                                      campaign_.between_samples);
   const solver::Verdict& verdict = folded.path.history.verdict;
   folded.accepted = campaign_.accepts(verdict);
   folded.actuation = solver::actuate(campaign_.actuators, folded.path, folded.vertices_mm);

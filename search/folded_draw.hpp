@@ -3,6 +3,7 @@
 
 #include "schema/folding_json.hpp"
 #include "solver/actuation.hpp"
+#include "solver/elimination.hpp"
 #include "solver/fold_lines.hpp"
 
 namespace misalign::search {
@@ -37,6 +38,7 @@ class DrawFolder {
  private:
   const schema::Campaign& campaign_;
   const solver::Mechanism mechanism_;
+  const solver::Elimination elimination_;
   const solver::PathPlan plan_;
   const solver::Panels panels_;
 };

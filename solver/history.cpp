@@ -139,7 +139,14 @@ FoldingHistory confirmed(FoldingHistory history, const Mechanism& mechanism,
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
                               const PathPlan& plan, const FlatVertices& vertices_mm,
                               const RecordingOptions& options) {
-  const Elimination elimination = plan_elimination(mechanism, base.folding, base.sheet.vertices_mm);
+  return record_history(base, mechanism,
+                        plan_elimination(mechanism, base.folding, base.sheet.vertices_mm), plan,
+                        vertices_mm, options);
+}
+
+FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
+                              const Elimination& elimination, const PathPlan& plan,
+                              const FlatVertices& vertices_mm, const RecordingOptions& options) {
   const FoldedShape shape(base.sheet, base.holes, mechanism);
   Tracker<double> tracker(mechanism, elimination);
   StartFinder finder(mechanism, elimination, plan, base.sheet.vertices_mm);

@@ -13,6 +13,7 @@
 namespace misalign::solver {
 
 class DenseLook;
+struct Elimination;
 
 /// A correct sheet with holes: what a pattern file or a campaign describes, before any shift.
 struct PerforatedSheet {
@@ -98,6 +99,13 @@ FoldingHistory confirmed(FoldingHistory history, const Mechanism& mechanism,
 /// first stop once more.
 FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
                               const PathPlan& plan, const FlatVertices& vertices_mm,
+                              const RecordingOptions& options = {});
+
+/// The same with an order of elimination that was planned before: it is the mechanism's, so that
+/// whoever follows many sheets of it plans once.
+FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
+                              const Elimination& elimination, const PathPlan& plan,
+                              const FlatVertices& vertices_mm,
                               const RecordingOptions& options = {});
 
 /// The same by dense matrices with pivoting: for the rare sheet that the fixed order of elimination

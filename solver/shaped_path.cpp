@@ -27,8 +27,8 @@ Eigen::Index ShapedPath::rows_up_to_d() const {
 }
 
 ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
-                         const PathPlan& plan, const FlatVertices& vertices_mm,
-                         bool bump_is_fault) {
+                         const Elimination& elimination, const PathPlan& plan,
+                         const FlatVertices& vertices_mm, bool bump_is_fault) {
   const FoldedShape shape(base.sheet, base.holes, mechanism);
   SheetGeometry<double> geometry;
   place(mechanism, vertices_mm, geometry);
@@ -36,7 +36,7 @@ ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism
   std::size_t row = 0;
   double last_deg = 0;
   path.history = record_history(
-      base, mechanism, plan, vertices_mm,
+      base, mechanism, elimination, plan, vertices_mm,
       {bump_is_fault, [&](const Stop& stop, const FoldState<double>& state) {
          if (stop.pilot_deg <= last_deg) row = 0;  // followed once more
          last_deg = stop.pilot_deg;

@@ -18,7 +18,7 @@ struct ShapedPath {
 /// As record_history. Each shape is turned and moved, as it is, to where it lies best over the flat
 /// sheet at z = 0 (least squares over the vertices; Kabsch 1976), so that neighbours differ little.
 ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
-                         const PathPlan& plan, const FlatVertices& vertices_mm,
-                         bool bump_is_fault = false);
+                         const Elimination& elimination, const PathPlan& plan,
+                         const FlatVertices& vertices_mm, bool bump_is_fault = false);
 
 }  // namespace misalign::solver

@@ -16,7 +16,7 @@ std::vector<int> farthest_first(const Eigen::MatrixXd& points, std::size_t count
     const Eigen::RowVectorXd to_it_sq =
         (points.colwise() - points.col(next)).colwise().squaredNorm();
     nearest_sq = nearest_sq.cwiseMin(to_it_sq);
-    for (const int k : taken) nearest_sq[k] = -1;  // never again, be others as near as they like
+    nearest_sq[next] = -1;  // never again, be others as near as they like
     nearest_sq.maxCoeff(&next);
   }
   return taken;

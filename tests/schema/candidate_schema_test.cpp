@@ -1,6 +1,7 @@
 // candidate.schema.json describes what `misalign export` writes.
 #include "schema/actuation_json.hpp"
 #include "schema_agreement.hpp"
+#include "solver/elimination.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -20,7 +21,9 @@ Json table1_candidate() {
     const auto plan =
         solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign.path());
     const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
-    const auto path = solver::record_shapes(base, mechanism, plan, vertices_mm);
+    const auto path = solver::record_shapes(
+        base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
+        plan, vertices_mm);
     const auto metrics = solver::measure(base, vertices_mm, path.history, campaign.sample_deg);
     const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
                            campaign.sample_deg};

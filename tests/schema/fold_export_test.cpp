@@ -10,6 +10,7 @@
 
 #include "schema/carried_pattern.hpp"
 #include "schema/drawing.hpp"
+#include "solver/elimination.hpp"
 #include "solver/fold_lines.hpp"
 #include "solver/perforation.hpp"
 
@@ -33,7 +34,7 @@ struct Exported {
     options.end_deg = std::floor(base.folding.end_deg());
     options.look_deg = step_deg;
     path = solver::record_shapes(
-        base, mechanism,
+        base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
         solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, options),
         pattern.vertices_mm());
     rows = rows_to_show(path, step_deg);

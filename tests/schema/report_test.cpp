@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "schema/base64.hpp"
+#include "solver/elimination.hpp"
 #include "solver/outline.hpp"
 
 namespace misalign::schema {
@@ -49,7 +50,9 @@ TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
   const auto& base = pattern.base;
   const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
   const auto plan = solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, {});
-  const auto path = solver::record_shapes(base, mechanism, plan, pattern.vertices_mm());
+  const auto path = solver::record_shapes(
+      base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
+      plan, pattern.vertices_mm());
   const auto actuation = solver::actuate({}, path, pattern.vertices_mm());
   const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
   const Json detail =

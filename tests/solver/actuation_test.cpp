@@ -8,6 +8,7 @@
 #include <random>
 
 #include "sheets.hpp"
+#include "solver/elimination.hpp"
 #include "solver/metrics.hpp"
 #include "vertex_coordinates.hpp"
 
@@ -24,7 +25,10 @@ struct Table1 : testing::Test {
     PathPlanOptions options;
     options.look_deg = look_deg;
     options.end_deg = end_deg;
-    return record_shapes(sheet.base, sheet.mechanism, sheet.plan(options), vertices_mm);
+    const Elimination elimination =
+        plan_elimination(sheet.mechanism, sheet.base.folding, sheet.base.sheet.vertices_mm);
+    return record_shapes(sheet.base, sheet.mechanism, elimination, sheet.plan(options),
+                         vertices_mm);
   }
 
   TestSheet sheet;
