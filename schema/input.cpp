@@ -198,9 +198,11 @@ std::string utf8(const std::string& text) {
   return Json::parse(replaced).get<std::string>();
 }
 
-std::string shown_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
+std::string shown_number(double value) { return shown_number("%.10g", value); }
+
+std::string shown_number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
   return text;
 }
 

@@ -85,6 +85,9 @@ Json parse_json(const std::string& text, const std::string& source);
 /// A number as people write it: 80, 0.4, 1e-09.
 std::string shown_number(double value);
 
+/// The same in a format of printf for one double.
+std::string shown_number(const char* format, double value);
+
 /// A text for a sentence: control characters, which could end it or change what a terminal shows,
 /// as \u0000.
 std::string printable(const std::string& text);

@@ -3,7 +3,6 @@
 #include <sqlite3.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "schema/carried_files.hpp"
 #include "schema/storage.hpp"
@@ -32,11 +31,7 @@ Json cell_json(const SQLite::Column& cell) {
 // For people: six digits; JSON and CSV have all.
 std::string cell_text(const SQLite::Column& cell) {
   if (cell.isNull()) return "";
-  if (cell.isFloat()) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", cell.getDouble());
-    return text;
-  }
+  if (cell.isFloat()) return shown_number("%.6g", cell.getDouble());
   const Json value = cell_json(cell);
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -143,10 +138,16 @@ std::string named_query(const std::string& name) {
 
 std::string named_query_list() {
   std::string names;
+  for (const std::string& name : named_queries()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+std::vector<std::string> named_queries() {
+  std::vector<std::string> names;
   for (const CarriedFile& file : carried_files()) {
     if (file.path.rfind(kQueryFolder, 0) != 0) continue;
     const std::string name = file.path.substr(kQueryFolder.size());
-    names += (names.empty() ? "" : ", ") + name.substr(0, name.size() - 4);
+    names.push_back(name.substr(0, name.size() - 4));
   }
   return names;
 }

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <string>
+#include <vector>
 
 namespace misalign::schema {
 
@@ -18,5 +19,6 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
 std::string named_query(const std::string& name);
 /// "acceptance, best, ..."
 std::string named_query_list();
+std::vector<std::string> named_queries();
 
 }  // namespace misalign::schema

@@ -6,7 +6,6 @@
 
 #include "schema/actuation_json.hpp"
 #include "schema/catalogue_state.hpp"
-#include "search/folded_draw.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,7 +1,7 @@
 // `misalign actuators`: springs on the diagonals of one draw.
 #pragma once
 
-#include "search/export.hpp"
+#include "search/folded_draw.hpp"
 
 namespace misalign::search {
 

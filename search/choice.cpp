@@ -13,19 +13,21 @@ namespace {
 
 using schema::Json;
 
-// So that a sentence can name them.
-std::string columns_of_candidates(SQLite::Database& database, const std::string& wanted) {
-  bool known = false;
-  std::string names;
-  schema::reading(database, [&] {
-    const SQLite::Statement columns(database, "SELECT * FROM candidates LIMIT 0");
-    for (int k = 0; k < columns.getColumnCount(); ++k) {
-      const std::string name = columns.getColumnName(k);
-      known = known || name == wanted;
-      names += (names.empty() ? "" : ", ") + name;
+std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
+  return schema::reading(database, [&] {
+    const SQLite::Statement candidates(database, "SELECT * FROM candidates LIMIT 0");
+    std::vector<std::string> columns;
+    for (int k = 0; k < candidates.getColumnCount(); ++k) {
+      columns.emplace_back(candidates.getColumnName(k));
     }
+    return columns;
   });
-  return known ? "" : names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
 Json rows_of(SQLite::Database& database, const std::string& sql) {
@@ -129,9 +131,17 @@ void check_condition(SQLite::Database& database, const std::string& where) {
     if (error.exit_code() != schema::kExitUsage) throw;
     throw schema::UserError(schema::kExitUsage, "--where " + where +
                                                     ": is no condition on the columns " +
-                                                    columns_of_candidates(database, "") +
+                                                    joined(columns_of_candidates(database)) +
                                                     "; try \"stroke_max < 0.08\"");
   }
+}
+
+void check_column(SQLite::Database& database, const std::string& by) {
+  const std::vector<std::string> columns = columns_of_candidates(database);
+  if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--by " + by + ": is no column of a candidate; choose one of " + joined(columns));
 }
 
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
@@ -144,36 +154,25 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     return draws;
   }
   if (!choice.where.empty()) check_condition(database, choice.where);
-  const std::string where =
-      choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)";  // which ends a comment
+  const std::string all = "SELECT draw FROM candidates" +
+                          (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");
   if (!choice.best && !choice.diverse) {
-    return draws_of_rows(
-        database, rows_of(database, "SELECT draw FROM candidates" + where + " ORDER BY draw"));
+    return draws_of_rows(database, rows_of(database, all + " ORDER BY draw"));
   }
-  if (const std::string names = columns_of_candidates(database, choice.by); !names.empty()) {
-    throw schema::UserError(
-        schema::kExitUsage,
-        "--by " + choice.by + ": is no column of a candidate; choose one of " + names);
+  check_column(database, choice.by);
+  const std::string order = " ORDER BY " + choice.by + " DESC, slope_min_mm_per_deg DESC, draw";
+  if (choice.best) {
+    const std::string best = all + order + " LIMIT " + std::to_string(*choice.best);
+    return draws_of_rows(database, rows_of(database, best));
   }
-  const std::string best = "SELECT draw FROM candidates" + where + " ORDER BY " + choice.by +
-                           " DESC, slope_min_mm_per_deg DESC, draw LIMIT " +
-                           std::to_string(choice.diverse ? kDiverseAmong : *choice.best);
-  const std::vector<std::uint64_t> draws = draws_of_rows(database, rows_of(database, best));
-  if (!choice.diverse || draws.empty()) return draws;
-  std::string list;
-  for (const std::uint64_t draw : draws) list += (list.empty() ? "" : ",") + std::to_string(draw);
-  Json rows =
+  const Json rows =
       rows_of(database, "SELECT draw, displacements_mm, elongation FROM candidate WHERE draw IN (" +
-                            list + ")");
-  std::sort(rows.begin(), rows.end(), [&](const Json& a, const Json& b) {
-    const auto rank = [&](const Json& row) {
-      return std::find(draws.begin(), draws.end(), row.at("draw").get<std::uint64_t>());
-    };
-    return rank(a) < rank(b);
-  });
+                            all + order + " LIMIT " + std::to_string(kDiverseAmong) + ")" + order);
+  if (rows.empty()) return {};
+  const std::vector<std::uint64_t> draws = draws_of_rows(database, rows);
   std::vector<std::uint64_t> spread;
   for (const int k : solver::farthest_first(places_of(database, rows), *choice.diverse)) {
-    spread.push_back(rows[static_cast<std::size_t>(k)].at("draw").get<std::uint64_t>());
+    spread.push_back(draws[static_cast<std::size_t>(k)]);
   }
   return spread;
 }

@@ -4,6 +4,7 @@
 
 #include "schema/result_table.hpp"
 #include "search/help_format.hpp"
+#include "search/shell_word.hpp"
 
 namespace misalign::search {
 namespace {
@@ -29,11 +30,7 @@ Offer offer_for(const CLI::Option& option) {
   if (name == "CAMPAIGN" || name == "PATTERN") return {Kind::files, "json"};
   if (name == "CATALOGUE" || name == "IN" || name == "OUT") return {Kind::files, "db"};
   if (name == "DIRECTORY") return {Kind::directories};
-  if (name == "QUERY") {
-    std::string names = schema::named_query_list();
-    std::erase(names, ',');
-    return {Kind::words, names};
-  }
+  if (name == "QUERY") return {Kind::words, joined(schema::named_queries())};
   if (option.check_lname("output")) return {Kind::files};
   return {};
 }
@@ -56,13 +53,6 @@ std::vector<std::string> verb_names(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* verb : verbs_of(program)) names.push_back(verb->get_name());
   return names;
-}
-
-// A word of bash's or zsh's that is that text.
-std::string in_quotes(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
 }
 
 std::string bash_offer(const Offer& offer) {

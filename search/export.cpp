@@ -1,17 +1,14 @@
 #include "search/export.hpp"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "schema/actuation_json.hpp"
 #include "schema/catalogue_state.hpp"
 #include "schema/drawing.hpp"
 #include "schema/fold_export.hpp"
-#include "search/folded_draw.hpp"
+#include "schema/text_file.hpp"
 
 namespace misalign::search {
 namespace {
@@ -105,7 +102,7 @@ class Exporter {
 
   void write(const std::string& stem, const std::string& text) const {
     const auto path = std::filesystem::path(options_.output) / (stem + ending(options_.format));
-    write_file(path.string(), text);
+    schema::write_text_file(path.string(), text);
     std::puts(path.c_str());
   }
 
@@ -116,12 +113,6 @@ class Exporter {
 };
 
 }  // namespace
-
-solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const {
-  if (stiffness_n_per_mm) actuators.stiffness_n_per_mm = *stiffness_n_per_mm;
-  if (stroke_limit) actuators.stroke_limit = stroke_limit;
-  return actuators;
-}
 
 void export_candidates(const ExportOptions& options) {
   const auto database = schema::open_for_reading(options.catalogue_path);
@@ -140,37 +131,6 @@ void export_candidates(const ExportOptions& options) {
   }
   const Exporter exporter(*database, campaign, folder, options);
   for (const std::uint64_t draw : draws) exporter.write(draw);
-}
-
-void write_file(const std::string& path, const std::string& text) {
-  const auto refuse = [&](const std::string& why) {
-    throw schema::UserError(schema::kExitFailure,
-                            path + ": cannot be written (" + why + "); choose another --output");
-  };
-  std::error_code error;
-  std::filesystem::path target = path;  // what a link points to is written, not the link
-  if (std::filesystem::is_symlink(target, error)) {
-    target = target.parent_path() / std::filesystem::read_symlink(target, error);
-  }
-  if (std::filesystem::exists(target, error) && !std::filesystem::is_regular_file(target, error)) {
-    refuse("it is there, and no file");
-  }
-  const std::filesystem::path part = target.string() + ".part";
-  errno = 0;
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();
-  const std::string why = std::strerror(errno != 0 ? errno : EIO);
-  if (!file) {
-    std::filesystem::remove(part, error);
-    refuse(why);
-  }
-  std::filesystem::rename(part, target, error);
-  if (error) {
-    const std::string message = error.message();
-    std::filesystem::remove(part, error);
-    refuse(message);
-  }
 }
 
 }  // namespace misalign::search

@@ -14,6 +14,12 @@ solver::PathPlanOptions path_of(const schema::Campaign& campaign, double look_de
 
 }  // namespace
 
+solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const {
+  if (stiffness_n_per_mm) actuators.stiffness_n_per_mm = *stiffness_n_per_mm;
+  if (stroke_limit) actuators.stroke_limit = stroke_limit;
+  return actuators;
+}
+
 DrawFolder::DrawFolder(const schema::Campaign& campaign, double look_deg)
     : campaign_(campaign),
       mechanism_(solver::build_mechanism(campaign.pattern.base.sheet, campaign.pattern.base.holes,

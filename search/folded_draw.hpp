@@ -8,6 +8,12 @@
 
 namespace misalign::search {
 
+/// Springs other than the campaign's; what is absent stays.
+struct OtherActuators {
+  std::optional<double> stiffness_n_per_mm, stroke_limit;
+  solver::Actuators instead_of(solver::Actuators actuators) const;
+};
+
 struct FoldedDraw {
   std::uint64_t draw;
   bool accepted;

@@ -10,33 +10,30 @@
 namespace misalign::search {
 namespace {
 
-using schema::Json;
+using schema::shown_number;
 
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+using schema::Json;
 
 // Verdict and limits in words.
 std::string summary(const schema::FoldingView& view, const Paint& paint) {
   const Json verdict = schema::verdict_json(view);
-  std::string text = paint.bold("deploys from " +
-                                number("%g", verdict["deploys_from_deg"].get<double>()) + " deg") +
-                     "; first fault: " + verdict["first_fault"].get<std::string>();
+  std::string text =
+      paint.bold("deploys from " + shown_number("%g", verdict["deploys_from_deg"].get<double>()) +
+                 " deg") +
+      "; first fault: " + verdict["first_fault"].get<std::string>();
   if (!verdict["fault_deg"].is_null()) {
-    text += " at " + number("%g", verdict["fault_deg"].get<double>()) + " deg";
+    text += " at " + shown_number("%g", verdict["fault_deg"].get<double>()) + " deg";
   }
   if (!verdict["where"].is_null()) text += ", " + verdict["where"].get<std::string>();
   if (verdict.contains("cause")) text += ", " + verdict["cause"].get<std::string>();
   const Json bump = schema::bump_json(view);
   if (!bump.is_null()) {
-    text += "\nbump between samples from " + number("%.4f", bump["from_deg"].get<double>()) +
+    text += "\nbump between samples from " + shown_number("%.4f", bump["from_deg"].get<double>()) +
             " deg, " + bump["where"].get<std::string>();
   }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
   return text + "\n" + (limit ? "fold limit " : "followed to ") +
-         number("%.4f", view.history.path.fold_limit_deg) + " deg; " +
+         shown_number("%.4f", view.history.path.fold_limit_deg) + " deg; " +
          std::to_string(view.mechanism.unknowns) + " unknowns, " +
          std::to_string(view.mechanism.equations) + " equations\n";
 }
@@ -83,7 +80,8 @@ struct Scale {
 
 // "0 ... 112|    156": the path's ends, and D where the sparklines have their bar.
 std::string scale_text(const Scale& scale) {
-  const std::string end = number("%.4g", scale.end_deg), d = number("%g", scale.d_deg) + "|";
+  const std::string end = shown_number("%.4g", scale.end_deg),
+                    d = shown_number("%g", scale.d_deg) + "|";
   std::string text(scale.columns + 1, ' ');
   text.replace(0, 1, "0");
   const std::size_t to_d = scale.columns_to_d();
@@ -110,7 +108,7 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   const double d_deg = history.verdict.deploys_from_sample * view.sample_deg;
   // Up to D is what can be used; what does not deploy at all is shown up to the end.
   const double to_deg = d_deg > 0 ? std::min(d_deg, end_deg) : end_deg;
-  const std::string to = schema::shown_number(to_deg);
+  const std::string to = shown_number(to_deg);
   std::vector<schema::Row> rows = {
       {"diagonal", "hole", "flat_mm", "at " + to, "up to " + to, "elongation %", ""}};
   std::vector<Course> courses;
@@ -129,8 +127,9 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
     const Json facet = schema::diagonal_json(view.base, view.mechanism, diagonal, flat_mm)["hole"];
     rows.push_back({solver::line_label(diagonal.from, diagonal.to),
                     facet.is_array() ? facet.dump() : "face " + facet.dump(),
-                    number("%.3f", flat_mm), number("%.3f", at_mm), direction(at_mm - flat_mm),
-                    number("%+.2f", least) + " " + number("%+.2f", most)});
+                    shown_number("%.3f", flat_mm), shown_number("%.3f", at_mm),
+                    direction(at_mm - flat_mm),
+                    shown_number("%+.2f", least) + " " + shown_number("%+.2f", most)});
   }
   const std::vector<bool> numeric = {false, false, true, true, false, true, false};
   std::string table = schema::aligned(rows, numeric);
@@ -171,17 +170,17 @@ std::string lengths(const schema::FoldingView& view) {
     const std::string name = solver::line_label(diagonal.from, diagonal.to);
     text += std::string(name.size() < 9 ? 10 - name.size() : 1, ' ') + name;
   }
-  text += "\n" + number("%9g", 0);
-  for (const double flat : history.flat_mm) text += number(" %9.4f", flat);
+  text += "\n" + shown_number("%9g", 0);
+  for (const double flat : history.flat_mm) text += shown_number(" %9.4f", flat);
   text += "\n";
   for (std::size_t row = 0; row < history.stops.size(); ++row) {
     const solver::Stop& stop = history.stops[row];
     const bool at_d = stop.sample > 0 && stop.sample == history.verdict.deploys_from_sample;
     const bool round = std::abs(std::remainder(stop.pilot_deg, 10)) < 1e-9;
     if (!round && !at_d && stop.sample > 0) continue;
-    text += number("%9g", stop.pilot_deg);
+    text += shown_number("%9g", stop.pilot_deg);
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
-      text += number(" %9.4f", history.length_mm(static_cast<Eigen::Index>(row), d));
+      text += shown_number(" %9.4f", history.length_mm(static_cast<Eigen::Index>(row), d));
     }
     text += at_d ? " <- D\n" : "\n";
   }

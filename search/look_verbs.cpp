@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <sstream>
 
 #include "schema/result_table.hpp"
 #include "search/look.hpp"
@@ -123,18 +122,11 @@ bool is_one_word(const std::string& text) {
 }
 
 UserError no_such_query(const std::string& name) {
-  std::string names = schema::named_query_list();
-  std::vector<std::string> known;
-  std::istringstream list(names);
-  for (std::string word; list >> word;) {
-    if (word.back() == ',') word.pop_back();
-    known.push_back(word);
-  }
-  const std::string meant = nearest_word(name, known);
+  const std::string meant = nearest_word(name, schema::named_queries());
   return UserError(schema::kExitUsage, "the query was refused (" + name + " is the name of none" +
                                            (meant.empty() ? "" : "; did you mean " + meant + "?") +
                                            "); it must be one SELECT, or one of the names " +
-                                           names);
+                                           schema::named_query_list());
 }
 
 // Whether a named query's LIMIT left rows out: it is the last thing such a query says.

@@ -11,11 +11,7 @@
 namespace misalign::search {
 namespace {
 
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+using schema::shown_number;
 
 std::string duration(double seconds) {
   char text[64];
@@ -41,8 +37,12 @@ std::string short_number(double value) {
     value /= 1000;
     ++unit;
   }
-  if (unit == 0) return number("%.3g", value);
-  return number(value < 9.995 ? "%.2f" : value < 99.95 ? "%.1f" : "%.0f", value) + kUnits[unit];
+  if (unit == 0) return shown_number("%.3g", value);
+  return shown_number(value < 9.995   ? "%.2f"
+                      : value < 99.95 ? "%.1f"
+                                      : "%.0f",
+                      value) +
+         kUnits[unit];
 }
 
 double rate(const ProgressCounts& counts) {
@@ -71,11 +71,12 @@ std::string plain_line(const ProgressReport& report) {
   const ProgressCounts& counts = report.counts;
   std::string line = duration(report.elapsed_s) + ": " + std::to_string(counts.standing.draws);
   if (counts.limited) line += " of " + std::to_string(wanted(counts));
-  line += " draws, " + number("%.4g", report.last ? report.draws_per_s_mean : report.draws_per_s) +
+  line += " draws, " +
+          shown_number("%.4g", report.last ? report.draws_per_s_mean : report.draws_per_s) +
           " draws/s, " + std::to_string(counts.standing.accepted) + " accepted (" +
-          number("%.4g", 100 * rate(counts)) + " %)";
+          shown_number("%.4g", 100 * rate(counts)) + " %)";
   if (const auto& best = counts.standing.best) {
-    line += ", best " + schema::shown_number(best->deploys_from_deg) + " deg (draw " +
+    line += ", best " + shown_number(best->deploys_from_deg) + " deg (draw " +
             std::to_string(best->draw) + ")";
   }
   const auto left = left_s(report);
@@ -91,7 +92,7 @@ std::string bar_line(const ProgressReport& report, int width) {
     const auto all = static_cast<double>(wanted(counts));
     // Rounded down: 100 % is when nothing is left.
     const double percent = all > 0 ? std::floor(100 * draws / all) : 100;
-    done += " of " + short_number(all) + " draws (" + number("%.0f", percent) + " %)";
+    done += " of " + short_number(all) + " draws (" + shown_number("%.0f", percent) + " %)";
   } else {
     done += " draws";
   }
@@ -102,10 +103,10 @@ std::string bar_line(const ProgressReport& report, int width) {
       short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s";
   const std::string accepted =
       short_number(static_cast<double>(counts.standing.accepted)) + " accepted";
-  const std::string share = " (" + number("%.3g", 100 * rate(counts)) + " %)";
+  const std::string share = " (" + shown_number("%.3g", 100 * rate(counts)) + " %)";
   std::string best, best_draw;
   if (counts.standing.best) {
-    best = ", best " + schema::shown_number(counts.standing.best->deploys_from_deg) + " deg";
+    best = ", best " + shown_number(counts.standing.best->deploys_from_deg) + " deg";
     best_draw = " (draw " + std::to_string(counts.standing.best->draw) + ")";
   }
   // From everything to the least.

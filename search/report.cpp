@@ -8,8 +8,9 @@
 
 #include "schema/catalogue_state.hpp"
 #include "schema/report.hpp"
+#include "schema/text_file.hpp"
 #include "search/build_info.hpp"
-#include "search/folded_draw.hpp"
+#include "search/shell_word.hpp"
 #include "search/status.hpp"
 
 namespace misalign::search {
@@ -111,7 +112,7 @@ void write_report(const ReportOptions& options) {
                {"details", details_json(folder, draws_to_look_at(catalogue["candidates"], options),
                                         options.draws.size())}};
   data.update(catalogue);
-  write_file(options.output, schema::report_page(data));
+  schema::write_text_file(options.output, schema::report_page(data));
   std::puts(options.output.c_str());
 }
 

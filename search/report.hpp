@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "search/export.hpp"
+#include "search/folded_draw.hpp"
 
 namespace misalign::search {
 

@@ -7,6 +7,7 @@
 
 #include "schema/share_interval.hpp"
 #include "schema/text_table.hpp"
+#include "search/shell_word.hpp"
 
 namespace misalign::search {
 namespace {
@@ -24,11 +25,7 @@ schema::Json rate_json(std::uint64_t hits, std::uint64_t undecided, std::uint64_
            hits > 0 ? schema::Json((high - low) / (2 * share(hits, trials))) : schema::Json()}};
 }
 
-std::string percent(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g %%", 100 * value);
-  return text;
-}
+std::string percent(double value) { return schema::shown_number("%.4g %%", 100 * value); }
 
 std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
   const auto [low, high] = schema::share_interval(hits, undecided, trials);
@@ -91,16 +88,6 @@ std::string status_text(const schema::CatalogueState& state,
               {"digest", state.digest}},
              {false, false}) +
          "\n" + table;
-}
-
-std::string shell_word(const std::string& text) {
-  if (!text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                              "0123456789_-./+,:@%") == std::string::npos) {
-    return text;
-  }
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
 }
 
 std::string next_step(const schema::CatalogueState& state, const std::string& path,

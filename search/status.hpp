@@ -24,9 +24,6 @@ std::string status_text(const schema::CatalogueState& state,
                         const std::optional<DeployingFrom>& deploying, const Paint& paint);
 schema::Json status_json(const schema::CatalogueState& state);
 
-/// A text as a shell takes it for one word.
-std::string shell_word(const std::string& text);
-
 /// What somebody may want to type now; the campaign's file may be unknown (empty).
 std::string next_step(const schema::CatalogueState& state, const std::string& path,
                       const std::string& campaign_path);

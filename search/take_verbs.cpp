@@ -4,6 +4,7 @@
 #include "schema/campaign.hpp"
 #include "schema/plain_export.hpp"
 #include "search/actuators.hpp"
+#include "search/export.hpp"
 #include "search/report.hpp"
 #include "search/verbs.hpp"
 
@@ -19,6 +20,16 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
                   "largest elongation of an actuator, 0.08 for Ti-Ni wires [the campaign's]")
       ->check(within(schema::kLeastStroke, schema::kMostStroke))
       ->type_name("SHARE");
+}
+
+// --draw, as often as there are draws.
+CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws,
+                       const std::string& what) {
+  return group.add_option("--draw", draws, what + " (again: and that one)")
+      ->check(a_draw())
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("N");
 }
 
 }  // namespace
@@ -61,7 +72,7 @@ Action add_export(CLI::App& app) {
   Choice& choice = options->choice;
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   auto* group = verb->add_option_group("choice", "which candidates");
-  auto* draw = group->add_option("--draw", choice.draws, "this one (again: and that one)");
+  auto* draw = add_draws(*group, choice.draws, "this one");
   auto* best = group->add_option("--best", choice.best, "so many, the best first")
                    ->check(a_draw())
                    ->type_name("K");
@@ -83,10 +94,6 @@ Action add_export(CLI::App& app) {
   auto* plain =
       group->add_flag("--sqlite-compat", *compat,
                       "the whole catalogue, as one file that SQLite from 3.8 (2014) on can read");
-  draw->check(a_draw())
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("N");
   draw->excludes(best)->excludes(diverse)->excludes(where)->excludes(plain);
   diverse->check(a_draw())->excludes(best)->type_name("K");
   plain->excludes(best)->excludes(diverse)->excludes(where);
@@ -141,12 +148,7 @@ Action add_report(CLI::App& app) {
   verb->add_option("--output", options->output, "HTML file to write")
       ->required()
       ->type_name("FILE");
-  verb->add_option("--draw", options->draws,
-                   "a draw to look at, accepted or not (again: and that one)")
-      ->check(a_draw())
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("N");
+  add_draws(*verb, options->draws, "a draw to look at, accepted or not");
   verb->add_option("--rows", options->rows, "at most so many candidates in the table [10000]")
       ->check(counted(0, 1000000))
       ->type_name("N");

@@ -1,0 +1,13 @@
+// Texts as a shell takes them for one word each.
+#pragma once
+
+#include <string>
+
+namespace misalign::search {
+
+/// In single quotes, whatever it is.
+std::string in_quotes(const std::string& text);
+/// As it is where no shell would see more in it; else in quotes.
+std::string shell_word(const std::string& text);
+
+}  // namespace misalign::search
