@@ -22,7 +22,8 @@ export function open_browser(more = []) {
 
 /** The page, and a list that fills with everything a reader should not meet: errors, requests. */
 export async function open_page(browser, report, options = {}) {
-  const context = await browser.newContext(options);
+  // Without smooth scrolling: what is measured must not move on before the mouse gets there.
+  const context = await browser.newContext({ reducedMotion: "reduce", ...options });
   const problems = [];
   await context.route("**/*", (route) => {
     if (/^(file|data|blob):/.test(route.request().url())) return route.continue();
