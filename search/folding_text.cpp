@@ -10,9 +10,8 @@
 namespace misalign::search {
 namespace {
 
-using schema::shown_number;
-
 using schema::Json;
+using schema::shown_number;
 
 // Verdict and limits in words.
 std::string summary(const schema::FoldingView& view, const Paint& paint) {
