@@ -31,18 +31,16 @@ function log_domain_of(values, decoded, from_deg = 5) {
   return least < most ? [least / 2, most * 1.5] : null;
 }
 
-function value_chart({ box, state, detail, decoded, end_deg, values, label, unit, marks, log }) {
+function value_chart({ box, folding, values, label, unit, marks, log }) {
+  const { state, decoded } = folding;
   let dot = null,
     readout = null,
     x = null,
     y = null;
   const title = `${label}${unit ? ` (${unit})` : ""}${log ? ", log scale" : ""}`;
   const chart = folding_chart({
+    ...folding,
     box,
-    state,
-    detail,
-    decoded,
-    end_deg,
     height: kHeight,
     label: `${label} against the deployment ratio`,
     y: log
@@ -92,7 +90,7 @@ function value_chart({ box, state, detail, decoded, end_deg, values, label, unit
 export function make_actuation(report, detail, decoded, state, end_deg) {
   const { stiffness_n_per_mm } = report.actuators,
     boxes = (id) => document.getElementById(id);
-  const common = { state, detail, decoded, end_deg };
+  const folding = { state, detail, decoded, end_deg };
   // Energy and moment begin at nothing: near flat only a logarithmic scale shows them.
   const log_of = (values) =>
     document.getElementById("log").checked ? log_domain_of(values, decoded) : null;
@@ -125,7 +123,7 @@ export function make_actuation(report, detail, decoded, state, end_deg) {
     [
       boxes("energy"),
       value_chart({
-        ...common,
+        folding,
         box: boxes("energy"),
         values: decoded.energy_n_mm,
         label: "energy",
@@ -136,7 +134,7 @@ export function make_actuation(report, detail, decoded, state, end_deg) {
     [
       boxes("moment"),
       value_chart({
-        ...common,
+        folding,
         box: boxes("moment"),
         values: decoded.moment_n_mm,
         label: "moment",
@@ -148,7 +146,7 @@ export function make_actuation(report, detail, decoded, state, end_deg) {
     [
       boxes("advantage"),
       value_chart({
-        ...common,
+        folding,
         box: boxes("advantage"),
         values: decoded.mechanical_advantage,
         label: "mechanical advantage (N per N)",

@@ -1,7 +1,4 @@
 // Campaign files: what makes a campaign the same or another one, and what is refused at the door.
-#include "schema/campaign.hpp"
-
-#include <gtest/gtest.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -9,53 +6,10 @@
 #include <map>
 #include <random>
 
+#include "campaign_faults.hpp"
+
 namespace misalign::schema {
 namespace {
-
-Json minimal() { return {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}}; }
-
-Json with(const Json& patch) {
-  Json campaign = minimal();
-  campaign.merge_patch(patch);
-  return campaign;
-}
-Json with(const char* patch) { return with(Json::parse(patch)); }
-
-Campaign read(const Json& value) { return read_campaign(value, "test"); }
-
-/// The sentences of a refusal, one each; empty if the campaign is accepted.
-std::vector<std::string> faults_of(const Json& value) {
-  try {
-    read(value);
-    return {};
-  } catch (const UserError& error) {
-    EXPECT_EQ(error.exit_code(), kExitBadInput);
-    std::string text = error.what();
-    EXPECT_EQ(text.find("test: "), 0u) << text;
-    text = text.substr(6);
-    const std::size_t list = text.find(" faults\n  ");
-    if (list == std::string::npos) return {text};
-    const std::size_t announced = std::stoul(text);
-    text = text.substr(list + 10);
-    std::vector<std::string> sentences;
-    for (std::size_t at; (at = text.find("\n  ")) != std::string::npos;
-         text = text.substr(at + 3)) {
-      sentences.push_back(text.substr(0, at));
-    }
-    sentences.push_back(text);
-    EXPECT_EQ(sentences.size(), announced);
-    return sentences;
-  }
-}
-
-/// Expects exactly one fault, whose sentence has all of these words.
-void expect_fault(const Json& value, const std::vector<std::string>& words) {
-  const auto faults = faults_of(value);
-  ASSERT_EQ(faults.size(), 1u) << value << (faults.empty() ? "" : "\n" + faults[0] + "...");
-  for (const std::string& word : words) {
-    EXPECT_NE(faults[0].find(word), std::string::npos) << word << " is not in: " << faults[0];
-  }
-}
 
 std::string xxh3_hex(const std::string& bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
@@ -329,70 +283,6 @@ TEST(Amplitude, BoundIsRightOnBothSides) {
               kSearch_mm);
 }
 
-TEST(Perforation, OddSidesAreRefusedByRank) {
-  struct Case {
-    int rows, columns, rank, equations;
-  };
-  // Ranks as specified for 3 x 4, 5 x 6 and 7 x 6; transposing a sheet changes none.
-  constexpr Case kCases[] = {{3, 4, 11, 12}, {4, 3, 11, 12}, {5, 6, 40, 42},
-                             {6, 5, 40, 42}, {7, 6, 64, 66}, {6, 7, 64, 66}};
-  for (const Case& c : kCases) {
-    for (const char* holes : {"checkerboard-odd", "checkerboard-even"}) {
-      const Json patch = {
-          {"pattern", {{"rows", c.rows}, {"columns", c.columns}, {"holes", holes}}}};
-      expect_fault(with(patch), {"pattern.holes", "rank " + std::to_string(c.rank),
-                                 std::to_string(c.equations) + " equations",
-                                 std::to_string(c.equations + 1 - c.rank) + " degrees of freedom",
-                                 "make rows and columns even"});
-    }
-  }
-}
-
-TEST(Perforation, BadHolesAreRefused) {
-  struct Case {
-    const char* holes;
-    std::vector<std::string> words;
-  };
-  const Case kCases[] = {
-      {"[[0,2]]", {"perimeter", "A3-A4-A11-A10"}},
-      {"[[5,5]]", {"perimeter"}},
-      {"[[2,0]]", {"perimeter"}},
-      {"[[1,2],[1,3]]", {"shares the edge A11-A18"}},
-      {"[[1,2],[2,2]]", {"shares the edge A17-A18"}},
-      {"[[1,2],[1,4],[2,1],[2,3],[3,2],[3,4],[4,1],[4,3],[1,2]]", {"twice"}},
-      {"[[6,2]]", {"[6,2]", "rows 0 to 5"}},
-      {"[[2,6]]", {"[2,6]", "columns 0 to 5"}},
-      {"[[-1,2]]", {"[-1,2]"}},
-      {"[[4294967297,2]]", {"4294967297"}},  // 2^32 + 1 must not become 1
-      {"[]", {"no hole"}},
-  };
-  for (const Case& c : kCases) {
-    std::vector<std::string> words = c.words;
-    words.push_back("pattern.holes");
-    expect_fault(with(Json{{"pattern", {{"holes", Json::parse(c.holes)}}}}), words);
-  }
-  expect_fault(with(R"({"pattern": {"rows": 2}})"), {"pattern.rows = 2", "at least 3"});
-}
-
-// Inner panels that meet at corners only can be too many on odd sheets: there (2.1) counts 2.
-TEST(Perforation, TooManyHolesAreRefusedByRank) {
-  expect_fault(with(R"({"pattern": {"rows": 3, "columns": 3, "holes": [[1,1]]}})"),
-               {"pattern.holes", "degrees of freedom", "rank"});
-  expect_fault(with(R"({"pattern": {"rows": 5, "columns": 5, "holes": "checkerboard-even"}})"),
-               {"pattern.holes", "degrees of freedom", "rank"});
-}
-
-// A correct Miura-ori moves with any perforation: redundant equations hide that a shifted sheet,
-// whose equations are independent, is stiff. The solver needs as many equations as unknowns less 1.
-TEST(Perforation, TooFewHolesAreRefused) {
-  EXPECT_FALSE(faults_of(with(R"({"pattern": {"holes": [[1,2]]}})")).empty());
-  EXPECT_FALSE(
-      faults_of(with(R"({"pattern": {"holes": [[1,2],[1,4],[2,1],[2,3],[3,2],[3,4],[4,1]]}})"))
-          .empty());
-  EXPECT_FALSE(
-      faults_of(with(R"({"pattern": {"rows": 4, "columns": 4, "holes": [[1,1]]}})")).empty());
-}
-
 TEST(Campaign, AnglesAreWholeMultiplesOfTheSample) {
   struct Case {
     double sample_deg, end_deg, threshold_deg;
@@ -426,42 +316,6 @@ TEST(Campaign, RefusesDisplacements) {
     expect_fault(with(Json{{"pattern", {{"displacements_mm", Json::parse(shifts)}}}}),
                  {"pattern.displacements_mm", "draws its own"});
   }
-}
-
-TEST(Vertices, LabelsAreReadExactly) {
-  struct Case {
-    const char* label;
-    int vertex;
-  };
-  constexpr Case kCases[] = {
-      {"A1", 0},
-      {"A10", 9},
-      {"A49", 48},
-      {"A50", -1},
-      {"A0", -1},
-      {"A", -1},
-      {"", -1},
-      {"a1", -1},
-      {"B1", -1},
-      {"A01", -1},
-      {"A-1", -1},
-      {"A+1", -1},
-      {"A 1", -1},
-      {"A1 ", -1},
-      {" A1", -1},
-      {"A1.0", -1},
-      {"A4294967297", -1},
-      {"1", -1},
-      {"A1e1", -1},
-      {"AA1", -1},
-      {"A0x1", -1},
-      {"A99999999999999999999", -1},
-  };
-  for (const Case& c : kCases) EXPECT_EQ(vertex_of_label(c.label, 49), c.vertex) << c.label;
-  EXPECT_EQ(vertex_of_label(std::string("A1\0", 3), 49), -1);
-  for (int v = 0; v < 49; ++v) EXPECT_EQ(vertex_of_label(solver::vertex_label(v), 49), v);
-  expect_fault(with(R"({"misalignment": {"vertices": ["A50"]}})"),
-               {"misalignment.vertices", "A50"});
 }
 
 }  // namespace

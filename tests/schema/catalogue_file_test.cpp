@@ -1,0 +1,136 @@
+// The catalogue's file: whose it is, who may write it, and of which version it is.
+#include "catalogue_fixture.hpp"
+#include "schema/ledger_check.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using CatalogueFile = CatalogueTest;
+
+TEST_F(CatalogueFile, AnotherCampaignIsRefusedAndNamed) {
+  open();
+  const std::pair<const char*, const char*> kOthers[] = {
+      {R"({"seed": 2})", "/seed"},
+      {R"({"accept": {"deploys_from_deg": 150}})", "/accept"},
+      {R"({"misalignment": {"levels": "uniform"}})", "/misalignment"},
+      {R"({"pattern": {"holes": "checkerboard-even"}})", "/pattern"},
+  };
+  for (const auto& [patch, named] : kOthers) {
+    const Campaign other = changed(patch);
+    const auto mechanism = mechanism_of(other);
+    const Refusal r = refusal([&] { Catalogue(path(), other, mechanism); });
+    EXPECT_EQ(r.exit_code, kExitOtherCampaign) << patch;
+    EXPECT_NE(r.sentence.find(named), std::string::npos) << r.sentence;
+    EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
+  }
+  // What is outside the identity makes no other campaign, and the last run's wins.
+  const Campaign renamed = changed(R"({"name": "renamed", "stop": {"draws": 5}})");
+  {
+    Catalogue catalogue(path(), renamed, mechanism_);
+    catalogue.begin_run(kRun, {});
+  }
+  EXPECT_EQ(state().name, "renamed");
+  EXPECT_EQ(identity(read_campaign_of(*open_for_reading(path()), path())), identity(campaign_));
+}
+
+TEST_F(CatalogueFile, OtherFilesAreRefusedAndLeftAlone) {
+  const auto read_all = [](const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  std::ofstream(path("short")) << "hello\n";
+  std::ofstream(path("long")) << std::string(10000, 'x');
+  SQLite::Database(path("foreign"), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("CREATE TABLE mine (x)");
+  for (const char* name : {"short", "long", "foreign"}) {
+    const std::string before = read_all(path(name));
+    EXPECT_EQ(refusal([&] { open(name); }).exit_code, kExitBadInput) << name;
+    EXPECT_EQ(refusal([&] { open_for_reading(path(name)); }).exit_code, kExitBadInput) << name;
+    EXPECT_EQ(read_all(path(name)), before) << name;
+  }
+  std::ofstream(path("empty"));
+  for (const char* name : {"absent", "empty", "."}) {
+    EXPECT_EQ(refusal([&] { open_for_reading(path(name)); }).exit_code, kExitBadInput) << name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("absent")));
+  EXPECT_EQ(refusal([&] { open("empty"); }).exit_code, 0);  // as a killed search may leave it
+  EXPECT_EQ(refusal([&] { open("no/folder.db"); }).exit_code, kExitFailure);
+}
+
+TEST_F(CatalogueFile, NewerSchemaIsRefused) {
+  open();
+  SQLite::Database(path(), SQLite::OPEN_READWRITE)
+      .exec("PRAGMA user_version = " + std::to_string(kSchemaVersion + 1));
+  for (const Refusal& r : {refusal([&] { open(); }), refusal([&] { open_for_reading(path()); })}) {
+    EXPECT_EQ(r.exit_code, kExitOtherCampaign);
+    EXPECT_NE(r.sentence.find("schema version"), std::string::npos) << r.sentence;
+  }
+}
+
+TEST_F(CatalogueFile, VersionAndKindAreThoseOfTheHeader) {
+  open();
+  SQLite::Database database(path());
+  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), kSchemaVersion);
+  EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), kApplicationId);
+}
+
+TEST_F(CatalogueFile, OneWriterAtATime) {
+  {
+    Catalogue first = open();
+    first.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
+    const Refusal r = refusal([&] { open(); });
+    EXPECT_EQ(r.exit_code, kExitInUse);
+    EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
+    first.commit({unit(0, 4096)});    // the attempt did it no harm
+    EXPECT_EQ(state().draws, 4096u);  // and readers never wait
+  }
+  EXPECT_EQ(refusal([&] { open(); }).exit_code, 0);
+}
+
+// A file of every schema there was: the same rows and digest afterwards, laid out as a new one.
+TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
+  const auto rows = [](const std::string& file, const std::string& columns) {
+    return query_table(*open_for_reading(file), "SELECT " + columns + " FROM candidate",
+                       TableStyle::csv);
+  };
+  const std::string columns =
+      "draw, unit, deploys_from_sample, slope_min_mm_per_deg, displacements_mm, elongation";
+  { Catalogue fresh = open("fresh.db"); }
+  const auto layout = [&](const std::string& file) {
+    SQLite::Database database(file);
+    SQLite::Statement statement(
+        database,
+        "SELECT t.name || '.' || c.name AS part FROM sqlite_schema AS t, pragma_table_info(t.name) "
+        "AS c WHERE t.type IN ('table', 'view') UNION SELECT name FROM sqlite_schema ORDER BY 1");
+    std::string all;
+    while (statement.executeStep()) all += statement.getColumn(0).getString() + " ";
+    return all;
+  };
+  for (int version = 1; version < kSchemaVersion; ++version) {
+    const std::string name = "catalogue-" + std::to_string(version) + ".db";
+    const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/" + name;
+    std::filesystem::copy_file(old, path(name));
+    EXPECT_EQ(open_for_reading(old)->execAndGet("PRAGMA user_version").getInt(), version);
+    const std::string before = rows(old, columns);
+    const CatalogueState state_before = read_state(*open_for_reading(old));
+    const Campaign campaign = read_campaign_of(*open_for_reading(old), "fixture");
+    const solver::Mechanism mechanism = mechanism_of(campaign);
+    { Catalogue catalogue(path(name), campaign, mechanism); }
+    const auto database = open_for_reading(path(name));
+    EXPECT_EQ(database->execAndGet("PRAGMA user_version").getInt(), kSchemaVersion);
+    EXPECT_EQ(rows(path(name), columns), before);
+    EXPECT_EQ(state(name).digest, state_before.digest);
+    EXPECT_GT(count("candidate", name), 10);
+    EXPECT_EQ(layout(path(name)), layout(path("fresh.db")));
+    EXPECT_TRUE(check_ledger(*database, campaign).empty());
+    // The file as it was is kept, once.
+    EXPECT_EQ(rows(path(name) + ".version-" + std::to_string(version), "*"), rows(old, "*"));
+    { Catalogue again(path(name), campaign, mechanism); }
+  }
+  EXPECT_EQ(count("candidates WHERE bump_deg IS NULL", "catalogue-1.db"),
+            count("candidate", "catalogue-1.db"));
+  EXPECT_EQ(count("undecided", "catalogue-2.db"), 1);
+}
+
+}  // namespace
+}  // namespace misalign::schema
