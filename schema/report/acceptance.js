@@ -1,6 +1,6 @@
 // What was asked, what came out of it, and the charts of where draws fail.
 import { count, degrees, fault_name, fault_order, fault_words, h, percent, plural } from "./format.js";
-import { when_wide } from "./chart.js";
+import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { faults_chart, sum, survival_chart } from "./faults.js";
 
@@ -140,10 +140,10 @@ export function show_acceptance(report) {
         (nowhere ? ` Without an angle: ${plural(nowhere, "draw")}.` : ""),
       legend(present),
     );
-  when_wide(document.getElementById("faults"), (width) =>
+  show_when_wide(document.getElementById("faults"), (width) =>
     faults_chart(faults.rows, total, configuration, width),
   );
-  when_wide(document.getElementById("survival"), (width) =>
+  show_when_wide(document.getElementById("survival"), (width) =>
     survival_chart(faults.rows, total, report, width),
   );
 
@@ -159,6 +159,6 @@ export function show_acceptance(report) {
         (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : "."),
       legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
     );
-  when_wide(document.getElementById("where"), (width) => where_chart(list, width));
+  show_when_wide(document.getElementById("where"), (width) => where_chart(list, width));
   document.getElementById("map").append(fault_map(list, report));
 }

@@ -2,22 +2,32 @@
 // of the folding, which share an axis and a rule that moves with the slider.
 import * as Plot from "@observablehq/plot";
 import { degrees, h } from "./format.js";
+import { on_print, paper_share } from "./paper.js";
 
-/** Shows draw(width) in the box; the answer draws it anew. */
+/** Calls draw(width) whenever the box gets another width, on paper too; the answer draws it anew. */
 export function when_wide(box, draw) {
-  let width = Math.floor(box.clientWidth);
+  let width = Math.floor(box.clientWidth),
+    share = null; // of that width, on paper
   const redraw = () => {
-    if (width > 0) box.replaceChildren(draw(width));
+    if (width > 0) draw(Math.floor(width * (share ?? 1)));
   };
   new ResizeObserver(([entry]) => {
     const now = Math.floor(entry.contentRect.width);
-    if (now === width || now === 0) return;
+    if (now === width || now === 0 || share) return;
     width = now;
     redraw();
   }).observe(box);
+  on_print((printing) => {
+    share = printing ? paper_share() : null;
+    redraw();
+  });
   redraw();
   return redraw;
 }
+
+/** Shows draw(width) in the box; the answer draws it anew. */
+export const show_when_wide = (box, draw) =>
+  when_wide(box, (width) => box.replaceChildren(draw(width)));
 
 const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180];
 export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;

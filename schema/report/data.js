@@ -32,6 +32,10 @@ export function read_report() {
 export function read_candidates(report) {
   const columns = { ...report.candidates.columns };
   columns.draw ??= [];
+  // The springs of this report, folded to D: no column of the catalogue, which knows no stiffness.
+  columns.energy_n_mm = columns.stretch_sq_mm2?.map((sum) =>
+    sum === null ? null : (report.actuators.stiffness_n_per_mm / 2) * sum,
+  );
   const row_of = new Map(columns.draw.map((draw, row) => [draw, row]));
   const detailed = new Set(report.details.map((detail) => detail.draw));
   return { columns, count: columns.draw.length, row_of, detailed };

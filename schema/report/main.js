@@ -8,7 +8,7 @@ import {
   show_shifts,
   verdict_words,
 } from "./candidate.js";
-import { when_wide } from "./chart.js";
+import { show_when_wide } from "./chart.js";
 import { show_crease_pattern } from "./crease_pattern.js";
 import { decode_detail, last_sample_up_to, read_candidates, read_report } from "./data.js";
 import { parse_filter } from "./filter.js";
@@ -102,7 +102,7 @@ function make_inspector(report, candidates, state) {
     const known = charts.has(box);
     charts.set(box, chart);
     if (known) redraws.find((entry) => entry.box === box).redraw();
-    else redraws.push({ box, redraw: when_wide(box, (width) => charts.get(box).draw(width)) });
+    else redraws.push({ box, redraw: show_when_wide(box, (width) => charts.get(box).draw(width)) });
   }
 
   function show_detail(detail) {

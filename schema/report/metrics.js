@@ -83,7 +83,15 @@ export const metrics = [
     label: "stretch²",
     unit: "mm²",
     text: (v) => number(v),
-    about: "Sum of (L − L₀)² at D: half of it times a stiffness is the energy the springs store.",
+    about: "Sum of (L − L₀)² over all diagonals at D.",
+  },
+  {
+    name: "energy_n_mm",
+    label: "energy",
+    unit: "N mm",
+    text: (v) => number(v),
+    about:
+      "Stored at D by springs of the report’s stiffness k on all diagonals: k/2 times stretch². Not a column of the catalogue.",
   },
   {
     name: "shifted_vertices",

@@ -1,6 +1,7 @@
 // Any two metrics of the candidates against each other: axes by Plot, points on a canvas, which stays
 // quick with tens of thousands of them.
 import * as Plot from "@observablehq/plot";
+import { when_wide } from "./chart.js";
 import { count, h, power, powers } from "./format.js";
 import { axis_title, metrics, metric_of, with_unit } from "./metrics.js";
 import { colour, on_theme } from "./theme.js";
@@ -90,6 +91,7 @@ export function make_scatter(box, candidates, state) {
       order = state.get("order") ?? [];
     canvas.width = width * ratio;
     canvas.height = kHeight * ratio;
+    canvas.style.width = `${width}px`;
     const pen = canvas.getContext("2d");
     pen.scale(ratio, ratio);
     shown = new Uint8Array(candidates.count);
@@ -198,13 +200,10 @@ export function make_scatter(box, candidates, state) {
     if (best >= 0) state.set("picked", candidates.columns.draw[best]);
   });
 
-  new ResizeObserver(([entry]) => {
-    const now = Math.floor(entry.contentRect.width);
-    if (now && now !== width) {
-      width = now;
-      draw();
-    }
-  }).observe(box);
+  when_wide(box, (now) => {
+    width = now;
+    draw();
+  });
   state.on("order", paint);
   state.on("picked", paint);
   on_theme(paint);

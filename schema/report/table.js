@@ -1,9 +1,11 @@
 // The candidates' table: any number of rows, of which only those in view are in the document.
 import { count, h, plural } from "./format.js";
 import { metrics } from "./metrics.js";
+import { on_print } from "./paper.js";
 
 const kRow_px = 28,
-  kSpare = 6;
+  kSpare = 6,
+  kPrinted = 50; // rows on paper
 
 const columns = [
   {
@@ -128,21 +130,28 @@ export function make_table(box, candidates, state) {
       heads[i].setAttribute("aria-sort", on ? (descending ? "descending" : "ascending") : "none");
     }
     grid.setAttribute("aria-rowcount", order.length + 1);
-    body.style.height = `${order.length * kRow_px}px`;
     state.set("order", order);
     draw(true);
   }
 
   let from = -1,
-    to = -1;
+    to = -1,
+    printing = false;
+  function in_view() {
+    if (printing) return [0, Math.min(order.length, kPrinted)];
+    return [
+      Math.max(0, Math.floor(grid.scrollTop / kRow_px) - kSpare),
+      Math.min(
+        order.length,
+        Math.ceil((grid.scrollTop + grid.clientHeight) / kRow_px) + kSpare,
+      ),
+    ];
+  }
   function draw(anew = false) {
-    const first = Math.max(0, Math.floor(grid.scrollTop / kRow_px) - kSpare);
-    const last = Math.min(
-      order.length,
-      Math.ceil((grid.scrollTop + grid.clientHeight) / kRow_px) + kSpare,
-    );
+    const [first, last] = in_view();
     if (!anew && first === from && last === to) return;
     [from, to] = [first, last];
+    body.style.height = `${(printing ? last : order.length) * kRow_px}px`;
     const picked = candidates.row_of.get(state.get("picked"));
     body.replaceChildren(
       ...order.slice(first, last).map((row, i) => row_node(row, first + i, row === picked)),
@@ -228,6 +237,10 @@ export function make_table(box, candidates, state) {
     draw(true);
   });
   new ResizeObserver(() => draw(true)).observe(grid);
+  on_print((begins) => {
+    printing = begins;
+    draw(true);
+  });
 
   return {
     filter(holds) {

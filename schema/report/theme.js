@@ -1,4 +1,5 @@
 // Light and dark: what the system prefers, unless the reader chose; remembered where storage works.
+import { on_print } from "./paper.js";
 
 const kKey = "misalign-theme";
 const listeners = [];
@@ -55,12 +56,8 @@ export function set_up_theme(button) {
     label();
   });
   // Paper is white: canvases cannot follow a print style sheet, so they are drawn again.
-  addEventListener("beforeprint", () => {
-    printing = true;
-    apply();
-  });
-  addEventListener("afterprint", () => {
-    printing = false;
+  on_print((begins) => {
+    printing = begins;
     apply();
   });
 }

@@ -1,6 +1,6 @@
 // Table, filter and scatter of the candidates, and rows without details.
 import assert from "node:assert/strict";
-import { axis, by, median, state, unfiltered } from "./reading.mjs";
+import { axis, by, floats, median, state, unfiltered } from "./reading.mjs";
 
 export async function table_checks(page, data) {
   const { columns, shown } = data.candidates;
@@ -20,7 +20,9 @@ export async function table_checks(page, data) {
   await unfiltered(page, "the filter leaves what the data say", async () => {
     const stroke = median(columns.stroke_max),
       depth = median(columns.deploys_from_deg),
-      few = median(columns.shifted_vertices);
+      few = median(columns.shifted_vertices),
+      springs = data.actuators.stiffness_n_per_mm / 2,
+      energy = springs * median(columns.stretch_sq_mm2);
     const cases = [
       [`stroke_max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
       [
@@ -40,9 +42,17 @@ export async function table_checks(page, data) {
       [`draw = ${columns.draw.at(-1)}`, (i) => columns.draw[i] === columns.draw.at(-1)],
       [`${columns.draw[0]}`, (i) => columns.draw[i] === columns.draw[0]],
       [`Stroke max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
+      [`energy_n_mm < ${energy}`, (i) => springs * columns.stretch_sq_mm2[i] < energy],
       ["details", (i) => data.details.some(({ draw }) => draw === columns.draw[i])],
       ["stroke_max < -1", () => false],
     ];
+    for (const detail of data.details) {
+      const row = columns.draw.indexOf(detail.draw),
+        depth = detail.pilot_deg.indexOf(detail.verdict.deploys_from_deg);
+      if (row < 0) continue;
+      const stored = floats(detail.energy_n_mm)[depth];
+      assert.ok(Math.abs(springs * columns.stretch_sq_mm2[row] - stored) < 1e-5 * stored, "energy");
+    }
     for (const [text, test] of cases) {
       assert.equal(await filter(text), expected(test), text);
       if (expected(test) < rows.length)
@@ -146,6 +156,14 @@ export async function table_checks(page, data) {
 
 export async function scatter_checks(page, data) {
   const { columns } = data.candidates;
+  await unfiltered(page, "points and axes of the scatter lie on each other", async () => {
+    const [points, axes] = [
+      await by(page, "scatter-canvas").boundingBox(),
+      await by(page, "scatter").locator("svg.plot").boundingBox(),
+    ];
+    for (const side of ["x", "y", "width", "height"])
+      assert.ok(Math.abs(points[side] - axes[side]) < 1, `${side}: ${points[side]}, ${axes[side]}`);
+  });
   const across = "stroke_max",
     up = "elongation_max";
   await unfiltered(

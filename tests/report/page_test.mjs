@@ -132,16 +132,28 @@ async function report_checks(browser, report) {
     assert.equal(await ground(), dark);
   });
 
-  await check("prints light, and returns to dark", async () => {
-    await page.evaluate(() =>
-      addEventListener("beforeprint", () => {
-        window.printed = document.documentElement.dataset.theme;
-      }),
-    );
+  await check("prints light, wide and long enough for paper, and returns to what it was", async () => {
+    await page.evaluate(() => {
+      window.looks = () => ({
+        theme: document.documentElement.dataset.theme,
+        rows: document.querySelectorAll(".line").length,
+        widths: [...document.querySelectorAll("svg.plot")].map((svg) =>
+          Number(svg.getAttribute("width")),
+        ),
+      });
+      addEventListener("beforeprint", () => (window.printed = looks()));
+    });
+    const looks = () => page.evaluate(() => window.looks());
+    const before = await looks();
+    assert.equal(before.theme, "dark");
     const pdf = await page.pdf();
     assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
-    assert.equal(await page.evaluate(() => window.printed), "light");
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    const printed = await page.evaluate(() => window.printed);
+    assert.equal(printed.theme, "light");
+    assert.equal(printed.rows, Math.min(shown, 50), "rows on paper");
+    assert.equal(printed.widths.length, before.widths.length);
+    printed.widths.forEach((width, i) => assert.ok(width < before.widths[i], `chart ${i}`));
+    assert.deepEqual(await looks(), before);
     return `${(pdf.length / 1024).toFixed(0)} KiB`;
   });
 

@@ -1,0 +1,13 @@
+// On paper: what is drawn for the width of a screen is drawn again for that of a sheet of A4.
+
+const kPaper_px = 1000; // 700 between the margins of page.css: 12 px become 6 points
+
+/** Calls listener(true) before the page is printed and listener(false) afterwards. */
+export function on_print(listener) {
+  addEventListener("beforeprint", () => listener(true));
+  addEventListener("afterprint", () => listener(false));
+}
+
+/** How much narrower the page is on paper than on the screen. */
+export const paper_share = () =>
+  Math.min(1, kPaper_px / document.querySelector("main").clientWidth);
