@@ -59,7 +59,7 @@ Pattern read_carried_pattern(const Json& fold, InputFaults& faults, Perforations
     faults.add(
         kCarriedPattern,
         "is not the pattern of this file's vertices, edges and faces, which were changed since",
-        "export the candidate again, or take the key out to read the mesh as it is");
+        "export the candidate again; shifts are changed in its JSON export, displacements_mm");
   }
   return pattern;
 }

@@ -67,8 +67,8 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most) {
       query_table(database, "SELECT count(*) AS total FROM candidate", TableStyle::json));
   Json columns = Json::object();
   for (const Json& row : rows) {
-    if (!row.at("draw").is_number_unsigned()) {
-      throw damaged(database, "a candidate's draw is " + row.at("draw").dump());
+    if (const Json draw = row.value("draw", Json()); !draw.is_number_unsigned()) {
+      throw damaged(database, "a candidate's draw is " + draw.dump());
     }
     for (const auto& [column, value] : row.items()) {
       columns[column].push_back(column == "draw" ? Json(value.dump()) : value);

@@ -36,10 +36,11 @@ void print_summary(const solver::Mechanism& mechanism, const FoldedDraw& folded)
     std::printf("%zu of %d diagonals keep %.3g %% of that: %s%s\n", actuation.few->diagonals.size(),
                 mechanism.diagonal_count(), 100 * actuation.few->share,
                 labels(mechanism, actuation.few->diagonals).c_str(),
-                actuation.few->proven ? "" : " (fewer might)");
+                actuation.few->proven ? "; no fewer do" : "; fewer might");
   }
   if (actuation.over_stroke) {
-    std::printf("beyond the stroke limit from %g deg on: %s\n", actuation.over_stroke->from_deg,
+    std::printf("the stroke limit is first exceeded at %g deg; up to D by %s\n",
+                actuation.over_stroke->from_deg,
                 labels(mechanism, actuation.over_stroke->diagonals).c_str());
   } else if (limit) {
     std::printf("no diagonal goes beyond the stroke limit up to D\n");

@@ -184,7 +184,8 @@ std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice
   if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
     throw schema::UserError(schema::kExitUsage,
                             database.getFilename() + ": holds no such candidate; `misalign query " +
-                                database.getFilename() + " best` shows those that it holds");
+                                database.getFilename() +
+                                " best` shows those that it holds, `misalign replay` any draw");
   }
   return draws;
 }

@@ -41,7 +41,8 @@ Action add_actuators(CLI::App& app) {
       "would fold the sheet further) and mechanical advantage (newtons on the sheet's\n"
       "span for each newton in every diagonal) along the way, the force on each\n"
       "diagonal, where the moment is least, and the fewest diagonals that keep half of\n"
-      "that.\n\n"
+      "that. deployment: (180 - pilot)/180, 1 when flat. Forces and elongations are\n"
+      "positive where a spring is longer than when flat, and pulls.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08");
   auto options = std::make_shared<ActuatorsOptions>();
@@ -98,7 +99,8 @@ Action add_export(CLI::App& app) {
   diverse->check(a_draw())->excludes(best)->type_name("K");
   plain->excludes(best)->excludes(diverse)->excludes(where);
   group->require_option(1, 0);
-  verb->add_option("--by", choice.by, "column that the best are sorted by [deploys_from_deg]")
+  verb->add_option("--by", choice.by,
+                   "column that the best are sorted by, largest first [deploys_from_deg]")
       ->type_name("COLUMN");
   verb->add_option("--format", options->format, "json, csv, fold, svg or obj [json]")
       ->transform(one_of({{"json", number_of(ExportFormat::json)},

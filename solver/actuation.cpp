@@ -67,6 +67,30 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   }
 }
 
+// |d way / d span| at each row but the first, by the parabola through three neighbours. Both go on
+// smoothly through a fold limit, where neither does with the pilot.
+std::vector<double> advantages(const std::vector<double>& way_mm,
+                               const std::vector<double>& span_mm) {
+  std::vector<double> advantages{std::numeric_limits<double>::quiet_NaN()};
+  const std::size_t rows = way_mm.size();
+  const auto slope = [&](std::size_t i) {
+    return (span_mm[i + 1] - span_mm[i]) / (way_mm[i + 1] - way_mm[i]);
+  };
+  for (std::size_t row = 1; row < rows; ++row) {
+    const std::size_t middle = rows == 2 ? 0 : std::min(row, rows - 2);
+    double rate = slope(middle);
+    if (middle > 0) {
+      const double before_mm = way_mm[middle] - way_mm[middle - 1],
+                   after_mm = way_mm[middle + 1] - way_mm[middle];
+      const double at_mm = row == middle ? before_mm : before_mm + 2 * after_mm;
+      const double bend = (slope(middle) - slope(middle - 1)) / (before_mm + after_mm);
+      rate = slope(middle - 1) + bend * at_mm;
+    }
+    advantages.push_back(1 / std::abs(rate));
+  }
+  return advantages;
+}
+
 }  // namespace
 
 Actuation actuate(const Actuators& actuators, const ShapedPath& path,
@@ -78,10 +102,9 @@ Actuation actuate(const Actuators& actuators, const ShapedPath& path,
   Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {}, {}, {}, {}};
   actuation.force_n.setZero(stops + 1, diagonals);
   actuation.moment_by_n_mm.setZero(stops + 1, diagonals);
-  actuation.mechanical_advantage.push_back(std::numeric_limits<double>::quiet_NaN());
   const Eigen::RowVectorXd flat_mm = Eigen::RowVectorXd::Map(history.flat_mm.data(), diagonals);
   Eigen::RowVectorXd before_mm = flat_mm;
-  double span_before_mm = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
+  std::vector<double> way_mm{0}, span_mm{(vertices_mm.col(a) - vertices_mm.col(b)).norm()};
   for (Index row = 0; row < stops; ++row) {
     const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - flat_mm;
     actuation.pilot_deg.push_back(history.stops[row].pilot_deg);
@@ -91,13 +114,11 @@ Actuation actuate(const Actuators& actuators, const ShapedPath& path,
     actuation.energy_n_mm.push_back(k / 2 * stretch_mm.squaredNorm());
     actuation.moment_n_mm.push_back(actuation.moment_by_n_mm.row(row + 1).sum());
     const Eigen::Matrix3Xd& shape_mm = path.shapes_mm[row];
-    const double span_mm = (shape_mm.col(a) - shape_mm.col(b)).norm();
-    actuation.mechanical_advantage.push_back(
-        (history.length_mm.row(row) - before_mm).cwiseAbs().sum() /
-        std::abs(span_mm - span_before_mm));
+    span_mm.push_back((shape_mm.col(a) - shape_mm.col(b)).norm());
+    way_mm.push_back(way_mm.back() + (history.length_mm.row(row) - before_mm).cwiseAbs().sum());
     before_mm = history.length_mm.row(row);
-    span_before_mm = span_mm;
   }
+  actuation.mechanical_advantage = advantages(way_mm, span_mm);
   find_weakest(history, actuation);
   find_over_stroke(history, actuation);
   return actuation;

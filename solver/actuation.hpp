@@ -21,7 +21,7 @@ inline constexpr double kShareOfFew = 0.5;
 
 /// How springs of `Actuators` behave along a path. Row 0 is the flat sheet, row i + 1 the i-th row
 /// of the history. The moment is taken about the pilot crease: that of springs that let go by
-/// dE is dE / d(pilot angle in radians). Forces on a step are related by virtual work.
+/// dE is dE / d(pilot angle in radians). Forces are related by virtual work.
 struct Actuation {
   Actuators actuators;
   std::vector<double> pilot_deg;
@@ -30,7 +30,7 @@ struct Actuation {
   std::vector<double> energy_n_mm;  ///< k / 2 sum (L - L0)^2
   std::vector<double> moment_n_mm;  ///< dE/d(pilot)
   /// Newtons on the sheet's span (between the two vertices farthest apart when flat) for each
-  /// newton in every diagonal, over the step from the row before: sum |dL| / |dS|; NaN at row 0.
+  /// newton in every diagonal: sum |dL| / |dS|, by the parabola through three rows; NaN at row 0.
   std::vector<double> mechanical_advantage;
 
   struct Weakest {

@@ -6,16 +6,24 @@
 namespace misalign::solver {
 
 BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
-                            int direction) {
-  // With t from 0 to 1: p(t) = b t + c t^2 + d t^3, growing where the diagonal goes on.
+                            double slowing, int direction) {
+  // With t from 0 to 1 along the path the pilot's rate is u + v t, and the length is
+  // p(t) = b t + c t^2 + d t^3, growing where the diagonal goes on.
+  const double u = 2 * step_rad / (1 + slowing), v = u * (slowing - 1);
   const double rise = direction * (next.length - here.length);
-  const double b = direction * here.slope * step_rad, end = direction * next.slope * step_rad;
+  const double b = direction * here.slope * u, end = direction * next.slope * (u * slowing);
   const double c = 3 * rise - 2 * b - end, d = b + end - 2 * rise;
   const auto length = [&](double t) { return ((d * t + c) * t + b) * t; };
-  const auto slope = [&](double t) { return (3 * d * t + 2 * c) * t + b; };
-  double least = std::min(b, end);
-  if (const double t = -c / (3 * d); d > 0 && t > 0 && t < 1) least = std::min(least, slope(t));
-  BetweenSamples between{least / step_rad, 0, 0};
+  const auto slope = [&](double t) { return ((3 * d * t + 2 * c) * t + b) / (u + v * t); };
+  double least = std::min(direction * here.slope, direction * next.slope);
+  // Stationary slopes: 3 d v t^2 + 6 d u t + 2 c u - b v = 0, whose other root lies beyond u + v t
+  // = 0.
+  const double half = 3 * d * u, product = 3 * d * v * (2 * c * u - b * v);
+  if (const double square = half * half - product; d != 0 && square >= 0) {
+    const double t = -(2 * c * u - b * v) / (half + std::copysign(std::sqrt(square), half));
+    if (t > 0 && t < 1) least = std::min(least, slope(t));
+  }
+  BetweenSamples between{least, 0, 0};
   if (!(least < 0)) return between;
   // Where the slope is negative: between its zeros, in the form that does not cancel.
   double zeros[2] = {0, 1};
@@ -29,7 +37,7 @@ BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& ne
   for (int k = 0; k < 3; ++k) {
     const double back = length(parts[k]) - length(parts[k + 1]);
     if (back <= 0) continue;
-    if (between.back == 0) between.from = parts[k];
+    if (between.back == 0) between.from = parts[k] * (u + v * parts[k] / 2) / step_rad;
     between.back = std::max(between.back, back);
   }
   return between;

@@ -28,6 +28,7 @@ void DenseLook::at(const SheetGeometry<double>& geometry, const FoldState<double
   Eigen::Map<Eigen::VectorXd> rates(rates_.data(), mechanism_.unknowns);
   rates.head(mechanism_.equations) = -factors_.solve(system_.jacobian().col(mechanism_.equations));
   rates[mechanism_.equations] = 1;  // the pilot's, last
+  pilot_rate_ = 1 / rates.norm();
   folded_lengths_and_slopes(mechanism_, geometry, state_, rates_.data(), lengths_.data(),
                             slopes_.data(), misfit_.data());
 }

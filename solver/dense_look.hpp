@@ -33,6 +33,7 @@ class DenseLook {
   double singular_value() const { return singular_value_; }
   const std::vector<double>& lengths() const { return lengths_; }  ///< panel widths
   const std::vector<double>& slopes() const { return slopes_; }    ///< per radian of pilot
+  double pilot_rate() const { return pilot_rate_; }  ///< the pilot's entry of the unit tangent
 
  private:
   const Mechanism& mechanism_;
@@ -41,7 +42,7 @@ class DenseLook {
   FoldState<double> state_, trial_;
   DenseSolve factors_;
   SmallestSingularValue<double> smallest_;
-  double open_by_ = 0, singular_value_ = 0;
+  double open_by_ = 0, singular_value_ = 0, pilot_rate_ = 1;
   std::vector<double> rates_, misfit_, lengths_, slopes_;
 };
 

@@ -84,7 +84,9 @@ void Recording::begin(const FlatVertices& vertices_mm) {
 
 void Recording::see(const SeenStop& seen) {
   const double width_mm = mechanism_.panel_width_mm;
-  if (seen.stop.sample > 0) judge_.see(seen.stop, seen.state, seen.lengths, &seen.slopes);
+  if (seen.stop.sample > 0) {
+    judge_.see(seen.stop, seen.state, seen.lengths, &seen.slopes, seen.pilot_rate);
+  }
   history_.stops.push_back(seen.stop);
   for (const double length : seen.lengths) lengths_mm_.push_back(length * width_mm);
   for (const double slope : seen.slopes) {
@@ -106,8 +108,8 @@ void Recording::see_densely(const Stop& stop, const FoldState<double>& state,
   dense_->at(geometry, state);
   FoldedPoints<double> points;
   shape.place(geometry, dense_->state(), points);
-  see({stop, dense_->state(), dense_->lengths(), dense_->slopes(), dense_->open_by(),
-       dense_->singular_value(), shape.isometry_error(geometry, points)});
+  see({stop, dense_->state(), dense_->lengths(), dense_->slopes(), dense_->pilot_rate(),
+       dense_->open_by(), dense_->singular_value(), shape.isometry_error(geometry, points)});
 }
 
 FoldingHistory Recording::conclude(const PathResult& path) {

@@ -46,6 +46,7 @@ struct SeenStop {
   const FoldState<double>& state;
   const std::vector<double>& lengths;  ///< per diagonal, panel widths
   const std::vector<double>& slopes;   ///< panel widths per radian of pilot
+  double pilot_rate;                   ///< the pilot's entry of the unit tangent
   double open_by;                      ///< largest closure entry: radians, panel widths
   double singular_value_min;           ///< of the square Jacobian
   double isometry_error;               ///< panel widths

@@ -84,6 +84,7 @@ class LaneBatch final : public Batch {
       tracker.copy_lengths(lane, desk.found().lengths.data());
       const double misfit =
           desk.wants_slopes() ? tracker.copy_slopes(lane, desk.found().slopes.data()) : 0;
+      desk.found().pilot_rate = tracker.pilot_rate(lane);
       return desk.visit(stop, lane, misfit);
     }
     void ended(const PathResult& path, int lane) { desk.ended(path, lane); }

@@ -125,9 +125,10 @@ bool JudgingDesk::visit(const Stop& stop, int lane, double misfit) {
     found_.state = dense.state();
     found_.lengths = dense.lengths();
     found_.slopes = dense.slopes();
+    found_.pilot_rate = dense.pilot_rate();
   }
   return judges_[lane].see(stop, found_.state, found_.lengths,
-                           wants_slopes() ? &found_.slopes : nullptr);
+                           wants_slopes() ? &found_.slopes : nullptr, found_.pilot_rate);
 }
 
 void JudgingDesk::ended(PathResult path, int lane) {

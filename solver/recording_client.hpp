@@ -70,6 +70,9 @@ class RecordingClient {
         work_.data(), rates_.data());
     folded_lengths_and_slopes(mechanism_, geometry, kept_state_, rates_.data(), lengths_.data(),
                               slopes_.data(), residual_.data());
+    T square(0);
+    for (const T& rate : rates_) square = square + rate * rate;
+    const T pilot_rate = T(1) / sqrt(square);
     T misfit(0);
     for (const T& rest : residual_) misfit = larger(misfit, magnitude(rest));
     shape_.place(geometry, kept_state_, points_);
@@ -82,8 +85,9 @@ class RecordingClient {
           copy_.lengths[k] = lane(lengths_[k], i);
           copy_.slopes[k] = lane(slopes_[k], i);
         }
-        desk_.of_lane(i).see({stops_[i], copy_.state, copy_.lengths, copy_.slopes, lane(open_by, i),
-                              lane(singular_value, i), lane(isometry_error, i)});
+        desk_.of_lane(i).see({stops_[i], copy_.state, copy_.lengths, copy_.slopes,
+                              lane(pilot_rate, i), lane(open_by, i), lane(singular_value, i),
+                              lane(isometry_error, i)});
       } else {
         desk_.of_lane(i).see_densely(stops_[i], copy_.state, shape_);
       }

@@ -13,6 +13,7 @@ struct StopCopy {
 
   FoldState<double> state;
   std::vector<double> lengths, slopes;  ///< of the diagonals: panel widths, per radian of pilot
+  double pilot_rate = 1;                ///< the pilot's entry of the unit tangent
 };
 
 }  // namespace misalign::solver

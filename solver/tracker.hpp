@@ -75,6 +75,8 @@ class Tracker {
   /// Change of its diagonals per radian of the pilot; returns how far the tangent is from one, the
   /// largest entry of J times it.
   double copy_slopes(int i, double* slopes);
+  /// The pilot's entry of its unit tangent there: 0 at a fold limit.
+  double pilot_rate(int i) const { return lane(tangents_[0][unknowns_ - 1], i); }
 
  private:
   template <class Client>

@@ -176,9 +176,9 @@ void Tracker<T>::find_slopes() {
 template <class T>
 double Tracker<T>::copy_slopes(int i, double* slopes) {
   if (!slopes_known_) find_slopes();
-  const double pilot_rate = lane(tangents_[0][unknowns_ - 1], i);
-  for (const T& slope : slopes_) *slopes++ = lane(slope, i) / pilot_rate;
-  return lane(misfit_, i) / pilot_rate;
+  const double rate = pilot_rate(i);
+  for (const T& slope : slopes_) *slopes++ = lane(slope, i) / rate;
+  return lane(misfit_, i) / rate;
 }
 
 }  // namespace misalign::solver

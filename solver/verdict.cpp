@@ -33,6 +33,7 @@ Judge::Judge(const Mechanism& mechanism, bool bump_is_fault)
 void Judge::begin(const std::vector<double>& flat_lengths) {
   samples_in_order_ = 0;
   last_pilot_deg_ = 0;
+  last_pilot_rate_ = 0;  // flat: all branches meet there
   fault_ = Fault::none;
   where_ = -1;
   last_ = least_ = most_ = flat_lengths;
@@ -43,12 +44,13 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
 }
 
 bool Judge::see(const Stop& stop, const FoldState<double>& state,
-                const std::vector<double>& lengths, const std::vector<double>* slopes) {
+                const std::vector<double>& lengths, const std::vector<double>* slopes,
+                double pilot_rate) {
   if (fault_ != Fault::none) return false;
   fault_ = fault_in(state, lengths, where_);
   if (fault_ != Fault::none) return false;
   if (slopes) {
-    const Between between = seen_between(stop, lengths, *slopes);
+    const Between between = seen_between(stop, lengths, *slopes, pilot_rate);
     if (bump_is_fault_ && between.back_where >= 0) {
       fault_ = Fault::bump;
       where_ = between.back_where;
@@ -56,6 +58,7 @@ bool Judge::see(const Stop& stop, const FoldState<double>& state,
     }
     between_ = between;
     last_slopes_ = *slopes;
+    last_pilot_rate_ = pilot_rate;
   }
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     least_[i] = std::min(least_[i], lengths[i]);
@@ -99,14 +102,15 @@ Fault Judge::fault_in(const FoldState<double>& state, const std::vector<double>&
 }
 
 Between Judge::seen_between(const Stop& stop, const std::vector<double>& lengths,
-                            const std::vector<double>& slopes) {
+                            const std::vector<double>& slopes, double pilot_rate) {
   const double step_deg = stop.pilot_deg - last_pilot_deg_;
+  const double slowing = last_pilot_rate_ > 0 && pilot_rate > 0 ? pilot_rate / last_pilot_rate_ : 1;
   Between between = between_;
   double longest = 0, longest_bump = 0;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (direction_[i] == 0) continue;
     const BetweenSamples seen = look_between({last_[i], last_slopes_[i]}, {lengths[i], slopes[i]},
-                                             step_deg * kRadPerDeg, direction_[i]);
+                                             step_deg * kRadPerDeg, slowing, direction_[i]);
     if (last_pilot_deg_ >= kInactiveFrom_deg) {
       between.least_slope = std::min(between.least_slope, seen.least_slope);
     }

@@ -71,9 +71,10 @@ class Judge {
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
   /// The next sample in order; false once a fault is known. Nothing changes after that. With the
-  /// diagonals' slopes (panel widths per radian of pilot) it looks between the samples as well.
+  /// diagonals' slopes (panel widths per radian of pilot), and the pilot's entry of the unit
+  /// tangent, it looks between the samples as well.
   bool see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths,
-           const std::vector<double>* slopes = nullptr);
+           const std::vector<double>* slopes = nullptr, double pilot_rate = 1);
   /// The verdict, once the path has ended or `see` has said false.
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
@@ -81,12 +82,12 @@ class Judge {
  private:
   Fault fault_in(const FoldState<double>& state, const std::vector<double>& lengths, int& where);
   Between seen_between(const Stop& stop, const std::vector<double>& lengths,
-                       const std::vector<double>& slopes);
+                       const std::vector<double>& slopes, double pilot_rate);
 
   const Mechanism& mechanism_;
   const bool bump_is_fault_;
   int samples_in_order_ = 0;
-  double last_pilot_deg_ = 0;
+  double last_pilot_deg_ = 0, last_pilot_rate_ = 0;
   Fault fault_ = Fault::none;
   int where_ = -1;
   std::vector<double> last_, last_slopes_, least_, most_;

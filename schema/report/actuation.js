@@ -204,8 +204,8 @@ export function show_actuation_words(box, report, detail, decoded) {
         "span",
         {},
         h("strong", {}, "Stroke limit "),
-        `of ±${percent(stroke_limit, 2)}: exceeded from ${degrees(detail.over_stroke.from_deg)} on; up to D by ${plural(detail.over_stroke.diagonals.length, "diagonal")}: ` +
-          `${names(detail.over_stroke.diagonals)}. With actuators of that stroke it deploys from there, not from D.`,
+        `of ±${percent(stroke_limit, 2)}: first exceeded at ${degrees(detail.over_stroke.from_deg)}, and up to D by ${plural(detail.over_stroke.diagonals.length, "diagonal")}: ` +
+          `${names(detail.over_stroke.diagonals)}. With actuators of that stroke it deploys from the sample before, not from D.`,
       ),
     );
   } else items.push(`Stroke limit of ±${percent(stroke_limit, 2)}: kept by every diagonal.`);

@@ -1,6 +1,6 @@
 // The filter of the table: plain conditions, all of which must hold.
 //   stroke_max < 0.05 deploys_from_deg >= 172        bump_deg is none        draw = 1234        details
-import { metrics } from "./metrics.js";
+import { metric_of, metrics } from "./metrics.js";
 
 const kNames = ["draw", ...metrics.map((metric) => metric.name)];
 const kToken = /\s*(?:(<=|>=|!=|==|<|>|=|≤|≥|≠)|([^\s<>=!≤≥≠,;&]+)|(,|;|&&))/y;
@@ -70,9 +70,9 @@ export function parse_filter(typed, candidates) {
 
 /** The table's headings as the columns' names: “stroke max < 5%”. */
 function with_names(text) {
-  let named = text;
+  let named = text.replaceAll(/(\d)\s+%/g, "$1%");
   for (const { label, name } of metrics) {
-    if (label.includes(" ")) named = named.replaceAll(new RegExp(`\\b${label}\\b`, "gi"), name);
+    named = named.replaceAll(new RegExp(`\\b${label}\\b`, "gi"), name);
   }
   return named;
 }
@@ -99,6 +99,8 @@ function condition(name, operator, word, { columns }) {
   }
   const value = number_of(word);
   if (value === null) return { error: `“${word}” is no number.` };
+  if (metric_of[name].axis === 100 && Math.abs(value) > 1 && !word.endsWith("%"))
+    return { error: `“${name}” is a share: write ${word}%, or ${value / 100}.` };
   return {
     test: (row) => values[row] !== null && values[row] !== undefined && holds(values[row], value),
   };

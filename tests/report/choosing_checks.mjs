@@ -42,6 +42,10 @@ export async function table_checks(page, data) {
       [`draw = ${columns.draw.at(-1)}`, (i) => columns.draw[i] === columns.draw.at(-1)],
       [`${columns.draw[0]}`, (i) => columns.draw[i] === columns.draw[0]],
       [`Stroke max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
+      [
+        `bump = none Longest < ${100 * stroke} %`,
+        (i) => columns.bump_deg[i] === null && columns.elongation_max[i] < (100 * stroke) / 100,
+      ],
       [`energy_n_mm < ${energy}`, (i) => springs * columns.stretch_sq_mm2[i] < energy],
       ["details", (i) => data.details.some(({ draw }) => draw === columns.draw[i])],
       ["stroke_max < -1", () => false],
@@ -80,6 +84,7 @@ export async function table_checks(page, data) {
         ["stroke_max <", /number is missing/],
         ["stroke_max < x", /no number/],
         ["stroke_max 5", /comparison is missing/],
+        ["stroke_max < 5", /is a share: write 5%/],
         ["< 5", /name is missing/],
         ["stroke_max < 1 or bump_deg = none", /“or” is not understood/],
         ["stroke_max ! 5", /not understood/],

@@ -2,6 +2,7 @@
 #include "catalogue_fixture.hpp"
 #include "schema/ledger_check.hpp"
 #include "schema/plain_export.hpp"
+#include "schema/report.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -128,6 +129,16 @@ TEST_F(DamageTest, PlainExportsNameTheCatalogue) {
     const auto database = open_for_reading(damage(sql));
     expect_bad_file(refusal([&] { export_plain(*database, path("plain.db")); }), word, sql);
     EXPECT_FALSE(std::filesystem::exists(path("plain.db")));
+  }
+}
+
+TEST_F(DamageTest, ReportsNeedDraws) {
+  const char* const kViews[] = {"1 AS deploys_from_deg, 1 AS slope_min_mm_per_deg",
+                                "'x' AS draw, 1 AS deploys_from_deg, 1 AS slope_min_mm_per_deg"};
+  for (const std::string view : kViews) {
+    const std::string sql = "DROP VIEW candidates; CREATE VIEW candidates AS SELECT " + view;
+    const auto database = open_for_reading(damage(sql));
+    expect_bad_file(refusal([&] { candidates_json(*database, 10); }), "candidate's draw", sql);
   }
 }
 

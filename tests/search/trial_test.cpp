@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "search/folded_draw.hpp"
 #include "solver/reference.hpp"
 
 namespace misalign::search {
@@ -192,6 +193,37 @@ TEST(Trial, InstructionSetsAndBlocksAgree) {
     trial.settle(unit);
     EXPECT_EQ(draws_of(unit), expected) << solver::instruction_set_name(set);
   }
+}
+
+// Next to a fold limit lengths change ever faster with the pilot. Whether a diagonal goes back
+// there, in draws of the main campaign with a limit up to 0.05 degrees beyond D, is what the same
+// path says in steps of a hundredth of a degree. None of them goes on again before D, which would
+// be a bump.
+TEST(Trial, TurnsNextToAFoldLimitAreThoseOfTheFinePath) {
+  const schema::Campaign campaign = schema::read_campaign(
+      {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}}, "a test");
+  const DrawFolder coarse(campaign), fine(campaign, 0.01);
+  int turns = 0, smooth = 0;
+  for (const std::uint64_t draw : {2850319, 4366571, 9947173, 10337263, 1623437, 8100241}) {
+    const solver::Metrics metrics = *coarse.fold(draw).metrics;
+    const solver::FoldingHistory history = fine.fold(draw).path.history;
+    EXPECT_LT(metrics.fold_limit_deg - metrics.deploys_from_deg, 0.05) << "draw " << draw;
+    bool goes_back = false;
+    for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+      double top = 0;
+      for (std::size_t row = 0; row < history.stops.size(); ++row) {
+        if (history.stops[row].pilot_deg > metrics.deploys_from_deg) break;
+        const double change = std::abs(history.length_mm(row, d) - history.flat_mm[d]);
+        goes_back = goes_back || change < top - 80 * solver::kBumpBand_widths;
+        top = std::max(top, change);
+      }
+    }
+    EXPECT_EQ(*metrics.slope_between_min_mm_per_deg < 0, goes_back) << "draw " << draw;
+    EXPECT_FALSE(metrics.bump_deg.has_value()) << "draw " << draw;
+    (goes_back ? turns : smooth) += 1;
+  }
+  EXPECT_GE(turns, 2);
+  EXPECT_GE(smooth, 3);
 }
 
 }  // namespace
