@@ -17,7 +17,7 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
       ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm))
       ->type_name("N/MM");
   verb.add_option("--stroke-limit", actuators.stroke_limit,
-                  "largest elongation of an actuator, 0.08 for Ti-Ni wires [the campaign's]")
+                  "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the campaign's]")
       ->check(within(schema::kLeastStroke, schema::kMostStroke))
       ->type_name("SHARE");
 }
