@@ -154,8 +154,9 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     return draws;
   }
   if (!choice.where.empty()) check_condition(database, choice.where);
-  const std::string all = "SELECT draw FROM candidates" +
-                          (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");
+  const std::string all =
+      "SELECT draw FROM candidates" +
+      (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");  // which ends a comment
   if (!choice.best && !choice.diverse) {
     return draws_of_rows(database, rows_of(database, all + " ORDER BY draw"));
   }

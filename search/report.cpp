@@ -67,6 +67,17 @@ Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mec
   return diagonals;
 }
 
+// The options that were given, for the page's commands.
+std::string options_of(const OtherActuators& actuators) {
+  std::string text;
+  if (const auto& k = actuators.stiffness_n_per_mm)
+    text += " --stiffness " + schema::shown_number(*k);
+  if (const auto& limit = actuators.stroke_limit) {
+    text += " --stroke-limit " + schema::shown_number(*limit);
+  }
+  return text;
+}
+
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     std::uint64_t rows) {
@@ -99,6 +110,7 @@ void write_report(const ReportOptions& options) {
                {"commands",
                 {{"misalign", "misalign"},
                  {"catalogue", shell_word(options.catalogue_path)},
+                 {"springs", options_of(options.actuators)},
                  {"output", shell_word(options.output)}}},
                {"campaign",
                 {{"name", campaign.name},

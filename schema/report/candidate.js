@@ -36,23 +36,13 @@ function command(about, text, state, id) {
   );
 }
 
-/** Options for the springs of this report, where they are not the campaign's own. */
-function springs({ actuators, campaign }) {
-  const own = { stiffness_n_per_mm: 50, stroke_limit: null, ...campaign.configuration.actuators };
-  const { stiffness_n_per_mm, stroke_limit } = actuators;
-  return (
-    (stiffness_n_per_mm === own.stiffness_n_per_mm ? "" : ` --stiffness ${stiffness_n_per_mm}`) +
-    (stroke_limit === own.stroke_limit ? "" : ` --stroke-limit ${stroke_limit}`)
-  );
-}
-
-export function report_command(report, draw) {
-  const { misalign, catalogue, output } = report.commands;
-  return `${misalign} report ${catalogue} --draw ${draw}${springs(report)} --output ${output}`;
+export function report_command({ commands }, draw) {
+  const { misalign, catalogue, springs, output } = commands;
+  return `${misalign} report ${catalogue} --draw ${draw}${springs} --output ${output}`;
 }
 
 export function show_commands(box, report, draw, state) {
-  const { misalign, catalogue } = report.commands;
+  const { misalign, catalogue, springs } = report.commands;
   const accepted =
     report.candidates.columns.draw?.includes(draw) ||
     report.details.some((d) => d.draw === draw && d.accepted);
@@ -73,14 +63,14 @@ export function show_commands(box, report, draw, state) {
       ...(accepted ? exports : []).map(([about, format]) =>
         command(
           about,
-          `${misalign} export ${catalogue} --draw ${draw} --format ${format}${format === "svg" ? "" : springs(report)} --output draw-${draw}`,
+          `${misalign} export ${catalogue} --draw ${draw} --format ${format}${springs} --output draw-${draw}`,
           state,
           `command-${format}`,
         ),
       ),
       command(
         "Springs on its diagonals, in numbers:",
-        `${misalign} actuators ${catalogue} ${draw}${springs(report)}`,
+        `${misalign} actuators ${catalogue} ${draw}${springs}`,
         state,
         "command-actuators",
       ),

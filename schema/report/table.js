@@ -130,6 +130,7 @@ export function make_table(box, candidates, state) {
       heads[i].setAttribute("aria-sort", on ? (descending ? "descending" : "ascending") : "none");
     }
     grid.setAttribute("aria-rowcount", order.length + 1);
+    body.style.height = `${order.length * kRow_px}px`;
     state.set("order", order);
     draw(true);
   }
@@ -151,7 +152,6 @@ export function make_table(box, candidates, state) {
     const [first, last] = in_view();
     if (!anew && first === from && last === to) return;
     [from, to] = [first, last];
-    body.style.height = `${(printing ? last : order.length) * kRow_px}px`;
     const picked = candidates.row_of.get(state.get("picked"));
     body.replaceChildren(
       ...order.slice(first, last).map((row, i) => row_node(row, first + i, row === picked)),

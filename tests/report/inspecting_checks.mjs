@@ -27,6 +27,11 @@ export async function detail_checks(page, data, detail, webgl = true) {
         "stroke_max",
       );
     assert.ok(await by(page, "folding").isVisible());
+    const { misalign, catalogue, springs } = data.commands;
+    assert.equal(
+      await by(page, "command-actuators").textContent(),
+      `${misalign} actuators ${catalogue} ${detail.draw}${springs}`,
+    );
   });
 
   await check("the crease pattern has every crease, hole, diagonal and shift", async () => {

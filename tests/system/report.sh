@@ -29,6 +29,8 @@ data() {  # FILE.html JSON-PATH
   sqlite3 :memory: "SELECT json_extract(readfile('data.json'), '\$.$2')"
 }
 [ "$(data few.html 'details[0].draw')" = "$rejected" ] || fail "the draw asked for is not the first"
+[ "$(data few.html commands.springs)" = " --stroke-limit 0.01" ] || fail "springs of the page's commands"
+[ "$(data none.html commands.springs)" = "" ] || fail "springs that nobody asked for"
 [ "$(data few.html 'details[0].accepted')" = 0 ] || fail "a rejected draw is accepted"
 [ "$(data many.html candidates.shown)" = 10000 ] || fail "candidates of many.db"
 [ "$(data many.html candidates.total)" = "$(sql many.db 'SELECT count(*) FROM candidate')" ] ||
