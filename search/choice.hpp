@@ -15,6 +15,9 @@ struct Choice {
   std::optional<std::uint64_t> diverse;
   std::string by = "deploys_from_deg";  ///< column that says what is best
   std::string where;                    ///< SQL condition on the candidates view
+
+  /// Whether anything but --by was said.
+  bool chooses() const { return !draws.empty() || best || diverse || !where.empty(); }
 };
 
 /// How many of the best are looked at for a spread.

@@ -10,6 +10,7 @@
 #include "schema/report.hpp"
 #include "schema/text_file.hpp"
 #include "search/build_info.hpp"
+#include "search/choice_options.hpp"
 #include "search/shell_word.hpp"
 #include "search/status.hpp"
 
@@ -28,26 +29,50 @@ std::string now() {
   return text;
 }
 
-// Those asked for, then the best ones, none twice.
-std::vector<std::uint64_t> draws_to_look_at(const Json& candidates, const ReportOptions& options) {
-  std::vector<std::uint64_t> draws = options.draws;
-  const Json best = candidates["columns"].value("draw", Json::array());
-  for (std::size_t k = 0; k < std::min<std::size_t>(best.size(), options.details); ++k) {
-    draws.push_back(std::stoull(best[k].get<std::string>()));
+std::vector<std::uint64_t> first_in_table(const Json& candidates, std::uint64_t most) {
+  std::vector<std::uint64_t> draws;
+  for (const Json& draw : candidates["columns"].value("draw", Json::array())) {
+    if (draws.size() >= most) break;
+    draws.push_back(std::stoull(draw.get<std::string>()));
   }
-  std::vector<std::uint64_t> once;
-  for (const std::uint64_t draw : draws) {
-    if (std::find(once.begin(), once.end(), draw) == once.end()) once.push_back(draw);
-  }
-  return once;
+  return draws;
 }
 
-Json details_json(const DrawFolder& folder, const std::vector<std::uint64_t>& draws,
-                  std::size_t asked_for) {
+// Whose folding the page carries, none twice; the first `asked_for` whatever it takes.
+struct DrawsToLookAt {
+  std::vector<std::uint64_t> draws;
+  std::size_t asked_for = 0;
+
+  void add(const std::vector<std::uint64_t>& more) {
+    for (const std::uint64_t draw : more) {
+      if (std::find(draws.begin(), draws.end(), draw) == draws.end()) draws.push_back(draw);
+    }
+  }
+};
+
+DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidates,
+                               const ReportOptions& options) {
+  DrawsToLookAt look;
+  look.add(options.draws);
+  look.asked_for = look.draws.size();
+  Choice choice = options.choice;
+  const bool counted = choice.best || choice.diverse;
+  if (!choice.chooses()) {
+    look.add(first_in_table(candidates, options.details));
+  } else if (candidates["total"] > 0 || !choice.where.empty()) {
+    if (!counted) choice.best = options.details;
+    look.add(chosen_draws(database, choice));
+  }
+  if (counted) look.asked_for = look.draws.size();
+  return look;
+}
+
+Json details_json(const DrawFolder& folder, const DrawsToLookAt& look) {
   Json details = Json::array();
   std::size_t bytes = 0;
-  for (std::size_t k = 0; k < draws.size() && (k < asked_for || bytes < kMostDetailBytes); ++k) {
-    const FoldedDraw folded = folder.fold(draws[k]);
+  for (std::size_t k = 0; k < look.draws.size(); ++k) {
+    if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
+    const FoldedDraw folded = folder.fold(look.draws[k]);
     details.push_back(schema::detail_json(folder.view(folded), folded.draw, folded.accepted,
                                           folded.path, folded.actuation, folded.metrics));
     bytes += details.back().dump().size();
@@ -78,15 +103,67 @@ std::string options_of(const OtherActuators& actuators) {
   return text;
 }
 
+// Whom the page shows, in its own words' terms.
+Json chosen_json(const ReportOptions& options) {
+  const Choice& choice = options.choice;
+  return {{"draws", options.draws.size()},
+          {"best", choice.best ? Json(*choice.best) : Json()},
+          {"diverse", choice.diverse ? Json(*choice.diverse) : Json()},
+          {"where", choice.where.empty() ? Json() : Json(choice.where)},
+          {"by", choice.by}};
+}
+
+// What the page's commands are made of: it shows how to go on from what it shows.
+Json commands_json(const ReportOptions& options) {
+  std::string choice = text_of(options.choice);
+  if (options.details != ReportOptions().details) {
+    choice += " --details " + std::to_string(options.details);
+  }
+  if (options.rows != ReportOptions().rows) choice += " --rows " + std::to_string(options.rows);
+  return {{"misalign", "misalign"},
+          {"catalogue", shell_word(options.catalogue_path)},
+          {"choice", choice},
+          {"springs", options_of(options.actuators)},
+          {"output", shell_word(options.output)}};
+}
+
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
-                    std::uint64_t rows) {
+                    const ReportOptions& options, DrawsToLookAt& look) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    return Json{{"state", status_json(schema::read_state(database))},
-                {"faults", schema::faults_json(database, campaign)},
-                {"candidates", schema::candidates_json(database, rows)}};
+    Json json = {{"state", status_json(schema::read_state(database))},
+                 {"faults", schema::faults_json(database, campaign)},
+                 {"candidates", schema::candidates_json(database, options.rows)}};
+    look = draws_to_look_at(database, json["candidates"], options);
+    return json;
   });
+}
+
+// What is folded, and by what.
+Json folding_json(const schema::Campaign& campaign, const DrawFolder& folder,
+                  const DrawsToLookAt& look) {
+  const auto& limit = campaign.actuators.stroke_limit;
+  return {{"sheet", schema::sheet_json(campaign.pattern, folder.mechanism())},
+          {"diagonals", diagonals_json(campaign.pattern, folder.mechanism())},
+          {"actuators",
+           {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
+            {"stroke_limit", limit ? Json(*limit) : Json()}}},
+          {"details", details_json(folder, look)}};
+}
+
+// Who wrote the page, of what, and how it can be written again.
+Json origin_json(const schema::Campaign& campaign, const ReportOptions& options) {
+  return {{"format", 1},
+          {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
+          {"written_at", now()},
+          {"catalogue", options.catalogue_path},
+          {"chosen", chosen_json(options)},
+          {"commands", commands_json(options)},
+          {"campaign",
+           {{"name", campaign.name},
+            {"identity", schema::identity(campaign)},
+            {"configuration", schema::campaign_json(campaign)}}}};
 }
 
 }  // namespace
@@ -100,30 +177,12 @@ void write_report(const ReportOptions& options) {
   const auto database = schema::open_for_reading(options.catalogue_path);
   schema::Campaign campaign = schema::read_campaign_of(*database, options.catalogue_path);
   campaign.actuators = options.actuators.instead_of(campaign.actuators);
-  const Json catalogue = catalogue_json(*database, campaign, options.rows);
+  DrawsToLookAt look;
+  const Json catalogue = catalogue_json(*database, campaign, options, look);
   const DrawFolder folder(campaign);
-  const auto& limit = campaign.actuators.stroke_limit;
-  Json data = {{"format", 1},
-               {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
-               {"written_at", now()},
-               {"catalogue", options.catalogue_path},
-               {"commands",
-                {{"misalign", "misalign"},
-                 {"catalogue", shell_word(options.catalogue_path)},
-                 {"springs", options_of(options.actuators)},
-                 {"output", shell_word(options.output)}}},
-               {"campaign",
-                {{"name", campaign.name},
-                 {"identity", schema::identity(campaign)},
-                 {"configuration", schema::campaign_json(campaign)}}},
-               {"sheet", schema::sheet_json(campaign.pattern, folder.mechanism())},
-               {"diagonals", diagonals_json(campaign.pattern, folder.mechanism())},
-               {"actuators",
-                {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
-                 {"stroke_limit", limit ? Json(*limit) : Json()}}},
-               {"details", details_json(folder, draws_to_look_at(catalogue["candidates"], options),
-                                        options.draws.size())}};
+  Json data = origin_json(campaign, options);
   data.update(catalogue);
+  data.update(folding_json(campaign, folder, look));
   schema::write_text_file(options.output, schema::report_page(data));
   std::puts(options.output.c_str());
 }

@@ -4,6 +4,7 @@
 #include "schema/campaign.hpp"
 #include "schema/plain_export.hpp"
 #include "search/actuators.hpp"
+#include "search/choice_options.hpp"
 #include "search/export.hpp"
 #include "search/report.hpp"
 #include "search/verbs.hpp"
@@ -74,34 +75,17 @@ Action add_export(CLI::App& app) {
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   auto* group = verb->add_option_group("choice", "which candidates");
   auto* draw = add_draws(*group, choice.draws, "this one");
-  auto* best = group->add_option("--best", choice.best, "so many, the best first")
-                   ->check(a_draw())
-                   ->type_name("K");
-  auto* diverse = group->add_option(
-      "--diverse", choice.diverse,
-      "so many that differ most, among the best " + std::to_string(kDiverseAmong));
-  auto* where =
-      group
-          ->add_option(
-              "--where", choice.where,
-              "those for which this SQL condition holds; with --best or --diverse: of those")
-          ->type_name("SQL")
-          ->check(CLI::Validator(
-              [](const std::string& text) {
-                return text.empty() ? "the condition is empty" : std::string();
-              },
-              ""));
+  const ChoiceOptions chosen = add_choice(*verb, *group, choice);
   auto compat = std::make_shared<bool>(false);
   auto* plain =
       group->add_flag("--sqlite-compat", *compat,
                       "the whole catalogue, as one file that SQLite from 3.8 (2014) on can read");
-  draw->excludes(best)->excludes(diverse)->excludes(where)->excludes(plain);
-  diverse->check(a_draw())->excludes(best)->type_name("K");
-  plain->excludes(best)->excludes(diverse)->excludes(where);
+  for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) {
+    draw->excludes(other);
+    plain->excludes(other);
+  }
+  draw->excludes(plain);
   group->require_option(1, 0);
-  verb->add_option("--by", choice.by,
-                   "column that the best are sorted by, largest first [deploys_from_deg]")
-      ->type_name("COLUMN");
   verb->add_option("--format", options->format, "json, csv, fold, svg or obj [json]")
       ->transform(one_of({{"json", number_of(ExportFormat::json)},
                           {"csv", number_of(ExportFormat::csv)},
@@ -140,11 +124,13 @@ Action add_export(CLI::App& app) {
 Action add_report(CLI::App& app) {
   auto* verb = app.add_subcommand("report", "one page to look at, complete in itself");
   verb->footer(
-      "The page needs no network. Its table holds the best candidates; the best few\n"
-      "dozen of them, and the draws that are asked for, can be looked at: crease\n"
-      "pattern, folding, histories, springs.\n\n"
+      "The page needs no network. Its table holds the best candidates; 36 of them, the\n"
+      "best ones or those that are chosen, and the draws that are asked for, can be\n"
+      "looked at: crease pattern, folding, histories, springs.\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
-      "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html");
+      "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
+      "  misalign report results/miura-6x6-1a2b3c4d.db --diverse 12 \\\n"
+      "    --where \"stroke_max < 0.08\" --output report.html");
   auto options = std::make_shared<ReportOptions>();
   verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
   verb->add_option("--output", options->output, "HTML file to write")
@@ -154,11 +140,23 @@ Action add_report(CLI::App& app) {
   verb->add_option("--rows", options->rows, "at most so many candidates in the table [10000]")
       ->check(counted(0, 1000000))
       ->type_name("N");
-  verb->add_option("--details", options->details, "so many of the best can be looked at [36]")
-      ->check(counted(0, 1000))
-      ->type_name("N");
+  auto* details =
+      verb->add_option("--details", options->details,
+                       "so many of the best can be looked at; of those of --where too [36]")
+          ->check(counted(0, kMostDetails))
+          ->type_name("N");
+  auto* group = verb->add_option_group("choice", "which candidates can be looked at");
+  const ChoiceOptions chosen = add_choice(*verb, *group, options->choice);
+  for (CLI::Option* many : {chosen.best, chosen.diverse}) {
+    many->check(counted(1, kMostDetails))->excludes(details);
+  }
   add_other_actuators(*verb, options->actuators);
-  return [options] {
+  return [options, verb] {
+    if (verb->count("--by") > 0 && !options->choice.chooses()) {
+      throw schema::UserError(schema::kExitUsage,
+                              "--by has no meaning without --best, --diverse or --where; take it "
+                              "out, or add one of them");
+    }
     write_report(*options);
     return 0;
   };

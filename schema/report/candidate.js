@@ -37,8 +37,8 @@ function command(about, text, state, id) {
 }
 
 export function report_command({ commands }, draw) {
-  const { misalign, catalogue, springs, output } = commands;
-  return `${misalign} report ${catalogue} --draw ${draw}${springs} --output ${output}`;
+  const { misalign, catalogue, choice, springs, output } = commands;
+  return `${misalign} report ${catalogue} --draw ${draw}${choice}${springs} --output ${output}`;
 }
 
 export function show_commands(box, report, draw, state) {

@@ -234,7 +234,7 @@ function main() {
   if (first === undefined) {
     by_id("picked-title").textContent = "No draw to inspect";
     by_id("picked-words").textContent =
-      `“${report.commands.misalign} report ${report.commands.catalogue} --draw N --output ${report.commands.output}” shows any draw, accepted or not.`;
+      `“${report.commands.misalign} report ${report.commands.catalogue} --draw N${report.commands.choice} --output ${report.commands.output}” shows any draw, accepted or not.`;
     for (const id of ["no-details", "facts"]) by_id(id).hidden = true;
   } else state.set("picked", first);
 

@@ -277,10 +277,10 @@ export async function no_detail_checks(page, data) {
     async () => {
       await by(page, "filter").fill(`draw = ${bare}`);
       await by(page, "grid").locator(".line").first().click();
-      const { misalign, catalogue, springs, output } = data.commands;
+      const { misalign, catalogue, choice, springs, output } = data.commands;
       assert.equal(
         await by(page, "command-report").textContent(),
-        `${misalign} report ${catalogue} --draw ${bare}${springs} --output ${output}`,
+        `${misalign} report ${catalogue} --draw ${bare}${choice}${springs} --output ${output}`,
       );
       assert.equal(
         await by(page, "command-replay").textContent(),
@@ -307,7 +307,7 @@ export async function no_detail_checks(page, data) {
       await by(page, "no-details").getByTestId("copy").click();
       assert.equal(
         await page.evaluate(() => window.copied),
-        `${misalign} report ${catalogue} --draw ${bare} --output ${output}`,
+        `${misalign} report ${catalogue} --draw ${bare}${choice}${springs} --output ${output}`,
       );
       await by(page, "filter").fill("");
     },

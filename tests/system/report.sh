@@ -37,7 +37,46 @@ data() {  # FILE.html JSON-PATH
   fail "total of many.db"
 grep -q "http" few.html && grep -oE "(src|href)=[\"']https?:[^\"']*" few.html && fail "the page asks for something elsewhere"
 
-node "$web/page_test.mjs" few.html none.html many.html || fail "the pages in a browser"
+# Whose folding the page carries: those chosen as export chooses them, and not the table's first ones.
+drawn() {  # FILE.html: the draws with details, in their order
+  data "$1" details > details.json
+  sqlite3 :memory: "SELECT json_extract(value, '\$.draw') FROM json_each(readfile('details.json'))"
+}
+chosen() {  # SQL of those expected, then options of report
+  wanted=$(sql many.db "$1")
+  shift
+  "$program" report many.db "$@" --output chosen.html > /dev/null || fail "report $*"
+  [ -n "$wanted" ] && [ "$(drawn chosen.html)" = "$wanted" ] || fail "report $*: $(drawn chosen.html | head -3)"
+}
+where="stroke_max < 0.02 AND 'it''s' > 'a'"
+order="ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC, draw"
+chosen "SELECT draw FROM candidates ORDER BY stroke_min DESC, slope_min_mm_per_deg DESC, draw LIMIT 3" \
+  --best 3 --by stroke_min
+[ "$(data chosen.html commands.choice)" = " --best 3 --by stroke_min" ] || fail "the page's commands forget --best"
+"$program" export many.db --diverse 4 --where "stroke_max < 0.02" --output spread > names || fail "export --diverse"
+"$program" report many.db --diverse 4 --where "stroke_max < 0.02" --output chosen.html > /dev/null || fail "report --diverse"
+[ "$(drawn chosen.html)" = "$(sed 's/.*-\([0-9]*\)\.json$/\1/' names)" ] || fail "report --diverse is another spread than export's"
+chosen "SELECT draw FROM candidates WHERE $where $order LIMIT 5" --where "$where" --details 5 --rows 700
+[ "$(data chosen.html candidates.shown)" = 700 ] || fail "report --rows 700"
+eval "set -- $(data chosen.html commands.choice)"  # as a shell takes them
+[ "$1=$2" = "--where=$where" ] || fail "the page's condition is another one: $*"
+
+refuse() {  # CODE SENTENCE OPTION...
+  code=$1 sentence=$2
+  shift 2
+  "$program" report many.db "$@" --output refused.html > /dev/null 2> err
+  [ $? = "$code" ] || fail "report $*: exit code"
+  grep -q -- "$sentence" err || fail "report $*: $(cat err)"
+  [ -e refused.html ] && fail "report $* leaves a file"
+}
+refuse 2 "is no condition" --where "strok < 1"
+refuse 2 "no such candidate" --where "stroke_max < 0"
+refuse 2 "no meaning without" --by stroke_min
+refuse 2 "--by strok: is no column" --best 2 --by strok
+refuse 2 "excludes" --best 2 --diverse 2
+"$program" report none.db --best 3 --output none-best.html > /dev/null || fail "--best where there is none"
+
+node "$web/page_test.mjs" few.html none.html many.html none.html many.html || fail "the pages in a browser"
 
 "$program" report few.db --output nowhere/few.html > /dev/null 2> err
 [ $? = 1 ] || fail "report into a directory that is not there"
