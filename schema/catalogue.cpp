@@ -7,6 +7,7 @@
 #include "schema/carried_files.hpp"
 #include "schema/catalogue_state.hpp"
 #include "schema/folding_json.hpp"
+#include "schema/output_file.hpp"
 #include "schema/unit_copier.hpp"
 
 namespace misalign::schema {
@@ -73,9 +74,10 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
     database_.reset();
     if (lock_.made_the_file()) {
       std::error_code ignored;
-      for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+      for (const std::string& suffix : journal_suffixes()) {
         std::filesystem::remove(path_ + suffix, ignored);
       }
+      std::filesystem::remove(path_, ignored);
     }
     throw;
   }
@@ -117,15 +119,12 @@ void Catalogue::migrate() {
   const int version = database_->execAndGet("PRAGMA user_version").getInt();
   if (version == kSchemaVersion) return;
   const std::string backup = path_ + ".version-" + std::to_string(version);
-  if (!std::filesystem::exists(backup)) {
-    // Under another name until it is whole.
-    const std::string partial = backup + ".partial";
-    std::filesystem::remove(partial);
+  if (!is_taken(backup)) {
+    OutputFile file = OutputFile::database(backup, {path_});
     SQLite::Statement copy(*database_, "VACUUM INTO ?");
-    copy.bind(1, partial);
+    copy.bind(1, file.path());
     copy.exec();
-    std::filesystem::rename(partial, backup);
-    sync_directory_of(backup);
+    file.publish();
   }
   SQLite::Transaction transaction(*database_);
   for (int next = version + 1; next <= kSchemaVersion; ++next) {

@@ -3,7 +3,7 @@
 #include <sqlite3.h>
 
 #include "schema/database.hpp"
-#include "schema/partial_file.hpp"
+#include "schema/output_file.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -51,7 +51,7 @@ void copy_table(SQLite::Database& from, SQLite::Database& into, const std::strin
 }  // namespace
 
 void export_plain(SQLite::Database& catalogue, const std::string& output) {
-  PartialFile file(output);
+  OutputFile file = OutputFile::database(output, {catalogue.getFilename()});
   const auto write = [&] {
     SQLite::Transaction snapshot(catalogue);
     SQLite::Database plain(file.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -74,7 +74,7 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
       throw damaged(catalogue, error.what());  // columns that no catalogue has
     }
   });
-  file.finish();
+  file.publish();
 }
 
 }  // namespace misalign::schema

@@ -5,7 +5,7 @@
 
 #include "schema/catalogue_state.hpp"
 #include "schema/merge_plan.hpp"
-#include "schema/partial_file.hpp"
+#include "schema/output_file.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/trial.hpp"
 
@@ -48,14 +48,14 @@ class Merge {
   explicit Merge(const MergeOptions& options) : options_(options) {}
 
   MergeReport run() {
-    schema::PartialFile file(options_.output);
+    schema::OutputFile file = schema::OutputFile::database(options_.output, options_.inputs);
     for (const std::string& path : options_.inputs) open(path);
     if (!report_.findings.empty()) return report_;
     std::vector<std::vector<DrawRange>> ledgers;
     for (const Input& input : inputs_) ledgers.push_back(input.units);
     plan_ = schema::plan_merge(ledgers);
     write(file.path());
-    if (report_.findings.empty()) file.finish();
+    if (report_.findings.empty()) file.publish();
     return report_;
   }
 

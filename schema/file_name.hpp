@@ -1,0 +1,31 @@
+// How a file that is whole gets its name.
+#pragma once
+
+#include <string>
+
+namespace misalign::schema {
+
+enum class Existing {
+  refused,  ///< a file that is there already stays there
+  replaced
+};
+
+/// Renames `from` to `to`, in one directory, and makes that outlast a power cut. 0, or an errno:
+/// EEXIST where `to` is there and may not be replaced. `from` keeps its name then.
+int give_name(const std::string& from, const std::string& to, Existing existing);
+
+// The ways of it where nothing may be replaced, the first that the file system has: a rename that
+// refuses (not on NFS, 9p and some FUSE file systems: EINVAL), a second name and the first one
+// removed, and a rename over an empty file made for that. 0, or an errno.
+int rename_to_new(const std::string& from, const std::string& to);
+int link_to_new(const std::string& from, const std::string& to);
+int rename_over_empty(const std::string& from, const std::string& to);
+
+/// Whether a name is taken, be it by a link that leads nowhere.
+bool is_taken(const std::string& path);
+
+/// Where the links at `path` lead, one after the other; `path` itself if it is none. UserError (1)
+/// if they lead in a circle.
+std::string end_of_links(const std::string& path);
+
+}  // namespace misalign::schema
