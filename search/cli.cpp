@@ -8,6 +8,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "schema/draw_range.hpp"
 #include "schema/input.hpp"
@@ -64,6 +65,49 @@ const CLI::App* chosen_verb(const CLI::App& app) {
   return chosen.empty() ? nullptr : chosen.front();
 }
 
+// Words that are neither a verb's options nor their values, as the shell gave them.
+std::vector<std::string> arguments_of(const CLI::App& verb, const std::vector<std::string>& words) {
+  std::vector<std::string> arguments;
+  bool only_arguments = false;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (only_arguments || word.size() < 2 || word[0] != '-') {
+      arguments.push_back(word);
+    } else if (word == "--") {
+      only_arguments = true;
+    } else if (takes_next_word(verb, word)) {
+      ++k;
+    }
+  }
+  if (!arguments.empty()) arguments.erase(arguments.begin());  // the verb's name
+  return arguments;
+}
+
+// A pattern of the shell's, such as results/miura-*.db, that matches more files than the verb takes
+// would give the second one to the next argument. Empty if there is nothing to say.
+std::string too_many_files(const CLI::App& verb, const std::vector<std::string>& words) {
+  for (const CLI::Option* argument : positionals_of(verb)) {
+    if (takes_many(*argument)) return "";
+  }
+  const std::vector<std::string> arguments = arguments_of(verb, words);
+  const auto is_like_first = [&](const std::string& word) {
+    const std::filesystem::path path(word), first(arguments.front());
+    std::error_code ignored;
+    return path.has_extension() && path.extension() == first.extension() &&
+           std::filesystem::is_regular_file(path, ignored);
+  };
+  std::string names;
+  int files = 0;
+  constexpr int kShown = 4;
+  for (const std::string& word : arguments) {
+    if (!is_like_first(word)) continue;
+    if (++files <= kShown) names += (files > 1 ? ", " : "") + schema::printable(schema::utf8(word));
+  }
+  if (files < 2) return "";
+  return (files == 2 ? "two" : std::to_string(files)) + " files match (" + names +
+         (files > kShown ? ", ..." : "") + ") and " + verb.get_name() + " takes one; name one";
+}
+
 // What was typed and is unknown, and what may have been meant; else CLI11's sentence.
 std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
   const CLI::App* const verb = chosen_verb(app);
@@ -81,24 +125,31 @@ std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
     } else {
       for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
     }
-    const std::string typed = word.substr(0, word.find('='));
-    const std::string meant = nearest_word(typed, known);
-    return schema::printable(schema::utf8(typed)) +
-           (is_option ? " is no option" + (verb ? " of " + verb->get_name() : "") : " is no verb") +
-           (meant.empty() ? "" : " (did you mean " + meant + "?)");
+    return unknown_word(word.substr(0, word.find('=')),
+                        !is_option ? "verb" : "option" + (verb ? " of " + verb->get_name() : ""),
+                        known);
   }
   return verb ? otherwise : "a verb is missing";
 }
 
+// Whether another rank of the same search says what there is to say. Every other verb speaks,
+// though its shell may have been started by a launcher and inherited a rank's number.
+bool rank_zero_speaks(const CLI::App& app) {
+  const CLI::App* const verb = chosen_verb(app);
+  return verb && verb->get_name() == "search" && launched_rank() != 0;
+}
+
 // The contract's exit code, and where to read on.
-int usage_error(const CLI::App& app, const CLI::ParseError& error, int words) {
+int usage_error(const CLI::App& app, const CLI::ParseError& error,
+                const std::vector<std::string>& words) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  if (launched_rank() != 0) return schema::kExitUsage;
-  if (words == 1) {
+  if (rank_zero_speaks(app)) return schema::kExitUsage;
+  if (words.empty()) {
     std::fputs(app.help().c_str(), stderr);
   } else {
     const CLI::App* const verb = chosen_verb(app);
-    const std::string sentence = usage_sentence(app, error.what());
+    std::string sentence = verb ? too_many_files(*verb, words) : "";
+    if (sentence.empty()) sentence = usage_sentence(app, error.what());
     std::fprintf(stderr, "misalign: %s; see misalign %s--help\n", sentence.c_str(),
                  verb ? (verb->get_name() + " ").c_str() : "");
   }
@@ -120,14 +171,33 @@ CLI::Validator within(double least, double most) {
 
 namespace {
 
+// A share that was written as percent.
+std::string share_meant(double value, double least, double most) {
+  const double meant = value / 100;
+  if (value <= most || meant < least || meant > most) return "";
+  return " (a share, not percent; did you mean " + schema::shown_number(meant) + "?)";
+}
+
 // As --help and completion want it: {auto,plain}.
-std::string shown_set(const Names& names) {
+std::string shown_set(const std::vector<std::string>& names) {
   std::string set;
-  for (const auto& [name, value] : names) set += (set.empty() ? "{" : ",") + name;
+  for (const std::string& name : names) set += (set.empty() ? "{" : ",") + name;
   return set + "}";
 }
 
 }  // namespace
+
+CLI::Validator a_share(double least, double most) {
+  const CLI::Validator number = within(least, most);
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        const std::string fault = number(text);
+        double value = 0;
+        if (fault.empty() || !CLI::detail::lexical_cast(text, value)) return fault;
+        return fault + share_meant(value, least, most);
+      },
+      "");
+}
 
 CLI::Validator counted(std::uint64_t least, std::uint64_t most) {
   return CLI::Validator(
@@ -145,6 +215,8 @@ CLI::Validator counted(std::uint64_t least, std::uint64_t most) {
 CLI::Validator a_draw() { return counted(0, schema::kEndOfDraws); }
 
 CLI::Validator one_of(const Names& names, const std::string& where) {
+  std::vector<std::string> typed;
+  for (const auto& [name, value] : names) typed.push_back(name);
   return CLI::Validator(
       [=](std::string& text) {
         std::string all;
@@ -157,7 +229,16 @@ CLI::Validator one_of(const Names& names, const std::string& where) {
         }
         return "'" + text + "' is none of " + all + where;
       },
-      shown_set(names));
+      shown_set(typed));
+}
+
+CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        const bool is_known = std::find(known.begin(), known.end(), text) != known.end();
+        return is_known ? std::string() : unknown_word(text, kind, known);
+      },
+      shown_set(known));
 }
 
 int run_command_line(int argc, char** argv) {
@@ -183,24 +264,35 @@ int run_command_line(int argc, char** argv) {
       ->transform(one_of({{"auto", number_of(ColorWish::automatic)},
                           {"always", number_of(ColorWish::always)},
                           {"never", number_of(ColorWish::never)}}));
-  std::map<std::string, Action> verbs = {
-      {"search", add_search(app)},       {"status", add_status(app)},
-      {"fold", add_fold(app)},           {"perforations", add_perforations(app)},
-      {"replay", add_replay(app)},       {"query", add_query(app)},
-      {"export", add_export(app)},       {"verify", add_verify(app)},
-      {"merge", add_merge(app)},         {"config", add_config(app)},
-      {"tolerance", add_tolerance(app)}, {"doctor", add_doctor(app)},
-      {"actuators", add_actuators(app)}, {"report", add_report(app)},
-      {"bench", add_bench(app)},         {"completion", add_completion(app)}};
+  std::map<std::string, Action> verbs = {{"search", add_search(app)},
+                                         {"status", add_status(app)},
+                                         {"fold", add_fold(app)},
+                                         {"perforations", add_perforations(app)},
+                                         {"replay", add_replay(app)},
+                                         {"query", add_query(app)},
+                                         {"export", add_export(app)},
+                                         {"verify", add_verify(app)},
+                                         {"merge", add_merge(app)},
+                                         {"config", add_config(app)},
+                                         {"tolerance", add_tolerance(app)},
+                                         {"doctor", add_doctor(app)},
+                                         {"actuators", add_actuators(app)},
+                                         {"report", add_report(app)},
+                                         {"bench", add_bench(app)},
+                                         {"completion", add_completion(app)},
+                                         {"help", add_help(app)}};
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   try {
     app.parse(argc, argv);
+    const std::string sentence = too_many_files(*chosen_verb(app), words);
+    if (!sentence.empty()) throw CLI::ParseError(sentence, schema::kExitUsage);
   } catch (const CLI::ParseError& error) {
-    return usage_error(app, error, argc);
+    return usage_error(app, error, words);
   }
   wish_colors(color);
   set_up_log(level, color);
-  const auto fail = [](const std::exception& error, int exit_code) {
-    if (launched_rank() == 0) spdlog::error("{}", error.what());
+  const auto fail = [&](const std::exception& error, int exit_code) {
+    if (!rank_zero_speaks(app)) spdlog::error("{}", error.what());
     return exit_code;
   };
   try {

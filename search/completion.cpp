@@ -37,10 +37,6 @@ Offer offer_for(const CLI::Option& option) {
 
 bool takes_value(const CLI::Option& option) { return !value_name(option).empty(); }
 
-bool is_repeated(const CLI::Option& option) {
-  return option.get_expected_max() >= CLI::detail::expected_max_vector_size;
-}
-
 std::string verb_name(const CLI::App& app) { return app.get_parent() ? app.get_name() : ""; }
 
 std::vector<const CLI::App*> program_and_verbs(const CLI::App& program) {
@@ -141,7 +137,7 @@ std::string zsh_specifications(const CLI::App& app) {
   std::string text;
   for (const CLI::Option* option : options_of(app)) {
     const std::vector<std::string> names = names_of(*option);
-    const std::string again = is_repeated(*option) ? "*" : "(" + joined(names) + ")";
+    const std::string again = takes_many(*option) ? "*" : "(" + joined(names) + ")";
     for (const std::string& name : names) {
       std::string one = again + name;
       if (takes_value(*option) && name.size() > 2) one += "=";
@@ -154,7 +150,7 @@ std::string zsh_specifications(const CLI::App& app) {
   }
   int place = 0;
   for (const CLI::Option* option : positionals_of(app)) {
-    const std::string where = is_repeated(*option) ? "*" : std::to_string(++place);
+    const std::string where = takes_many(*option) ? "*" : std::to_string(++place);
     const std::string what = option->get_name(true) + ", " + option->get_description();
     text += next + in_quotes(where + ":" + zsh_text(what) + ":" + zsh_action(offer_for(*option)));
   }
@@ -181,7 +177,7 @@ std::string bash_completion(const CLI::App& program) {
         "    " + in_quotes(verb) + ") offer=" + in_quotes("words " + joined(names)) + " ;;\n";
     int place = 0;
     for (const CLI::Option* option : positionals_of(*app)) {
-      const std::string which = is_repeated(*option)
+      const std::string which = takes_many(*option)
                                     ? in_quotes(verb + " ") + "*"
                                     : in_quotes(verb + " " + std::to_string(place++));
       arguments +=

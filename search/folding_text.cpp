@@ -61,6 +61,30 @@ Course course_of(const solver::FoldingHistory& history, std::size_t diagonal) {
   return course;
 }
 
+// Least and largest change of a diagonal's length up to `to_deg`, of its flat length; flat is 0.
+struct Changes {
+  double least = 0, most = 0;
+};
+
+Changes changes_up_to(double to_deg, const Course& course) {
+  Changes changes;
+  const double flat_mm = course.length_mm.front();
+  for (std::size_t row = 0; row < course.pilot_deg.size(); ++row) {
+    if (course.pilot_deg[row] > to_deg + 1e-9) break;
+    const double change = (course.length_mm[row] - flat_mm) / flat_mm;
+    changes.least = std::min(changes.least, change);
+    changes.most = std::max(changes.most, change);
+  }
+  return changes;
+}
+
+// What varies by less than a verdict takes for motion is rounding, and shown as its flat length.
+void still_if_inactive(Course& course, double panel_width_mm) {
+  const auto [least, most] = std::minmax_element(course.length_mm.begin(), course.length_mm.end());
+  if (*most - *least >= solver::kInactiveBand_widths * panel_width_mm) return;
+  std::fill(course.length_mm.begin(), course.length_mm.end(), course.length_mm.front());
+}
+
 // Where a sparkline of so many columns shows the path up to D.
 struct Scale {
   double end_deg, d_deg;
@@ -114,21 +138,17 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   for (std::size_t k = 0; k < view.mechanism.diagonals.size(); ++k) {
     const solver::Diagonal& diagonal = view.mechanism.diagonals[k];
     courses.push_back(course_of(history, k));
+    still_if_inactive(courses.back(), view.mechanism.panel_width_mm);
     const Course& course = courses.back();
     const double flat_mm = history.flat_mm[k], at_mm = course.at(to_deg);
-    double least = 0, most = 0;
-    for (std::size_t row = 0; row < course.pilot_deg.size(); ++row) {
-      if (course.pilot_deg[row] > to_deg + 1e-9) break;
-      const double percent = 100 * (course.length_mm[row] - flat_mm) / flat_mm;
-      least = std::min(least, percent);
-      most = std::max(most, percent);
-    }
+    const Changes changes = changes_up_to(to_deg, course);
     const Json facet = schema::diagonal_json(view.base, view.mechanism, diagonal, flat_mm)["hole"];
     rows.push_back({solver::line_label(diagonal.from, diagonal.to),
                     facet.is_array() ? facet.dump() : "face " + facet.dump(),
                     shown_number("%.3f", flat_mm), shown_number("%.3f", at_mm),
                     direction(at_mm - flat_mm),
-                    shown_number("%+.2f", least) + " " + shown_number("%+.2f", most)});
+                    shown_number("%+.2f", 100 * changes.least) + " " +
+                        shown_number("%+.2f", 100 * changes.most)});
   }
   const std::vector<bool> numeric = {false, false, true, true, false, true, false};
   std::string table = schema::aligned(rows, numeric);

@@ -1,5 +1,6 @@
 #include "search/help_format.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 
@@ -69,8 +70,7 @@ std::string usage(const CLI::App& app) {
   if (app.get_parent()) line += app.get_parent()->get_name() + " ";
   line += app.get_name() + " [OPTION]...";
   for (const CLI::Option* option : positionals_of(app)) {
-    const bool many = option->get_expected_max() >= CLI::detail::expected_max_vector_size;
-    const std::string name = option->get_name(true) + (many ? "..." : "");
+    const std::string name = option->get_name(true) + (takes_many(*option) ? "..." : "");
     line += " " + (option->get_required() ? name : "[" + name + "]");
   }
   if (!verbs_of(app).empty()) line += " VERB";
@@ -124,6 +124,20 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app) {
 
 std::vector<const CLI::Option*> positionals_of(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return option->get_positional(); });
+}
+
+bool takes_many(const CLI::Option& option) {
+  return option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+}
+
+bool takes_next_word(const CLI::App& verb, const std::string& word) {
+  for (const CLI::Option* option : options_of(verb)) {
+    const std::vector<std::string> names = names_of(*option);
+    if (std::find(names.begin(), names.end(), word) != names.end()) {
+      return !value_name(*option).empty();
+    }
+  }
+  return false;
 }
 
 std::vector<std::string> names_of(const CLI::Option& option) {

@@ -20,6 +20,11 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 std::vector<const CLI::Option*> options_of(const CLI::App& app);
 std::vector<const CLI::Option*> positionals_of(const CLI::App& app);
 
+/// Whether it takes any number of words.
+bool takes_many(const CLI::Option& option);
+/// Whether `word`, as typed, is an option of the verb whose value is the next word.
+bool takes_next_word(const CLI::App& verb, const std::string& word);
+
 /// "-h", "--help"
 std::vector<std::string> names_of(const CLI::Option& option);
 /// What stands for its value: "N", "CAMPAIGN", "json|csv"; empty for a flag.

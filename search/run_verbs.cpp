@@ -9,6 +9,7 @@
 #include "search/bench.hpp"
 #include "search/completion.hpp"
 #include "search/doctor.hpp"
+#include "search/help_format.hpp"
 #include "search/merge.hpp"
 #include "search/run_info.hpp"
 #include "search/search_run.hpp"
@@ -77,7 +78,7 @@ Action add_search(CLI::App& app) {
       ->type_name("K");
   verb->add_option("--relative-error", options->relative_error,
                    "end when the acceptance rate is known to this share of itself")
-      ->check(within(1e-6, 1))
+      ->check(a_share(1e-6, 1))
       ->type_name("SHARE");
   verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
       ->check(within(0, 1e9))
@@ -232,6 +233,24 @@ Action add_completion(CLI::App& app) {
       ->check(CLI::IsMember({"bash", "zsh"}));
   return [&app, shell] {
     std::fputs((*shell == "bash" ? bash_completion(app) : zsh_completion(app)).c_str(), stdout);
+    return 0;
+  };
+}
+
+Action add_help(CLI::App& app) {
+  auto* verb = app.add_subcommand("help", "what a verb does, with its options and examples");
+  verb->footer("The same as misalign VERB --help.\n\nExamples:\n  misalign help search");
+  std::vector<std::string> known;
+  for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
+  auto name = std::make_shared<std::string>();
+  verb->add_option("VERB", *name, "the verb [all of them, a line each]")
+      ->check(known_word("verb", known));
+  return [&app, name] {
+    const CLI::App& asked = name->empty() ? app : *app.get_subcommand(*name);
+    // Not app.help(): that is this verb's, which was chosen.
+    const std::string text =
+        asked.get_formatter()->make_help(&asked, "", CLI::AppFormatMode::Normal);
+    std::fputs(text.c_str(), stdout);
     return 0;
   };
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "schema/input.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -39,6 +41,13 @@ std::string nearest_word(const std::string& typed, const std::vector<std::string
     nearest = word;
   }
   return nearest;
+}
+
+std::string unknown_word(const std::string& typed, const std::string& kind,
+                         const std::vector<std::string>& known) {
+  const std::string meant = nearest_word(typed, known);
+  return schema::printable(schema::utf8(typed)) + " is no " + kind +
+         (meant.empty() ? "" : " (did you mean " + meant + "?)");
 }
 
 }  // namespace misalign::search

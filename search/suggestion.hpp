@@ -10,4 +10,8 @@ namespace misalign::search {
 /// empty if there is none.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& known);
 
+/// "serch is no verb (did you mean search?)"
+std::string unknown_word(const std::string& typed, const std::string& kind,
+                         const std::vector<std::string>& known);
+
 }  // namespace misalign::search

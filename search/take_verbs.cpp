@@ -19,7 +19,7 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
       ->type_name("N/MM");
   verb.add_option("--stroke-limit", actuators.stroke_limit,
                   "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the campaign's]")
-      ->check(within(schema::kLeastStroke, schema::kMostStroke))
+      ->check(a_share(schema::kLeastStroke, schema::kMostStroke))
       ->type_name("SHARE");
 }
 

@@ -19,6 +19,8 @@ Action add_config(CLI::App& app);
 Action add_doctor(CLI::App& app);
 Action add_bench(CLI::App& app);
 Action add_completion(CLI::App& app);
+/// After all others: it says what they are.
+Action add_help(CLI::App& app);
 
 // Those that look at a pattern or a catalogue.
 Action add_status(CLI::App& app);
@@ -37,6 +39,9 @@ Action add_report(CLI::App& app);
 /// A number within bounds, which NaN is not.
 CLI::Validator within(double least, double most);
 
+/// A share of one within bounds; what was meant as percent is told from it.
+CLI::Validator a_share(double least, double most);
+
 /// A whole number within bounds, written as one: not 1e6.
 CLI::Validator counted(std::uint64_t least, std::uint64_t most);
 /// Any number of a draw, or of draws.
@@ -47,6 +52,9 @@ using Names = std::vector<std::pair<std::string, std::string>>;
 
 /// One of the names; `where` ends the sentence about any other.
 CLI::Validator one_of(const Names& names, const std::string& where = "");
+
+/// One of the words, of which the nearest is suggested for any other: "x is no verb".
+CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known);
 
 template <class Enum>
 std::string number_of(Enum value) {

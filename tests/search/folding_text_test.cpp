@@ -108,6 +108,36 @@ TEST(FoldingText, SaysWhatTheHistorySays) {
   }
 }
 
+// A diagonal that varies by less than model.md's inactive band, 1e-8 panel widths, is drawn still;
+// one that varies by more is not.
+TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
+  Trial trial(campaign(4));
+  auto history = trial.history(0);
+  const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(0);
+  const double band_mm = 1e-8 * 80;
+  for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
+    const double up_and_down = row % 2 == 0 ? 1 : 0;
+    history.length_mm(row, 0) = history.flat_mm[0] + 0.99 * band_mm * up_and_down;
+    history.length_mm(row, 1) = history.flat_mm[1] + 1.01 * band_mm * up_and_down;
+  }
+  const std::vector<std::string> lines =
+      lines_of(folding_text({trial.campaign().pattern, shifts_mm, trial.mechanism(), history,
+                             trial.campaign().sample_deg},
+                            {200, false}));
+  const auto drawn_of = [&](std::size_t k) {
+    const solver::Diagonal& diagonal = trial.mechanism().diagonals[k];
+    const std::string name = solver::line_label(diagonal.from, diagonal.to) + " ";
+    for (const std::string& line : lines) {
+      if (line.rfind(name, 0) == 0) return line;
+    }
+    return std::string("no line for " + name);
+  };
+  EXPECT_NE(drawn_of(0).find(" still "), std::string::npos) << drawn_of(0);
+  EXPECT_EQ(drawn_of(0).find('#'), std::string::npos) << drawn_of(0);
+  EXPECT_EQ(drawn_of(0).find("-0.00"), std::string::npos) << drawn_of(0);
+  EXPECT_NE(drawn_of(1).find('#'), std::string::npos) << drawn_of(1);
+}
+
 TEST(FoldingText, TheTableWhereItFitsOrIsAskedFor) {
   Trial trial(campaign(6));
   const auto has_table = [&](int width, bool asked) {
