@@ -42,7 +42,8 @@ Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
   const Eigen::Index at_d = path.rows_up_to_d();
   Json forces = Json::array();
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
-    forces.push_back({{"from", solver::vertex_label(mechanism.diagonals[d].from)},
+    forces.push_back({{"diagonal", d},
+                      {"from", solver::vertex_label(mechanism.diagonals[d].from)},
                       {"to", solver::vertex_label(mechanism.diagonals[d].to)},
                       {"force_n", actuation.force_n(at_d, d)}});
   }

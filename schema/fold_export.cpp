@@ -41,14 +41,29 @@ Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge
   return list;
 }
 
+// How many rows from the first on have every crease on its side, and none folded too far.
+Index rows_folded_well(const FoldingView& view) {
+  const Eigen::MatrixXd& angle_deg = view.history.fold_angle_deg;
+  for (Index row = 0; row < angle_deg.rows(); ++row) {
+    for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
+      const double angle = angle_deg(row, static_cast<Index>(i));
+      const bool valley = view.mechanism.is_valley(view.mechanism.creases[i]);
+      if ((angle > 0) != valley || std::abs(angle) > 180 + solver::kOverFoldBand_deg) return row;
+    }
+  }
+  return angle_deg.rows();
+}
+
 }  // namespace
 
-std::vector<Index> rows_to_show(const solver::ShapedPath& path, double step_deg) {
+std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
+                                double step_deg) {
   std::vector<Index> rows;
   const Index up_to_d = path.rows_up_to_d();
-  for (Index row = 0; row < up_to_d; ++row) {
+  const Index end = up_to_d > 0 ? up_to_d : rows_folded_well(view);
+  for (Index row = 0; row < end; ++row) {
     const double away = std::remainder(path.history.stops[row].pilot_deg, step_deg);
-    if (std::abs(away) < 1e-9 || row + 1 == up_to_d) rows.push_back(row);
+    if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);
   }
   return rows;
 }
@@ -80,7 +95,7 @@ Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
                {"frame_attributes", {"2D", "orientable"}},
                {"frame_unit", "mm"},
                {"vertices_coords", coordinates_json(vertices_mm)},
-               {"edges_foldAngle", angles_json(view, creases, path.rows_up_to_d() - 1)},
+               {"edges_foldAngle", angles_json(view, creases, rows.empty() ? -1 : rows.back())},
                {"file_frames", frames},
                {kCarriedPattern, pattern_json(view.base, view.shifts_mm)},
                {"misalign:data", data}};

@@ -18,6 +18,7 @@ Json diagonals_json(const FoldingView& view, bool histories) {
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
     list.push_back(diagonal_json(view.base, view.mechanism, view.mechanism.diagonals[d],
                                  view.history.flat_mm[d]));
+    list.back()["diagonal"] = d;
     if (histories) {
       list.back()["length_mm"] = column_json(view.history.length_mm, d);
       list.back()["slope_mm_per_deg"] = column_json(view.history.slope_mm_per_deg, d);
@@ -159,20 +160,30 @@ Json metrics_json(const solver::Metrics& m) {
           {"decreasing", m.decreasing}};
 }
 
-Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
-                    const solver::Metrics& metrics, const Json& actuation) {
+Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
+                         const std::optional<solver::Metrics>& metrics, const Json& actuation) {
   Json diagonals = diagonals_json(view, false);
   for (std::size_t d = 0; d < diagonals.size(); ++d) {
-    diagonals[d]["elongation"] = metrics.elongation[d];
+    diagonals[d]["elongation"] = metrics ? Json(metrics->elongation[d]) : Json();
   }
-  return {{"campaign", {{"name", campaign.name}, {"identity", identity(campaign)}}},
-          {"draw", draw},
-          {"pattern", pattern_json(view.base, view.shifts_mm)},
-          {"sampling", sampling_json(campaign.sampling())},
+  return {{"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"sampling", sampling_json(sampling)},
           {"verdict", verdict_json(view)},
-          {"metrics", metrics_json(metrics)},
+          {"metrics", metrics ? metrics_json(*metrics) : Json()},
           {"diagonals", diagonals},
           {"actuation", actuation}};
+}
+
+Json origin_json(const Campaign& campaign, std::uint64_t draw) {
+  return {{"campaign", {{"name", campaign.name}, {"identity", identity(campaign)}}},
+          {"draw", draw}};
+}
+
+Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
+                    const solver::Metrics& metrics, const Json& actuation) {
+  Json json = folded_pattern_json(campaign.sampling(), view, metrics, actuation);
+  json.update(origin_json(campaign, draw));
+  return json;
 }
 
 }  // namespace misalign::schema

@@ -1,6 +1,7 @@
 // A folding path as JSON and CSV: what `fold`, `replay` and `export` write.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "schema/campaign.hpp"
@@ -43,7 +44,15 @@ std::string folding_csv(const FoldingView& view, const solver::Actuation& actuat
 /// The metrics under the names of their columns.
 Json metrics_json(const solver::Metrics& metrics);
 
-/// An exported candidate (candidate.schema.json).
+/// What is exported of a sheet (candidate.schema.json): metrics and elongations are null for one
+/// that deploys from nothing.
+Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
+                         const std::optional<solver::Metrics>& metrics, const Json& actuation);
+
+/// {"campaign": {"name", "identity"}, "draw"}
+Json origin_json(const Campaign& campaign, std::uint64_t draw);
+
+/// The same of a candidate, with the campaign that drew it.
 Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
                     const solver::Metrics& metrics, const Json& actuation);
 

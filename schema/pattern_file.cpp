@@ -269,7 +269,8 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
   const std::filesystem::path file(path);
   const Json document = read_json_file(path);
   const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
-  if (has("pattern") && !has("draw")) {
+  const bool exported = has("pattern") && (has("draw") || has("sampling"));
+  if (has("pattern") && !exported) {
     throw UserError(kExitBadInput, path +
                                        ": is a campaign, not a pattern; `misalign search` runs "
                                        "it, and its \"pattern\" alone can be folded");
@@ -278,7 +279,7 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.sampling = read_sampling(document.value("misalign:data", Json::object()), faults);
-  } else if (has("pattern") && has("draw")) {
+  } else if (exported) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed,
                                 file.parent_path(), faults, perforations);
     read.sampling = read_sampling(document, faults);

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "schema/actuation_json.hpp"
-#include "schema/catalogue_state.hpp"
+#include "search/chosen_sheet.hpp"
 
 namespace misalign::search {
 namespace {
@@ -20,7 +20,7 @@ std::string labels(const solver::Mechanism& mechanism, const std::vector<int>& d
   return text;
 }
 
-void print_summary(const solver::Mechanism& mechanism, const FoldedDraw& folded) {
+void print_summary(const solver::Mechanism& mechanism, const FoldedSheet& folded) {
   const solver::Actuation& actuation = folded.actuation;
   const auto& limit = actuation.actuators.stroke_limit;
   std::printf("springs of %g N/mm on every diagonal, relaxed when flat%s\n",
@@ -48,7 +48,7 @@ void print_summary(const solver::Mechanism& mechanism, const FoldedDraw& folded)
 }
 
 // Every 10 degrees, and at D.
-void print_way(const FoldedDraw& folded) {
+void print_way(const FoldedSheet& folded) {
   const solver::Actuation& actuation = folded.actuation;
   const Index at_d = folded.path.rows_up_to_d();
   std::printf("\n%9s %10s %12s %12s %10s\n", "pilot_deg", "deployment", "energy_n_mm",
@@ -63,7 +63,7 @@ void print_way(const FoldedDraw& folded) {
   }
 }
 
-void print_forces(const solver::Mechanism& mechanism, const FoldedDraw& folded) {
+void print_forces(const solver::Mechanism& mechanism, const FoldedSheet& folded) {
   const solver::Actuation& actuation = folded.actuation;
   const Index at_d = folded.path.rows_up_to_d();
   std::printf("\n%9s %11s %11s\n", "diagonal", "force_at_D", "elongation");
@@ -81,23 +81,25 @@ void print_forces(const solver::Mechanism& mechanism, const FoldedDraw& folded) 
 }  // namespace
 
 void show_actuators(const ActuatorsOptions& options) {
-  const auto database = schema::open_for_reading(options.catalogue_path);
-  schema::Campaign campaign = schema::read_campaign_of(*database, options.catalogue_path);
-  campaign.actuators = options.actuators.instead_of(campaign.actuators);
-  const DrawFolder folder(campaign);
-  const FoldedDraw folded = folder.fold(options.draw);
+  const ChosenSheet sheet = choose_sheet(options.path, options.draw);
+  const SheetFolder folder(sheet.base, sheet.sampling,
+                           options.actuators.instead_of(sheet.actuators));
+  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
   const schema::FoldingView view = folder.view(folded);
+  const schema::Json verdict = schema::verdict_json(view);
   if (options.json) {
     schema::Json json = schema::actuation_history_json(view, folded.path, folded.actuation);
-    json["draw"] = options.draw;
-    json["deploys_from_deg"] = schema::verdict_json(view)["deploys_from_deg"];
+    json.update(sheet.key_json());
+    json["deploys_from_deg"] = verdict["deploys_from_deg"];
     std::puts(json.dump(1).c_str());
     return;
   }
-  const schema::Json verdict = schema::verdict_json(view);
-  std::printf("draw %llu of %s: %s, deploys from %g deg%s\n",
-              static_cast<unsigned long long>(options.draw), campaign.name.c_str(),
-              folded.accepted ? "accepted" : "not accepted",
+  const char* standing = "";
+  if (sheet.drawn) {
+    const bool accepted = sheet.drawn->campaign.accepts(folded.path.history.verdict);
+    standing = accepted ? "accepted, " : "not accepted, ";
+  }
+  std::printf("%s: %sdeploys from %g deg%s\n", sheet.name().c_str(), standing,
               verdict["deploys_from_deg"].get<double>(),
               verdict.contains("cause") ? " as far as could be told (undecided)" : "");
   print_summary(folder.mechanism(), folded);

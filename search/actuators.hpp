@@ -1,13 +1,16 @@
-// `misalign actuators`: springs on the diagonals of one draw.
+// `misalign actuators`: springs on the diagonals of one sheet.
 #pragma once
 
-#include "search/folded_draw.hpp"
+#include <optional>
+#include <string>
+
+#include "search/folded_sheet.hpp"
 
 namespace misalign::search {
 
 struct ActuatorsOptions {
-  std::string catalogue_path;
-  std::uint64_t draw = 0;  ///< accepted or not
+  std::string path;                   ///< a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  ///< of a catalogue's campaign, accepted or not
   OtherActuators actuators;
   bool json = false;
 };

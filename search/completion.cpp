@@ -28,6 +28,7 @@ Offer offer_for(const CLI::Option& option) {
   if (!fixed.empty()) return {Kind::words, joined(fixed)};
   const std::string name = option.get_positional() ? option.get_name(true) : value_name(option);
   if (name == "CAMPAIGN" || name == "PATTERN") return {Kind::files, "json"};
+  if (name == "FILE") return {Kind::files};
   if (name == "CATALOGUE" || name == "IN" || name == "OUT") return {Kind::files, "db"};
   if (name == "DIRECTORY") return {Kind::directories};
   if (name == "QUERY") return {Kind::words, joined(schema::named_queries())};

@@ -48,6 +48,13 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
   }
 }
 
+Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t draw) {
+  Eigen::Matrix2Xd shifts_mm =
+      Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count());
+  draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
+  return shifts_mm;
+}
+
 bool random_numbers_as_published() {
   using Block = std::array<std::uint32_t, 4>;
   return philox_block(0, 0, 0, 0) == Block{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8} &&

@@ -25,6 +25,9 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  Eigen::Matrix2Xd& shifts_mm);
 
+/// Shifts of draw d of a campaign, one column per vertex of its sheet.
+Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t draw);
+
 /// Whether the generator gives the published known answers (Random123's, and seed 1 draw 0).
 bool random_numbers_as_published();
 

@@ -9,6 +9,8 @@
 #include "schema/drawing.hpp"
 #include "schema/fold_export.hpp"
 #include "schema/text_file.hpp"
+#include "search/chosen_sheet.hpp"
+#include "search/draw.hpp"
 
 namespace misalign::search {
 namespace {
@@ -36,62 +38,68 @@ std::string of_state(double pilot_deg) {
   return text + (rest > 1e-9 ? schema::shown_number(rest).substr(1) : "") + "deg";
 }
 
-// One candidate's files.
+// What a sheet's files say of whose they are.
+struct Label {
+  std::string stem;   // of their names
+  std::string title;  // in them
+  std::string name;   // in sentences
+};
+
+// One sheet's files.
 class Exporter {
  public:
-  Exporter(const SQLite::Database& database, const schema::Campaign& campaign,
-           const DrawFolder& folder, const ExportOptions& options)
-      : database_(database), campaign_(campaign), folder_(folder), options_(options) {}
+  Exporter(const SheetFolder& folder, const ExportOptions& options)
+      : folder_(folder), options_(options) {}
 
-  void write(std::uint64_t draw) const {
-    const FoldedDraw folded = folder_.fold(draw);
-    if (!folded.accepted) {
-      throw schema::damaged(
-          database_, "draw " + std::to_string(draw) + " is among the candidates, but is none");
-    }
+  // `origin`: the keys of the campaign that drew it, if there is one.
+  void write(const FoldedSheet& folded, const Label& label, const schema::Json& origin) const {
     const schema::FoldingView view = folder_.view(folded);
-    const std::string stem = campaign_.name + "-" + std::to_string(draw);
-    const std::string title = "misalign: " + campaign_.name + ", draw " + std::to_string(draw);
+    const std::string& stem = label.stem;
     switch (options_.format) {
       case ExportFormat::csv:
         return write(stem, schema::folding_csv(view, folded.actuation));
       case ExportFormat::json:
-        return write(stem, candidate(folded, view).dump(1) + "\n");
+        return write(stem, data_of(folded, view, origin).dump(1) + "\n");
       case ExportFormat::svg:
-        return write(stem, schema::crease_pattern_svg(campaign_.pattern, folded.vertices_mm,
-                                                      folder_.mechanism(), title));
+        return write(stem, schema::crease_pattern_svg(folder_.base(), folded.vertices_mm,
+                                                      folder_.mechanism(), label.title));
       case ExportFormat::fold:
-        return write(stem, fold_text(folded, view, title));
+        return write(stem, fold_text(folded, view, label, origin));
       case ExportFormat::obj:
-        return write_states(folded, stem, title);
+        return write_states(folded, view, label);
     }
   }
 
  private:
-  schema::Json candidate(const FoldedDraw& folded, const schema::FoldingView& view) const {
-    return schema::candidate_json(campaign_, folded.draw, view, *folded.metrics,
-                                  schema::actuation_json(view, folded.path, folded.actuation));
+  schema::Json data_of(const FoldedSheet& folded, const schema::FoldingView& view,
+                       const schema::Json& origin) const {
+    schema::Json data =
+        schema::folded_pattern_json(folder_.sampling(), view, folded.metrics,
+                                    schema::actuation_json(view, folded.path, folded.actuation));
+    data.update(origin);
+    return data;
   }
 
-  std::string fold_text(const FoldedDraw& folded, const schema::FoldingView& view,
-                        const std::string& title) const {
-    const auto rows = schema::rows_to_show(folded.path, options_.step_deg);
-    folder_.check_shapes(folded, rows);
-    schema::Json data = candidate(folded, view);
+  std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
+                        const Label& label, const schema::Json& origin) const {
+    const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+    folder_.check_shapes(folded, rows, label.name);
+    schema::Json data = data_of(folded, view, origin);
     data.erase("pattern");  // is beside it
-    return schema::folded_fold_json(view, folded.path, rows, title, data).dump() + "\n";
+    return schema::folded_fold_json(view, folded.path, rows, label.title, data).dump() + "\n";
   }
 
-  void write_states(const FoldedDraw& folded, const std::string& stem,
-                    const std::string& title) const {
-    const auto rows = schema::rows_to_show(folded.path, options_.step_deg);
-    folder_.check_shapes(folded, rows);
+  void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
+                    const Label& label) const {
+    const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+    folder_.check_shapes(folded, rows, label.name);
     Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, folded.vertices_mm.cols());
     flat_mm.topRows<2>() = folded.vertices_mm;
     const auto write_state = [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
-      write(stem + of_state(pilot_deg),
-            schema::folded_obj(campaign_.pattern, shape_mm,
-                               title + ", pilot at " + schema::shown_number(pilot_deg) + " deg"));
+      write(label.stem + of_state(pilot_deg),
+            schema::folded_obj(
+                folder_.base(), shape_mm,
+                label.title + ", pilot at " + schema::shown_number(pilot_deg) + " deg"));
     };
     write_state(0, flat_mm);
     for (const Eigen::Index row : rows) {
@@ -102,35 +110,68 @@ class Exporter {
 
   void write(const std::string& stem, const std::string& text) const {
     const auto path = std::filesystem::path(options_.output) / (stem + ending(options_.format));
+    std::error_code error;
+    if (std::filesystem::equivalent(path, options_.path, error)) {
+      throw schema::UserError(schema::kExitUsage,
+                              "--output " + options_.output +
+                                  ": the file would replace the one that is read (it has the same "
+                                  "name); name another directory");
+    }
     schema::write_text_file(path.string(), text);
     std::puts(path.c_str());
   }
 
-  const SQLite::Database& database_;
-  const schema::Campaign& campaign_;
-  const DrawFolder& folder_;
+  const SheetFolder& folder_;
   const ExportOptions& options_;
 };
+
+void make_directory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!error) return;
+  throw schema::UserError(schema::kExitFailure, path + ": cannot be made (" + error.message() +
+                                                    "); choose another --output");
+}
+
+double look_deg(const ExportOptions& options) {
+  const bool in_states =
+      options.format == ExportFormat::fold || options.format == ExportFormat::obj;
+  return in_states ? options.step_deg : 0;
+}
 
 }  // namespace
 
 void export_candidates(const ExportOptions& options) {
-  const auto database = schema::open_for_reading(options.catalogue_path);
+  const auto database = schema::open_for_reading(options.path);
   const std::vector<std::uint64_t> draws = chosen_draws(*database, options.choice);
-  schema::Campaign campaign = schema::read_campaign_of(*database, options.catalogue_path);
+  schema::Campaign campaign = schema::read_campaign_of(*database, options.path);
   campaign.actuators = options.actuators.instead_of(campaign.actuators);
-  const bool in_states =
-      options.format == ExportFormat::fold || options.format == ExportFormat::obj;
-  const DrawFolder folder(campaign, in_states ? options.step_deg : 0);
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
-  if (error) {
-    throw schema::UserError(
-        schema::kExitFailure,
-        options.output + ": cannot be made (" + error.message() + "); choose another --output");
+  const SheetFolder folder(campaign, look_deg(options));
+  make_directory(options.output);
+  const Exporter exporter(folder, options);
+  for (const std::uint64_t draw : draws) {
+    const std::string number = std::to_string(draw);
+    const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
+    if (!campaign.accepts(folded.path.history.verdict)) {
+      throw schema::damaged(*database, "draw " + number + " is among the candidates, but is none");
+    }
+    exporter.write(folded,
+                   {campaign.name + "-" + number, "misalign: " + campaign.name + ", draw " + number,
+                    "draw " + number},
+                   schema::origin_json(campaign, draw));
   }
-  const Exporter exporter(*database, campaign, folder, options);
-  for (const std::uint64_t draw : draws) exporter.write(draw);
+}
+
+void export_pattern(const ExportOptions& options) {
+  const ChosenSheet sheet = sheet_of_pattern_file(options.path);
+  const SheetFolder folder(sheet.base, sheet.sampling,
+                           options.actuators.instead_of(sheet.actuators), look_deg(options));
+  make_directory(options.output);
+  Exporter(folder, options)
+      .write(folder.fold(sheet.shifts_mm),
+             {std::filesystem::path(options.path).stem().string(), "misalign: " + sheet.pattern,
+              sheet.pattern},
+             schema::Json::object());
 }
 
 }  // namespace misalign::search

@@ -1,15 +1,15 @@
-// `misalign export`: chosen candidates as files.
+// `misalign export`: chosen candidates, or a pattern, as files.
 #pragma once
 
 #include "search/choice.hpp"
-#include "search/folded_draw.hpp"
+#include "search/folded_sheet.hpp"
 
 namespace misalign::search {
 
 enum class ExportFormat { json, csv, fold, svg, obj };
 
 struct ExportOptions {
-  std::string catalogue_path;
+  std::string path;  ///< a catalogue or a pattern file
   Choice choice;
   ExportFormat format = ExportFormat::json;
   double step_deg = 10;  ///< between two states of `fold` and `obj`
@@ -19,5 +19,7 @@ struct ExportOptions {
 
 /// Writes each candidate's files whole or not at all, and prints their names.
 void export_candidates(const ExportOptions& options);
+/// The same of a pattern file; there is nothing to choose.
+void export_pattern(const ExportOptions& options);
 
 }  // namespace misalign::search

@@ -11,6 +11,7 @@
 #include "schema/text_file.hpp"
 #include "search/build_info.hpp"
 #include "search/choice_options.hpp"
+#include "search/draw.hpp"
 #include "search/shell_word.hpp"
 #include "search/status.hpp"
 
@@ -67,14 +68,17 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
   return look;
 }
 
-Json details_json(const DrawFolder& folder, const DrawsToLookAt& look) {
+Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
+                  const DrawsToLookAt& look) {
   Json details = Json::array();
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < look.draws.size(); ++k) {
     if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
-    const FoldedDraw folded = folder.fold(look.draws[k]);
-    details.push_back(schema::detail_json(folder.view(folded), folded.draw, folded.accepted,
-                                          folded.path, folded.actuation, folded.metrics));
+    const std::uint64_t draw = look.draws[k];
+    const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
+    const bool accepted = campaign.accepts(folded.path.history.verdict);
+    details.push_back(schema::detail_json(folder.view(folded), draw, accepted, folded.path,
+                                          folded.actuation, folded.metrics));
     bytes += details.back().dump().size();
   }
   return details;
@@ -141,7 +145,7 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 }
 
 // What is folded, and by what.
-Json folding_json(const schema::Campaign& campaign, const DrawFolder& folder,
+Json folding_json(const schema::Campaign& campaign, const SheetFolder& folder,
                   const DrawsToLookAt& look) {
   const auto& limit = campaign.actuators.stroke_limit;
   return {{"sheet", schema::sheet_json(campaign.pattern, folder.mechanism())},
@@ -149,7 +153,7 @@ Json folding_json(const schema::Campaign& campaign, const DrawFolder& folder,
           {"actuators",
            {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
             {"stroke_limit", limit ? Json(*limit) : Json()}}},
-          {"details", details_json(folder, look)}};
+          {"details", details_json(campaign, folder, look)}};
 }
 
 // Who wrote the page, of what, and how it can be written again.
@@ -179,7 +183,7 @@ void write_report(const ReportOptions& options) {
   campaign.actuators = options.actuators.instead_of(campaign.actuators);
   DrawsToLookAt look;
   const Json catalogue = catalogue_json(*database, campaign, options, look);
-  const DrawFolder folder(campaign);
+  const SheetFolder folder(campaign);
   Json data = origin_json(campaign, options);
   data.update(catalogue);
   data.update(folding_json(campaign, folder, look));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "search/choice.hpp"
-#include "search/folded_draw.hpp"
+#include "search/folded_sheet.hpp"
 
 namespace misalign::search {
 

@@ -5,6 +5,7 @@
 #include "schema/plain_export.hpp"
 #include "search/actuators.hpp"
 #include "search/choice_options.hpp"
+#include "search/chosen_sheet.hpp"
 #include "search/export.hpp"
 #include "search/report.hpp"
 #include "search/verbs.hpp"
@@ -33,10 +34,27 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws,
       ->type_name("N");
 }
 
+// The first option of a group that was given; empty if none was.
+std::string first_given(const CLI::App& group) {
+  for (const CLI::Option* option : group.get_options()) {
+    if (option->count() > 0) return option->get_name();
+  }
+  return "";
+}
+
 }  // namespace
 
+void add_catalogue_or_pattern(CLI::App& verb, std::string& path) {
+  verb.add_option("FILE", path, "catalogue, or a pattern: JSON, exported candidate or FOLD file")
+      ->required();
+}
+
+void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw) {
+  verb.add_option("DRAW", draw, "number of the draw, of a catalogue")->check(a_draw());
+}
+
 Action add_actuators(CLI::App& app) {
-  auto* verb = app.add_subcommand("actuators", "springs on the diagonals of one draw");
+  auto* verb = app.add_subcommand("actuators", "springs on the diagonals of one sheet");
   verb->footer(
       "Energy, moment about the pilot crease (dE/d pilot angle; negative: the springs\n"
       "would fold the sheet further) and mechanical advantage (newtons on the sheet's\n"
@@ -45,10 +63,11 @@ Action add_actuators(CLI::App& app) {
       "that. deployment: (180 - pilot)/180, 1 when flat. Forces and elongations are\n"
       "positive where a spring is longer than when flat, and pulls.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
-      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08");
+      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08\n"
+      "  misalign actuators search/patterns/table1.json");
   auto options = std::make_shared<ActuatorsOptions>();
-  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
-  verb->add_option("DRAW", options->draw, "number of the draw")->required()->check(a_draw());
+  add_catalogue_or_pattern(*verb, options->path);
+  add_draw_of_catalogue(*verb, options->draw);
   add_other_actuators(*verb, options->actuators);
   verb->add_flag("--json", options->json, "as JSON, with all histories");
   return [options] {
@@ -58,7 +77,7 @@ Action add_actuators(CLI::App& app) {
 }
 
 Action add_export(CLI::App& app) {
-  auto* verb = app.add_subcommand("export", "chosen candidates as files");
+  auto* verb = app.add_subcommand("export", "chosen candidates, or a pattern, as files");
   verb->footer(
       "Formats: json (pattern, verdict, metrics, springs), csv (histories), fold\n"
       "(crease pattern and folded states, for Origami Simulator and the like), svg\n"
@@ -69,11 +88,12 @@ Action add_export(CLI::App& app) {
       "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
       "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
+      "  misalign export search/patterns/table1.json --format svg --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
   auto options = std::make_shared<ExportOptions>();
   Choice& choice = options->choice;
-  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
-  auto* group = verb->add_option_group("choice", "which candidates");
+  add_catalogue_or_pattern(*verb, options->path);
+  auto* group = verb->add_option_group("choice", "which candidates of a catalogue");
   auto* draw = add_draws(*group, choice.draws, "this one");
   const ChoiceOptions chosen = add_choice(*verb, *group, choice);
   auto compat = std::make_shared<bool>(false);
@@ -85,7 +105,6 @@ Action add_export(CLI::App& app) {
     plain->excludes(other);
   }
   draw->excludes(plain);
-  group->require_option(1, 0);
   verb->add_option("--format", options->format, "json, csv, fold, svg or obj [json]")
       ->transform(one_of({{"json", number_of(ExportFormat::json)},
                           {"csv", number_of(ExportFormat::csv)},
@@ -101,7 +120,7 @@ Action add_export(CLI::App& app) {
                    "directory, made if it is not there; with --sqlite-compat a new file")
       ->required()
       ->type_name("PATH");
-  return [options, compat, verb] {
+  return [options, compat, verb, group] {
     const auto only_with = [&](const char* option, bool has_sense, const char* with) {
       if (verb->count(option) == 0 || has_sense) return;
       throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
@@ -111,8 +130,17 @@ Action add_export(CLI::App& app) {
         options->format == ExportFormat::fold || options->format == ExportFormat::obj;
     only_with("--by", options->choice.best || options->choice.diverse, "--best or --diverse");
     only_with("--step", in_states, "--format fold or obj");
-    if (*compat) {
-      schema::export_plain(*schema::open_for_reading(options->catalogue_path), options->output);
+    const std::string chosen_by = first_given(*group);
+    if (is_pattern_file(options->path)) {
+      if (!chosen_by.empty()) throw only_of_a_catalogue(options->path, chosen_by);
+      export_pattern(*options);
+    } else if (chosen_by.empty()) {
+      throw schema::UserError(schema::kExitUsage,
+                              options->path +
+                                  ": nothing is chosen of it (a catalogue holds many); say --best, "
+                                  "--draw, --where, --diverse or --sqlite-compat");
+    } else if (*compat) {
+      schema::export_plain(*schema::open_for_reading(options->path), options->output);
       std::puts(options->output.c_str());
     } else {
       export_candidates(*options);

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,10 @@ CLI::Validator a_share(double least, double most);
 CLI::Validator counted(std::uint64_t least, std::uint64_t most);
 /// Any number of a draw, or of draws.
 CLI::Validator a_draw();
+
+/// The first argument of verbs that look at one sheet, and the second that some of them take.
+void add_catalogue_or_pattern(CLI::App& verb, std::string& path);
+void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw);
 
 /// What is typed, and what it stands for.
 using Names = std::vector<std::pair<std::string, std::string>>;

@@ -8,6 +8,7 @@ TEST(SchemaFiles, DescribeEveryKeyAndRefuseEveryOther) {
   for (const Json& schema : {campaign_schema(), candidate_schema()}) {
     walk(schema, [](const Pointer& at, const Json& part) {
       if (!part.is_object()) return;
+      if (at.to_string().starts_with("/dependencies")) return;  // of keys that are described
       if (part.contains("properties")) {
         EXPECT_EQ(part.value("additionalProperties", true), false) << at;
       }

@@ -37,7 +37,7 @@ struct Exported {
         base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
         solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, options),
         pattern.vertices_mm());
-    rows = rows_to_show(path, step_deg);
+    rows = rows_to_show(view(), path, step_deg);
     fold = folded_fold_json(view(), path, rows, "a test", {{"draw", 7}});
   }
   /// A carried one; or the first with a mountain as its pilot, seen from below by the solver.

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "search/folded_draw.hpp"
+#include "search/folded_sheet.hpp"
 #include "solver/reference.hpp"
 
 namespace misalign::search {
@@ -202,11 +202,12 @@ TEST(Trial, InstructionSetsAndBlocksAgree) {
 TEST(Trial, TurnsNextToAFoldLimitAreThoseOfTheFinePath) {
   const schema::Campaign campaign = schema::read_campaign(
       {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}}, "a test");
-  const DrawFolder coarse(campaign), fine(campaign, 0.01);
+  const SheetFolder coarse(campaign), fine(campaign, 0.01);
   int turns = 0, smooth = 0;
   for (const std::uint64_t draw : {2850319, 4366571, 9947173, 10337263, 1623437, 8100241}) {
-    const solver::Metrics metrics = *coarse.fold(draw).metrics;
-    const solver::FoldingHistory history = fine.fold(draw).path.history;
+    const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, draw);
+    const solver::Metrics metrics = *coarse.fold(shifts_mm).metrics;
+    const solver::FoldingHistory history = fine.fold(shifts_mm).path.history;
     EXPECT_LT(metrics.fold_limit_deg - metrics.deploys_from_deg, 0.05) << "draw " << draw;
     bool goes_back = false;
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {

@@ -1,0 +1,80 @@
+# A pattern file wherever a draw is taken: a candidate's own exports say what the catalogue says of
+# it, and what can only be chosen from a catalogue is one sentence.
+. "$(dirname "$0")/lib.sh"
+field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
+table1=$source_dir/search/patterns/table1.json
+mesh=$source_dir/search/patterns/angle-array-6x6.fold
+"$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 300 --catalogue a.db \
+  --progress none > /dev/null 2>&1 || fail "search"
+draw=$(sql a.db 'SELECT draw FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC LIMIT 1')
+for format in json fold; do
+  "$program" export a.db --draw "$draw" --format $format --output of_draw > /dev/null || fail "export $format"
+done
+exported="of_draw/miura-4x4-$draw.json of_draw/miura-4x4-$draw.fold"
+
+# The springs of a draw are those of its exports, but for whose they are.
+"$program" actuators a.db "$draw" --json | sed '/"draw":/d' > of_draw.json
+for file in $exported; do
+  "$program" actuators "$file" --json > of_file.json || fail "actuators $file"
+  [ "$(field of_file.json pattern)" = "miura-4x4-$draw" ] || fail "actuators $file: whose they are"
+  sed '/"pattern":/d' of_file.json | cmp -s - of_draw.json || fail "actuators $file: other springs"
+done
+"$program" actuators "$table1" --stroke-limit 0.03 > text || fail "actuators table1"
+[ "$(head -1 text)" = "table1: deploys from 156 deg" ] || fail "actuators table1: $(head -1 text)"
+[ "$("$program" actuators - < /dev/null 2>&1 | wc -l)" = 1 ] || fail "actuators of nothing"
+"$program" actuators <(cat "$table1") --stroke-limit 0.03 | tail -n +2 | cmp -s - <(tail -n +2 text) ||
+  fail "actuators of a pipe"
+
+# Every format of a pattern has its name; what is exported of an export is the same drawing.
+for format in json csv fold svg obj; do
+  case $format in fold | obj) step="--step 60" ;; *) step="" ;; esac
+  # shellcheck disable=SC2086
+  "$program" export "$table1" --format $format $step --output out > names || fail "export as $format"
+  [ -s names ] && ! grep -v "^out/table1" names || fail "names of $format: $(cat names)"
+done
+[ "$(cat names | tr '\n' ' ')" = \
+  "out/table1-000deg.obj out/table1-060deg.obj out/table1-120deg.obj out/table1-156deg.obj " ] ||
+  fail "states of table1: $(cat names)"
+[ "$(field out/table1.json verdict.deploys_from_deg)" = 156.0 ] || fail "export: D of table1"
+[ -z "$(field out/table1.json draw)$(field out/table1.json campaign)" ] || fail "table1 is no draw"
+for file in $exported; do
+  for format in svg fold; do
+    "$program" export "$file" --format $format --output again > /dev/null || fail "export $file as $format"
+  done
+  [ "$(field "again/miura-4x4-$draw.fold" file_frames)" = \
+    "$(field "of_draw/miura-4x4-$draw.fold" file_frames)" ] || fail "$file: other frames"
+done
+"$program" export "$mesh" --format fold --output out > /dev/null || fail "export of a mesh"
+"$program" fold out/angle-array-6x6.fold > /dev/null || fail "fold of an exported mesh"
+# A sheet that deploys from nothing is folded as far as it goes.
+echo '{ "family": "miura", "rows": 4, "columns": 4 }' > plain.json
+"$program" export plain.json --format fold --output out > /dev/null || fail "export of an unshifted sheet"
+"$program" fold plain.json --json > plain-folding.json
+[ "$(field out/plain.fold 'file_frames[#-1]."misalign:pilot_deg"')" = \
+  "$(field plain-folding.json 'samples_deg[#-1]')" ] || fail "frames of it"
+"$program" export plain.json --output out > /dev/null || fail "export of an unshifted sheet as JSON"
+[ "$(field out/plain.json metrics)" = "" ] || fail "metrics of a sheet that deploys from nothing"
+"$program" fold out/plain.json > /dev/null || fail "fold of that"
+
+# refused CODE WORDS ARGS...: one sentence, and nothing written.
+refused() {
+  local code=$1 words=$2
+  shift 2
+  "$program" "$@" > stdout 2> err
+  [ $? = "$code" ] || fail "exit code of $*"
+  [ -s stdout ] && fail "output of $*"
+  [ "$(wc -l < err)" = 1 ] || fail "one sentence: $*: $(cat err)"
+  grep -q -- "$words" err || fail "no '$words': $*: $(cat err)"
+  [ -e none ] && fail "something was written: $*"
+}
+refused 2 "draw 7 can only be chosen from a catalogue" actuators "$table1" 7
+refused 2 "no DRAW is given" actuators a.db
+refused 2 "nothing is chosen" export a.db --output none
+refused 2 "--best can only be chosen" export "$table1" --best 3 --output none
+refused 2 "--sqlite-compat can only" export "$table1" --sqlite-compat --output none
+refused 2 "replace the one that is read" export out/table1.json --output out
+refused 3 "no such file" actuators nothing.json
+refused 3 "is a campaign" export "$source_dir/search/campaigns/miura-4x4.json" --output none
+echo 'neither' > neither.txt
+refused 3 "is no catalogue" actuators neither.txt 7
+finish
