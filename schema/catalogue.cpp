@@ -116,7 +116,7 @@ void Catalogue::check_same_campaign() const {
 
 // The file as it was is kept beside it; then all steps to the present schema, or none.
 void Catalogue::migrate() {
-  const int version = database_->execAndGet("PRAGMA user_version").getInt();
+  const int version = version_of(*database_);
   if (version == kSchemaVersion) return;
   const std::string backup = path_ + ".version-" + std::to_string(version);
   if (!is_taken(backup)) {

@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 3. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 4. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 3;
+PRAGMA user_version = 4;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -72,14 +72,17 @@ CREATE TABLE screened (
   PRIMARY KEY (cause, tested_deg)
 ) STRICT, WITHOUT ROWID;
 
--- The exact verdict of every draw with draw mod 1024 = 0.
+-- The exact verdict of every draw with draw mod 2^k = 0: k = 10 below draw 2^27, 11 from there on, 12
+-- from 2^28 on, and so forth. Units from before version 4 have a row every 1024 draws, however large.
 CREATE TABLE fault_sample (
   draw INTEGER PRIMARY KEY CHECK (draw % 1024 = 0),
   unit INTEGER NOT NULL REFERENCES unit (lo),
   deploys_from_sample INTEGER NOT NULL CHECK (deploys_from_sample >= 0),
   first_fault TEXT NOT NULL,
   fault_deg REAL,  -- null when there is none
-  "where" TEXT     -- the diagonal or crease that shows it
+  "where" TEXT,    -- the diagonal or crease that shows it
+  -- Its weight, 2^k. Since version 4.
+  stands_for INTEGER NOT NULL DEFAULT 1024 CHECK (stands_for >= 1024 AND draw % stands_for = 0)
 ) STRICT;
 
 CREATE TABLE undecided (
@@ -154,10 +157,11 @@ SELECT coalesce(sum(draws), 0) AS draws, coalesce(sum(accepted), 0) AS accepted,
        CAST(sum(accepted) AS REAL) / sum(draws) AS rate, sum(seconds) AS worker_seconds
 FROM unit;
 
--- From fault_sample: an unbiased 1 in 1024 of the draws, accepted ones too.
+-- From fault_sample, an unbiased sample of the draws, accepted ones too: the rows that there are, about
+-- how many draws they stand for, and the share of those.
 CREATE VIEW faults AS
-SELECT first_fault, fault_deg, count(*) AS draws,
-       CAST(count(*) AS REAL) / (SELECT count(*) FROM fault_sample) AS share
+SELECT first_fault, fault_deg, count(*) AS sampled, sum(stands_for) AS draws,
+       CAST(sum(stands_for) AS REAL) / (SELECT sum(stands_for) FROM fault_sample) AS share
 FROM fault_sample
 GROUP BY first_fault, fault_deg;
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "schema/digest.hpp"
+#include "schema/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -141,7 +142,7 @@ CatalogueState state_of(SQLite::Database& database) {
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
-  const bool knows_errors = database.execAndGet("PRAGMA user_version").getInt() >= 3;
+  const bool knows_errors = version_of(database) >= 3;
   SQLite::Statement campaign(database,
                              std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
                                          "goal_accepted, goal_end, ") +
@@ -217,13 +218,18 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 
 int schema_version_of(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
-    if (database.execAndGet("PRAGMA user_version").getInt() < 2) return 1;
+    if (version_of(database) < 2) return 1;
     SQLite::Statement row(database,
                           "SELECT schema_version FROM candidate JOIN unit ON unit.lo = "
                           "candidate.unit JOIN run ON run.id = unit.run WHERE draw = ?");
     row.bind(1, stored(draw));
     return row.executeStep() ? row.getColumn(0).getInt() : kSchemaVersion;
   });
+}
+
+std::string weight_of_sampled(SQLite::Database& database) {
+  return version_of(database) < kRarerSampleSince ? std::to_string(kFaultSampleEvery)
+                                                  : "stands_for";
 }
 
 Json read_candidate(SQLite::Database& database, std::uint64_t draw) {

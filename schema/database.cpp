@@ -81,6 +81,10 @@ int authorize_reading(void*, int action, const char* name, const char*, const ch
 
 }  // namespace
 
+int version_of(SQLite::Database& database) {
+  return reading(database, [&] { return database.execAndGet("PRAGMA user_version").getInt(); });
+}
+
 UserError damaged(const SQLite::Database& database, const std::string& why) {
   return UserError(kExitBadInput, database.getFilename() + ": is damaged (" + printable(utf8(why)) +
                                       "); put a backup in its place, or see what "

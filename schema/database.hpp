@@ -13,7 +13,7 @@
 namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
-inline constexpr int kSchemaVersion = 3;
+inline constexpr int kSchemaVersion = 4;
 
 /// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
 inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }
@@ -23,6 +23,9 @@ inline std::uint64_t draw_of(const SQLite::Column& column) {
 
 /// A text as it is stored, made UTF-8.
 inline std::string text_of(const SQLite::Column& column) { return utf8(column.getString()); }
+
+/// The schema that a catalogue was written with, or brought up to.
+int version_of(SQLite::Database& database);
 
 /// A damaged file, or one that another program changed: exit code 3.
 UserError damaged(const SQLite::Database& database, const std::string& why);

@@ -9,11 +9,6 @@
 namespace misalign::schema {
 namespace {
 
-// Multiples of kFaultSampleEvery below `end`.
-std::uint64_t sampled_below(std::uint64_t end) {
-  return (end + kFaultSampleEvery - 1) / kFaultSampleEvery;
-}
-
 class LedgerCheck {
  public:
   LedgerCheck(SQLite::Database& database, const Campaign& campaign)
@@ -24,8 +19,8 @@ class LedgerCheck {
     check_campaign();
     read_units();
     sum_candidates();
-    count("undecided", &Unit::undecided);
-    count("fault_sample", &Unit::fault_sample);
+    count_undecided();
+    count_fault_sample();
     check_units();
     check_fault_sample();
     check_verdicts();
@@ -42,6 +37,7 @@ class LedgerCheck {
     DrawRange range;
     Part accepted, undecided, fault_sample;
     CandidateSum stored, summed;
+    FaultSampleRule rule;
   };
 
   void add(const std::string& where, const std::string& column, const Json& stored,
@@ -71,8 +67,9 @@ class LedgerCheck {
 
   void read_units() {
     SQLite::Statement row(database_,
-                          "SELECT lo, hi, accepted, undecided, rejected, digest_part FROM unit "
-                          "ORDER BY lo");
+                          "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
+                              std::string(version_ < 2 ? "1" : "schema_version") +
+                              " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
     std::uint64_t end = 0;
     while (row.executeStep()) {
       const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
@@ -85,8 +82,14 @@ class LedgerCheck {
           range.size() - draw_of(row.getColumn(2)) - draw_of(row.getColumn(3));
       if (rejected != draw_of(row.getColumn(4)))
         add(name(range.lo), "rejected", draw_of(row.getColumn(4)), rejected);
-      Unit unit{range, {draw_of(row.getColumn(2))}, {draw_of(row.getColumn(3))}, {}, {}, {}};
-      unit.fault_sample.stored = sampled_below(range.hi) - sampled_below(range.lo);
+      Unit unit{range,
+                {draw_of(row.getColumn(2))},
+                {draw_of(row.getColumn(3))},
+                {},
+                {},
+                {},
+                FaultSampleRule(row.getColumn(6).getInt())};
+      unit.fault_sample.stored = unit.rule.rows_in(range);
       if (row.getColumn(5).getBytes() == 16) {
         unit.stored =
             CandidateSum::from_bytes(static_cast<const unsigned char*>(row.getColumn(5).getBlob()));
@@ -127,11 +130,30 @@ class LedgerCheck {
     }
   }
 
-  void count(const std::string& table, Part Unit::*part) {
-    SQLite::Statement row(database_, "SELECT draw, unit FROM " + table);
+  void count_undecided() {
+    SQLite::Statement row(database_, "SELECT draw, unit FROM undecided");
     while (row.executeStep()) {
-      if (Unit* unit = unit_of(table, draw_of(row.getColumn(0)), draw_of(row.getColumn(1))))
-        ++(unit->*part).counted;
+      if (Unit* unit = unit_of("undecided", draw_of(row.getColumn(0)), draw_of(row.getColumn(1))))
+        ++unit->undecided.counted;
+    }
+  }
+
+  // No row is there twice: with as many as the rule has draws, each of them has one.
+  void count_fault_sample() {
+    SQLite::Statement row(
+        database_, "SELECT draw, unit, " + weight_of_sampled(database_) + " FROM fault_sample");
+    while (row.executeStep()) {
+      const std::uint64_t draw = draw_of(row.getColumn(0)), weight = draw_of(row.getColumn(2));
+      Unit* unit = unit_of("fault_sample", draw, draw_of(row.getColumn(1)));
+      if (!unit) continue;
+      ++unit->fault_sample.counted;
+      const std::string where = "draw " + std::to_string(draw);
+      const std::uint64_t spacing = unit->rule.spacing(draw);
+      if (!unit->rule.holds(draw)) {
+        add(where, "fault_sample.draw", draw, "a multiple of " + std::to_string(spacing));
+      } else if (weight != spacing) {
+        add(where, "fault_sample.stands_for", weight, spacing);
+      }
     }
   }
 
@@ -159,12 +181,6 @@ class LedgerCheck {
   }
 
   void check_fault_sample() {
-    SQLite::Statement others(database_, "SELECT draw FROM fault_sample WHERE draw % " +
-                                            std::to_string(kFaultSampleEvery) + " != 0");
-    while (others.executeStep()) {
-      add("draw " + text_of(others.getColumn(0)), "fault_sample.draw",
-          others.getColumn(0).getInt64(), "a multiple of " + std::to_string(kFaultSampleEvery));
-    }
     SQLite::Statement row(database_,
                           "SELECT draw, fault_sample.deploys_from_sample, "
                           "candidate.deploys_from_sample FROM fault_sample JOIN candidate USING "
@@ -210,6 +226,7 @@ class LedgerCheck {
 
   SQLite::Database& database_;
   const Campaign& campaign_;
+  const int version_ = version_of(database_);
   std::map<std::uint64_t, Unit> units_;  // by lo
   std::vector<Finding> findings_;
 };

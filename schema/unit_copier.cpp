@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "schema/database.hpp"
+#include "schema/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -19,7 +20,9 @@ std::vector<std::string> columns_of(SQLite::Database& database, const std::strin
 
 // What a catalogue that has no such column is to say there.
 std::string stand_in(const std::string& column) {
-  return column == "schema_version" ? "1" : "NULL";
+  if (column == "schema_version") return "1";
+  if (column == "stands_for") return std::to_string(kFaultSampleEvery);
+  return "NULL";
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -100,9 +103,10 @@ std::unique_ptr<UnitCopier::Table> UnitCopier::table(const std::string& name,
 
 void UnitCopier::copy_runs() {
   table("run", "WHERE id >= ? AND id < ? ORDER BY id")->copy({0, kEndOfDraws});
-  SQLite::Statement add(into_,
-                        "INSERT INTO screened VALUES (?,?,?) ON CONFLICT DO UPDATE "
-                        "SET draws = draws + excluded.draws");
+  SQLite::Statement add(
+      into_,
+      "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE "
+      "SET draws = draws + excluded.draws");
   SQLite::Statement rows = prepared(from_, "SELECT cause, tested_deg, draws FROM screened");
   copy_rows(from_, rows, add, [&] {
     for (int k = 0; k < 3; ++k) bind_value(add, k + 1, rows.getColumn(k));

@@ -1,6 +1,7 @@
 #include "schema/unit_writer.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "schema/database.hpp"
 #include "schema/digest.hpp"
@@ -56,12 +57,20 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
             "INSERT INTO unit (lo, hi, run, worker, accepted, rejected, undecided, seconds, "
             "digest_part) VALUES (?,?,?,?,?,?,?,?,?)"),
       candidate_(database,
-                 "INSERT INTO candidate VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
-      undecided_(database, "INSERT INTO undecided VALUES (?,?,?,?)"),
-      fault_sample_(database, "INSERT INTO fault_sample VALUES (?,?,?,?,?,?)"),
-      screened_(database,
-                "INSERT INTO screened VALUES (?,?,?) ON CONFLICT DO UPDATE "
-                "SET draws = draws + excluded.draws") {}
+                 "INSERT INTO candidate (draw, unit, deploys_from_sample, deploys_from_deg, "
+                 "fold_limit_deg, elongation_min, elongation_max, stroke_min, stroke_max, "
+                 "slope_min_mm_per_deg, stretch_sq_mm2, singular_value_min, residual_max, "
+                 "isometry_error_mm, kawasaki_defect_deg, shifted_vertices, increasing, "
+                 "decreasing, displacements_mm, elongation, slope_between_min_mm_per_deg, "
+                 "bump_deg) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      undecided_(database, "INSERT INTO undecided (draw, unit, cause, run) VALUES (?,?,?,?)"),
+      fault_sample_(database,
+                    "INSERT INTO fault_sample (draw, unit, deploys_from_sample, first_fault, "
+                    "fault_deg, \"where\", stands_for) VALUES (?,?,?,?,?,?,?)"),
+      screened_(
+          database,
+          "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE "
+          "SET draws = draws + excluded.draws") {}
 
 // What was screened is summed up first: a unit alone touches some two hundred rows of it.
 void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
@@ -88,7 +97,9 @@ void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
   insert(unit_);
   for (const Candidate& candidate : unit.candidates) write_candidate(candidate, lo);
   for (const DrawVerdict& draw : unit.undecided) write_undecided(draw, lo, run);
-  for (const DrawVerdict& draw : unit.fault_sample) write_fault_sample(draw, lo);
+  for (const DrawVerdict& sampled : unit.fault_sample) {
+    write_fault_sample(sampled, lo, stored(FaultSampleRule().spacing(sampled.draw)));
+  }
 }
 
 void UnitWriter::settle(const UnitRecord& decided) {
@@ -105,6 +116,10 @@ void UnitWriter::settle(const UnitRecord& decided) {
   CandidateSum sum =
       CandidateSum::from_bytes(static_cast<const unsigned char*>(held.getColumn(1).getBlob()));
   sum.add(sum_of(decided.candidates));
+  SQLite::Statement row(database_, "SELECT stands_for FROM fault_sample WHERE draw = ?");
+  row.bind(1, draw);
+  std::optional<std::int64_t> stands_for;
+  if (row.executeStep()) stands_for = row.getColumn(0).getInt64();
   for (const char* table : {"undecided", "fault_sample"}) {
     SQLite::Statement remove(database_, std::string("DELETE FROM ") + table + " WHERE draw = ?");
     remove.bind(1, draw);
@@ -119,7 +134,9 @@ void UnitWriter::settle(const UnitRecord& decided) {
   update.bind(4, lo);
   update.exec();
   for (const Candidate& candidate : decided.candidates) write_candidate(candidate, lo);
-  for (const DrawVerdict& sampled : decided.fault_sample) write_fault_sample(sampled, lo);
+  for (const DrawVerdict& sampled : decided.fault_sample) {
+    if (stands_for) write_fault_sample(sampled, lo, *stands_for);
+  }
   add_screened(decided.screened);
 }
 
@@ -160,7 +177,8 @@ void UnitWriter::write_undecided(const DrawVerdict& draw, std::int64_t unit, std
   insert(undecided_);
 }
 
-void UnitWriter::write_fault_sample(const DrawVerdict& draw, std::int64_t unit) {
+void UnitWriter::write_fault_sample(const DrawVerdict& draw, std::int64_t unit,
+                                    std::int64_t stands_for) {
   const std::string where = where_label(mechanism_, draw.verdict);
   const int fault_sample = draw.verdict.fault_sample();
   fault_sample_.tryReset();
@@ -171,6 +189,7 @@ void UnitWriter::write_fault_sample(const DrawVerdict& draw, std::int64_t unit) 
   fault_sample > 0 ? fault_sample_.bind(5, fault_sample * campaign_.sample_deg)
                    : fault_sample_.bind(5);
   where.empty() ? fault_sample_.bind(6) : fault_sample_.bind(6, where);
+  fault_sample_.bind(7, stands_for);
   insert(fault_sample_);
 }
 

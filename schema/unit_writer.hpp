@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "schema/campaign.hpp"
+#include "schema/fault_sample.hpp"
 #include "solver/metrics.hpp"
 
 namespace misalign::schema {
@@ -29,15 +30,13 @@ struct UnitRecord {
   int worker = 0;  ///< the rank that worked it off
   std::uint64_t accepted = 0, rejected = 0;
   double seconds = 0;
-  std::vector<Candidate> candidates;      ///< ascending
-  std::vector<DrawVerdict> undecided;     ///< ascending
-  std::vector<DrawVerdict> fault_sample;  ///< every draw that is a multiple of kFaultSampleEvery
+  std::vector<Candidate> candidates;                      ///< ascending
+  std::vector<DrawVerdict> undecided;                     ///< ascending
+  std::vector<DrawVerdict> fault_sample;                  ///< ascending; see FaultSampleRule
   std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
 
   std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
 };
-
-inline constexpr std::uint64_t kFaultSampleEvery = 1024;
 
 /// Writes within transactions that its caller begins and commits. Throws SQLite::Exception.
 class UnitWriter {
@@ -48,7 +47,8 @@ class UnitWriter {
   /// New units with all that belongs to them.
   void write(const std::vector<UnitRecord>& units, std::int64_t run);
   /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
-  /// UserError (3) if it is in no unit.
+  /// A row of the fault sample takes the place of the one that there was, if there was one, with
+  /// its weight. UserError (3) if it is in no unit.
   void settle(const UnitRecord& decided);
 
  private:
@@ -56,7 +56,7 @@ class UnitWriter {
   void write_unit(const UnitRecord& unit, std::int64_t run);
   void write_candidate(const Candidate& candidate, std::int64_t unit);
   void write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run);
-  void write_fault_sample(const DrawVerdict& draw, std::int64_t unit);
+  void write_fault_sample(const DrawVerdict& draw, std::int64_t unit, std::int64_t stands_for);
   void add_screened(const Screened& screened);
 
   SQLite::Database& database_;

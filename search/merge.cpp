@@ -117,7 +117,7 @@ class Merge {
     std::set_difference(open.begin(), open.end(), open_there.begin(), open_there.end(),
                         std::back_inserter(decided_there));
     for (const std::uint64_t draw : decided_there) {
-      const schema::UnitRecord unit = work_off(*trial_, {draw, draw + 1});
+      const schema::UnitRecord unit = judge_again(*trial_, draw);
       if (!unit.undecided.empty()) continue;
       catalogue.settle(unit);
       ++report_.decided;
@@ -165,6 +165,7 @@ class Merge {
     }
   }
 
+  // Rows that the rules of both units keep: that each unit has those of its own, check_ledger sees.
   template <class IsOpen>
   void compare_fault_samples(SQLite::Database& merged, const Input& input, const DrawRange& range,
                              const IsOpen& is_open) {
@@ -186,8 +187,8 @@ class Merge {
     const auto mine = rows_of(merged), theirs = rows_of(*input.database);
     for (const auto& [draw, values] : mine) {
       const auto other = theirs.find(draw);
-      if (is_open(draw) || (other != theirs.end() && other->second == values)) continue;
-      differ(input, draw, "fault_sample", other == theirs.end() ? Json() : other->second, values);
+      if (is_open(draw) || other == theirs.end() || other->second == values) continue;
+      differ(input, draw, "fault_sample", other->second, values);
     }
   }
 

@@ -88,7 +88,7 @@ void retry_undecided(Trial& trial, schema::Catalogue& catalogue) {
   std::size_t decided = 0;
   for (const std::uint64_t draw : draws) {
     if (stop_wish() != StopWish::none) break;
-    const schema::UnitRecord unit = work_off(trial, {draw, draw + 1});
+    const schema::UnitRecord unit = judge_again(trial, draw);
     if (!unit.undecided.empty()) continue;
     catalogue.settle(unit);
     ++decided;

@@ -16,8 +16,6 @@ constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones
 constexpr std::size_t kHistoriesAtOnce = 64;     // of 60 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
-bool is_sampled(std::uint64_t draw) { return draw % schema::kFaultSampleEvery == 0; }
-
 }  // namespace
 
 std::vector<solver::Verdict> judge_to_the_end(const solver::SheetFamily& family,
@@ -64,13 +62,14 @@ void Trial::displace(const SomeDraws& draws) {
   }
 }
 
-void Trial::screen(const schema::DrawRange& block, schema::UnitRecord& unit) {
+void Trial::screen(const schema::DrawRange& block, schema::UnitRecord& unit,
+                   const schema::FaultSampleRule& sampled) {
   const auto draws = std::views::iota(block.lo, block.hi);
   displace(draws);
   const std::vector<solver::Screened>& screened = batch_->screen(block_);
   for (const std::uint64_t draw : draws) {
     const solver::Screened& seen = screened[draw - block.lo];
-    if (seen.fault == solver::Fault::none || is_sampled(draw)) {
+    if (seen.fault == solver::Fault::none || sampled.holds(draw)) {
       waiting_.push_back(draw);
     } else {
       ++unit.rejected;
@@ -79,14 +78,14 @@ void Trial::screen(const schema::DrawRange& block, schema::UnitRecord& unit) {
   }
 }
 
-void Trial::settle(schema::UnitRecord& unit) {
+void Trial::settle(schema::UnitRecord& unit, const schema::FaultSampleRule& sampled) {
   displace(waiting_);
   verdicts_ = judge_to_the_end(family_, *batch_, block_);
   Draws accepted;
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     const std::uint64_t draw = waiting_[k];
     const solver::Verdict& verdict = verdicts_[k];
-    if (is_sampled(draw)) unit.fault_sample.push_back({draw, verdict});
+    if (sampled.holds(draw)) unit.fault_sample.push_back({draw, verdict});
     if (verdict.first_fault == solver::Fault::undecided) {
       unit.undecided.push_back({draw, verdict});
     } else if (campaign_.accepts(verdict)) {
@@ -148,9 +147,11 @@ std::string golden_verdicts(solver::InstructionSet set) {
   return schema::hex(schema::hash_of(whole_numbers));
 }
 
-UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range)
+UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range,
+                   const schema::FaultSampleRule& sampled)
     : trial_(trial),
       range_(range),
+      sampled_(sampled),
       next_(range.lo),
       seconds_per_path_(std::numeric_limits<double>::infinity()) {
   record_.range = {range.lo, range.lo};
@@ -160,7 +161,7 @@ void UnitWork::run_next_block() {
   constexpr double kShort_s = 0.015, kLong_s = 0.08, kPaths_s = 0.08;
   const Stopwatch watch;
   const std::uint64_t draws = std::min(block_draws_, range_.hi - next_);
-  trial_.screen({next_, next_ + draws}, record_);
+  trial_.screen({next_, next_ + draws}, record_, sampled_);
   next_ += draws;
   record_.range.hi = next_;
   if (finished() || static_cast<double>(trial_.waiting()) * seconds_per_path_ > kPaths_s) settle();
@@ -173,7 +174,7 @@ void UnitWork::settle() {
   if (trial_.waiting() == 0) return;
   const double paths = static_cast<double>(trial_.waiting());
   const Stopwatch watch;
-  trial_.settle(record_);
+  trial_.settle(record_, sampled_);
   seconds_per_path_ = watch.seconds() / paths;
 }
 
@@ -184,10 +185,22 @@ schema::UnitRecord UnitWork::take() {
   return std::move(record_);
 }
 
-schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range) {
-  UnitWork work(trial, range);
+namespace {
+
+schema::UnitRecord worked_off(UnitWork work) {
   while (!work.finished()) work.run_next_block();
   return work.take();
+}
+
+}  // namespace
+
+schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range) {
+  return worked_off(UnitWork(trial, range));
+}
+
+schema::UnitRecord judge_again(Trial& trial, std::uint64_t draw) {
+  const schema::FaultSampleRule densest(1);
+  return worked_off(UnitWork(trial, {draw, draw + 1}, densest));
 }
 
 }  // namespace misalign::search

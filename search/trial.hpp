@@ -25,11 +25,13 @@ class Trial {
   /// How many draws a block may have at most: what it needs stays within a few megabytes.
   std::uint64_t largest_block() const;
   /// Adds to `unit` what the fast tests reject of a range no larger than that; the other draws wait
-  /// for their full paths.
-  void screen(const schema::DrawRange& block, schema::UnitRecord& unit);
+  /// for their full paths. So do those of the fault sample, by its rule.
+  void screen(const schema::DrawRange& block, schema::UnitRecord& unit,
+              const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
   std::size_t waiting() const { return waiting_.size(); }
   /// Follows the full paths of all draws that wait: the more there are, the fuller the lanes.
-  void settle(schema::UnitRecord& unit);
+  void settle(schema::UnitRecord& unit,
+              const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
 
   /// Verdicts of a range of draws no larger than a block, each on its full path.
   const std::vector<solver::Verdict>& judge(const schema::DrawRange& block);
@@ -63,7 +65,8 @@ std::string golden_verdicts(solver::InstructionSet set);
 /// A range of draws being worked off, one block at a time.
 class UnitWork {
  public:
-  UnitWork(Trial& trial, const schema::DrawRange& range);
+  UnitWork(Trial& trial, const schema::DrawRange& range,
+           const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
 
   bool finished() const { return next_ == range_.hi; }
   /// As many draws as take less than about a tenth of a second: who waits for this must not wait
@@ -79,6 +82,7 @@ class UnitWork {
 
   Trial& trial_;
   schema::DrawRange range_;
+  schema::FaultSampleRule sampled_;
   std::uint64_t next_;
   std::uint64_t block_draws_ = 1;
   double seconds_per_path_;
@@ -87,5 +91,8 @@ class UnitWork {
 
 /// A whole range at once.
 schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range);
+/// One draw that was undecided, for UnitWriter::settle(): with its fault sample, whichever rule its
+/// unit was made by.
+schema::UnitRecord judge_again(Trial& trial, std::uint64_t draw);
 
 }  // namespace misalign::search

@@ -130,6 +130,44 @@ TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
   EXPECT_EQ(count("candidates WHERE bump_deg IS NULL", "catalogue-1.db"),
             count("candidate", "catalogue-1.db"));
   EXPECT_EQ(count("undecided", "catalogue-2.db"), 1);
+  // Rows that today's rule would leave out stay, with the weight they had: draw 2^28 + 1024.
+  EXPECT_EQ(count("fault_sample WHERE stands_for = 1024", "catalogue-3.db"), 3);
+  EXPECT_EQ(count("fault_sample WHERE draw = 268436480", "catalogue-3.db"), 1);
+}
+
+// An older catalogue goes on by today's rule, in the same file: each unit by that of its run.
+TEST_F(CatalogueFile, UnitsKeepTheRuleOfTheirRun) {
+  std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db",
+                             path());
+  const Campaign campaign = read_campaign_of(*open_for_reading(path()), path());
+  const solver::Mechanism mechanism = mechanism_of(campaign);
+  constexpr std::uint64_t k2_28 = 268435456;
+  const auto rejects_all = [](std::uint64_t) { return false; };
+  {
+    Catalogue catalogue(path(), campaign, mechanism);
+    catalogue.begin_run({"host", "0", "none", "g++", "-O2", "other", 1}, {}, Builds::mixed);
+    catalogue.commit({unit(k2_28 + 2000, k2_28 + 10000, rejects_all)});
+    catalogue.end_run("stopped");
+  }
+  const auto database = open_for_reading(path());
+  EXPECT_EQ(draws_of(*database, "fault_sample", {1, kEndOfDraws}),
+            (std::vector<std::uint64_t>{k2_28, k2_28 + 1024, k2_28 + 4096, k2_28 + 8192}));
+  EXPECT_EQ(count("fault_sample WHERE stands_for = 4096"), 2);
+  EXPECT_TRUE(check_ledger(*database, campaign).empty());
+  // A row by the wrong rule, of an old unit or a new one, or with the wrong weight, is found.
+  const char* const kWrong[] = {
+      "DELETE FROM fault_sample WHERE draw = 268436480",
+      "INSERT INTO fault_sample SELECT 268435456 + 5120, unit, 7, first_fault, fault_deg, "
+      "\"where\", 1024 FROM fault_sample WHERE draw = 268435456 + 4096",
+      "UPDATE fault_sample SET stands_for = 2048 WHERE draw = 268435456",
+      "UPDATE fault_sample SET stands_for = 1024 WHERE draw = 268435456 + 4096",
+      "UPDATE run SET schema_version = 4 WHERE schema_version = 3"};
+  for (const char* sql : kWrong) {
+    std::filesystem::copy_file(path(), path("wrong.db"),
+                               std::filesystem::copy_options::overwrite_existing);
+    SQLite::Database(path("wrong.db"), SQLite::OPEN_READWRITE).exec(sql);
+    EXPECT_FALSE(check_ledger(*open_for_reading(path("wrong.db")), campaign).empty()) << sql;
+  }
 }
 
 }  // namespace

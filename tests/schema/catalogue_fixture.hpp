@@ -119,7 +119,7 @@ class CatalogueTest : public testing::Test {
         ++record.rejected;
         ++record.screened[{static_cast<int>(solver::Fault::not_monotone), 8}];
       }
-      if (draw % kFaultSampleEvery == 0) {
+      if (FaultSampleRule().holds(draw)) {
         const int sample = accepted(draw) ? sample_of(draw) : 7;
         record.fault_sample.push_back({draw, {sample, solver::Fault::not_monotone, 0}});
       }

@@ -251,5 +251,42 @@ TEST_F(MergeTest, OlderSchemas) {
   EXPECT_EQ(merged.accepted, 35u);
 }
 
+// A catalogue whose rows are denser than today's goes in with a new one of the same draws: rows
+// that both have are compared, none is lost, and what is made again has those of today's rule.
+TEST_F(MergeTest, DenserFaultSamples) {
+  const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db";
+  constexpr std::uint64_t k2_28 = 268435456;
+  const auto in = [&](const std::string& sql) {
+    std::filesystem::copy_file(old, path("old.db"),
+                               std::filesystem::copy_options::overwrite_existing);
+    change("old.db", sql);
+    std::filesystem::remove(path("all.db"));
+    return merge({path("all.db"), {path("old.db"), path("new.db")}, run_, schema::Builds::mixed});
+  };
+  Trial trial(schema::read_campaign_of(*schema::open_for_reading(old), old));
+  {
+    schema::Catalogue catalogue(path("new.db"), trial.campaign(), trial.mechanism());
+    catalogue.begin_run(run_, {});
+    // Over the old units' ends, longer than they are: those from 2^28 on are compared.
+    catalogue.commit(
+        {work_off(trial, {k2_28 - 10, k2_28 + 20}), work_off(trial, {k2_28 + 1010, k2_28 + 1060})});
+    catalogue.end_run("stopped");
+  }
+  EXPECT_EQ(schema::draws_of(*schema::open_for_reading(path("new.db")), "fault_sample",
+                             {1, schema::kEndOfDraws}),
+            (std::vector<std::uint64_t>{k2_28}));
+  const MergeReport report = in("");
+  for (const auto& finding : report.findings) ADD_FAILURE() << finding.sentence;
+  EXPECT_EQ(report.compared, 20u + 20u + 10u);
+  EXPECT_EQ(report.recomputed, 0u);
+  // A row that both have and that differs is named; one that only the old one has is not missed.
+  EXPECT_TRUE(disagrees(in("UPDATE fault_sample SET first_fault = 'over_folded' WHERE draw = " +
+                           std::to_string(k2_28)),
+                        "fault_sample"));
+  EXPECT_TRUE(in("UPDATE fault_sample SET first_fault = 'over_folded' WHERE draw = " +
+                 std::to_string(k2_28 + 1024))
+                  .findings.empty());
+}
+
 }  // namespace
 }  // namespace misalign::search

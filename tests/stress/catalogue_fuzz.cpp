@@ -105,7 +105,7 @@ std::string new_catalogue(Trial& trial, const Folder& folder, const std::vector<
 class Reader {
  public:
   Reader() : old_(read_campaign_of(*open_for_reading(fixture(1)), "")), new_(quick_campaign()) {
-    for (const int version : {2, 1}) old_.intact.push_back(bytes_of(fixture(version)));
+    for (const int version : {3, 2, 1}) old_.intact.push_back(bytes_of(fixture(version)));
     new_.intact.push_back(
         new_catalogue(new_.trial, folder_, {{20, 50}, {1010, 1035}}));  // 1024 is sampled
     new_.intact.push_back(new_catalogue(new_.trial, folder_, {{0, 20}, {20, 50}, {1000, 1030}}));

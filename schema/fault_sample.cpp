@@ -1,0 +1,27 @@
+#include "schema/fault_sample.hpp"
+
+namespace misalign::schema {
+
+std::uint64_t FaultSampleRule::rows_below(std::uint64_t end) const {
+  constexpr int kDense = 27, kRowsOfADoubling_log2 = 16;
+  const auto multiples = [](std::uint64_t draws, int k) {  // rounded up, without overflow
+    return (draws >> k) + ((draws & ((std::uint64_t{1} << k) - 1)) != 0);
+  };
+  const int m = static_cast<int>(std::bit_width(end)) - 1;  // 2^m <= end < 2^(m + 1)
+  if (!gets_rarer_ || m < kDense) return multiples(end, 10);
+  const std::uint64_t doublings = (std::uint64_t{1} << (kDense - 10)) +
+                                  (static_cast<std::uint64_t>(m - kDense) << kRowsOfADoubling_log2);
+  return doublings + multiples(end - (std::uint64_t{1} << m), m - kRowsOfADoubling_log2);
+}
+
+// Spacings are powers of two: a step never passes over a draw whose own spacing is larger.
+std::vector<std::uint64_t> FaultSampleRule::draws_in(const DrawRange& range) const {
+  std::vector<std::uint64_t> draws;
+  draws.reserve(rows_in(range));
+  std::uint64_t draw = range.lo;
+  if (const std::uint64_t past = draw & (spacing(draw) - 1)) draw += spacing(draw) - past;
+  for (; draw < range.hi; draw += spacing(draw)) draws.push_back(draw);
+  return draws;
+}
+
+}  // namespace misalign::schema
