@@ -1,8 +1,19 @@
 // What was asked, what came out of it, and the charts of where draws fail.
-import { count, degrees, fault_name, fault_order, fault_words, h, percent, plural } from "./format.js";
+import {
+  count,
+  degrees,
+  fault_colour,
+  fault_name,
+  fault_order,
+  fault_words,
+  h,
+  percent,
+  plural,
+} from "./format.js";
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
-import { faults_chart, sum, survival_chart } from "./faults.js";
+import { fault_bins, faults_chart, sum, survival_chart, survival_points } from "./faults.js";
+import { add_saving, single } from "./save.js";
 
 const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
 
@@ -18,7 +29,7 @@ function asked(configuration) {
     typeof pattern.holes === "string"
       ? `holes: ${pattern.holes}`
       : Array.isArray(pattern.holes)
-        ? `${pattern.holes.length} holes`
+        ? plural(pattern.holes.length, "hole")
         : "with holes";
   const which =
     misalignment.vertices === "interior"
@@ -88,7 +99,7 @@ function show_figures({ state, campaign, candidates }) {
       tile(
         "In this report",
         count(candidates.shown),
-        `best of ${count(candidates.total)} candidates`,
+        `best of ${plural(candidates.total, "candidate")}`,
       ),
     );
 }
@@ -101,64 +112,90 @@ function legend(faults) {
       h(
         "li",
         { title: fault_words(fault) },
-        h("i", { style: `background: var(--${fault.replaceAll("_", "-")})` }),
+        h("i", { style: `background: ${fault_colour(fault)}` }),
         fault_name(fault),
       ),
     ),
   );
 }
 
+/** The two charts along the folding. */
+function show_along_the_folding(report, total, name) {
+  const { rows } = report.faults,
+    { configuration } = report.campaign,
+    box_of = (id) => document.getElementById(id);
+  const none = sum(rows.filter((row) => row.first_fault === "none"));
+  const nowhere = sum(rows.filter((row) => row.first_fault !== "none" && row.fault_deg === null));
+  const present = fault_order.filter(
+    (fault) => fault !== "none" && rows.some((row) => row.first_fault === fault),
+  );
+  box_of("faults-caption").append(
+    `Without any fault to ${degrees(configuration.path.end_deg)}: ${plural(none, "draw")}.` +
+      (nowhere ? ` Without an angle: ${plural(nowhere, "draw")}.` : ""),
+    legend(present),
+  );
+  const points = survival_points(rows, total, configuration);
+  show_when_wide(box_of("faults"), (width) => faults_chart(rows, total, configuration, width));
+  show_when_wide(box_of("survival"), (width) => survival_chart(points, total, report, width));
+  save_chart("faults", `${name}-first-faults`, () => ({
+    heads: ["first_fault", "above_deg", "up_to_deg", "draws", "share"],
+    rows: fault_bins(rows, configuration).map((bin) => [
+      ...[bin.first_fault, bin.from, bin.to, bin.draws],
+      single(bin.draws / total),
+    ]),
+  }));
+  save_chart("survival", `${name}-survival`, () => ({
+    heads: ["pilot_deg", "share_without_fault", "low_95", "high_95"],
+    rows: points.map(({ angle, share, low, high }) => [angle, ...[share, low, high].map(single)]),
+  }));
+}
+
+/** The same faults by the diagonal or crease that shows them. */
+function show_places(report, name) {
+  const { list, total } = places(report.faults.rows),
+    box_of = (id) => document.getElementById(id);
+  if (list.length === 0) {
+    for (const id of ["where", "map"]) box_of(id).closest("figure").hidden = true;
+    return;
+  }
+  box_of("where-caption").append(
+    `${plural(total, "sampled draw")} failed at one diagonal or crease` +
+      (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : "."),
+    legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
+  );
+  show_when_wide(box_of("where"), (width) => where_chart(list, width));
+  box_of("map").append(fault_map(list, report));
+  const rows = () => ({
+    heads: ["where", "first_fault", "draws", "share"],
+    rows: list.flatMap(({ where, faults }) =>
+      [...faults].map(([fault, draws]) => [where, fault, draws, single(draws / total)]),
+    ),
+  });
+  save_chart("where", `${name}-places`, rows);
+  save_chart("map", `${name}-map`, rows);
+}
+
+function save_chart(id, name, csv) {
+  const box = document.getElementById(id);
+  add_saving(box.closest(".card"), { name, csv, svg: () => box.querySelector("svg") });
+}
+
 export function show_acceptance(report) {
   const { campaign, faults } = report,
-    { configuration } = campaign;
+    total = sum(faults.rows),
+    note = document.getElementById("sample-note");
   document.title = `${campaign.name} · misalign report`;
   document.getElementById("campaign-name").textContent = campaign.name;
-  document.getElementById("asked").textContent = asked(configuration);
+  document.getElementById("asked").textContent = asked(campaign.configuration);
   show_figures(report);
-
-  const total = sum(faults.rows),
-    note = document.getElementById("sample-note");
   if (total === 0) {
     note.textContent = `First faults are known exactly for one draw in ${count(faults.every)}; there is none in this catalogue yet.`;
     document.getElementById("acceptance-charts").hidden = true;
     return;
   }
   note.textContent =
-    `From an unbiased sample: of one draw in ${count(faults.every)} (${count(total)} draws) the exact first fault is known. ` +
+    `From an unbiased sample: of one draw in ${count(faults.every)} (${plural(total, "draw")}) the exact first fault is known. ` +
     "All other draws are turned away at whatever angle first shows anything certain against them, which says nothing about where they fail first.";
-  const none = sum(faults.rows.filter((row) => row.first_fault === "none"));
-  const nowhere = sum(
-    faults.rows.filter((row) => row.first_fault !== "none" && row.fault_deg === null),
-  );
-  const present = fault_order.filter(
-    (fault) => fault !== "none" && faults.rows.some((row) => row.first_fault === fault),
-  );
-  document
-    .getElementById("faults-caption")
-    .append(
-      `Without any fault to ${degrees(configuration.path.end_deg)}: ${plural(none, "draw")}.` +
-        (nowhere ? ` Without an angle: ${plural(nowhere, "draw")}.` : ""),
-      legend(present),
-    );
-  show_when_wide(document.getElementById("faults"), (width) =>
-    faults_chart(faults.rows, total, configuration, width),
-  );
-  show_when_wide(document.getElementById("survival"), (width) =>
-    survival_chart(faults.rows, total, report, width),
-  );
-
-  const { list, total: placed } = places(faults.rows);
-  if (list.length === 0) {
-    for (const id of ["where", "map"]) document.getElementById(id).closest("figure").hidden = true;
-    return;
-  }
-  document
-    .getElementById("where-caption")
-    .append(
-      `${plural(placed, "sampled draw")} failed at one diagonal or crease` +
-        (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : "."),
-      legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
-    );
-  show_when_wide(document.getElementById("where"), (width) => where_chart(list, width));
-  document.getElementById("map").append(fault_map(list, report));
+  show_along_the_folding(report, total, campaign.name);
+  show_places(report, campaign.name);
 }

@@ -3,35 +3,52 @@
 import * as Plot from "@observablehq/plot";
 import { folding_chart, deployment, path_of, range } from "./chart.js";
 import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";
+import { single } from "./save.js";
 
 const kHeight = 270;
 
-/** The range of the values up to D or most of the way: towards the fold limit they may run away. */
+const kHeadroom = 3, // above the largest value on a logarithmic scale: words stand there
+  kNoise = 0.01, // share of the range below which negative values are no reason for room
+  kDecades = 100; // from that ratio on a linear scale hides the least values
+
+/** Up to D or most of the way: towards the fold limit values may run away. */
+const last_looked_at = (decoded) => Math.max(decoded.depth, 0.9 * (decoded.samples - 1));
+
 function domain_of(values, decoded) {
   let least = 0,
     most = 0;
-  for (let k = 0; k <= Math.max(decoded.depth, 0.9 * (decoded.samples - 1)); ++k) {
+  for (let k = 0; k <= last_looked_at(decoded); ++k) {
     if (!Number.isFinite(values[k])) continue;
     least = Math.min(least, values[k]);
     most = Math.max(most, values[k]);
   }
   const spare = (most - least) * 0.12 || 1;
-  return [least < 0 ? least - spare : 0, most + spare];
+  return [least < -kNoise * (most - least) ? least - spare : 0, most + spare];
 }
 
 /** The same on a logarithmic scale: from the least positive value between 5 degrees and D. */
-function log_domain_of(values, decoded, from_deg = 5) {
+export function log_domain_of(values, decoded, from_deg = 5) {
   let least = Infinity,
     most = 0;
-  for (let k = 0; k <= Math.max(decoded.depth, 0.9 * (decoded.samples - 1)); ++k) {
+  for (let k = 0; k <= last_looked_at(decoded); ++k) {
     if (!(values[k] > 0)) continue;
     most = Math.max(most, values[k]);
-    if (decoded.pilot_deg[k] >= from_deg) least = Math.min(least, values[k]);
+    if (decoded.pilot_deg[k] >= from_deg && k <= Math.max(decoded.depth, 1))
+      least = Math.min(least, values[k]);
   }
-  return least < most ? [least / 2, most * 1.5] : null;
+  return least < most ? [least / 2, most * kHeadroom] : null;
 }
 
-function value_chart({ box, folding, values, label, unit, marks, log }) {
+/** Whether a linear scale would begin with nothing to see: positive from 5 degrees to D, over decades. */
+function wants_log(values, decoded, from_deg = 5) {
+  const domain = log_domain_of(values, decoded);
+  const positive = decoded.pilot_deg.every(
+    (pilot_deg, k) => pilot_deg < from_deg || k > decoded.depth || values[k] > 0,
+  );
+  return domain !== null && positive && domain[1] / kHeadroom > kDecades * 2 * domain[0];
+}
+
+function value_chart({ folding, values, label, unit, marks, log }) {
   const { state, decoded } = folding;
   let dot = null,
     readout = null,
@@ -40,7 +57,6 @@ function value_chart({ box, folding, values, label, unit, marks, log }) {
   const title = `${label}${unit ? ` (${unit})` : ""}${log ? ", log scale" : ""}`;
   const chart = folding_chart({
     ...folding,
-    box,
     height: kHeight,
     label: `${label} against the deployment ratio`,
     y: log
@@ -87,136 +103,139 @@ function value_chart({ box, folding, values, label, unit, marks, log }) {
   return { draw, move };
 }
 
-export function make_actuation(report, detail, decoded, state, end_deg) {
-  const { stiffness_n_per_mm } = report.actuators,
-    boxes = (id) => document.getElementById(id);
-  const folding = { state, detail, decoded, end_deg };
-  // Energy and moment begin at nothing: near flat only a logarithmic scale shows them.
-  const log_of = (values) =>
-    document.getElementById("log").checked ? log_domain_of(values, decoded) : null;
-  const weakest = detail.weakest
-    ? [
-        Plot.dot([detail.weakest], {
-          x: (w) => deployment(w.pilot_deg),
-          y: "moment_n_mm",
-          symbol: "triangle",
-          r: 5,
-          fill: "var(--over-folded)",
-        }),
-        Plot.text([detail.weakest], {
-          x: (w) => deployment(w.pilot_deg),
-          y: "moment_n_mm",
-          text: () => "weakest",
-          dy: -12,
-          fill: "var(--ink)",
-          stroke: "var(--card)",
-          strokeWidth: 4,
-          textAnchor: detail.weakest.pilot_deg < 90 ? "end" : "start",
-        }),
-      ]
-    : [];
-  boxes("energy-caption").textContent =
-    `Springs of ${number(stiffness_n_per_mm)} N/mm on all diagonals, relaxed on the flat sheet: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
-  boxes("moment-caption").textContent =
-    "dE/d(pilot angle). Positive: the springs unfold the sheet; at zero they could not.";
+function weakest_marks(weakest, log) {
+  if (!weakest) return [];
+  const place = { x: (w) => deployment(w.pilot_deg), y: "moment_n_mm" };
   return [
-    [
-      boxes("energy"),
-      value_chart({
-        folding,
-        box: boxes("energy"),
-        values: decoded.energy_n_mm,
-        label: "energy",
-        unit: "N mm",
-        log: log_of(decoded.energy_n_mm),
-      }),
-    ],
-    [
-      boxes("moment"),
-      value_chart({
-        folding,
-        box: boxes("moment"),
-        values: decoded.moment_n_mm,
-        label: "moment",
-        unit: "N mm",
-        marks: weakest,
-        log: log_of(decoded.moment_n_mm),
-      }),
-    ],
-    [
-      boxes("advantage"),
-      value_chart({
-        folding,
-        box: boxes("advantage"),
-        values: decoded.mechanical_advantage,
-        label: "mechanical advantage (N per N)",
-        unit: "",
-      }),
-    ],
+    Plot.dot([weakest], { ...place, symbol: "triangle", r: 5, fill: "var(--over-folded)" }),
+    Plot.text([weakest], {
+      ...place,
+      text: () => "weakest",
+      dy: log ? 4 : -12,
+      dx: log ? -10 : 0,
+      fill: "var(--ink)",
+      stroke: "var(--card)",
+      strokeWidth: 4,
+      textAnchor: log || weakest.pilot_deg < 90 ? "end" : "start",
+    }),
   ];
 }
 
-export function show_actuation_words(box, report, detail, decoded) {
-  const { stiffness_n_per_mm, stroke_limit } = report.actuators,
-    names = (list) =>
-      list
-        .map((d) => `${d + 1} (${report.diagonals[d].from}–${report.diagonals[d].to})`)
-        .join(", ");
-  const items = [];
-  const D = degrees(detail.verdict.deploys_from_deg);
-  items.push(
-    `Folded to D = ${D}, springs of ${number(stiffness_n_per_mm)} N/mm on all ${report.diagonals.length} diagonals store ${number(decoded.energy_n_mm[decoded.depth])} N mm (mJ).`,
+const quantities = (decoded) => [
+  { id: "energy", values: decoded.energy_n_mm, label: "energy", unit: "N mm", log: "energy-log" },
+  { id: "moment", values: decoded.moment_n_mm, label: "moment", unit: "N mm", log: "moment-log" },
+  {
+    id: "advantage",
+    values: decoded.mechanical_advantage,
+    label: "mechanical advantage (N per N)",
+    unit: "",
+  },
+];
+
+/**
+ * Charts with their boxes. The moment is drawn on a logarithmic scale where the weakest point could
+ * not be seen otherwise, unless the reader said which; `change` is called when one is to be drawn anew.
+ */
+export function make_actuation(report, folding, change) {
+  const { detail, decoded } = folding,
+    box_of = (id) => document.getElementById(id);
+  box_of("energy-caption").textContent =
+    `Springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm on all diagonals, relaxed on the flat sheet: ½ k Σ (L − L₀)². 1 N mm = 1 mJ.`;
+  box_of("moment-caption").textContent =
+    "dE/d(pilot angle). Positive: the springs unfold the sheet; at zero they could not.";
+  return quantities(decoded).map(({ id, values, label, unit, log }) => {
+    const toggle = log && box_of(log);
+    if (toggle && toggle.dataset.said === undefined)
+      toggle.checked = id === "moment" && wants_log(values, decoded);
+    const make = () =>
+      value_chart({
+        folding,
+        values,
+        label,
+        unit,
+        marks: id === "moment" ? weakest_marks(detail.weakest, toggle.checked) : [],
+        log: toggle?.checked ? log_domain_of(values, decoded) : null,
+      });
+    const entry = { box: box_of(id), chart: make() };
+    if (toggle)
+      toggle.onchange = () => {
+        toggle.dataset.said = "";
+        entry.chart = make();
+        change(entry);
+      };
+    return entry;
+  });
+}
+
+const kColumns = {
+  energy: "energy_n_mm",
+  moment: "moment_n_mm",
+  advantage: "mechanical_advantage",
+};
+
+/** The chart's data, a row for each sample. */
+export const actuation_rows = (id, decoded) => ({
+  heads: ["pilot_deg", "deployment_ratio", kColumns[id]],
+  rows: decoded.pilot_deg.map((pilot_deg, k) => [
+    pilot_deg,
+    single(decoded.deployment[k]),
+    single(decoded[kColumns[id]][k]),
+  ]),
+});
+
+const names_of = (report, list) =>
+  list.map((d) => `${d} (${report.diagonals[d].from}–${report.diagonals[d].to})`).join(", ");
+
+const bold = (words, ...rest) => h("span", {}, h("strong", {}, words), ...rest);
+
+function weakest_words({ weakest }) {
+  if (!weakest) return null;
+  return bold(
+    "Weakest point: ",
+    `at a pilot angle of ${degrees(weakest.pilot_deg)} they give the least moment between 5° and D, ${number(weakest.moment_n_mm)} N mm. ` +
+      "Friction and the creases’ own stiffness must stay below it.",
   );
-  if (detail.weakest) {
-    items.push(
-      h(
-        "span",
-        {},
-        h("strong", {}, "Weakest point: "),
-        `at a pilot angle of ${degrees(detail.weakest.pilot_deg)} they give the least moment between 5° and D, ${number(detail.weakest.moment_n_mm)} N mm. ` +
-          "Friction and the creases’ own stiffness must stay below it.",
-      ),
-    );
-  }
-  if (detail.few) {
-    const { diagonals, share, proven } = detail.few;
-    items.push(
-      h(
-        "span",
-        {},
-        h("strong", {}, "Fewest springs: "),
-        `${plural(diagonals.length, "diagonal")} alone, ${names(diagonals)}, ${diagonals.length === 1 ? "keeps" : "keep"} ${percent(share, 2)} of the least moment. ` +
-          (proven
-            ? "No smaller set keeps half of it."
-            : "A smaller set that keeps half of it was not found, but is not ruled out."),
-      ),
-    );
-  }
-  if (!detail.few && detail.weakest)
-    items.push("No set of fewest springs: the moment is not positive all the way.");
+}
+
+function fewest_words({ few, weakest }, report) {
+  if (!few)
+    return weakest ? "No set of fewest springs: the moment is not positive all the way." : null;
+  const { diagonals, share, proven } = few;
+  return bold(
+    "Fewest springs: ",
+    `${plural(diagonals.length, "diagonal")} alone, ${names_of(report, diagonals)}, ${diagonals.length === 1 ? "keeps" : "keep"} ${percent(share, 2)} of the least moment. ` +
+      (proven
+        ? "No smaller set keeps half of it."
+        : "A smaller set that keeps half of it was not found, but is not ruled out."),
+  );
+}
+
+function stroke_words({ over_stroke }, report) {
+  const { stroke_limit } = report.actuators;
   if (!stroke_limit)
-    items.push(
-      "No stroke limit was given; “actuators.stroke_limit” in the campaign file sets one.",
-    );
-  else if (detail.over_stroke) {
-    items.push(
-      h(
-        "span",
-        {},
-        h("strong", {}, "Stroke limit "),
-        `of ±${percent(stroke_limit, 2)}: first exceeded at ${degrees(detail.over_stroke.from_deg)}, and up to D by ${plural(detail.over_stroke.diagonals.length, "diagonal")}: ` +
-          `${names(detail.over_stroke.diagonals)}. With actuators of that stroke it deploys from the sample before, not from D.`,
-      ),
-    );
-  } else items.push(`Stroke limit of ±${percent(stroke_limit, 2)}: kept by every diagonal.`);
-  const at_D = decoded.mechanical_advantage[decoded.depth];
-  if (Number.isFinite(at_D))
-    items.push(`At D one newton in every diagonal gives ${fixed(at_D, 3)} N on the sheet’s span.`);
-  box.replaceChildren(
-    h(
-      "ul",
-      { class: "words" },
-      items.map((item) => h("li", {}, item)),
-    ),
+    return "No stroke limit was given; “actuators.stroke_limit” in the campaign file sets one.";
+  const limit = `±${percent(stroke_limit, 2)}`;
+  if (!over_stroke) return `Stroke limit of ${limit}: kept by every diagonal.`;
+  return bold(
+    "Stroke limit ",
+    `of ${limit}: first exceeded at ${degrees(over_stroke.from_deg)}, and up to D by ${plural(over_stroke.diagonals.length, "diagonal")}: ` +
+      `${names_of(report, over_stroke.diagonals)}. With actuators of that stroke it deploys from the sample before, not from D.`,
   );
+}
+
+export function show_actuation_words(box, report, detail, decoded) {
+  const { stiffness_n_per_mm } = report.actuators,
+    at_D = decoded.mechanical_advantage[decoded.depth];
+  const items = [
+    `Folded to D = ${degrees(detail.verdict.deploys_from_deg)}, springs of ${number(stiffness_n_per_mm)} N/mm on all ` +
+      `${plural(report.diagonals.length, "diagonal")} store ${number(decoded.energy_n_mm[decoded.depth])} N mm (mJ).`,
+    weakest_words(detail),
+    fewest_words(detail, report),
+    stroke_words(detail, report),
+    Number.isFinite(at_D)
+      ? `At D one newton in every diagonal gives ${fixed(at_D, 3)} N on the sheet’s span.`
+      : null,
+  ];
+  const list = items.filter((item) => item !== null).map((item) => h("li", {}, item));
+  box.replaceChildren(h("ul", { class: "words" }, list));
 }

@@ -3,6 +3,11 @@
 import * as Plot from "@observablehq/plot";
 import { degrees, h } from "./format.js";
 import { on_print, paper_share } from "./paper.js";
+import { text_width } from "./text_size.js";
+
+const kLetter_px = 12, // of .plot in page.css
+  kTick_px = 12,
+  kTitle_px = 20;
 
 /** Calls draw(width) whenever the box gets another width, on paper too; the answer draws it anew. */
 export function when_wide(box, draw) {
@@ -29,8 +34,108 @@ export function when_wide(box, draw) {
 export const show_when_wide = (box, draw) =>
   when_wide(box, (width) => box.replaceChildren(draw(width)));
 
+/** Plot.plot with room on the left for the widest tick, and for a title along the axis. */
+export function plot_with_room(options) {
+  const plot = Plot.plot(options);
+  const ticks = plot.querySelectorAll('g[aria-label^="y-axis tick label"] text');
+  const widest = Math.max(0, ...[...ticks].map((tick) => text_width(tick.textContent, kLetter_px)));
+  const along = options.y?.labelAnchor === "center" ? kTitle_px : 0;
+  const room = Math.ceil(widest) + kTick_px + along;
+  return room > options.marginLeft ? Plot.plot({ ...options, marginLeft: room }) : plot;
+}
+
 const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180];
 export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
+
+const band = (from_deg, to_deg, fill) =>
+  Plot.rectX([0], { x1: deployment(from_deg), x2: deployment(to_deg), fill });
+
+function word(angle_deg, words, line) {
+  const at = deployment(angle_deg),
+    left = at > 0.75;
+  return Plot.text([words], {
+    x: () => at,
+    frameAnchor: "top",
+    dy: 4 + 14 * line,
+    dx: left ? -5 : 5,
+    textAnchor: left ? "end" : "start",
+    fill: "var(--ink)",
+    stroke: "var(--card)",
+    strokeWidth: 4,
+  });
+}
+
+const rule_at = (angle_deg, style) => Plot.ruleX([deployment(angle_deg)], style);
+
+/** D, the fold limit and the stroke limit along the way, and what lies beyond them, below the lines. */
+function limit_marks(detail, end_deg, room) {
+  const D = detail.verdict.deploys_from_deg,
+    limit_deg = detail.fold_limit_deg,
+    over_deg = detail.over_stroke?.from_deg,
+    last_deg = Math.min(limit_deg ?? end_deg, end_deg),
+    limited = limit_deg && limit_deg < end_deg;
+  return {
+    // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
+    below: [
+      limited ? band(end_deg + 180 * room, last_deg, "var(--nothing)") : null,
+      D < last_deg ? band(last_deg, D, "var(--beyond)") : null,
+    ],
+    above: [
+      rule_at(D, { stroke: "var(--ink)", strokeDasharray: "2 3" }),
+      word(D, `D = ${degrees(D)}`, 0),
+      limited ? rule_at(limit_deg, { stroke: "var(--mountain)", strokeDasharray: "6 2" }) : null,
+      limited ? word(limit_deg, `fold limit ${degrees(limit_deg)}`, 1) : null,
+      over_deg
+        ? rule_at(over_deg, {
+            stroke: "var(--over-folded)",
+            strokeDasharray: "1 3",
+            strokeWidth: 1.5,
+          })
+        : null,
+      over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, 2) : null,
+    ],
+  };
+}
+
+const folding_axes = (end_deg) => [
+  Plot.axisX({
+    label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)",
+    labelAnchor: "center",
+    labelArrow: "none",
+  }),
+  Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
+    anchor: "top",
+    label: "pilot fold angle",
+    labelArrow: "none",
+    labelAnchor: "center",
+    labelOffset: 34,
+    tickFormat: (share) => degrees(Math.round(180 * (1 - share))),
+  }),
+];
+
+/** The sample whose deployment ratio is nearest. */
+export function nearest_sample(decoded, ratio) {
+  let best = 0;
+  decoded.deployment.forEach((value, k) => {
+    if (Math.abs(value - ratio) < Math.abs(decoded.deployment[best] - ratio)) best = k;
+  });
+  return best;
+}
+
+/** A press on the chart moves the slider there. */
+function seek_on(plot, width, x, state, decoded) {
+  const seek = (event) => {
+    const frame = plot.getBoundingClientRect(),
+      ratio = x.invert(((event.clientX - frame.left) * width) / frame.width);
+    state.set("playing", false);
+    state.set("sample", nearest_sample(decoded, ratio));
+  };
+  plot.addEventListener("pointerdown", (event) => {
+    plot.setPointerCapture(event.pointerId);
+    seek(event);
+  });
+  plot.addEventListener("pointermove", (event) => event.buttons & 1 && seek(event));
+}
 
 /**
  * A chart over the deployment ratio with the pilot angle above, D and the fold limit marked.
@@ -38,7 +143,6 @@ export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
  * chart moves the sample there.
  */
 export function folding_chart({
-  box,
   state,
   detail,
   decoded,
@@ -50,20 +154,7 @@ export function folding_chart({
   marks = [],
   room = 0,
 }) {
-  const D = detail.verdict.deploys_from_deg,
-    limit_deg = detail.fold_limit_deg,
-    over_deg = detail.over_stroke?.from_deg;
-  const word = (angle_deg, words, line) =>
-    Plot.text([words], {
-      x: () => deployment(angle_deg),
-      frameAnchor: "top",
-      dy: 4 + 14 * line,
-      dx: deployment(angle_deg) > 0.75 ? -5 : 5,
-      textAnchor: deployment(angle_deg) > 0.75 ? "end" : "start",
-      fill: "var(--ink)",
-      stroke: "var(--card)",
-      strokeWidth: 4,
-    });
+  const limits = limit_marks(detail, end_deg, room);
   let rule = null,
     x = null;
   const move = () => {
@@ -73,7 +164,7 @@ export function folding_chart({
     rule.setAttribute("x2", at);
   };
   const draw = (width) => {
-    const plot = Plot.plot({
+    const plot = plot_with_room({
       width,
       height,
       marginLeft: 66,
@@ -84,56 +175,7 @@ export function folding_chart({
       ariaLabel: label,
       x: { domain: [deployment(end_deg) - room, 1], label: null },
       y: { grid: true, labelArrow: "none", ...y },
-      marks: [
-        // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
-        limit_deg && limit_deg < end_deg
-          ? Plot.rectX([0], {
-              x1: deployment(end_deg) - room,
-              x2: deployment(Math.min(limit_deg, end_deg)),
-              fill: "var(--nothing)",
-            })
-          : null,
-        D < Math.min(limit_deg ?? end_deg, end_deg)
-          ? Plot.rectX([0], {
-              x1: deployment(Math.min(limit_deg ?? end_deg, end_deg)),
-              x2: deployment(D),
-              fill: "var(--beyond)",
-            })
-          : null,
-        Plot.axisX({
-          label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)",
-          labelAnchor: "center",
-          labelArrow: "none",
-        }),
-        Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
-          anchor: "top",
-          label: "pilot fold angle",
-          labelArrow: "none",
-          labelAnchor: "center",
-          labelOffset: 34,
-          tickFormat: (share) => degrees(Math.round(180 * (1 - share))),
-        }),
-        ...marks,
-        Plot.ruleX([deployment(D)], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
-        word(D, `D = ${degrees(D)}`, 0),
-        limit_deg && limit_deg < end_deg
-          ? Plot.ruleX([deployment(limit_deg)], {
-              stroke: "var(--mountain)",
-              strokeDasharray: "6 2",
-            })
-          : null,
-        limit_deg && limit_deg < end_deg
-          ? word(limit_deg, `fold limit ${degrees(limit_deg)}`, 1)
-          : null,
-        over_deg
-          ? Plot.ruleX([deployment(over_deg)], {
-              stroke: "var(--over-folded)",
-              strokeDasharray: "1 3",
-              strokeWidth: 1.5,
-            })
-          : null,
-        over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, 2) : null,
-      ],
+      marks: [...limits.below, ...folding_axes(end_deg), ...marks, ...limits.above],
     });
     x = plot.scale("x");
     lines(plot, x, plot.scale("y"));
@@ -141,21 +183,7 @@ export function folding_chart({
     rule = h("svg:line", { class: "now", y1: 38, y2: height - 40, "data-testid": "rule" });
     plot.append(rule);
     move();
-    const seek = (event) => {
-      const frame = plot.getBoundingClientRect(),
-        ratio = x.invert(((event.clientX - frame.left) * width) / frame.width);
-      let best = 0;
-      decoded.deployment.forEach((value, k) => {
-        if (Math.abs(value - ratio) < Math.abs(decoded.deployment[best] - ratio)) best = k;
-      });
-      state.set("playing", false);
-      state.set("sample", best);
-    };
-    plot.addEventListener("pointerdown", (event) => {
-      plot.setPointerCapture(event.pointerId);
-      seek(event);
-    });
-    plot.addEventListener("pointermove", (event) => event.buttons & 1 && seek(event));
+    seek_on(plot, width, x, state, decoded);
     return plot;
   };
   return { draw, move };

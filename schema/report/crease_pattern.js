@@ -1,8 +1,25 @@
 // The picked draw's crease pattern, as figure 12b of the paper: mountains, valleys, holes, their
 // diagonals with numbers, and the shifts as arrows, much enlarged.
+import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
 import { h } from "./format.js";
-import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
+import { line, panel_size_mm, polygon, sheet_extent, sheet_svg } from "./sheet.js";
+import { ZoomedView } from "./zoomed_view.js";
+
+const kMost_px = 570, // height beside the folding, which is as high
+  kMostWide_px = 1000,
+  kLeastPanel_px = 45; // where panels would be smaller, the drawing takes the whole width
+
+const kLegend = [
+  ["mountain", "mountain"],
+  ["valley", "valley"],
+  ["cut", "cut"],
+  ["grows", "increasing diagonal"],
+  ["shrinks", "decreasing diagonal"],
+  ["pilot-crease", "pilot crease"],
+];
+
+const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 /** The largest round factor that keeps the longest arrow below two fifths of a panel. */
 function arrow_scale(longest_mm, size_mm) {
@@ -15,141 +32,48 @@ function arrow_scale(longest_mm, size_mm) {
   return best;
 }
 
-export function show_crease_pattern(box, caption, report, detail, decoded, state) {
-  const { sheet, diagonals } = report,
-    size = panel_size_mm(sheet);
-  const shift_of = (k) => detail.displacements_mm[label_of(k)] ?? [0, 0];
-  const at = sheet.vertices_mm.map(([x, y], k) => [x + shift_of(k)[0], y + shift_of(k)[1]]);
-  const longest = Math.max(
-    0,
-    ...Object.values(detail.displacements_mm).map((shift) => Math.hypot(...shift)),
-  );
-  const scale = arrow_scale(longest, size);
-  const svg = sheet_svg(
-    at,
-    0.32 * size,
-    "Crease pattern: mountains dash-dotted red, valleys dashed blue, holes hatched, diagonals numbered, shifts as arrows",
-  );
-  svg.style.setProperty("--size", size.toFixed(2));
-  const pattern = h(
-    "svg:pattern",
-    {
-      id: "hatch",
-      width: 0.11 * size,
-      height: 0.11 * size,
-      patternUnits: "userSpaceOnUse",
-      patternTransform: "rotate(45)",
-    },
-    h("svg:line", {
-      x1: 0,
-      y1: 0,
-      x2: 0,
-      y2: 0.11 * size,
-      class: "hatch-line",
-      "stroke-width": 0.02 * size,
-    }),
-  );
-  const head = h(
-    "svg:marker",
-    {
-      id: "arrow-head",
-      viewBox: "0 0 10 10",
-      refX: 8.5,
-      refY: 5,
-      markerWidth: 4.6,
-      markerHeight: 4.6,
-      orient: "auto",
-    },
-    h("svg:path", { d: "M0,0 L10,5 L0,10 L2.5,5 z", class: "arrow-head" }),
-  );
-  svg.append(h("svg:defs", {}, pattern, head));
-  for (const panel of sheet.panels) svg.append(polygon(panel, at, { class: "panel" }));
-  for (const hole of sheet.holes) svg.append(polygon(hole.corners, at, { class: "hole" }));
-  const stroke = (a, b, attributes) => svg.append(line(at[a], at[b], attributes));
-  for (const [a, b] of sheet.cuts) stroke(a, b, { class: "cut" });
-  const dash = (parts) => parts.map((part) => (part * size).toFixed(2)).join(" ");
-  for (const { a, b, assignment } of sheet.creases) {
-    stroke(a, b, {
-      class: assignment,
-      "stroke-dasharray":
-        assignment === "mountain" ? dash([0.17, 0.045, 0.03, 0.045]) : dash([0.1, 0.06]),
-    });
-  }
-  const [p, q] = sheet.pilot;
-  stroke(p, q, { class: "pilot-crease" });
-
-  const lines = diagonals.map((diagonal, d) => {
-    const [a, b] = [at[diagonal.from_vertex], at[diagonal.to_vertex]];
-    const name = `${diagonal.from}–${diagonal.to}`;
-    // Numbers stand off the crossing, each towards the end where its diagonal begins.
-    const where = [a[0] + 0.27 * (b[0] - a[0]), -(a[1] + 0.27 * (b[1] - a[1]))];
-    const group = h(
-      "svg:g",
-      { class: `diagonal ${decoded.grows[d] ? "grows" : "shrinks"}`, "data-diagonal": d },
-      h(
-        "svg:title",
-        {},
-        `diagonal ${d + 1}: ${name}, ${decoded.grows[d] ? "increasing" : "decreasing"} as it folds`,
-      ),
-      line(a, b, { class: "reach" }),
-      line(a, b, {
-        class: "stroke",
-        "stroke-dasharray": decoded.grows[d] ? null : dash([0.05, 0.035]),
+const definitions = (size) =>
+  h(
+    "svg:defs",
+    {},
+    h(
+      "svg:pattern",
+      {
+        id: "hatch",
+        width: 0.11 * size,
+        height: 0.11 * size,
+        patternUnits: "userSpaceOnUse",
+        patternTransform: "rotate(45)",
+      },
+      h("svg:line", {
+        x1: 0,
+        y1: 0,
+        x2: 0,
+        y2: 0.11 * size,
+        class: "hatch-line",
+        "stroke-width": 0.02 * size,
       }),
-      h("svg:text", { x: where[0].toFixed(2), y: where[1].toFixed(2) }, String(d + 1)),
-    );
-    group.addEventListener("pointerenter", () => state.set("diagonal", d));
-    group.addEventListener("pointerleave", () => state.set("diagonal", null));
-    svg.append(group);
-    return group;
-  });
+    ),
+    h(
+      "svg:marker",
+      {
+        id: "arrow-head",
+        viewBox: "0 0 10 10",
+        refX: 8.5,
+        refY: 5,
+        markerWidth: 4.6,
+        markerHeight: 4.6,
+        orient: "auto",
+      },
+      h("svg:path", { d: "M0,0 L10,5 L0,10 L2.5,5 z", class: "arrow-head" }),
+    ),
+  );
 
-  for (const k of sheet.ball_joints)
-    svg.append(h("svg:circle", { cx: at[k][0], cy: -at[k][1], r: 0.028 * size, class: "ball" }));
-  const label = (k, shift) => {
-    // Opposite the arrow, so that neither covers the other.
-    const away = Math.hypot(...shift) || 1,
-      x = at[k][0] - (shift[0] / away) * 0.17 * size,
-      y = -at[k][1] + (shift[1] / away) * 0.17 * size;
-    svg.append(
-      h(
-        "svg:text",
-        { x: x.toFixed(2), y: (y + 0.045 * size).toFixed(2), class: "vertex-label" },
-        label_of(k),
-      ),
-    );
-  };
-  for (const [name, shift] of Object.entries(detail.displacements_mm)) {
-    const k = ends_of(name)[0],
-      tip = [at[k][0] + scale * shift[0], at[k][1] + scale * shift[1]];
-    if (!shift[0] && !shift[1]) continue;
-    svg.append(
-      h(
-        "svg:line",
-        {
-          x1: at[k][0].toFixed(2),
-          y1: (-at[k][1]).toFixed(2),
-          x2: tip[0].toFixed(2),
-          y2: (-tip[1]).toFixed(2),
-          class: "arrow",
-          "marker-end": "url(#arrow-head)",
-        },
-        h("svg:title", {}, `${name} shifted by (${shift[0]}, ${shift[1]}) mm`),
-      ),
-    );
-    label(k, shift);
-  }
-  const legend = h(
+const legend = () =>
+  h(
     "ul",
     { class: "legend crease-legend" },
-    [
-      ["mountain", "mountain"],
-      ["valley", "valley"],
-      ["cut", "cut"],
-      ["grows", "increasing diagonal"],
-      ["shrinks", "decreasing diagonal"],
-      ["pilot-crease", "pilot crease"],
-    ].map(([kind, words]) =>
+    kLegend.map(([kind, words]) =>
       h(
         "li",
         {},
@@ -162,12 +86,178 @@ export function show_crease_pattern(box, caption, report, detail, decoded, state
       ),
     ),
   );
-  box.replaceChildren(svg, legend);
-  caption.textContent =
-    `Flat sheet seen from above (+z). Shifts drawn ×${scale.toLocaleString("en")} (longest: ${longest.toFixed(2)} mm); ` +
-    "numbers name the diagonals of the holes, circles are ball joints.";
-  return (picked) => {
-    svg.classList.toggle("has-picked", picked !== null);
-    lines.forEach((group, d) => group.classList.toggle("picked", d === picked));
-  };
+
+class CreasePattern {
+  #box;
+  #caption;
+  #report;
+  #state;
+  #size_mm;
+  #svg;
+  #view;
+  #wide_button;
+  #wide = null; // null: nobody said
+  #width_px = 0;
+  #diagonals = [];
+  #labels = [];
+  #balls = [];
+
+  constructor(box, caption, report, state) {
+    [this.#box, this.#caption, this.#report, this.#state] = [box, caption, report, state];
+    const { sheet } = report;
+    this.#size_mm = panel_size_mm(sheet);
+    this.#svg = sheet_svg(
+      sheet.vertices_mm,
+      0.32 * this.#size_mm,
+      "Crease pattern: mountains dash-dotted red, valleys dashed blue, holes hatched, diagonals numbered, shifts as arrows. Plus and minus zoom, arrow keys move, 0 shows all of it.",
+    );
+    this.#svg.setAttribute("tabindex", 0);
+    this.#svg.setAttribute("data-testid", "crease-drawing");
+    this.#view = new ZoomedView(this.#svg, (scale) => this.#scaled(scale));
+    this.#wide_button = h("button", {
+      type: "button",
+      "data-testid": "crease-wide",
+      onclick: () => this.#set_wide(!this.#is_wide()),
+    });
+    const buttons = h(
+      "div",
+      { class: "view-buttons upright" },
+      this.#view.buttons(),
+      this.#wide_button,
+    );
+    box.replaceChildren(this.#svg, buttons, legend());
+    new ResizeObserver(() => this.#resize()).observe(box);
+  }
+
+  get drawing() {
+    return this.#svg;
+  }
+
+  load(detail, decoded) {
+    const { sheet } = this.#report,
+      shift_of = (k) => detail.displacements_mm[label_of(k)] ?? [0, 0];
+    const at = sheet.vertices_mm.map(([x, y], k) => [x + shift_of(k)[0], y + shift_of(k)[1]]);
+    const shifts = Object.entries(detail.displacements_mm).filter(([, [x, y]]) => x || y);
+    const longest = Math.max(0, ...shifts.map(([, shift]) => Math.hypot(...shift)));
+    const scale = arrow_scale(longest, this.#size_mm);
+    this.#labels = [];
+    this.#svg.replaceChildren(definitions(this.#size_mm));
+    this.#add_sheet(at);
+    this.#diagonals = this.#report.diagonals.map((diagonal, d) =>
+      this.#add_diagonal(diagonal, d, at, decoded.grows[d]),
+    );
+    this.#balls = sheet.ball_joints.map((k) =>
+      h("svg:circle", { cx: at[k][0], cy: -at[k][1], class: "ball" }),
+    );
+    this.#svg.append(...this.#balls);
+    for (const [name, shift] of shifts) this.#add_shift(name, shift, at, scale);
+    this.#caption.textContent =
+      `Flat sheet seen from above (+z). Shifts drawn ×${scale.toLocaleString("en")} (longest: ${longest.toFixed(2)} mm). ` +
+      "Numbers: diagonals, as in catalogue and exports. Circles: ball joints. Click, then the wheel zooms.";
+    this.#view.set_whole(sheet_extent(at, 0.32 * this.#size_mm));
+  }
+
+  mark(picked) {
+    this.#svg.classList.toggle("has-picked", picked !== null);
+    this.#diagonals.forEach((group, d) => group.classList.toggle("picked", d === picked));
+  }
+
+  #add_sheet(at) {
+    const { sheet } = this.#report,
+      svg = this.#svg;
+    for (const panel of sheet.panels) svg.append(polygon(panel, at, { class: "panel" }));
+    for (const hole of sheet.holes) svg.append(polygon(hole.corners, at, { class: "hole" }));
+    for (const [a, b] of sheet.cuts) svg.append(line(at[a], at[b], { class: "cut" }));
+    for (const { a, b, assignment } of sheet.creases)
+      svg.append(line(at[a], at[b], { class: assignment }));
+    const [p, q] = sheet.pilot;
+    svg.append(line(at[p], at[q], { class: "pilot-crease" }));
+  }
+
+  #add_diagonal(diagonal, d, at, grows) {
+    const [a, b] = [at[diagonal.from_vertex], at[diagonal.to_vertex]];
+    const way = grows ? "increasing" : "decreasing";
+    const number = h("svg:text", {}, String(d));
+    const group = h(
+      "svg:g",
+      { class: `diagonal ${grows ? "grows" : "shrinks"}`, "data-diagonal": d },
+      h("svg:title", {}, `diagonal ${d}: ${diagonal.from}–${diagonal.to}, ${way} as it folds`),
+      line(a, b, { class: "reach" }),
+      line(a, b, { class: "stroke" }),
+      number,
+    );
+    group.addEventListener("pointerenter", () => this.#state.set("diagonal", d));
+    group.addEventListener("pointerleave", () => this.#state.set("diagonal", null));
+    this.#svg.append(group);
+    // Numbers stand off the crossing, each towards the end where its diagonal begins.
+    const on_it = [a[0] + 0.27 * (b[0] - a[0]), -(a[1] + 0.27 * (b[1] - a[1]))];
+    this.#labels.push({ node: number, at: on_it, away: null, bold: true });
+    return group;
+  }
+
+  #add_shift(name, shift, at, scale) {
+    const k = ends_of(name)[0],
+      length = Math.hypot(...shift),
+      tip = [at[k][0] + scale * shift[0], at[k][1] + scale * shift[1]];
+    const words = h("svg:title", {}, `${name} shifted by (${shift[0]}, ${shift[1]}) mm`);
+    const arrow = line(at[k], tip, { class: "arrow", "marker-end": "url(#arrow-head)" });
+    arrow.append(words);
+    const label = h("svg:text", { class: "vertex-label" }, label_of(k));
+    this.#svg.append(arrow, label);
+    // Opposite the arrow, so that neither covers the other.
+    const away = [-shift[0] / length, shift[1] / length];
+    this.#labels.push({ node: label, at: [at[k][0], -at[k][1]], away });
+  }
+
+  /** Strokes and letters for a scale in px a mm: between those of a small and of a large panel. */
+  #scaled(scale) {
+    const panel_px = this.#size_mm * scale,
+      size = clamp(panel_px, 50, 110) / scale;
+    const dash = (...parts) => parts.map((part) => `${(part * size).toFixed(3)}px`).join(" ");
+    const style = this.#svg.style;
+    style.setProperty("--size", size.toFixed(4));
+    style.setProperty("--dash-mountain", dash(0.17, 0.045, 0.03, 0.045));
+    style.setProperty("--dash-valley", dash(0.1, 0.06));
+    style.setProperty("--dash-shrinks", dash(0.05, 0.035));
+    for (const ball of this.#balls) ball.setAttribute("r", (0.028 * size).toFixed(4));
+    for (const label of this.#labels)
+      label.size_px = label.away ? label_px(panel_px) : number_px(panel_px);
+    place_labels(this.#labels, this.#view, scale);
+  }
+
+  #is_wide() {
+    return this.#wide ?? this.#box.closest(".card").classList.contains("wide");
+  }
+
+  /** Over the whole width, with the folding below it as wide; or side by side. */
+  #set_wide(wide, asked = true) {
+    if (asked) this.#wide = wide;
+    for (const card of this.#box.closest(".grid").children) card.classList.toggle("wide", wide);
+    const words = wide ? "Half of the width" : "The whole width";
+    this.#wide_button.textContent = "⇔";
+    this.#wide_button.title = words;
+    this.#wide_button.setAttribute("aria-label", words);
+    this.#wide_button.setAttribute("aria-pressed", String(wide));
+    this.#resize();
+  }
+
+  #resize() {
+    const width = Math.floor(this.#box.clientWidth);
+    if (!width) return;
+    const whole = sheet_extent(this.#report.sheet.vertices_mm, 0.32 * this.#size_mm);
+    if (this.#width_px === 0 && this.#wide === null) {
+      this.#width_px = width;
+      const scale = Math.min(width / whole.width, kMost_px / whole.height);
+      return this.#set_wide(this.#size_mm * scale < kLeastPanel_px, false);
+    }
+    this.#width_px = width;
+    const height = this.#is_wide()
+      ? Math.min((width * whole.height) / whole.width, kMostWide_px)
+      : Math.min(0.9 * width, kMost_px);
+    this.#svg.style.height = `${Math.round(height)}px`;
+    this.#view.resize(width, Math.round(height));
+  }
 }
+
+export const make_crease_pattern = (box, caption, report, state) =>
+  new CreasePattern(box, caption, report, state);

@@ -1,7 +1,16 @@
 // Which diagonals and creases fail first, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
-import { count, dashed, fault_name, fault_order, h, percent } from "./format.js";
+import {
+  count,
+  dashed,
+  fault_colour,
+  fault_name,
+  fault_order,
+  h,
+  percent,
+  plural,
+} from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { sum } from "./faults.js";
 
@@ -51,7 +60,7 @@ export function where_chart(list, width) {
     y: { label: null, domain: shown.map((entry) => entry.where), tickFormat: dashed, tickSize: 0 },
     color: {
       domain: present,
-      range: present.map((fault) => `var(--${fault.replaceAll("_", "-")})`),
+      range: present.map(fault_colour),
     },
     marks: [
       Plot.barX(
@@ -64,7 +73,7 @@ export function where_chart(list, width) {
           insetTop: 1,
           insetBottom: 1,
           title: (d) =>
-            `${dashed(d.where)}: ${fault_name(d.fault)}\n${count(d.draws)} sampled draws (${percent(d.part)})`,
+            `${dashed(d.where)}: ${fault_name(d.fault)}\n${plural(d.draws, "sampled draw")} (${percent(d.part)})`,
           tip: true,
         }),
       ),
@@ -107,7 +116,7 @@ export function fault_map(list, report) {
       h(
         "svg:title",
         {},
-        `${dashed(name)}: ${entry ? `${percent(entry.share)} (${count(entry.draws)} sampled draws)` : "no first fault in the sample"}`,
+        `${dashed(name)}: ${entry ? `${percent(entry.share)} (${plural(entry.draws, "sampled draw")})` : "no first fault in the sample"}`,
       ),
     );
     svg.append(stroke);

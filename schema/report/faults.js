@@ -1,6 +1,16 @@
 // Where along the folding draws fail, from the exact first faults of the sample.
 import * as Plot from "@observablehq/plot";
-import { count, degrees, fault_name, fault_order, percent, powers } from "./format.js";
+import { plot_with_room } from "./chart.js";
+import {
+  count,
+  degrees,
+  fault_colour,
+  fault_name,
+  fault_order,
+  percent,
+  plural,
+  powers,
+} from "./format.js";
 
 export function sum(rows, value = (row) => row.draws) {
   return rows.reduce((total, row) => total + value(row), 0);
@@ -15,21 +25,40 @@ function interval(k, n) {
   return [Math.max(0, middle - half), Math.min(1, middle + half)];
 }
 
-export function faults_chart(rows, total, { path, accept }, width) {
+/** The first faults that have an angle, in steps of the pilot's: a bin holds (from, to]. */
+export function fault_bins(rows, { path }) {
   const bin_deg = Math.max(5, path.sample_deg);
   const bins = new Map();
   for (const { first_fault, fault_deg, draws } of rows) {
     if (fault_deg === null || first_fault === "none") continue;
-    // A bin holds (from, to]: faults at 170° belong to those that fail up to 170°.
+    // Faults at 170° belong to those that fail up to 170°.
     const to = Math.ceil(fault_deg / bin_deg) * bin_deg,
       key = `${first_fault} ${to}`;
     if (!bins.has(key)) bins.set(key, { first_fault, from: to - bin_deg, to, draws: 0 });
     bins.get(key).draws += draws;
   }
-  const present = fault_order.filter((fault) =>
-    [...bins.values()].some((bin) => bin.first_fault === fault),
-  );
-  return Plot.plot({
+  const place = ({ first_fault }) => fault_order.indexOf(first_fault);
+  return [...bins.values()].sort((a, b) => place(a) - place(b) || a.to - b.to);
+}
+
+const threshold_marks = (deg, words) => [
+  Plot.ruleX([deg], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
+  words
+    ? Plot.text([deg], {
+        x: (d) => d,
+        frameAnchor: "top",
+        text: () => words,
+        textAnchor: "end",
+        dx: -5,
+        fill: "var(--ink)",
+      })
+    : null,
+];
+
+export function faults_chart(rows, total, { path, accept }, width) {
+  const bins = fault_bins(rows, { path });
+  const present = fault_order.filter((fault) => bins.some((bin) => bin.first_fault === fault));
+  return plot_with_room({
     width,
     height: 280,
     marginLeft: 52,
@@ -43,16 +72,10 @@ export function faults_chart(rows, total, { path, accept }, width) {
       labelArrow: "none",
     },
     y: { label: "sampled draws (%)", grid: true, labelArrow: "none", percent: true },
-    color: {
-      domain: present,
-      range: present.map((fault) => `var(--${fault.replaceAll("_", "-")})`),
-      legend: false,
-    },
+    color: { domain: present, range: present.map(fault_colour), legend: false },
     marks: [
       Plot.rectY(
-        [...bins.values()].sort(
-          (a, b) => present.indexOf(a.first_fault) - present.indexOf(b.first_fault),
-        ),
+        bins,
         Plot.stackY({
           x1: "from",
           x2: "to",
@@ -62,26 +85,18 @@ export function faults_chart(rows, total, { path, accept }, width) {
           insetRight: 0.5,
           order: present,
           title: (bin) =>
-            `${fault_name(bin.first_fault)}\nabove ${bin.from}° up to ${bin.to}°\n${count(bin.draws)} of ${count(total)} draws (${percent(bin.draws / total)})`,
+            `${fault_name(bin.first_fault)}\nabove ${bin.from}° up to ${bin.to}°\n${count(bin.draws)} of ${plural(total, "draw")} (${percent(bin.draws / total)})`,
           tip: true,
         }),
       ),
-      Plot.ruleX([accept.deploys_from_deg], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
-      Plot.text([accept.deploys_from_deg], {
-        x: (d) => d,
-        frameAnchor: "top",
-        text: () => "threshold",
-        textAnchor: "end",
-        dx: -5,
-        fill: "var(--ink)",
-      }),
+      ...threshold_marks(accept.deploys_from_deg, "threshold"),
       Plot.ruleY([0]),
     ],
   });
 }
 
-export function survival_chart(rows, total, report, width) {
-  const { path, accept } = report.campaign.configuration;
+/** The share without a fault after each angle at which one was seen, with its interval. */
+export function survival_points(rows, total, { path }) {
   const failed_at = new Map();
   for (const { first_fault, fault_deg, draws } of rows) {
     if (first_fault === "none") continue;
@@ -89,17 +104,66 @@ export function survival_chart(rows, total, report, width) {
     failed_at.set(angle, (failed_at.get(angle) ?? 0) + draws);
   }
   let left = total;
-  const points = [];
-  for (const angle of [...new Set([0, ...failed_at.keys(), path.end_deg])].sort((a, b) => a - b)) {
-    left -= failed_at.get(angle) ?? 0;
-    const [low, high] = interval(left, total);
-    points.push({ angle, share: left / total, left, low: Math.max(low, 0.2 / total), high });
-  }
+  return [...new Set([0, ...failed_at.keys(), path.end_deg])]
+    .sort((a, b) => a - b)
+    .map((angle) => {
+      left -= failed_at.get(angle) ?? 0;
+      const [low, high] = interval(left, total);
+      return { angle, share: left / total, left, low, high };
+    });
+}
+
+/** The acceptance rate of all draws, beside the sample's. */
+const overall_marks = (overall) => [
+  Plot.ruleX(overall, {
+    x: "angle",
+    y1: "low",
+    y2: "high",
+    stroke: "var(--ink)",
+    strokeWidth: 1.5,
+  }),
+  Plot.dot(overall, {
+    x: "angle",
+    y: "rate",
+    fill: "var(--ink)",
+    r: 4,
+    title: (d) => `all draws: ${percent(d.rate)} accepted`,
+  }),
+];
+
+const survival_marks = (points, least) => [
+  Plot.areaY(points, {
+    x: "angle",
+    y1: (point) => Math.max(point.low, 0.4 * least),
+    y2: "high",
+    curve: "step-after",
+    fill: "var(--accent)",
+    fillOpacity: 0.18,
+  }),
+  Plot.lineY(
+    points.filter((point) => point.left > 0),
+    { x: "angle", y: "share", curve: "step-after", stroke: "var(--accent)", strokeWidth: 2 },
+  ),
+];
+
+const survival_tip = (points, total) =>
+  Plot.tip(
+    points,
+    Plot.pointerX({
+      x: "angle",
+      y: "share",
+      title: (d) =>
+        `${degrees(d.angle)}: ${percent(d.share)} without a fault\n${count(d.left)} of ${plural(total, "draw")}`,
+    }),
+  );
+
+export function survival_chart(points, total, report, width) {
+  const { path, accept } = report.campaign.configuration;
   const { rate, rate_low, rate_high } = report.state.acceptance ?? {};
   const overall =
     rate > 0 ? [{ angle: accept.deploys_from_deg, rate, low: rate_low, high: rate_high }] : [];
   const least = Math.min(0.5 / total, overall[0]?.low || 1);
-  return Plot.plot({
+  return plot_with_room({
     width,
     height: 280,
     marginLeft: 62,
@@ -123,42 +187,10 @@ export function survival_chart(rows, total, report, width) {
       tickFormat: (share) => percent(share, 1),
     },
     marks: [
-      Plot.areaY(points, {
-        x: "angle",
-        y1: "low",
-        y2: "high",
-        curve: "step-after",
-        fill: "var(--accent)",
-        fillOpacity: 0.18,
-      }),
-      Plot.lineY(
-        points.filter((point) => point.left > 0),
-        { x: "angle", y: "share", curve: "step-after", stroke: "var(--accent)", strokeWidth: 2 },
-      ),
-      Plot.ruleX([accept.deploys_from_deg], { stroke: "var(--ink)", strokeDasharray: "2 3" }),
-      Plot.ruleX(overall, {
-        x: "angle",
-        y1: "low",
-        y2: "high",
-        stroke: "var(--ink)",
-        strokeWidth: 1.5,
-      }),
-      Plot.dot(overall, {
-        x: "angle",
-        y: "rate",
-        fill: "var(--ink)",
-        r: 4,
-        title: (d) => `all draws: ${percent(d.rate)} accepted`,
-      }),
-      Plot.tip(
-        points,
-        Plot.pointerX({
-          x: "angle",
-          y: "share",
-          title: (d) =>
-            `${degrees(d.angle)}: ${percent(d.share)} without a fault\n${count(d.left)} of ${count(total)} draws`,
-        }),
-      ),
+      ...survival_marks(points, least),
+      ...threshold_marks(accept.deploys_from_deg),
+      ...overall_marks(overall),
+      survival_tip(points, total),
     ],
   });
 }

@@ -66,13 +66,18 @@ const kFaults = {
     "inactive diagonal",
     "a diagonal does not change its length: it drives nothing",
   ],
-  bump: ["bump between samples", "a diagonal goes back and on again between two samples"],
+  bump_between_samples: [
+    "bump between samples",
+    "a diagonal goes back and on again between two samples",
+  ],
   undecided: ["undecided", "numerical failure: neither accepted nor rejected"],
   none: ["no fault", "no fault up to the end of the path"],
 };
 export const fault_order = Object.keys(kFaults);
 export const fault_name = (fault) => kFaults[fault]?.[0] ?? fault;
 export const fault_words = (fault) => kFaults[fault]?.[1] ?? fault;
+
+export const fault_colour = (fault) => `var(--${fault.replaceAll("_", "-")})`;
 
 /** An element in one line: h("p", { class: "note" }, "text", child). */
 export function h(tag, attributes = {}, ...children) {

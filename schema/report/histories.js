@@ -1,7 +1,8 @@
 // Relative lengths of the diagonals along the folding, as figure 13b-d of the paper, and their list.
 import * as Plot from "@observablehq/plot";
-import { folding_chart, path_of, range } from "./chart.js";
+import { folding_chart, nearest_sample, path_of, range } from "./chart.js";
 import { fixed, h, signed_percent } from "./format.js";
+import { single } from "./save.js";
 
 const kHeight = 400;
 
@@ -20,160 +21,193 @@ function spread(places, least_px) {
   return out;
 }
 
-export function make_histories(box, caption, report, detail, decoded, state, end_deg) {
-  const { diagonals, actuators } = report,
-    all = range(0, decoded.samples - 1);
+const kNumbered = 32, // more diagonals than that have no numbers at their lines' ends
+  kReach_px = 12;
+
+/** Least and largest relative length, and the stroke limits that are worth their room. */
+function range_of(decoded, diagonals, limit) {
   let least = 1,
     most = 1;
-  for (const k of all) {
+  for (const k of range(0, decoded.samples - 1)) {
     for (let d = 0; d < diagonals.length; ++d) {
       least = Math.min(least, decoded.relative(k, d));
       most = Math.max(most, decoded.relative(k, d));
     }
   }
   const spare = (most - least) * 0.06 || 0.01,
-    limit = actuators.stroke_limit;
-  const limits = limit
-    ? [1 - limit, 1 + limit].filter(
-        (value) => value > least - 0.3 * (most - least) && value < most + 0.3 * (most - least),
-      )
-    : [];
-  const domain = [
-    Math.min(least - spare, ...limits.map((v) => v - spare / 2)),
-    Math.max(most + spare, ...limits.map((v) => v + spare / 2)),
-  ];
-  let paths = [],
-    x = null,
-    y = null;
+    near = 0.3 * (most - least);
+  const limits = (limit ? [1 - limit, 1 + limit] : []).filter(
+    (value) => value > least - near && value < most + near,
+  );
+  return {
+    limits,
+    domain: [
+      Math.min(least - spare, ...limits.map((v) => v - spare / 2)),
+      Math.max(most + spare, ...limits.map((v) => v + spare / 2)),
+    ],
+  };
+}
 
+const limit_marks = (limits) => [
+  Plot.ruleY([1], { stroke: "var(--ink-soft)" }),
+  Plot.ruleY(limits, { stroke: "var(--mountain)", strokeDasharray: "1 3", strokeWidth: 1.5 }),
+  Plot.text(limits, {
+    y: (v) => v,
+    frameAnchor: "right",
+    textAnchor: "end",
+    dy: -7,
+    dx: -4,
+    text: (v) => `stroke limit ${signed_percent(v - 1, 1)}`,
+    fill: "var(--ink-soft)",
+  }),
+];
+
+/** A line for each diagonal, dashed by its style; its number stands where D is. */
+function history_lines(decoded, diagonals, x, y) {
+  const last = decoded.samples - 1,
+    end_x = x.apply(decoded.deployment[decoded.depth]);
+  const point = (d) => (k) => [x.apply(decoded.deployment[k]), y.apply(decoded.relative(k, d))];
+  const numbers = spread(
+    diagonals.map((_, d) => y.apply(decoded.relative(decoded.depth, d))),
+    11,
+  );
+  return diagonals.map((_, d) =>
+    h(
+      "svg:g",
+      { class: `history ${decoded.grows[d] ? "grows" : "shrinks"}`, "data-diagonal": d },
+      h("svg:path", { d: path_of(range(0, decoded.depth), point(d)) }),
+      decoded.depth < last
+        ? h("svg:path", { class: "beyond", d: path_of(range(decoded.depth, last), point(d)) })
+        : null,
+      diagonals.length <= kNumbered
+        ? h(
+            "svg:text",
+            { x: (end_x - 24 - (d % 2) * 14).toFixed(1), y: (numbers[d] + 3.5).toFixed(1) },
+            String(d),
+          )
+        : null,
+    ),
+  );
+}
+
+/** The diagonal whose line is under the pointer, or null. */
+function nearest_line(event, svg, decoded, diagonals, x, y) {
+  const frame = svg.getBoundingClientRect(),
+    k = nearest_sample(decoded, x.invert(event.clientX - frame.left));
+  let best = null,
+    nearest = kReach_px;
+  for (let d = 0; d < diagonals.length; ++d) {
+    const away = Math.abs(y.apply(decoded.relative(k, d)) - (event.clientY - frame.top));
+    if (away < nearest) [best, nearest] = [d, away];
+  }
+  return best;
+}
+
+export function make_histories(caption, report, folding) {
+  const { diagonals, actuators } = report,
+    { decoded, state } = folding,
+    { limits, domain } = range_of(decoded, diagonals, actuators.stroke_limit);
+  let paths = [];
+  const mark = (picked) => {
+    paths[0]?.parentNode.classList.toggle("has-picked", picked !== null);
+    paths.forEach((group, d) => group.classList.toggle("picked", d === picked));
+  };
   const chart = folding_chart({
-    box,
-    state,
-    detail,
-    decoded,
-    end_deg,
+    ...folding,
     height: kHeight,
     label: "Relative lengths of the diagonals against the deployment ratio",
-    room: diagonals.length <= 32 ? 0.055 : 0,
+    room: diagonals.length <= kNumbered ? 0.055 : 0,
     y: { domain, label: "relative length L / L₀" },
-    marks: [
-      Plot.ruleY([1], { stroke: "var(--ink-soft)" }),
-      Plot.ruleY(limits, { stroke: "var(--mountain)", strokeDasharray: "1 3", strokeWidth: 1.5 }),
-      Plot.text(limits, {
-        y: (v) => v,
-        frameAnchor: "right",
-        textAnchor: "end",
-        dy: -7,
-        dx: -4,
-        text: (v) => `stroke limit ${signed_percent(v - 1, 1)}`,
-        fill: "var(--ink-soft)",
-      }),
-    ],
-    lines(svg, x_scale, y_scale) {
-      [x, y] = [x_scale, y_scale];
-      const point = (d) => (k) => [x.apply(decoded.deployment[k]), y.apply(decoded.relative(k, d))];
-      const last = decoded.samples - 1,
-        end_x = x.apply(decoded.deployment[decoded.depth]);
-      const numbers = spread(
-        diagonals.map((_, d) => y.apply(decoded.relative(decoded.depth, d))),
-        11,
-      );
-      paths = diagonals.map((_, d) => {
-        const group = h(
-          "svg:g",
-          { class: `history ${decoded.grows[d] ? "grows" : "shrinks"}`, "data-diagonal": d },
-          h("svg:path", { d: path_of(range(0, decoded.depth), point(d)) }),
-          decoded.depth < last
-            ? h("svg:path", { class: "beyond", d: path_of(range(decoded.depth, last), point(d)) })
-            : null,
-          diagonals.length <= 32
-            ? h(
-                "svg:text",
-                { x: (end_x - 24 - (d % 2) * 14).toFixed(1), y: (numbers[d] + 3.5).toFixed(1) },
-                String(d + 1),
-              )
-            : null,
-        );
-        svg.append(group);
-        return group;
-      });
+    marks: limit_marks(limits),
+    lines(svg, x, y) {
+      paths = history_lines(decoded, diagonals, x, y);
+      svg.append(...paths);
       svg.addEventListener("pointermove", (event) => {
-        if (event.buttons) return;
-        const frame = svg.getBoundingClientRect(),
-          ratio = x.invert(event.clientX - frame.left);
-        let k = 0;
-        decoded.deployment.forEach((value, i) => {
-          if (Math.abs(value - ratio) < Math.abs(decoded.deployment[k] - ratio)) k = i;
-        });
-        let best = null,
-          nearest = 12;
-        for (let d = 0; d < diagonals.length; ++d) {
-          const away = Math.abs(y.apply(decoded.relative(k, d)) - (event.clientY - frame.top));
-          if (away < nearest) [best, nearest] = [d, away];
-        }
-        state.set("diagonal", best);
+        if (!event.buttons)
+          state.set("diagonal", nearest_line(event, svg, decoded, diagonals, x, y));
       });
       svg.addEventListener("pointerleave", () => state.set("diagonal", null));
       mark(state.get("diagonal"));
     },
   });
-
-  function mark(picked) {
-    paths[0]?.parentNode.classList.toggle("has-picked", picked !== null);
-    paths.forEach((group, d) => group.classList.toggle("picked", d === picked));
-  }
-
   caption.textContent =
     "Solid: increasing as it folds; dashed: decreasing. Faint: beyond D. " +
     "Up to D (deploys from), every diagonal only grows or only shrinks; past it at least one thing is wrong. Press on a chart to go there.";
   return { ...chart, mark };
 }
 
+/** The chart's data: relative lengths of all diagonals, a row for each sample. */
+export function history_rows(report, decoded) {
+  return {
+    heads: [
+      "pilot_deg",
+      "deployment_ratio",
+      ...report.diagonals.map(({ from, to }, d) => `relative_length_${d}_${from}-${to}`),
+    ],
+    rows: decoded.pilot_deg.map((pilot_deg, k) => [
+      pilot_deg,
+      single(decoded.deployment[k]),
+      ...report.diagonals.map((_, d) => single(decoded.relative(k, d))),
+    ]),
+  };
+}
+
+const kHeads = [
+  ["", "number in the drawings, in the catalogue and in exports"],
+  ["diagonal", ""],
+  ["", "direction as the sheet folds"],
+  ["now", "elongation at the slider’s angle"],
+  ["at D", "elongation at D"],
+  ["force", "of its spring at the slider’s angle, N: positive where it pulls"],
+  ["", ""],
+];
+
+function diagonal_row(diagonal, d, detail, decoded, state) {
+  const number = () => h("td", { class: "number" }),
+    cells = { now: number(), force: number() };
+  const name = h(
+    "button",
+    { type: "button", "data-diagonal": d },
+    `${diagonal.from}–${diagonal.to}`,
+  );
+  const grows = decoded.grows[d];
+  const row = h(
+    "tr",
+    { class: grows ? "grows" : "shrinks", "data-diagonal": d },
+    h("td", { class: "number" }, String(d)),
+    h("td", {}, name),
+    h(
+      "td",
+      { title: grows ? "increasing as it folds" : "decreasing as it folds" },
+      grows ? "▲" : "▼",
+    ),
+    cells.now,
+    h("td", { class: "number" }, signed_percent(decoded.relative(decoded.depth, d) - 1)),
+    cells.force,
+    h(
+      "td",
+      {},
+      detail.few?.diagonals.includes(d)
+        ? h("span", { title: "one of the smallest set that keeps half of the least moment" }, "★")
+        : null,
+      detail.over_stroke?.diagonals.includes(d)
+        ? h("span", { title: "beyond the stroke limit somewhere up to D" }, " !")
+        : null,
+    ),
+  );
+  row.addEventListener("pointerenter", () => state.set("diagonal", d));
+  row.addEventListener("pointerleave", () => state.set("diagonal", null));
+  name.addEventListener("focus", () => state.set("diagonal", d));
+  name.addEventListener("blur", () => state.set("diagonal", null));
+  return { row, ...cells };
+}
+
 /** Each diagonal with its direction and elongation; focus or hover marks it in all views. */
 export function make_diagonal_list(box, report, detail, decoded, state) {
-  const few = new Set(detail.few?.diagonals ?? []),
-    over = new Set(detail.over_stroke?.diagonals ?? []);
   const k_n_per_mm = report.actuators.stiffness_n_per_mm;
-  const now = [],
-    force = [];
-  const rows = report.diagonals.map((diagonal, d) => {
-    now.push(h("td", { class: "number" }));
-    force.push(h("td", { class: "number" }));
-    const name = h(
-      "button",
-      { type: "button", "data-diagonal": d },
-      `${diagonal.from}–${diagonal.to}`,
-    );
-    const row = h(
-      "tr",
-      { class: decoded.grows[d] ? "grows" : "shrinks", "data-diagonal": d },
-      h("td", { class: "number" }, String(d + 1)),
-      h("td", {}, name),
-      h(
-        "td",
-        { title: decoded.grows[d] ? "increasing as it folds" : "decreasing as it folds" },
-        decoded.grows[d] ? "▲" : "▼",
-      ),
-      now[d],
-      h("td", { class: "number" }, signed_percent(decoded.relative(decoded.depth, d) - 1)),
-      force[d],
-      h(
-        "td",
-        {},
-        few.has(d)
-          ? h("span", { title: "one of the smallest set that keeps half of the least moment" }, "★")
-          : null,
-        over.has(d)
-          ? h("span", { title: `beyond the stroke limit somewhere up to D` }, " !")
-          : null,
-      ),
-    );
-    row.addEventListener("pointerenter", () => state.set("diagonal", d));
-    row.addEventListener("pointerleave", () => state.set("diagonal", null));
-    name.addEventListener("focus", () => state.set("diagonal", d));
-    name.addEventListener("blur", () => state.set("diagonal", null));
-    return row;
-  });
+  const rows = report.diagonals.map((diagonal, d) =>
+    diagonal_row(diagonal, d, detail, decoded, state),
+  );
   box.replaceChildren(
     h(
       "table",
@@ -181,34 +215,26 @@ export function make_diagonal_list(box, report, detail, decoded, state) {
       h(
         "thead",
         {},
-        h(
-          "tr",
-          {},
-          ...[
-            ["", "number in the drawings"],
-            ["diagonal", ""],
-            ["", "direction as the sheet folds"],
-            ["now", "elongation at the slider’s angle"],
-            ["at D", "elongation at D"],
-            ["force", "of its spring at the slider’s angle, N: positive where it pulls"],
-            ["", ""],
-          ].map(([words, about]) => h("th", { title: about }, words)),
-        ),
+        h("tr", {}, ...kHeads.map(([words, about]) => h("th", { title: about }, words))),
       ),
-      h("tbody", {}, rows),
+      h(
+        "tbody",
+        {},
+        rows.map(({ row }) => row),
+      ),
     ),
   );
   return {
     move() {
       const k = state.get("sample");
-      now.forEach((cell, d) => {
+      rows.forEach(({ now, force }, d) => {
         const elongation = decoded.relative(k, d) - 1;
-        cell.textContent = signed_percent(elongation);
-        force[d].textContent = `${fixed(k_n_per_mm * decoded.flat_mm[d] * elongation, 1)} N`;
+        now.textContent = signed_percent(elongation);
+        force.textContent = `${fixed(k_n_per_mm * decoded.flat_mm[d] * elongation, 1)} N`;
       });
     },
     mark(picked) {
-      rows.forEach((row, d) => row.classList.toggle("picked", d === picked));
+      rows.forEach(({ row }, d) => row.classList.toggle("picked", d === picked));
     },
   };
 }

@@ -3,12 +3,14 @@ import { count, degrees, fixed, number } from "./format.js";
 
 const share = (value) => (value === null ? "–" : `${fixed(100 * value, 2)} %`);
 
-// label and unit head a column; `axis` is what a share is multiplied by on an axis (shares as %).
+// label and unit head a column; `axis` is what a share is multiplied by on an axis (shares as %);
+// `better` says which end comes first when it is sorted by, `warns` which values are a bad sign.
 export const metrics = [
   {
     name: "deploys_from_deg",
     label: "deploys from",
     unit: "deg",
+    better: "more",
     text: degrees,
     about:
       "D: the pilot fold angle up to which everything holds at every sample. The path exists, no crease is over-folded, mountains and valleys stay, and every diagonal keeps its direction.",
@@ -17,6 +19,7 @@ export const metrics = [
     name: "fold_limit_deg",
     label: "fold limit",
     unit: "deg",
+    better: "more",
     text: (v) => fixed(v, 2),
     about:
       "Pilot fold angle where the pilot crease turns round: a misaligned sheet generally cannot fold flat. Or the end of the path.",
@@ -25,6 +28,7 @@ export const metrics = [
     name: "slope_min_mm_per_deg",
     label: "slope min",
     unit: "mm/deg",
+    better: "more",
     text: (v) => number(v),
     about:
       "Margin of monotonicity: least change of any diagonal from one sample to the next, from 5° to D. The larger, the less a miscut matters.",
@@ -33,6 +37,8 @@ export const metrics = [
     name: "slope_between_min_mm_per_deg",
     label: "slope between",
     unit: "mm/deg",
+    better: "more",
+    warns: (v) => v < 0,
     text: (v) => number(v),
     about:
       "Least rate of change at and between the samples from 5° on (slope min: steps, of which the first ends at 5°). Negative where a diagonal goes back between two samples.",
@@ -41,6 +47,8 @@ export const metrics = [
     name: "bump_deg",
     label: "bump",
     unit: "deg",
+    better: "more",
+    none_is_best: true,
     text: (v) => fixed(v, 1),
     about:
       "Pilot fold angle where a diagonal first goes back and on again between two samples; – where it never does.",
@@ -49,39 +57,46 @@ export const metrics = [
     name: "stroke_min",
     label: "stroke min",
     unit: "%",
+    better: "more",
     axis: 100,
     text: share,
-    about: "Largest relative change of length of the least used diagonal.",
+    about:
+      "Largest change of length of the least used diagonal, as a share of its flat length: 0.05 is 5 %.",
   },
   {
     name: "stroke_max",
     label: "stroke max",
     unit: "%",
+    better: "less",
     axis: 100,
     text: share,
     about:
-      "Largest relative change of length of the most used diagonal: what an actuator must be able to do.",
+      "Largest change of length of the most used diagonal, as a share of its flat length: what an actuator must be able to do.",
   },
   {
     name: "elongation_min",
     label: "shortest",
     unit: "%",
+    better: "more",
     axis: 100,
     text: share,
-    about: "Least elongation (L − L₀)/L₀ over all diagonals up to D.",
+    about:
+      "Least elongation (L − L₀)/L₀ over all diagonals up to D: a share of the flat length, negative where a diagonal gets shorter.",
   },
   {
     name: "elongation_max",
     label: "longest",
     unit: "%",
+    better: "less",
     axis: 100,
     text: share,
-    about: "Largest elongation (L − L₀)/L₀ over all diagonals up to D.",
+    about: "Largest elongation (L − L₀)/L₀ over all diagonals up to D: a share of the flat length.",
   },
   {
     name: "stretch_sq_mm2",
     label: "stretch²",
     unit: "mm²",
+    better: "more",
     text: (v) => number(v),
     about: "Sum of (L − L₀)² over all diagonals at D.",
   },
@@ -89,6 +104,7 @@ export const metrics = [
     name: "energy_n_mm",
     label: "energy",
     unit: "N mm",
+    better: "more",
     text: (v) => number(v),
     about:
       "Stored at D by springs of the report’s stiffness k on all diagonals: k/2 times stretch². Not a column of the catalogue.",
@@ -97,6 +113,7 @@ export const metrics = [
     name: "shifted_vertices",
     label: "shifted",
     unit: "",
+    better: "less",
     text: count,
     about: "Vertices that are shifted.",
   },
@@ -104,6 +121,7 @@ export const metrics = [
     name: "increasing",
     label: "increasing",
     unit: "",
+    better: "more",
     text: count,
     about: "Diagonals that are longer at D than flat.",
   },
@@ -111,6 +129,7 @@ export const metrics = [
     name: "decreasing",
     label: "decreasing",
     unit: "",
+    better: "more",
     text: count,
     about: "Diagonals that are shorter at D than flat.",
   },
@@ -118,6 +137,7 @@ export const metrics = [
     name: "kawasaki_defect_deg",
     label: "Kawasaki",
     unit: "deg",
+    better: "less",
     text: (v) => number(v),
     about:
       "Largest |θ₁ + θ₃ − 180°| over the vertices with four panels: zero where such a vertex folds flat by itself.",
@@ -126,6 +146,7 @@ export const metrics = [
     name: "singular_value_min",
     label: "singular value",
     unit: "",
+    better: "more",
     text: (v) => number(v),
     about:
       "Smallest singular value of the square Jacobian up to D: how far from a second way to move.",
@@ -134,6 +155,7 @@ export const metrics = [
     name: "residual_max",
     label: "residual",
     unit: "",
+    better: "less",
     text: (v) => number(v, 2),
     about: "Largest closure error of any loop up to D, in radians or panel widths.",
   },
@@ -141,6 +163,7 @@ export const metrics = [
     name: "isometry_error_mm",
     label: "isometry error",
     unit: "mm",
+    better: "less",
     text: (v) => number(v, 2),
     about:
       "Largest change of any panel's edge or diagonal up to D, from the vertex coordinates alone.",

@@ -1,13 +1,16 @@
 // Any two metrics of the candidates against each other: axes by Plot, points on a canvas, which stays
 // quick with tens of thousands of them.
 import * as Plot from "@observablehq/plot";
-import { when_wide } from "./chart.js";
-import { count, h, power, powers } from "./format.js";
+import { plot_with_room, when_wide } from "./chart.js";
+import { count, h, plural, power, powers } from "./format.js";
 import { axis_title, metrics, metric_of, with_unit } from "./metrics.js";
+import { add_saving } from "./save.js";
 import { colour, on_theme } from "./theme.js";
 
 const kHeight = 400,
-  kMargins = { marginLeft: 66, marginRight: 16, marginTop: 14, marginBottom: 44 };
+  kMargins = { marginLeft: 66, marginRight: 16, marginTop: 14, marginBottom: 44 },
+  kMany = 3000, // points, from which on they are drawn smaller
+  kReach_px = 24;
 
 /** Positive values over more than three decades are read better on a logarithmic axis. */
 function scale_of(metric, values) {
@@ -32,44 +35,93 @@ function scale_of(metric, values) {
   };
 }
 
-export function make_scatter(box, candidates, state) {
-  const present = metrics.filter((metric) => candidates.columns[metric.name]);
-  const selects = ["scatter-x", "scatter-y"].map((id) => document.getElementById(id));
-  const wanted = ["stroke_max", "slope_min_mm_per_deg"];
-  selects.forEach((select, i) => {
-    select.append(
-      ...present.map((metric) => h("option", { value: metric.name }, axis_title(metric))),
-    );
-    select.value =
-      metric_of[wanted[i]] && candidates.columns[wanted[i]] ? wanted[i] : present[i]?.name;
-    select.addEventListener("change", () => draw());
-  });
-  const axes = h("div"),
-    note = document.getElementById("scatter-note");
-  const tip = h("output", { class: "tip", hidden: true, "aria-hidden": "true" });
-  const canvas = h("canvas", {
+/** The metrics that these candidates have, and the two that the scatter begins with. */
+export const metrics_of = (candidates) => metrics.filter(({ name }) => candidates.columns[name]);
+export function first_axes(candidates) {
+  const present = metrics_of(candidates).map(({ name }) => name);
+  const first = (wanted, i) => (present.includes(wanted) ? wanted : (present[i] ?? null));
+  return { across: first("stroke_max", 0), up: first("slope_min_mm_per_deg", 1) };
+}
+
+class Scatter {
+  #box;
+  #candidates;
+  #state;
+  #axes = h("div");
+  #tip = h("output", { class: "tip", hidden: true, "aria-hidden": "true" });
+  #canvas = h("canvas", {
     tabindex: 0,
     role: "application",
     "data-testid": "scatter-canvas",
     "aria-label":
       "Scatter of two metrics. Arrow keys go to the next candidate along the axes; a click picks the nearest.",
   });
-  box.append(axes, canvas, tip);
-  box.classList.add("scatter");
+  #width = 0;
+  #xs = new Float64Array(0);
+  #ys = new Float64Array(0);
+  #shown = new Uint8Array(0);
 
-  let width = 0,
-    xs = new Float64Array(0),
-    ys = new Float64Array(0),
-    shown = new Uint8Array(0);
+  constructor(box, candidates, state, name) {
+    [this.#box, this.#candidates, this.#state] = [box, candidates, state];
+    for (const axis of ["across", "up"]) this.#add_select(axis);
+    box.append(this.#axes, this.#canvas, this.#tip);
+    box.classList.add("scatter");
+    this.#listen();
+    when_wide(box, (width) => {
+      this.#width = width;
+      this.#draw();
+    });
+    add_saving(box.closest(".card"), {
+      name: `${name}-scatter`,
+      csv: () => this.#rows(),
+      svg: () => this.#drawing(),
+    });
+  }
 
-  function draw() {
-    if (!width) return;
-    const [x_metric, y_metric] = selects.map((select) => metric_of[select.value]);
-    const values = [x_metric, y_metric].map(({ name, axis = 1 }) =>
-      candidates.columns[name].map((value) => (value === null ? null : value * axis)),
+  #add_select(axis) {
+    const select = document.getElementById(`scatter-${axis === "across" ? "x" : "y"}`);
+    select.append(
+      ...metrics_of(this.#candidates).map((metric) =>
+        h("option", { value: metric.name }, axis_title(metric)),
+      ),
     );
-    const plot = Plot.plot({
-      width,
+    select.value = this.#state.get(axis);
+    select.addEventListener("change", () => this.#state.set(axis, select.value));
+    this.#state.on(axis, (name) => {
+      select.value = name;
+      this.#draw();
+    });
+  }
+
+  #listen() {
+    const canvas = this.#canvas,
+      pick = (row) => row >= 0 && this.#state.set("picked", this.#candidates.columns.draw[row]);
+    canvas.addEventListener("click", (event) => pick(this.#nearest(event).row));
+    canvas.addEventListener("pointermove", (event) => this.#tell(event));
+    canvas.addEventListener("pointerleave", () => (this.#tip.hidden = true));
+    canvas.addEventListener("keydown", (event) => {
+      const row = this.#next(event.key);
+      if (row === null) return;
+      event.preventDefault();
+      pick(row);
+    });
+    this.#state.on("order", () => this.#paint());
+    this.#state.on("picked", () => this.#paint());
+    on_theme(() => this.#paint());
+  }
+
+  #metrics() {
+    return ["across", "up"].map((axis) => metric_of[this.#state.get(axis)]);
+  }
+
+  #draw() {
+    if (!this.#width) return;
+    const [x_metric, y_metric] = this.#metrics();
+    const values = [x_metric, y_metric].map(({ name, axis = 1 }) =>
+      this.#candidates.columns[name].map((value) => (value === null ? null : value * axis)),
+    );
+    const plot = plot_with_room({
+      width: this.#width,
       height: kHeight,
       ...kMargins,
       className: "plot",
@@ -78,133 +130,160 @@ export function make_scatter(box, candidates, state) {
       y: scale_of(y_metric, values[1]),
       marks: [Plot.frame({ stroke: "var(--line)" })],
     });
-    axes.replaceChildren(plot);
+    this.#axes.replaceChildren(plot);
     const [x, y] = [plot.scale("x"), plot.scale("y")];
-    xs = Float64Array.from(values[0], (value) => (value === null ? NaN : x.apply(value)));
-    ys = Float64Array.from(values[1], (value) => (value === null ? NaN : y.apply(value)));
-    paint();
+    this.#xs = Float64Array.from(values[0], (value) => (value === null ? NaN : x.apply(value)));
+    this.#ys = Float64Array.from(values[1], (value) => (value === null ? NaN : y.apply(value)));
+    this.#paint();
   }
 
-  function paint() {
-    if (!width) return;
-    const ratio = devicePixelRatio || 1,
-      order = state.get("order") ?? [];
-    canvas.width = width * ratio;
-    canvas.height = kHeight * ratio;
-    canvas.style.width = `${width}px`;
-    const pen = canvas.getContext("2d");
-    pen.scale(ratio, ratio);
-    shown = new Uint8Array(candidates.count);
-    for (const row of order) shown[row] = 1;
-    const radius = candidates.count > 3000 ? 1.8 : 2.6;
-    let missing = 0;
-    // Those that the filter leaves out stay as faint context; where many meet, the colour deepens.
-    for (const [wanted, ink, alpha] of [
-      [0, colour("ink-soft"), 0.13],
-      [1, colour("accent"), candidates.count > 3000 ? 0.4 : 0.65],
+  #has_place(row) {
+    return row !== undefined && !Number.isNaN(this.#xs[row] + this.#ys[row]);
+  }
+
+  /** What is drawn, the last on top: those left out by the filter, the others, rings, the picked one. */
+  *#dots() {
+    const { count: all, detailed, row_of } = this.#candidates,
+      many = all > kMany,
+      r = many ? 1.8 : 2.6;
+    for (const [wanted, fill, opacity] of [
+      [0, "ink-soft", 0.13],
+      [1, "accent", many ? 0.4 : 0.65],
     ]) {
-      pen.fillStyle = ink;
-      pen.globalAlpha = alpha;
-      for (let row = 0; row < candidates.count; ++row) {
-        if (shown[row] !== wanted) continue;
-        if (Number.isNaN(xs[row] + ys[row])) {
-          missing += wanted;
-          continue;
-        }
-        pen.beginPath();
-        pen.arc(xs[row], ys[row], radius, 0, 2 * Math.PI);
+      for (let row = 0; row < all; ++row)
+        if (this.#shown[row] === wanted && this.#has_place(row)) yield { row, r, fill, opacity };
+    }
+    for (const draw of detailed) {
+      const row = row_of.get(draw);
+      if (this.#shown[row] && this.#has_place(row)) yield { row, r: 4.5, stroke: "ink", wide: 1.5 };
+    }
+    const picked = row_of.get(this.#state.get("picked"));
+    if (!this.#has_place(picked)) return;
+    yield { row: picked, r: 5, fill: "pick", opacity: 1 };
+    yield { row: picked, r: 9, stroke: "ink", wide: 2 };
+  }
+
+  #paint() {
+    if (!this.#width) return;
+    const ratio = devicePixelRatio || 1,
+      order = this.#state.get("order") ?? [];
+    this.#canvas.width = this.#width * ratio;
+    this.#canvas.height = kHeight * ratio;
+    this.#canvas.style.width = `${this.#width}px`;
+    const pen = this.#canvas.getContext("2d");
+    pen.scale(ratio, ratio);
+    this.#shown = new Uint8Array(this.#candidates.count);
+    for (const row of order) this.#shown[row] = 1;
+    const inks = Object.fromEntries(
+      ["ink-soft", "accent", "ink", "pick"].map((name) => [name, colour(name)]),
+    );
+    for (const { row, r, fill, opacity, stroke, wide } of this.#dots()) {
+      pen.globalAlpha = opacity ?? 1;
+      pen.beginPath();
+      pen.arc(this.#xs[row], this.#ys[row], r, 0, 2 * Math.PI);
+      if (fill) {
+        pen.fillStyle = inks[fill];
         pen.fill();
+      } else {
+        pen.strokeStyle = inks[stroke];
+        pen.lineWidth = wide;
+        pen.stroke();
       }
     }
-    pen.globalAlpha = 1;
-    pen.lineWidth = 1.5;
-    pen.strokeStyle = colour("ink");
-    for (const draw_number of candidates.detailed) {
-      const row = candidates.row_of.get(draw_number);
-      if (row !== undefined && shown[row] && !Number.isNaN(xs[row] + ys[row])) ring(pen, row, 4.5);
-    }
-    const picked = candidates.row_of.get(state.get("picked"));
-    if (picked !== undefined && !Number.isNaN(xs[picked] + ys[picked])) {
-      pen.fillStyle = colour("pick");
-      pen.beginPath();
-      pen.arc(xs[picked], ys[picked], 5, 0, 2 * Math.PI);
-      pen.fill();
-      pen.lineWidth = 2;
-      ring(pen, picked, 9);
-    }
-    note.textContent =
-      `${count(order.length - missing)} candidates shown` +
+    this.#say(order);
+  }
+
+  #say(order) {
+    const missing = order.filter((row) => !this.#has_place(row)).length;
+    document.getElementById("scatter-note").textContent =
+      `${plural(order.length - missing, "candidate")} shown` +
       (missing ? `, ${count(missing)} without a value on these axes` : "") +
-      (order.length < candidates.count ? "; faint: those the filter leaves out" : "") +
+      (order.length < this.#candidates.count ? "; faint: those the filter leaves out" : "") +
       ". Ringed: with all details in this report.";
   }
 
-  function ring(pen, row, radius) {
-    pen.beginPath();
-    pen.arc(xs[row], ys[row], radius, 0, 2 * Math.PI);
-    pen.stroke();
-  }
-
-  function nearest(event) {
-    const frame = canvas.getBoundingClientRect();
-    const x = ((event.clientX - frame.left) * width) / frame.width,
+  #nearest(event) {
+    const frame = this.#canvas.getBoundingClientRect();
+    const x = ((event.clientX - frame.left) * this.#width) / frame.width,
       y = ((event.clientY - frame.top) * kHeight) / frame.height;
     let best = -1,
       least = Infinity;
-    for (let row = 0; row < xs.length; ++row) {
-      const away = (xs[row] - x) ** 2 + (ys[row] - y) ** 2;
-      if (shown[row] && away < least) [best, least] = [row, away];
+    for (let row = 0; row < this.#xs.length; ++row) {
+      const away = (this.#xs[row] - x) ** 2 + (this.#ys[row] - y) ** 2;
+      if (this.#shown[row] && away < least) [best, least] = [row, away];
     }
     return { row: best, away: Math.sqrt(least) };
   }
 
-  canvas.addEventListener("click", (event) => {
-    const { row } = nearest(event);
-    if (row >= 0) state.set("picked", candidates.columns.draw[row]);
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const { row, away } = nearest(event);
-    tip.hidden = row < 0 || away > 24;
+  #tell(event) {
+    const { row, away } = this.#nearest(event),
+      tip = this.#tip;
+    tip.hidden = row < 0 || away > kReach_px;
     if (tip.hidden) return;
-    const [x_metric, y_metric] = selects.map((select) => metric_of[select.value]);
-    tip.textContent =
-      `draw ${candidates.columns.draw[row]}\n${x_metric.label} ${with_unit(x_metric, candidates.columns[x_metric.name][row])}\n` +
-      `${y_metric.label} ${with_unit(y_metric, candidates.columns[y_metric.name][row])}`;
-    tip.style.left = `${Math.min(xs[row] + 12, width - 190)}px`;
-    tip.style.top = `${Math.max(0, ys[row] - 62)}px`;
-  });
-  canvas.addEventListener("pointerleave", () => (tip.hidden = true));
-  canvas.addEventListener("keydown", (event) => {
+    const line = (metric) =>
+      `${metric.label} ${with_unit(metric, this.#candidates.columns[metric.name][row])}`;
+    tip.textContent = [
+      `draw ${this.#candidates.columns.draw[row]}`,
+      ...this.#metrics().map(line),
+    ].join("\n");
+    tip.style.left = `${Math.min(this.#xs[row] + 12, this.#width - 190)}px`;
+    tip.style.top = `${Math.max(0, this.#ys[row] - 62)}px`;
+  }
+
+  /** The next row in an arrow's direction: equals are told apart by the other axis, then by the order. */
+  #next(key) {
     const way = {
-      ArrowRight: [xs, ys, 1],
-      ArrowLeft: [xs, ys, -1],
-      ArrowUp: [ys, xs, -1],
-      ArrowDown: [ys, xs, 1],
-    }[event.key];
-    if (!way) return;
-    event.preventDefault();
+      ArrowRight: [this.#xs, this.#ys, 1],
+      ArrowLeft: [this.#xs, this.#ys, -1],
+      ArrowUp: [this.#ys, this.#xs, -1],
+      ArrowDown: [this.#ys, this.#xs, 1],
+    }[key];
+    if (!way) return null;
     const [along, other, sign] = way,
-      at = candidates.row_of.get(state.get("picked"));
-    let best = -1;
-    // The next one in this direction; equals are told apart by the other axis, then by the order.
+      at = this.#candidates.row_of.get(this.#state.get("picked"));
     const before = (a, b) => sign * (along[a] - along[b]) || other[a] - other[b] || a - b;
-    for (let row = 0; row < xs.length; ++row) {
-      if (
-        !shown[row] ||
-        Number.isNaN(xs[row] + ys[row]) ||
-        (at !== undefined && before(row, at) <= 0)
-      )
-        continue;
+    let best = -1;
+    for (let row = 0; row < this.#xs.length; ++row) {
+      const further = at === undefined || before(row, at) > 0;
+      if (!this.#shown[row] || !this.#has_place(row) || !further) continue;
       if (best < 0 || before(row, best) < 0) best = row;
     }
-    if (best >= 0) state.set("picked", candidates.columns.draw[best]);
-  });
+    return best;
+  }
 
-  when_wide(box, (now) => {
-    width = now;
-    draw();
-  });
-  state.on("order", paint);
-  state.on("picked", paint);
-  on_theme(paint);
+  #rows() {
+    const { columns } = this.#candidates,
+      names = this.#metrics().map(({ name }) => name);
+    return {
+      heads: ["draw", ...names],
+      rows: this.#state
+        .get("order")
+        .map((row) => [columns.draw[row], ...names.map((name) => columns[name][row])]),
+    };
+  }
+
+  /** The axes, with the points in them for as long as it takes to copy them. */
+  #drawing() {
+    const plot = this.#axes.firstChild,
+      points = h("svg:g", { "data-styled": "" });
+    for (const { row, r, fill, opacity, stroke, wide } of this.#dots()) {
+      points.append(
+        h("svg:circle", {
+          cx: this.#xs[row].toFixed(2),
+          cy: this.#ys[row].toFixed(2),
+          r,
+          fill: fill ? colour(fill) : "none",
+          "fill-opacity": opacity,
+          stroke: stroke && colour(stroke),
+          "stroke-width": wide,
+        }),
+      );
+    }
+    plot.append(points);
+    queueMicrotask(() => points.remove());
+    return plot;
+  }
 }
+
+export const make_scatter = (box, candidates, state, name) =>
+  new Scatter(box, candidates, state, name);

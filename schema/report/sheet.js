@@ -10,17 +10,22 @@ export function panel_size_mm({ vertices_mm, panels }) {
   return Math.hypot(vertices_mm[a][0] - vertices_mm[b][0], vertices_mm[a][1] - vertices_mm[b][1]);
 }
 
-/** An empty drawing of the sheet's extent with a margin. */
-export function sheet_svg(vertices_mm, margin_mm, label) {
+/** What the sheet takes with a margin, y downwards. */
+export function sheet_extent(vertices_mm, margin_mm) {
   const xs = vertices_mm.map((v) => v[0]),
     ys = vertices_mm.map((v) => -v[1]);
-  const [left, top] = [Math.min(...xs) - margin_mm, Math.min(...ys) - margin_mm];
-  const size = [Math.max(...xs) - left + margin_mm, Math.max(...ys) - top + margin_mm];
+  const [x, y] = [Math.min(...xs) - margin_mm, Math.min(...ys) - margin_mm];
+  return { x, y, width: Math.max(...xs) - x + margin_mm, height: Math.max(...ys) - y + margin_mm };
+}
+
+/** An empty drawing of that extent. */
+export function sheet_svg(vertices_mm, margin_mm, label) {
+  const { x, y, width, height } = sheet_extent(vertices_mm, margin_mm);
   return h("svg:svg", {
     class: "sheet",
     role: "img",
     "aria-label": label,
-    viewBox: [left, top, ...size].map((value) => value.toFixed(1)).join(" "),
+    viewBox: [x, y, width, height].map((value) => value.toFixed(1)).join(" "),
   });
 }
 

@@ -1,52 +1,157 @@
 // The candidates' table: any number of rows, of which only those in view are in the document.
-import { count, h, plural } from "./format.js";
+import { count, h } from "./format.js";
 import { metrics } from "./metrics.js";
 import { on_print } from "./paper.js";
+import { csv_text, save_text } from "./save.js";
+import { text_width } from "./text_size.js";
 
 const kRow_px = 28,
   kSpare = 6,
-  kPrinted = 50; // rows on paper
+  kPrinted = 50, // rows on paper
+  kPadding_px = 16,
+  kLooked = 60; // rows that a column's width is taken from, beside its least and largest value
 
-const columns = [
-  {
-    name: "rank",
-    label: "rank",
-    unit: "",
-    about: "Place in the program's order: best first.",
-    width: 62,
-  },
+const kOwn = [
+  { name: "rank", label: "rank", unit: "", about: "Place in the program's order: best first." },
   {
     name: "draw",
     label: "draw",
     unit: "",
     about: "Number of the draw. A dot marks draws with all details in this report.",
-    width: 96,
   },
-  ...metrics.map((metric) => ({
-    ...metric,
-    width: Math.max(84, 20 + 7.3 * Math.max(metric.label.length, metric.unit.length + 2)),
-  })),
 ];
+const columns = [...kOwn.map((column) => ({ ...column, better: "less" })), ...metrics];
+
+/** "-stroke_min" → { name, descending }; nothing: the program's own order. */
+const order_of = (words) => ({
+  name: words.replace(/^-/, "") || "rank",
+  descending: words.startsWith("-"),
+});
+
+export const is_order = (words) => columns.some(({ name }) => name === order_of(words).name);
+
+const shown = (column, value) => column.text(value).replace(/ %$/, "");
+
+/** Room for the heading, word under word, and for the values. */
+function width_of(column, { columns: values, count: rows }) {
+  const texts = [];
+  if (column.name === "rank") texts.push(count(rows));
+  else if (column.name === "draw") {
+    const longest = values.draw.reduce((most, draw) => Math.max(most, draw.length), 0);
+    texts.push(`●\u00a0\u00a0${"0".repeat(longest)}`);
+  } else {
+    const list = values[column.name].filter((value) => value !== null);
+    const ends = list.reduce(
+      ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
+      [Infinity, -Infinity],
+    );
+    const step = Math.max(1, Math.floor(list.length / kLooked));
+    for (const value of [...(list.length ? ends : []), ...list.filter((_, i) => i % step === 0)])
+      texts.push(shown(column, value));
+  }
+  const heading = Math.max(...column.label.split(" ").map((word) => text_width(word, 12.5))) + 12;
+  const weight = column.name === "draw" ? 700 : 400;
+  const body = Math.max(0, ...texts.map((text) => text_width(text, 13.5, weight)));
+  return Math.ceil(Math.max(heading, text_width(column.unit, 11.5), body) + kPadding_px);
+}
+
+/** The rows that pass, in an order: what has no value comes last either way, equals keep theirs. */
+export function arranged(candidates, passing, { name, descending }) {
+  const sign = descending ? -1 : 1,
+    order = [];
+  for (let row = 0; row < candidates.count; ++row) if (!passing || passing(row)) order.push(row);
+  if (name === "rank") return descending ? order.reverse() : order;
+  if (name === "draw") {
+    const keys = candidates.columns.draw.map(BigInt);
+    return order.sort((a, b) => sign * (keys[a] < keys[b] ? -1 : keys[a] > keys[b] ? 1 : 0));
+  }
+  const values = candidates.columns[name],
+    none_first = columns.find((column) => column.name === name).none_is_best === descending;
+  return order.sort((a, b) => {
+    const x = values[a] ?? null,
+      y = values[b] ?? null;
+    if (x === null || y === null) {
+      return (none_first ? -1 : 1) * ((x === null) - (y === null)) || a - b;
+    }
+    return sign * (x - y) || a - b;
+  });
+}
 
 /**
- * A grid of the candidates' rows. `order` holds the rows that pass the filter, sorted; `pick(row)`
- * is called when one is chosen.
+ * A grid of the candidates' rows, sorted by state "sort"; state "order" becomes the rows that it
+ * shows, state "picked" the draw of the one that is chosen.
  */
-export function make_table(box, candidates, state) {
-  const longest = candidates.columns.draw.reduce((most, draw) => Math.max(most, draw.length), 0);
-  const present = columns
-    .filter(({ name }) => name === "rank" || candidates.columns[name])
-    .map((column) =>
-      column.name === "draw"
-        ? { ...column, width: Math.max(column.width, 44 + 8.7 * longest) }
-        : column,
-    );
-  const template = present.map((column) => `${column.width}px`).join(" ");
-  let order = [],
-    sorted_by = { name: "rank", descending: false },
-    passing = null;
+class Table {
+  #box;
+  #candidates;
+  #state;
+  #present;
+  #heads;
+  #head;
+  #body = h("div", { role: "rowgroup", class: "body" });
+  #grid;
+  #template;
+  #order = [];
+  #passing = null;
+  #drawn = [-1, -1];
+  #printing = false;
 
-  const heads = present.map((column) => {
+  constructor(box, candidates, state) {
+    [this.#box, this.#candidates, this.#state] = [box, candidates, state];
+    this.#present = columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
+    const widths = this.#present.map((column) => width_of(column, candidates));
+    this.#template = widths.map((width) => `minmax(${width}px, ${width}fr)`).join(" ");
+    this.#build();
+    const width = widths.reduce((total, part) => total + part, 0);
+    this.#body.style.minWidth = this.#head.style.minWidth = `${width}px`;
+    this.#listen();
+  }
+
+  filter(holds) {
+    this.#passing = holds;
+    this.#grid.scrollTop = 0;
+    this.#arrange();
+  }
+
+  #build() {
+    this.#heads = this.#present.map((column) => this.#head_of(column));
+    this.#heads[0].firstChild.tabIndex = 0;
+    this.#head = h(
+      "div",
+      { role: "row", class: "head", style: `grid-template-columns: ${this.#template}` },
+      this.#heads,
+    );
+    this.#grid = h(
+      "div",
+      {
+        role: "grid",
+        class: "table",
+        tabindex: 0,
+        "aria-label": "Candidates. Arrow keys choose a row.",
+        "aria-colcount": this.#present.length,
+        "data-testid": "grid",
+      },
+      h("div", { role: "rowgroup", class: "heads" }, this.#head),
+      this.#body,
+    );
+    const side = (way, words) =>
+      h(
+        "button",
+        {
+          type: "button",
+          class: `side ${way < 0 ? "left" : "right"}`,
+          title: `More columns to the ${way < 0 ? "left" : "right"}`,
+          tabindex: -1,
+          "aria-hidden": "true",
+          onclick: () => this.#grid.scrollBy({ left: way * 0.6 * this.#grid.clientWidth }),
+        },
+        words,
+      );
+    this.#box.append(this.#grid, side(-1, "‹"), side(1, "›"));
+    this.#box.classList.add("table-frame");
+  }
+
+  #head_of(column) {
     const button = h(
       "button",
       {
@@ -54,170 +159,57 @@ export function make_table(box, candidates, state) {
         title: column.about,
         tabindex: -1,
         "data-sort": column.name,
-        onclick: () => sort(column.name),
+        onclick: () => this.#sort(column),
       },
       h("span", {}, column.label),
       h("small", {}, column.unit),
     );
     return h("div", { role: "columnheader", "data-testid": `head-${column.name}` }, button);
-  });
-  heads[0].firstChild.tabIndex = 0;
-  const head = h(
-    "div",
-    { role: "row", class: "head", style: `grid-template-columns: ${template}` },
-    heads,
-  );
-  const body = h("div", { role: "rowgroup", class: "body" });
-  const grid = h(
-    "div",
-    {
-      role: "grid",
-      class: "table",
-      tabindex: 0,
-      "aria-label": "Candidates. Arrow keys choose a row.",
-      "aria-colcount": present.length,
-      "data-testid": "grid",
-    },
-    h("div", { role: "rowgroup", class: "heads" }, head),
-    body,
-  );
-  box.append(grid);
-  const width = present.reduce((total, column) => total + column.width, 0);
-  body.style.minWidth = head.style.minWidth = `${width}px`;
+  }
+
+  #listen() {
+    this.#head.addEventListener("keydown", (event) => this.#step_head(event));
+    this.#grid.addEventListener("keydown", (event) => this.#step_row(event));
+    this.#grid.addEventListener("scroll", () => this.#scrolled(), { passive: true });
+    this.#body.addEventListener("click", (event) => {
+      const line = event.target.closest("[data-draw]");
+      if (line) this.#state.set("picked", line.dataset.draw);
+    });
+    this.#state.on("picked", (picked) => {
+      const place = this.#order.indexOf(this.#candidates.row_of.get(picked));
+      if (place >= 0) this.#reveal(place);
+      this.#draw(true);
+    });
+    this.#state.on("sort", () => this.#arrange());
+    new ResizeObserver(() => {
+      this.#draw(true);
+      this.#scrolled();
+    }).observe(this.#grid);
+    on_print((begins) => {
+      this.#printing = begins;
+      this.#draw(true);
+    });
+  }
 
   // Arrow keys go from header to header; Tab leaves them.
-  head.addEventListener("keydown", (event) => {
+  #step_head(event) {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
-    const at = heads.findIndex((cell) => cell.contains(document.activeElement));
+    const heads = this.#heads,
+      at = heads.findIndex((cell) => cell.contains(document.activeElement));
     const next = heads[Math.max(0, Math.min(heads.length - 1, at + step))].firstChild;
     heads[at].firstChild.tabIndex = -1;
     next.tabIndex = 0;
     next.focus();
     event.preventDefault();
     event.stopPropagation();
-  });
-
-  const value_of = (name, row) => (name === "rank" ? row : (candidates.columns[name][row] ?? null));
-
-  function sort(name) {
-    // Up, down, and back to the program's own order.
-    if (sorted_by.name !== name) sorted_by = { name, descending: false };
-    else if (!sorted_by.descending) sorted_by = { name, descending: true };
-    else sorted_by = { name: "rank", descending: false };
-    arrange();
   }
 
-  function arrange() {
-    const { name, descending } = sorted_by,
-      sign = descending ? -1 : 1;
-    order = [];
-    for (let row = 0; row < candidates.count; ++row) if (!passing || passing(row)) order.push(row);
-    if (name === "draw") {
-      const keys = candidates.columns.draw.map(BigInt);
-      order.sort((a, b) => sign * (keys[a] < keys[b] ? -1 : keys[a] > keys[b] ? 1 : 0) || a - b);
-    } else if (name !== "rank" || descending) {
-      // What has no value comes last either way; equals keep the program's order.
-      order.sort((a, b) => {
-        const x = value_of(name, a),
-          y = value_of(name, b);
-        if (x === null || y === null) return (x === null) - (y === null) || a - b;
-        return sign * (x - y) || a - b;
-      });
-    }
-    for (const [i, column] of present.entries()) {
-      const on = column.name === name;
-      heads[i].setAttribute("aria-sort", on ? (descending ? "descending" : "ascending") : "none");
-    }
-    grid.setAttribute("aria-rowcount", order.length + 1);
-    body.style.height = `${order.length * kRow_px}px`;
-    state.set("order", order);
-    draw(true);
-  }
-
-  let from = -1,
-    to = -1,
-    printing = false;
-  function in_view() {
-    if (printing) return [0, Math.min(order.length, kPrinted)];
-    return [
-      Math.max(0, Math.floor(grid.scrollTop / kRow_px) - kSpare),
-      Math.min(
-        order.length,
-        Math.ceil((grid.scrollTop + grid.clientHeight) / kRow_px) + kSpare,
-      ),
-    ];
-  }
-  function draw(anew = false) {
-    const [first, last] = in_view();
-    if (!anew && first === from && last === to) return;
-    [from, to] = [first, last];
-    const picked = candidates.row_of.get(state.get("picked"));
-    body.replaceChildren(
-      ...order.slice(first, last).map((row, i) => row_node(row, first + i, row === picked)),
-    );
-    if (order.length === 0)
-      body.append(h("p", { class: "empty" }, "No candidate meets these conditions."));
-    const at = order.indexOf(picked);
-    if (picked !== undefined && at >= first && at < last)
-      grid.setAttribute("aria-activedescendant", `row-${row_id(picked)}`);
-    else grid.removeAttribute("aria-activedescendant");
-  }
-
-  const row_id = (row) => candidates.columns.draw[row];
-
-  function row_node(row, place, picked) {
-    const draw_number = candidates.columns.draw[row],
-      detailed = candidates.detailed.has(draw_number);
-    return h(
-      "div",
-      {
-        role: "row",
-        id: `row-${row_id(row)}`,
-        class: "line",
-        "aria-rowindex": place + 2,
-        "aria-selected": String(picked),
-        "data-draw": draw_number,
-        style: `top: ${place * kRow_px}px; grid-template-columns: ${template}`,
-      },
-      present.map((column) => {
-        if (column.name === "rank") return h("div", { role: "gridcell" }, count(row + 1));
-        if (column.name === "draw") {
-          return h(
-            "div",
-            { role: "rowheader" },
-            detailed
-              ? h("span", { class: "dot", title: "with all details in this report" }, "●\u00a0")
-              : null,
-            draw_number,
-          );
-        }
-        return h(
-          "div",
-          { role: "gridcell" },
-          column.text(value_of(column.name, row)).replace(/ %$/, ""),
-        );
-      }),
-    );
-  }
-
-  function reveal(place) {
-    const top = place * kRow_px,
-      bottom = top + kRow_px,
-      room = grid.clientHeight - head.offsetHeight;
-    if (top < grid.scrollTop) grid.scrollTop = top;
-    else if (bottom > grid.scrollTop + room) grid.scrollTop = bottom - room;
-  }
-
-  grid.addEventListener("scroll", () => draw(), { passive: true });
-  body.addEventListener("click", (event) => {
-    const line = event.target.closest("[data-draw]");
-    if (line) state.set("picked", line.dataset.draw);
-  });
-  grid.addEventListener("keydown", (event) => {
-    if (event.target !== grid || order.length === 0) return;
-    const at = order.indexOf(candidates.row_of.get(state.get("picked")));
-    const page = Math.max(1, Math.floor(grid.clientHeight / kRow_px) - 2);
+  #step_row(event) {
+    const order = this.#order;
+    if (event.target !== this.#grid || order.length === 0) return;
+    const at = order.indexOf(this.#candidates.row_of.get(this.#state.get("picked")));
+    const page = Math.max(1, Math.floor(this.#grid.clientHeight / kRow_px) - 2);
     const next = {
       ArrowDown: at + 1,
       ArrowUp: at < 0 ? 0 : at - 1,
@@ -228,96 +220,116 @@ export function make_table(box, candidates, state) {
     }[event.key];
     if (next === undefined) return;
     const place = Math.max(0, Math.min(order.length - 1, next));
-    state.set("picked", candidates.columns.draw[order[place]]);
+    this.#state.set("picked", this.#candidates.columns.draw[order[place]]);
     event.preventDefault();
-  });
-  state.on("picked", (picked) => {
-    const place = order.indexOf(candidates.row_of.get(picked));
-    if (place >= 0) reveal(place);
-    draw(true);
-  });
-  new ResizeObserver(() => draw(true)).observe(grid);
-  on_print((begins) => {
-    printing = begins;
-    draw(true);
-  });
+  }
 
-  return {
-    filter(holds) {
-      passing = holds;
-      grid.scrollTop = 0;
-      arrange();
-    },
-  };
+  // Best first, then the worst first, then back to the program's own order.
+  #sort({ name, better }) {
+    const best = better === "less" ? name : `-${name}`,
+      worst = better === "less" ? `-${name}` : name,
+      now = this.#state.get("sort") || "rank";
+    this.#state.set("sort", now === best ? worst : now === worst || name === "rank" ? "" : best);
+  }
+
+  #arrange() {
+    const by = order_of(this.#state.get("sort"));
+    this.#order = arranged(this.#candidates, this.#passing, by);
+    for (const [i, column] of this.#present.entries()) {
+      const way = by.descending ? "descending" : "ascending";
+      this.#heads[i].setAttribute("aria-sort", column.name === by.name ? way : "none");
+    }
+    this.#grid.setAttribute("aria-rowcount", this.#order.length + 1);
+    this.#body.style.height = `${this.#order.length * kRow_px}px`;
+    this.#state.set("order", this.#order);
+    this.#draw(true);
+  }
+
+  #in_view() {
+    if (this.#printing) return [0, Math.min(this.#order.length, kPrinted)];
+    const { scrollTop, clientHeight } = this.#grid;
+    return [
+      Math.max(0, Math.floor(scrollTop / kRow_px) - kSpare),
+      Math.min(this.#order.length, Math.ceil((scrollTop + clientHeight) / kRow_px) + kSpare),
+    ];
+  }
+
+  #scrolled() {
+    const { scrollLeft, scrollWidth, clientWidth } = this.#grid;
+    this.#box.classList.toggle("more-left", scrollLeft > 1);
+    this.#box.classList.toggle("more-right", scrollLeft + clientWidth < scrollWidth - 1);
+    this.#draw();
+  }
+
+  #draw(anew = false) {
+    const [first, last] = this.#in_view();
+    if (!anew && first === this.#drawn[0] && last === this.#drawn[1]) return;
+    this.#drawn = [first, last];
+    const picked = this.#candidates.row_of.get(this.#state.get("picked"));
+    this.#body.replaceChildren(
+      ...this.#order
+        .slice(first, last)
+        .map((row, i) => this.#row_node(row, first + i, row === picked)),
+    );
+    if (this.#order.length === 0)
+      this.#body.append(h("p", { class: "empty" }, "No candidate meets these conditions."));
+    const at = this.#order.indexOf(picked);
+    if (picked !== undefined && at >= first && at < last)
+      this.#grid.setAttribute(
+        "aria-activedescendant",
+        `row-${this.#candidates.columns.draw[picked]}`,
+      );
+    else this.#grid.removeAttribute("aria-activedescendant");
+  }
+
+  #row_node(row, place, picked) {
+    const draw = this.#candidates.columns.draw[row];
+    return h(
+      "div",
+      {
+        role: "row",
+        id: `row-${draw}`,
+        class: "line",
+        "aria-rowindex": place + 2,
+        "aria-selected": String(picked),
+        "data-draw": draw,
+        style: `top: ${place * kRow_px}px; grid-template-columns: ${this.#template}`,
+      },
+      this.#present.map((column) => this.#cell(column, row, draw)),
+    );
+  }
+
+  #cell(column, row, draw) {
+    if (column.name === "rank") return h("div", { role: "gridcell" }, count(row + 1));
+    if (column.name === "draw") {
+      const dot = h("span", { class: "dot", title: "with all details in this report" }, "●\u00a0");
+      return h(
+        "div",
+        { role: "rowheader" },
+        this.#candidates.detailed.has(draw) ? dot : null,
+        draw,
+      );
+    }
+    const value = this.#candidates.columns[column.name][row] ?? null,
+      bad = value !== null && column.warns?.(value);
+    return h("div", { role: "gridcell", class: bad ? "bad" : null }, shown(column, value));
+  }
+
+  #reveal(place) {
+    const grid = this.#grid,
+      top = place * kRow_px,
+      bottom = top + kRow_px,
+      room = grid.clientHeight - this.#head.offsetHeight;
+    if (top < grid.scrollTop) grid.scrollTop = top;
+    else if (bottom > grid.scrollTop + room) grid.scrollTop = bottom - room;
+  }
 }
 
-/** The field above the table: reads conditions as they are typed, says what is wrong with them. */
-export function make_filter(candidates, table, parse) {
-  const field = document.getElementById("filter"),
-    says = document.getElementById("filter-says");
-  const read = () => {
-    const text = field.value.trim(),
-      parsed = parse(text, candidates);
-    field.setAttribute("aria-invalid", String(Boolean(parsed.error)));
-    if (parsed.error) {
-      says.textContent = parsed.error;
-      says.className = "error";
-      return; // what was shown before stays, until the conditions can be read
-    }
-    table.filter(text ? parsed.holds : null);
-  };
-  field.addEventListener("input", read);
-  document.getElementById("filter-clear").addEventListener("click", () => {
-    field.value = "";
-    read();
-    field.focus();
-  });
-  const say = (order) => {
-    says.className = "";
-    says.textContent =
-      order.length === candidates.count
-        ? plural(candidates.count, "candidate")
-        : `${count(order.length)} of ${plural(candidates.count, "candidate")}`;
-  };
-  const insert = (text) => {
-    field.value = `${field.value.trim()} ${text}`.trim();
-    read();
-    field.focus();
-  };
-  const example = (text) =>
-    h("button", { type: "button", class: "code", onclick: () => insert(text) }, text);
-  document.getElementById("filter-help").append(
-    h(
-      "p",
-      {},
-      "Conditions side by side must all hold. A name, a comparison (< <= > >= = !=), a number; shares may be written as percentages. ",
-      "Click one to try it: ",
-      example("stroke_max < 5%"),
-      " ",
-      example("deploys_from_deg >= 172"),
-      " ",
-      example("150 <= deploys_from_deg < 175"),
-      " ",
-      example("bump_deg = none"),
-      " ",
-      example("increasing >= 6"),
-      " ",
-      example("details"),
-    ),
-    h(
-      "dl",
-      { class: "columns" },
-      [["draw", "", "Number of the draw."], ...metrics.map((m) => [m.name, m.label, m.about])].map(
-        ([name, label, about]) =>
-          h(
-            "div",
-            {},
-            h("dt", {}, h("code", {}, name), label ? ` ${label}` : ""),
-            h("dd", {}, about),
-          ),
-      ),
-    ),
-  );
-  read();
-  return say;
+export const make_table = (box, candidates, state) => new Table(box, candidates, state);
+
+/** The rows that the table shows, in its order, with all of their columns. */
+export function save_rows(candidates, order, name) {
+  const heads = Object.keys(candidates.columns);
+  const rows = order.map((row) => heads.map((head) => candidates.columns[head][row] ?? null));
+  save_text(csv_text({ heads, rows }), "text/csv", `${name}-candidates.csv`);
 }

@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { open_browser, open_page } from "./browser.mjs";
 import { no_detail_checks, scatter_checks, table_checks } from "./choosing_checks.mjs";
 import { detail_checks } from "./inspecting_checks.mjs";
+import { address_checks, saving_checks } from "./keeping_checks.mjs";
 import { by, check, data_of, eventually, summary } from "./reading.mjs";
 
 const reports = process.argv.slice(2);
@@ -60,6 +61,28 @@ async function report_checks(browser, report) {
         (await by(page, "sample-note").textContent()).includes("1,024"),
         "one draw in 1,024",
       );
+      for (const name of new Set(data.faults.rows.map((row) => row.first_fault))) {
+        if (name === "none") continue;
+        const words = await page
+          .locator("#faults-caption .legend li")
+          .evaluateAll((items) =>
+            items.map((item) => [
+              item.textContent,
+              item.title,
+              getComputedStyle(item.querySelector("i")).backgroundColor,
+            ]),
+          );
+        for (const [short, long, colour] of words) {
+          assert.ok(!/_/.test(short + long) && long.length > short.length, `words for ${short}`);
+          assert.notEqual(colour, "rgba(0, 0, 0, 0)", `a colour for ${short}`);
+        }
+        assert.equal(
+          words.length,
+          new Set(data.faults.rows.map((row) => row.first_fault).filter((one) => one !== "none"))
+            .size,
+          "faults with words",
+        );
+      }
       const bins = new Set(
         data.faults.rows
           .filter((row) => row.fault_deg !== null && row.first_fault !== "none")
@@ -113,6 +136,10 @@ async function report_checks(browser, report) {
     });
   }
   for (const detail of data.details.slice(0, 2)) await detail_checks(page, data, detail);
+  if (report === keeping) {
+    await address_checks(page, data);
+    await saving_checks(page, data);
+  }
 
   await check("light and dark, by the system and by the button", async () => {
     const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -132,30 +159,33 @@ async function report_checks(browser, report) {
     assert.equal(await ground(), dark);
   });
 
-  await check("prints light, wide and long enough for paper, and returns to what it was", async () => {
-    await page.evaluate(() => {
-      window.looks = () => ({
-        theme: document.documentElement.dataset.theme,
-        rows: document.querySelectorAll(".line").length,
-        widths: [...document.querySelectorAll("svg.plot")].map((svg) =>
-          Number(svg.getAttribute("width")),
-        ),
+  await check(
+    "prints light, wide and long enough for paper, and returns to what it was",
+    async () => {
+      await page.evaluate(() => {
+        window.looks = () => ({
+          theme: document.documentElement.dataset.theme,
+          rows: document.querySelectorAll(".line").length,
+          widths: [...document.querySelectorAll("svg.plot")].map((svg) =>
+            Number(svg.getAttribute("width")),
+          ),
+        });
+        addEventListener("beforeprint", () => (window.printed = looks()));
       });
-      addEventListener("beforeprint", () => (window.printed = looks()));
-    });
-    const looks = () => page.evaluate(() => window.looks());
-    const before = await looks();
-    assert.equal(before.theme, "dark");
-    const pdf = await page.pdf();
-    assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
-    const printed = await page.evaluate(() => window.printed);
-    assert.equal(printed.theme, "light");
-    assert.equal(printed.rows, Math.min(shown, 50), "rows on paper");
-    assert.equal(printed.widths.length, before.widths.length);
-    printed.widths.forEach((width, i) => assert.ok(width < before.widths[i], `chart ${i}`));
-    assert.deepEqual(await looks(), before);
-    return `${(pdf.length / 1024).toFixed(0)} KiB`;
-  });
+      const looks = () => page.evaluate(() => window.looks());
+      const before = await looks();
+      assert.equal(before.theme, "dark");
+      const pdf = await page.pdf();
+      assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
+      const printed = await page.evaluate(() => window.printed);
+      assert.equal(printed.theme, "light");
+      assert.equal(printed.rows, Math.min(shown, 50), "rows on paper");
+      assert.equal(printed.widths.length, before.widths.length);
+      printed.widths.forEach((width, i) => assert.ok(width < before.widths[i], `chart ${i}`));
+      assert.deepEqual(await looks(), before);
+      return `${(pdf.length / 1024).toFixed(0)} KiB`;
+    },
+  );
 
   await check("a narrow window needs no sideways scrolling", async () => {
     await page.setViewportSize({ width: 800, height: 900 });
@@ -212,10 +242,10 @@ async function without_webgl(report) {
   await browser.close();
 }
 
+const keeping = reports.find((report) => data_of(report).details.length > 0); // once is enough
 const browser = await open_browser();
 for (const report of reports) await report_checks(browser, report);
 await without_storage(browser, reports[0]);
 await browser.close();
-const detailed = reports.find((report) => data_of(report).details.length > 0);
-if (detailed) await without_webgl(detailed);
+if (keeping) await without_webgl(keeping);
 process.exit(summary() ? 0 : 1);

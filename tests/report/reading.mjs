@@ -74,15 +74,23 @@ export const pixels = (locator) =>
     return { hash, covered, colours: colours.size };
   });
 
-/** The map from values to pixels of an axis, from where its ticks are written. */
-export async function axis(box, which) {
+/** The map from values to pixels of an axis, from where its ticks are written; `of`: Math.log10. */
+export async function axis(box, which, of = (value) => value) {
   const ticks = await box
     .locator(`g[aria-label^="${which}-axis tick label"] text`)
     .evaluateAll((nodes) =>
       nodes.map((node) => {
+        const number_of = (text) => {
+          const power = /^10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/.exec(text);
+          if (!power) return Number(text.replaceAll(",", "").replace("−", "-"));
+          return (
+            10 **
+            Number(power[1].replace(/./g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c) - 1).replace("-1", "-"))
+          );
+        };
         const [, x, y] = /translate\(([-\d.]+),([-\d.]+)\)/.exec(node.getAttribute("transform"));
         return {
-          value: Number(node.textContent.replaceAll(",", "").replace("−", "-")),
+          value: number_of(node.textContent),
           x: Number(x),
           y: Number(y),
         };
@@ -96,7 +104,8 @@ export async function axis(box, which) {
   // The labels stand half a pixel off where the values are.
   return (value) =>
     first[which] +
-    ((value - first.value) * (last[which] - first[which])) / (last.value - first.value);
+    ((of(value) - of(first.value)) * (last[which] - first[which])) /
+      (of(last.value) - of(first.value));
 }
 
 /** A check that begins with no filter, whatever the one before left. */

@@ -1,0 +1,88 @@
+// What is picked, filtered and sorted, in the page's address after the #: a link, a reload or the
+// back button shows it again, also of a page opened from a file.
+
+const kQuiet_ms = 300; // what changes faster than that is one step of the back button
+const kNames = { draw: "picked", filter: "filter", sort: "sort", across: "across", up: "up" };
+
+/** The hash of what differs from how the page begins. */
+function hash_of(state, beginning) {
+  const words = new URLSearchParams();
+  for (const [key, name] of Object.entries(kNames)) {
+    const value = state.get(name);
+    if (value !== null && value !== beginning[name]) words.set(key, value);
+  }
+  return String(words);
+}
+
+/** null where the hash names a section, or nothing that is known here. */
+function read_hash() {
+  const text = location.hash.slice(1);
+  if (text !== "" && !text.includes("=")) return null;
+  return new URLSearchParams(text);
+}
+
+/** Links to sections scroll there, and leave the address to what is picked. */
+function keep_anchors_out() {
+  for (const link of document.querySelectorAll('a[href^="#"]')) {
+    link.addEventListener("click", (event) => {
+      const section = document.getElementById(link.hash.slice(1));
+      if (!section) return;
+      event.preventDefault();
+      section.scrollIntoView();
+      section.tabIndex = -1;
+      section.focus({ preventScroll: true });
+    });
+  }
+}
+
+/**
+ * Sets the state from the address, now and whenever it changes, and the address from the state.
+ * `knows(name, value)` says whether the page has that; `complain(words)` about what it has not,
+ * complain("") when all is well.
+ */
+export function follow_address(state, { knows, complain }) {
+  const names = Object.values(kNames);
+  const beginning = Object.fromEntries(names.map((name) => [name, state.get(name)]));
+  let written = hash_of(state, beginning),
+    picked = state.get("picked"),
+    timer = 0;
+
+  function restore() {
+    const words = read_hash();
+    if (!words) return;
+    const strangers = [];
+    for (const [key, name] of Object.entries(kNames)) {
+      const value = words.get(key);
+      if (value !== null && !knows(name, value)) strangers.push(`${key} ${value}`);
+      else state.set(name, value ?? beginning[name]);
+    }
+    complain(
+      strangers.length
+        ? `The address asks for what is not in this report: ${strangers.join(", ")}.`
+        : "",
+    );
+    clearTimeout(timer);
+    written = hash_of(state, beginning);
+    picked = state.get("picked");
+  }
+
+  function write() {
+    const text = hash_of(state, beginning);
+    if (text === written) return;
+    // Another draw is a step that the back button goes back; a filter or an order goes with it.
+    const way = state.get("picked") === picked ? "replaceState" : "pushState";
+    history[way](null, "", location.href.split("#")[0] + (text ? `#${text}` : ""));
+    [written, picked] = [text, state.get("picked")];
+    complain("");
+  }
+
+  keep_anchors_out();
+  restore();
+  for (const name of names) {
+    state.on(name, () => {
+      clearTimeout(timer);
+      timer = setTimeout(write, kQuiet_ms);
+    });
+  }
+  addEventListener("popstate", restore);
+}

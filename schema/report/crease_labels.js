@@ -1,0 +1,52 @@
+// Where the numbers and names on a crease pattern stand, at any zoom: as large as can be read, and
+// none upon another. What finds no room appears when there is more of it.
+import { text_width } from "./text_size.js";
+
+const kGap_px = 2;
+
+const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
+
+/** Height of the letters, px, where a panel's side is that long. */
+export const label_px = (panel_px) => clamp(0.135 * panel_px, 10.5, 14);
+export const number_px = (panel_px) => clamp(0.15 * panel_px, 11, 17);
+
+// Where else a label may stand, turned from where it would be best.
+const kTurns_deg = [0, 50, -50, 95, -95, 140, -140];
+
+function turned([x, y], deg) {
+  const [c, s] = [Math.cos((deg * Math.PI) / 180), Math.sin((deg * Math.PI) / 180)];
+  return [c * x - s * y, s * x + c * y];
+}
+
+/** Standing off a place in a direction, so far that the letters do not cover it, in px. */
+const stand_off = ([x, y], [half_width, half_height]) => {
+  const reach = Math.abs(x) * (half_width + 5) + Math.abs(y) * (half_height + 6);
+  return [x * reach, y * reach];
+};
+
+/**
+ * Shows those labels that find room, the first ones first. A label: { node, at: [x, y] in the
+ * drawing's units, away: the direction that it best stands off in, or null, size_px, bold }.
+ */
+export function place_labels(labels, view, scale) {
+  const taken = [];
+  const meets = (a) => taken.some((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]);
+  for (const { node, at, away, size_px, bold } of labels) {
+    const half = [text_width(node.textContent, size_px, bold ? 700 : 400) / 2, size_px / 2],
+      [x, y] = view.place(at);
+    const box_at = ([dx, dy]) => [
+      x + dx - half[0] - kGap_px,
+      y + dy - half[1] - kGap_px,
+      x + dx + half[0] + kGap_px,
+      y + dy + half[1] + kGap_px,
+    ];
+    const offsets = away ? kTurns_deg.map((deg) => stand_off(turned(away, deg), half)) : [[0, 0]];
+    const offset = offsets.find((one) => !meets(box_at(one)));
+    node.style.display = offset ? "" : "none";
+    if (!offset) continue;
+    taken.push(box_at(offset));
+    node.setAttribute("x", (at[0] + offset[0] / scale).toFixed(3));
+    node.setAttribute("y", (at[1] + offset[1] / scale).toFixed(3));
+    node.style.fontSize = `${(size_px / scale).toFixed(4)}px`;
+  }
+}

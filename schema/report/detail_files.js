@@ -1,0 +1,59 @@
+// Files of what is shown of a picked draw: the numbers and pictures of its charts.
+import { actuation_rows } from "./actuation.js";
+import { label_of } from "./data.js";
+import { history_rows } from "./histories.js";
+import { add_saving, single } from "./save.js";
+
+/** Vertices of the flat sheet in mm, and what each is shifted by. */
+function flat_rows({ sheet }, { displacements_mm }) {
+  return {
+    heads: ["vertex", "x_mm", "y_mm", "dx_mm", "dy_mm"],
+    rows: sheet.vertices_mm.map(([x, y], k) => {
+      const [dx, dy] = displacements_mm[label_of(k)] ?? [0, 0];
+      return [label_of(k), x + dx, y + dy, dx, dy];
+    }),
+  };
+}
+
+/** Vertices in space at a sample, from the middle of the flat sheet. */
+function folded_rows(decoded, sample) {
+  const { vertex_count, vertices_mm } = decoded,
+    first = sample * vertex_count;
+  return {
+    heads: ["vertex", "x_mm", "y_mm", "z_mm"],
+    rows: Array.from({ length: vertex_count }, (_, k) => [
+      label_of(k),
+      ...Array.from(vertices_mm.subarray(3 * (first + k), 3 * (first + k + 1)), single),
+    ]),
+  };
+}
+
+/** Buttons on every card of a picked draw that holds a picture. */
+export function save_details(report, detail, decoded, state, crease_drawing) {
+  const stem = `${report.campaign.name}-${detail.draw}`;
+  const box_of = (id) => document.getElementById(id),
+    card_of = (id) => box_of(id).closest(".card"),
+    plot_of = (id) => () => box_of(id).querySelector("svg.plot");
+  add_saving(card_of("crease"), {
+    name: `${stem}-crease-pattern`,
+    csv: () => flat_rows(report, detail),
+    svg: () => crease_drawing,
+  });
+  add_saving(card_of("folding"), {
+    name: () => `${stem}-folded-${state.get("pilot_deg")}deg`,
+    csv: () => folded_rows(decoded, state.get("sample")),
+    canvas: () => box_of("folding").querySelector("canvas"),
+  });
+  add_saving(card_of("histories"), {
+    name: `${stem}-diagonals`,
+    csv: () => history_rows(report, decoded),
+    svg: plot_of("histories"),
+  });
+  for (const id of ["energy", "moment", "advantage"]) {
+    add_saving(card_of(id), {
+      name: `${stem}-${id}`,
+      csv: () => actuation_rows(id, decoded),
+      svg: plot_of(id),
+    });
+  }
+}

@@ -1,0 +1,83 @@
+// The field above the table: reads conditions as they are typed, says what is wrong with them.
+import { parse_filter } from "./filter.js";
+import { count, h, plural } from "./format.js";
+import { metrics } from "./metrics.js";
+
+const kExamples = [
+  "stroke_max < 5%",
+  "deploys_from_deg >= 172",
+  "150 <= deploys_from_deg < 175",
+  "slope_between_min_mm_per_deg > 0",
+  "bump_deg = none",
+  "increasing >= 6",
+  "details",
+];
+
+function help(insert) {
+  const example = (text) => [
+    h("button", { type: "button", class: "code", onclick: () => insert(text) }, text),
+    " ",
+  ];
+  const entries = [
+    ["draw", "", "Number of the draw."],
+    ...metrics.map(({ name, label, about }) => [name, label, about]),
+  ];
+  return [
+    h(
+      "p",
+      {},
+      "Conditions side by side must all hold. A name, a comparison (< <= > >= = !=), a number; shares may be written as percentages. ",
+      "Click one to try it: ",
+      kExamples.flatMap(example),
+    ),
+    h(
+      "dl",
+      { class: "columns" },
+      entries.map(([name, label, about]) =>
+        h(
+          "div",
+          {},
+          h("dt", {}, h("code", {}, name), label ? ` ${label}` : ""),
+          h("dd", {}, about),
+        ),
+      ),
+    ),
+  ];
+}
+
+/** State "filter" is the text; what cannot be read changes nothing of what is shown. */
+export function make_filter_field(candidates, table, state) {
+  const field = document.getElementById("filter"),
+    says = document.getElementById("filter-says");
+  const read = (typed) => {
+    const text = typed.trim(),
+      parsed = parse_filter(text, candidates);
+    if (field.value.trim() !== text) field.value = typed;
+    field.setAttribute("aria-invalid", String(Boolean(parsed.error)));
+    if (parsed.error) {
+      says.textContent = parsed.error;
+      says.className = "error";
+      return; // what was shown before stays, until the conditions can be read
+    }
+    table.filter(text ? parsed.holds : null);
+  };
+  const insert = (text) => {
+    state.set("filter", `${field.value.trim()} ${text}`.trim());
+    field.focus();
+  };
+  field.addEventListener("input", () => state.set("filter", field.value));
+  document.getElementById("filter-clear").addEventListener("click", () => {
+    state.set("filter", "");
+    field.focus();
+  });
+  document.getElementById("filter-help").append(...help(insert));
+  state.on("filter", read);
+  state.on("order", (order) => {
+    says.className = "";
+    says.textContent =
+      order.length === candidates.count
+        ? plural(candidates.count, "candidate")
+        : `${count(order.length)} of ${plural(candidates.count, "candidate")}`;
+  });
+  read(state.get("filter"));
+}

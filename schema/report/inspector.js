@@ -1,0 +1,138 @@
+// The picked draw: everything that is known of it, and the views that move together.
+import { make_actuation, show_actuation_words } from "./actuation.js";
+import {
+  show_commands,
+  show_metrics,
+  show_no_details,
+  show_shifts,
+  verdict_words,
+} from "./candidate.js";
+import { show_when_wide } from "./chart.js";
+import { make_crease_pattern } from "./crease_pattern.js";
+import { decode_detail, last_sample_up_to } from "./data.js";
+import { save_details } from "./detail_files.js";
+import { make_folding_view } from "./folding_view.js";
+import { count, degrees } from "./format.js";
+import { make_diagonal_list, make_histories } from "./histories.js";
+import { metric_of, with_unit } from "./metrics.js";
+import { make_pilot } from "./pilot.js";
+
+const by_id = (id) => document.getElementById(id);
+const kFirstPilot_deg = 80; // a pose that shows the fold well
+
+/** Everything about one draw; its parts are made anew whenever another one is picked. */
+export class Inspector {
+  #report;
+  #candidates;
+  #state;
+  #end_deg;
+  #views = null; // what all draws share: slider, crease pattern, folding
+  #parts = [];
+  #charts = new Map(); // box → { chart, redraw }: each box is watched once
+
+  constructor(report, candidates, state) {
+    [this.#report, this.#candidates, this.#state] = [report, candidates, state];
+    this.#end_deg = report.campaign.configuration.path.end_deg;
+    state.on("sample", () => this.#parts.forEach((part) => part.move?.()));
+    state.on("diagonal", (d) => this.#parts.forEach((part) => part.mark?.(d)));
+  }
+
+  show(draw) {
+    const report = this.#report,
+      detail = report.details.find((entry) => entry.draw === draw),
+      row = this.#candidates.row_of.get(draw),
+      values = detail ? detail.metrics : this.#row_values(row);
+    by_id("picked-title").textContent =
+      `Draw ${draw}` + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
+    by_id("picked-words").textContent = detail
+      ? verdict_words(detail)
+      : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${with_unit(metric_of.slope_min_mm_per_deg, values.slope_min_mm_per_deg)}.`;
+    by_id("views").hidden = !detail;
+    by_id("no-details").hidden = Boolean(detail);
+    by_id("shifts-card").hidden = !detail;
+    this.#parts = [];
+    if (detail) this.#show_detail(detail);
+    else {
+      this.#state.set("playing", false);
+      this.#state.set("pilot_deg", null);
+      show_no_details(by_id("no-details"), report, draw, this.#state);
+    }
+    const known = { ...values, ...this.#row_only(row, values) };
+    show_metrics(by_id("metrics"), Object.keys(known).length ? known : null, this.#candidates);
+    show_commands(by_id("commands"), report, draw, this.#state);
+  }
+
+  #row_values(row) {
+    if (row === undefined) return null;
+    const columns = Object.entries(this.#candidates.columns);
+    return Object.fromEntries(columns.map(([name, column]) => [name, column[row]]));
+  }
+
+  /** What only the catalogue knows of it, such as how well it bears miscuts. */
+  #row_only(row, values) {
+    const all = this.#row_values(row);
+    return Object.fromEntries(
+      Object.entries(all ?? {}).filter(([name]) => values?.[name] === undefined),
+    );
+  }
+
+  #place_chart(box, chart) {
+    const known = this.#charts.get(box);
+    if (known) {
+      known.chart = chart;
+      return known.redraw();
+    }
+    const entry = { chart, redraw: null };
+    this.#charts.set(box, entry);
+    entry.redraw = show_when_wide(box, (width) => entry.chart.draw(width));
+  }
+
+  #shared_views() {
+    const report = this.#report,
+      state = this.#state;
+    return (this.#views ??= {
+      pilot: make_pilot(by_id("pilot-bar"), state),
+      folding: make_folding_view(by_id("folding"), by_id("folding-caption"), report, state),
+      crease: make_crease_pattern(by_id("crease"), by_id("crease-caption"), report, state),
+    });
+  }
+
+  #show_detail(detail) {
+    const report = this.#report,
+      state = this.#state,
+      decoded = decode_detail(detail, report);
+    state.set("playing", false);
+    state.set("diagonal", null);
+    // The same pilot angle as for the draw before, so that two can be compared.
+    state.set(
+      "sample",
+      last_sample_up_to(decoded.pilot_deg, state.get("pilot_deg") ?? kFirstPilot_deg),
+    );
+    state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]);
+    const { pilot, folding, crease } = this.#shared_views();
+    crease.load(detail, decoded);
+    const list = make_diagonal_list(by_id("diagonals"), report, detail, decoded, state);
+    const along = { state, detail, decoded, end_deg: this.#end_deg };
+    const histories = make_histories(by_id("histories-caption"), report, along);
+    this.#place_chart(by_id("histories"), histories);
+    const actuation = make_actuation(report, along, ({ box, chart }) =>
+      this.#place_chart(box, chart),
+    );
+    for (const { box, chart } of actuation) this.#place_chart(box, chart);
+    pilot.load(detail, decoded);
+    folding.load(decoded);
+    show_actuation_words(by_id("actuation"), report, detail, decoded);
+    show_shifts(by_id("shifts"), detail, state);
+    save_details(report, detail, decoded, state, crease.drawing);
+    this.#parts = [
+      { move: () => folding.pose(state.get("sample")), mark: folding.mark },
+      { mark: (d) => crease.mark(d) },
+      list,
+      histories,
+      pilot,
+      { move: () => actuation.forEach(({ chart }) => chart.move()) },
+      { move: () => state.set("pilot_deg", decoded.pilot_deg[state.get("sample")]) },
+    ];
+    list.move();
+  }
+}

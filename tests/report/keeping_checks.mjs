@@ -1,0 +1,198 @@
+// What a reader keeps of a page: its address, and files of what it shows.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { by, check, eventually, floats, state } from "./reading.mjs";
+
+const address = (page) => page.evaluate(() => location.hash.slice(1));
+const address_has = (page, words) =>
+  eventually(
+    page,
+    { test: (wanted) => location.hash.includes(wanted), with: words },
+    `the address has no ${words}`,
+  );
+const picked_is = (page, draw) =>
+  eventually(
+    page,
+    { test: (wanted) => misalign.picked === wanted, with: draw },
+    `not draw ${draw}`,
+  );
+
+export async function address_checks(page, data) {
+  const { columns } = data.candidates,
+    [first, second] = [columns.draw.at(-1), columns.draw.at(-2)];
+  const limit = [...columns.stroke_max].sort((a, b) => a - b)[Math.floor(columns.draw.length / 2)];
+
+  await check("pick, filter and order are in the address, and a reload shows them", async () => {
+    await by(page, "head-stroke_min").locator("button").click();
+    await by(page, "scatter-y").selectOption("stretch_sq_mm2");
+    await by(page, "filter").fill(`draw = ${first}`);
+    await by(page, "grid").locator(".line").first().click();
+    await by(page, "filter").fill(`stroke_max < ${limit}`);
+    await address_has(page, "stroke_max");
+    const words = new URLSearchParams(await address(page)),
+      { filtered } = await state(page);
+    assert.deepEqual(Object.fromEntries(words), {
+      draw: first,
+      filter: `stroke_max < ${limit}`,
+      sort: "-stroke_min",
+      up: "stretch_sq_mm2",
+    });
+    await page.reload();
+    await page.waitForFunction(() => window.misalign !== undefined);
+    assert.deepEqual(
+      [(await state(page)).picked, (await state(page)).filtered],
+      [first, filtered],
+      "after a reload",
+    );
+    assert.equal(await by(page, "filter").inputValue(), `stroke_max < ${limit}`);
+    assert.equal(await by(page, "head-stroke_min").getAttribute("aria-sort"), "descending");
+    assert.equal(await by(page, "scatter-y").inputValue(), "stretch_sq_mm2");
+  });
+
+  await check("the back button goes back from pick to pick, and forward again", async () => {
+    await by(page, "filter").fill(`draw = ${second}`);
+    await by(page, "grid").locator(".line").first().click();
+    await address_has(page, `draw=${second}`);
+    await page.goBack();
+    await picked_is(page, first);
+    assert.equal(await by(page, "filter").inputValue(), `stroke_max < ${limit}`);
+    await page.goForward();
+    await picked_is(page, second);
+    assert.equal(await by(page, "filter").inputValue(), `draw = ${second}`);
+  });
+
+  await check("sections are gone to without losing the address", async () => {
+    const before = await address(page);
+    await page.locator("nav a").first().click();
+    assert.ok(
+      await page.locator("#overview").evaluate((node) => node.getBoundingClientRect().top < 200),
+    );
+    assert.equal(await address(page), before);
+  });
+
+  await check("an address of what is not here is said, and changes nothing else", async () => {
+    await page.evaluate(
+      () => (location.hash = "draw=999999999999999999&sort=nonsense&filter=details"),
+    );
+    await by(page, "address-says").waitFor();
+    const words = await by(page, "address-says").textContent();
+    assert.match(words, /draw 999999999999999999, sort nonsense/);
+    assert.equal(await by(page, "filter").inputValue(), "details");
+    await page.evaluate(() => (location.hash = ""));
+    await picked_is(page, data.details[0].draw);
+    assert.ok(!(await by(page, "address-says").isVisible()));
+    assert.equal(await by(page, "filter").inputValue(), "");
+  });
+}
+
+/** What a button of a card saves: its name and bytes. */
+async function saved(page, box, kind) {
+  const card = page.locator(".card").filter({ has: by(page, box) });
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    card.getByTestId(`save-${kind}`).click(),
+  ]);
+  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+/** Rows of a CSV file without quotes in it. */
+const rows_of = (bytes) =>
+  bytes
+    .toString()
+    .trim()
+    .split("\r\n")
+    .map((line) => line.split(","));
+
+/** How many colours a picture has, drawn by the browser as it draws any picture. */
+const colours_of = (page, bytes, type) =>
+  page.evaluate(
+    async ([data, type]) => {
+      const image = new Image();
+      image.src = `data:${type};base64,${data}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement("canvas"), {
+        width: image.naturalWidth,
+        height: image.naturalHeight,
+      });
+      const pen = canvas.getContext("2d");
+      pen.drawImage(image, 0, 0);
+      const { data: points } = pen.getImageData(0, 0, canvas.width, canvas.height),
+        colours = new Set();
+      for (let i = 0; i < points.length; i += 4)
+        colours.add((points[i] << 16) | (points[i + 1] << 8) | points[i + 2]);
+      return { width: canvas.width, colours: colours.size };
+    },
+    [bytes.toString("base64"), type],
+  );
+
+export async function saving_checks(page, data) {
+  const [detail] = data.details,
+    stem = `${data.campaign.name}-${detail.draw}`;
+  await by(page, "detailed").selectOption(detail.draw);
+
+  await check("charts are saved as the numbers in them", async () => {
+    const lengths = floats(detail.length_mm),
+      count = data.diagonals.length,
+      k = Math.floor(detail.pilot_deg.length / 2);
+    const histories = await saved(page, "histories", "csv");
+    assert.equal(histories.name, `${stem}-diagonals.csv`);
+    const [heads, ...rows] = rows_of(histories.bytes);
+    assert.equal(rows.length, detail.pilot_deg.length);
+    data.diagonals.forEach(({ from, to }, d) => {
+      assert.equal(heads[2 + d], `relative_length_${d}_${from}-${to}`);
+      const wanted = lengths[k * count + d] / lengths[d];
+      assert.ok(Math.abs(Number(rows[k][2 + d]) - wanted) < 1e-6, heads[2 + d]);
+    });
+    for (const [id, column, values] of [
+      ["energy", "energy_n_mm", floats(detail.energy_n_mm)],
+      ["moment", "moment_n_mm", floats(detail.moment_n_mm)],
+    ]) {
+      const [heads, ...rows] = rows_of((await saved(page, id, "csv")).bytes);
+      assert.deepEqual(heads, ["pilot_deg", "deployment_ratio", column]);
+      assert.equal(Number(rows[k][0]), detail.pilot_deg[k]);
+      assert.ok(Math.abs(Number(rows[k][2]) - values[k]) <= 1e-6 * Math.abs(values[k]), id);
+    }
+    if (data.faults.rows.length) {
+      const [heads, ...rows] = rows_of((await saved(page, "survival", "csv")).bytes);
+      assert.deepEqual(heads, ["pilot_deg", "share_without_fault", "low_95", "high_95"]);
+      for (const [, share, low, high] of rows.map((row) => row.map(Number)))
+        assert.ok(low <= share && share <= high, `${low} ${share} ${high}`);
+    }
+  });
+
+  await check("the table is saved as it is filtered and sorted", async () => {
+    const { columns } = data.candidates,
+      limit = columns.stroke_max[0];
+    await by(page, "filter").fill(`stroke_max <= ${limit}`);
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      by(page, "rows-save").click(),
+    ]);
+    const [heads, ...rows] = rows_of(await readFile(await download.path()));
+    const wanted = columns.draw.filter((_, i) => columns.stroke_max[i] <= limit);
+    assert.deepEqual(
+      rows.map((row) => row[heads.indexOf("draw")]),
+      wanted,
+    );
+    assert.equal(Number(rows[0][heads.indexOf("stroke_min")]), columns.stroke_min[0]);
+    await by(page, "filter").fill("");
+  });
+
+  await check("charts are saved as pictures", async () => {
+    for (const id of ["histories", "moment", "crease-pattern", "scatter"]) {
+      const png = await saved(page, id, "png");
+      assert.equal(png.bytes.subarray(1, 4).toString(), "PNG", id);
+      const picture = await colours_of(page, png.bytes, "image/png");
+      assert.ok(picture.width > 600 && picture.colours > 20, `${id}: ${JSON.stringify(picture)}`);
+      const svg = await saved(page, id, "svg"),
+        text = svg.bytes.toString();
+      assert.ok(!/var\(--|class=|href="http/.test(text), `${id}: needs a style sheet`);
+      const drawn = await colours_of(page, svg.bytes, "image/svg+xml");
+      assert.ok(drawn.colours > 10, `${id}: ${drawn.colours} colours of the SVG`);
+    }
+    const folding = await saved(page, "folding", "png");
+    const { pilot_deg } = await state(page);
+    assert.equal(folding.name, `${stem}-folded-${pilot_deg}deg.png`);
+    assert.ok((await colours_of(page, folding.bytes, "image/png")).colours > 4);
+  });
+}
