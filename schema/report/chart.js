@@ -44,7 +44,8 @@ export function plot_with_room(options) {
   return room > options.marginLeft ? Plot.plot({ ...options, marginLeft: room }) : plot;
 }
 
-const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180];
+const kPilotTicks_deg = [0, 30, 60, 90, 120, 150, 180],
+  kRatioTicks = Array.from({ length: 11 }, (_, i) => i / 10);
 export const deployment = (pilot_deg) => (180 - pilot_deg) / 180;
 
 const band = (from_deg, to_deg, fill) =>
@@ -98,11 +99,15 @@ function limit_marks(detail, end_deg, room) {
 }
 
 const folding_axes = (end_deg) => [
-  Plot.axisX({
-    label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)",
-    labelAnchor: "center",
-    labelArrow: "none",
-  }),
+  Plot.axisX(
+    kRatioTicks.filter((ratio) => ratio >= deployment(end_deg)),
+    {
+      label: "deployment ratio D* = (180° − pilot)/180°   (0 folded, 1 flat)",
+      labelAnchor: "center",
+      labelArrow: "none",
+      tickFormat: (ratio) => ratio.toFixed(1),
+    },
+  ),
   Plot.axisX(kPilotTicks_deg.filter((deg) => deg <= end_deg).map(deployment), {
     anchor: "top",
     label: "pilot fold angle",

@@ -24,29 +24,37 @@ const stand_off = ([x, y], [half_width, half_height]) => {
   return [x * reach, y * reach];
 };
 
+/** Where a label may stand: places, each with what it stands off there in px. */
+function spots({ places, away }, half) {
+  if (!away) return places.map((at) => ({ at, offset: [0, 0] }));
+  return places.flatMap((at) =>
+    kTurns_deg.map((deg) => ({ at, offset: stand_off(turned(away, deg), half) })),
+  );
+}
+
 /**
- * Shows those labels that find room, the first ones first. A label: { node, at: [x, y] in the
- * drawing's units, away: the direction that it best stands off in, or null, size_px, bold }.
+ * Shows those labels that find room, the first ones first. A label: { node, places: [[x, y]…] in
+ * the drawing's units, the best first, away: the direction that it best stands off in, or null,
+ * size_px, bold }.
  */
 export function place_labels(labels, view, scale) {
   const taken = [];
   const meets = (a) => taken.some((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]);
-  for (const { node, at, away, size_px, bold } of labels) {
-    const half = [text_width(node.textContent, size_px, bold ? 700 : 400) / 2, size_px / 2],
-      [x, y] = view.place(at);
-    const box_at = ([dx, dy]) => [
-      x + dx - half[0] - kGap_px,
-      y + dy - half[1] - kGap_px,
-      x + dx + half[0] + kGap_px,
-      y + dy + half[1] + kGap_px,
-    ];
-    const offsets = away ? kTurns_deg.map((deg) => stand_off(turned(away, deg), half)) : [[0, 0]];
-    const offset = offsets.find((one) => !meets(box_at(one)));
-    node.style.display = offset ? "" : "none";
-    if (!offset) continue;
-    taken.push(box_at(offset));
-    node.setAttribute("x", (at[0] + offset[0] / scale).toFixed(3));
-    node.setAttribute("y", (at[1] + offset[1] / scale).toFixed(3));
+  for (const label of labels) {
+    const { node, size_px, bold } = label;
+    const half = [text_width(node.textContent, size_px, bold ? 700 : 400) / 2, size_px / 2];
+    const box_at = ({ at, offset }) => {
+      const [x, y] = view.place(at).map((px, i) => px + offset[i]),
+        [wide, high] = half.map((side) => side + kGap_px);
+      return [x - wide, y - high, x + wide, y + high];
+    };
+    const spot = spots(label, half).find((one) => !meets(box_at(one)));
+    node.style.display = spot ? "" : "none";
+    if (!spot) continue;
+    taken.push(box_at(spot));
+    ["x", "y"].forEach((name, i) =>
+      node.setAttribute(name, (spot.at[i] + spot.offset[i] / scale).toFixed(3)),
+    );
     node.style.fontSize = `${(size_px / scale).toFixed(4)}px`;
   }
 }

@@ -3,12 +3,13 @@
 import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
 import { h } from "./format.js";
-import { line, panel_size_mm, polygon, sheet_extent, sheet_svg } from "./sheet.js";
+import { line, panel_size_mm, polygon, sheet_extent, sheet_svg, view_height } from "./sheet.js";
 import { ZoomedView } from "./zoomed_view.js";
 
-const kMost_px = 570, // height beside the folding, which is as high
-  kMostWide_px = 1000,
+const kMostWide_px = 1000,
   kLeastPanel_px = 45; // where panels would be smaller, the drawing takes the whole width
+
+const kNumberAt = [0.27, 0.2, 0.35, 0.73, 0.8]; // along the diagonal
 
 const kLegend = [
   ["mountain", "mountain"],
@@ -190,8 +191,8 @@ class CreasePattern {
     group.addEventListener("pointerleave", () => this.#state.set("diagonal", null));
     this.#svg.append(group);
     // Numbers stand off the crossing, each towards the end where its diagonal begins.
-    const on_it = [a[0] + 0.27 * (b[0] - a[0]), -(a[1] + 0.27 * (b[1] - a[1]))];
-    this.#labels.push({ node: number, at: on_it, away: null, bold: true });
+    const places = kNumberAt.map((t) => [a[0] + t * (b[0] - a[0]), -(a[1] + t * (b[1] - a[1]))]);
+    this.#labels.push({ node: number, places, away: null, bold: true });
     return group;
   }
 
@@ -206,7 +207,7 @@ class CreasePattern {
     this.#svg.append(arrow, label);
     // Opposite the arrow, so that neither covers the other.
     const away = [-shift[0] / length, shift[1] / length];
-    this.#labels.push({ node: label, at: [at[k][0], -at[k][1]], away });
+    this.#labels.push({ node: label, places: [[at[k][0], -at[k][1]]], away });
   }
 
   /** Strokes and letters for a scale in px a mm: between those of a small and of a large panel. */
@@ -247,13 +248,13 @@ class CreasePattern {
     const whole = sheet_extent(this.#report.sheet.vertices_mm, 0.32 * this.#size_mm);
     if (this.#width_px === 0 && this.#wide === null) {
       this.#width_px = width;
-      const scale = Math.min(width / whole.width, kMost_px / whole.height);
+      const scale = Math.min(width / whole.width, view_height(width) / whole.height);
       return this.#set_wide(this.#size_mm * scale < kLeastPanel_px, false);
     }
     this.#width_px = width;
     const height = this.#is_wide()
       ? Math.min((width * whole.height) / whole.width, kMostWide_px)
-      : Math.min(0.9 * width, kMost_px);
+      : view_height(width);
     this.#svg.style.height = `${Math.round(height)}px`;
     this.#view.resize(width, Math.round(height));
   }

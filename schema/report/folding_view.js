@@ -4,6 +4,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h } from "./format.js";
 import { painter_pen } from "./painter_pen.js";
+import { view_height } from "./sheet.js";
 import { on_theme } from "./theme.js";
 import { webgl_pen } from "./webgl_pen.js";
 
@@ -186,7 +187,7 @@ export function make_folding_view(box, caption, report, state) {
     if (!now || now === width) return;
     const first = width === 0;
     width = now;
-    height = Math.round(Math.min(0.9 * width, 570));
+    height = view_height(width);
     canvas.style.height = `${height}px`;
     pen.resize(width, height);
     camera.aspect = width / height;

@@ -4,11 +4,15 @@ import { h } from "./format.js";
 /** y points up on the sheet and down on the screen. */
 export const place = ([x, y]) => `${x.toFixed(2)},${(-y).toFixed(2)}`;
 
-/** Typical length of a panel's side, to size text and strokes by. */
+/** Length of a panel's shorter side, to size text and strokes by. */
 export function panel_size_mm({ vertices_mm, panels }) {
-  const [a, b] = panels[0];
-  return Math.hypot(vertices_mm[a][0] - vertices_mm[b][0], vertices_mm[a][1] - vertices_mm[b][1]);
+  const corners = panels[0].map((k) => vertices_mm[k]);
+  const side = (i) => Math.hypot(...[0, 1].map((xy) => corners[i][xy] - corners[i + 1][xy]));
+  return Math.min(side(0), side(1));
 }
+
+/** Height in px of a view of the sheet in a card of that width. */
+export const view_height = (width) => Math.round(Math.min(0.9 * width, Math.max(570, 0.7 * width)));
 
 /** What the sheet takes with a margin, y downwards. */
 export function sheet_extent(vertices_mm, margin_mm) {

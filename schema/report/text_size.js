@@ -1,10 +1,11 @@
 // How wide texts are, before they are in the document.
 
 const pen = document.createElement("canvas").getContext("2d");
+let family = null;
 
 /** Width in px of a text of the page's own letters. */
 export function text_width(text, size_px, weight = 400) {
-  const family = getComputedStyle(document.body).fontFamily;
+  family ??= getComputedStyle(document.body).fontFamily;
   pen.font = `${weight} ${size_px}px ${family}`;
   return pen.measureText(text).width;
 }
