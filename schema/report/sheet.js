@@ -12,7 +12,8 @@ export function panel_size_mm({ vertices_mm, panels }) {
 }
 
 /** Height in px of a view of the sheet in a card of that width. */
-export const view_height = (width) => Math.round(Math.min(0.9 * width, Math.max(570, 0.7 * width)));
+export const view_height = (width) =>
+  Math.round(Math.min(0.9 * width, Math.max(570, Math.min(0.7 * width, 720))));
 
 /** What the sheet takes with a margin, y downwards. */
 export function sheet_extent(vertices_mm, margin_mm) {

@@ -6,7 +6,7 @@ import { pathToFileURL } from "node:url";
 // By require, which also looks along NODE_PATH: the packages may lie in a build directory.
 const { chromium } = createRequire(import.meta.url)("playwright-core");
 
-export function open_browser(more = []) {
+export function open_browser(more = [], options = {}) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
     args: [
@@ -17,6 +17,7 @@ export function open_browser(more = []) {
       "--disable-gpu-compositing", // WebGL alone in software: the page itself is drawn faster without
       ...more,
     ],
+    ...options,
   });
 }
 

@@ -76,7 +76,7 @@ refuse 2 "--by strok: is no column" --best 2 --by strok
 refuse 2 "excludes" --best 2 --diverse 2
 "$program" report none.db --best 3 --output none-best.html > /dev/null || fail "--best where there is none"
 
-node "$web/page_test.mjs" few.html none.html many.html none.html many.html || fail "the pages in a browser"
+node "$web/page_test.mjs" few.html none.html many.html || fail "the pages in a browser"
 
 "$program" report few.db --output nowhere/few.html > /dev/null 2> err
 [ $? = 1 ] || fail "report into a directory that is not there"
