@@ -114,6 +114,7 @@ export async function detail_checks(page, data, detail, webgl = true) {
     assert.ok(width < 0.3 * Number(whole.split(" ")[2]), `four steps nearer: ${width}`);
     await legible("near");
     const near = await box();
+    await drawing.evaluate((svg) => svg.scrollIntoView({ block: "center" }));
     const { x, y, width: w, height: h } = await drawing.boundingBox();
     await page.mouse.move(x + w / 2, y + h / 2);
     await page.mouse.down();
