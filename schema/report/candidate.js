@@ -1,6 +1,6 @@
 // What is known about the picked draw in numbers and words, and the commands that go on from it.
 import { ends_of } from "./data.js";
-import { dashed, degrees, fault_words, fixed, h, plural } from "./format.js";
+import { count, dashed, degrees, fault_words, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 
 async function copy(text, button, state) {
@@ -190,6 +190,17 @@ export function show_metrics(box, values, candidates) {
         )
       : "",
   );
+}
+
+/** What `misalign tolerance` found of it, for each amplitude that was tried. */
+export function show_yields(box, report, draw) {
+  const tried = (report.yields ?? []).filter((entry) => entry.draw === draw);
+  const words = ({ amplitude_mm, trials, survivors, undecided, share_low, share_high }) =>
+    `At ±${amplitude_mm} mm ${count(survivors)} of ${plural(trials, "miscut copy", "miscut copies")} still deploy ` +
+    `(95 %: ${percent(share_low)} – ${percent(share_high)})` +
+    (undecided ? `; ${count(undecided)} undecided.` : ".");
+  box.hidden = tried.length === 0;
+  box.replaceChildren(...tried.map((entry) => h("p", {}, words(entry))));
 }
 
 export function show_shifts(box, detail, state) {

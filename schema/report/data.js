@@ -25,12 +25,19 @@ export function read_report() {
   return report;
 }
 
+// Columns that are left out where no row has a value: of what was not tried, or not yet known of.
+const kMayBeUnknown = new Set(["miscut_margin_mm", "yield", "yield_low", "yield_amplitude_mm"]);
+
 /**
  * The candidates' table as columns, each with one value a row; `row_of` finds a draw's row. Draws
  * stay strings: they may exceed what a number holds exactly.
  */
 export function read_candidates(report) {
-  const columns = { ...report.candidates.columns };
+  const columns = Object.fromEntries(
+    Object.entries(report.candidates.columns).filter(
+      ([name, values]) => !kMayBeUnknown.has(name) || values.some((value) => value !== null),
+    ),
+  );
   columns.draw ??= [];
   // The springs of this report, folded to D: no column of the catalogue, which knows no stiffness.
   columns.energy_n_mm = columns.stretch_sq_mm2?.map((sum) =>

@@ -5,6 +5,7 @@ import {
   show_metrics,
   show_no_details,
   show_shifts,
+  show_yields,
   verdict_words,
 } from "./candidate.js";
 import { show_when_wide } from "./chart.js";
@@ -19,6 +20,11 @@ import { make_pilot } from "./pilot.js";
 
 const by_id = (id) => document.getElementById(id);
 const kFirstPilot_deg = 80; // a pose that shows the fold well
+
+function margin_words(values) {
+  const name = values.miscut_margin_mm ? "miscut_margin_mm" : "slope_min_mm_per_deg";
+  return with_unit(metric_of[name], values[name]);
+}
 
 /** Everything about one draw; its parts are made anew whenever another one is picked. */
 export class Inspector {
@@ -46,7 +52,7 @@ export class Inspector {
       `Draw ${draw}` + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
     by_id("picked-words").textContent = detail
       ? verdict_words(detail)
-      : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${with_unit(metric_of.slope_min_mm_per_deg, values.slope_min_mm_per_deg)}.`;
+      : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${margin_words(values)}.`;
     by_id("views").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
     by_id("shifts-card").hidden = !detail;
@@ -59,6 +65,7 @@ export class Inspector {
     }
     const known = { ...values, ...this.#row_only(row, values) };
     show_metrics(by_id("metrics"), Object.keys(known).length ? known : null, this.#candidates);
+    show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);
   }
 

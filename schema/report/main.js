@@ -27,6 +27,11 @@ function chosen_words({ chosen, details }) {
   return `: ${[asked, rest].filter(Boolean).join(", and ")}`;
 }
 
+/** The program's own order; catalogues know more or less of a margin. */
+const order_words = ({ columns }) =>
+  (columns.goes_back ? "those that go back nowhere before those that do, " : "") +
+  `the deepest D, then the largest ${columns.miscut_margin_mm ? "margin against miscuts" : "margin"}`;
+
 function show_candidates(report, candidates, state) {
   const { total, shown } = report.candidates,
     { deploys_from_deg } = report.campaign.configuration.accept;
@@ -43,7 +48,7 @@ function show_candidates(report, candidates, state) {
     (shown < total
       ? `The best ${count(shown)} of ${plural(total, "candidate")}`
       : plural(total, "candidate")) +
-    `, best first: the deepest D, then the largest margin. ` +
+    `, best first: ${order_words(candidates)}. ` +
     `● marks ${plural(candidates.detailed.size, "draw")} with all details in this report${chosen_words(report)}. The one that is picked is shown below.`;
   const { name } = report.campaign;
   const table = make_table(by_id("table"), candidates, state);

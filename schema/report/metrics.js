@@ -25,13 +25,30 @@ export const metrics = [
       "Pilot fold angle where the pilot crease turns round: a misaligned sheet generally cannot fold flat. Or the end of the path.",
   },
   {
+    name: "yield_low",
+    label: "yield low",
+    unit: "%",
+    axis: 100,
+    better: "more",
+    text: share,
+    about: "Lower end of the yield's 95 % interval: a few copies say little.",
+  },
+  {
+    name: "yield_amplitude_mm",
+    label: "yield at ±",
+    unit: "mm",
+    better: "more",
+    text: (v) => number(v, 2),
+    about: "How far off the vertices of the copies were cut, at most, in x and in y.",
+  },
+  {
     name: "slope_min_mm_per_deg",
     label: "slope min",
     unit: "mm/deg",
     better: "more",
     text: (v) => number(v),
     about:
-      "Margin of monotonicity: least change of any diagonal from one sample to the next, from 5° to D. The larger, the less a miscut matters.",
+      "Margin of monotonicity: least change of any diagonal from one sample to the next, from 5° to D.",
   },
   {
     name: "slope_between_min_mm_per_deg",

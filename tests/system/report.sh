@@ -19,6 +19,10 @@ sed "s|\.\./patterns|$source_dir/search/patterns|; s/\"deploys_from_deg\": [0-9]
 rejected=$(sql few.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 199)
   SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
 
+# A fault that only campaigns with "between_samples" have: words and a colour for it too.
+sqlite3 many.db "UPDATE fault_sample SET first_fault = 'bump_between_samples' WHERE draw =
+  (SELECT min(draw) FROM fault_sample WHERE fault_deg IS NOT NULL)"
+
 "$program" report few.db --draw "$rejected" --stroke-limit 0.01 --output few.html > names || fail "report"
 [ "$(cat names)" = few.html ] || fail "report prints its file's name"
 for name in none many; do
