@@ -264,7 +264,7 @@ int run_command_line(int argc, char** argv) {
       ->transform(one_of({{"auto", number_of(ColorWish::automatic)},
                           {"always", number_of(ColorWish::always)},
                           {"never", number_of(ColorWish::never)}}));
-  std::map<std::string, Action> verbs = {{"search", add_search(app)},
+  std::map<std::string, Action> verbs = {{"search", add_search(app, {argv, argv + argc})},
                                          {"status", add_status(app)},
                                          {"fold", add_fold(app)},
                                          {"perforations", add_perforations(app)},

@@ -1,7 +1,5 @@
 #include "search/doctor.hpp"
 
-#include <sched.h>
-
 #include <cstdio>
 
 #include "search/machine_check.hpp"
@@ -10,20 +8,11 @@
 #include "search/trial.hpp"
 
 namespace misalign::search {
-namespace {
-
-// Those that this process may run on.
-int threads() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-}
-
-}  // namespace
-
 int run_doctor(const std::string& directory, bool json) {
   const MpiSession mpi;
   const auto set = solver::available_instruction_sets().back();
-  const auto reports = mpi.gather(pack(RankReport{host_name(), threads(), golden_verdicts(set)}));
+  const auto reports =
+      mpi.gather(pack(RankReport{host_name(), usable_threads(), golden_verdicts(set)}));
   int exit_code = 0;
   if (mpi.rank() == 0) {
     std::vector<Check> checks = check_numbers();

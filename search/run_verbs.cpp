@@ -1,5 +1,6 @@
 // Verbs that run something.
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
@@ -11,8 +12,12 @@
 #include "search/doctor.hpp"
 #include "search/help_format.hpp"
 #include "search/merge.hpp"
+#include "search/mpi_session.hpp"
+#include "search/rank_starter.hpp"
 #include "search/run_info.hpp"
 #include "search/search_run.hpp"
+#include "search/shell_word.hpp"
+#include "search/terminal.hpp"
 #include "search/trial.hpp"
 #include "search/verbs.hpp"
 
@@ -20,6 +25,8 @@ namespace misalign::search {
 namespace {
 
 using schema::UserError;
+
+constexpr std::uint64_t kMostRanks = 4096;  // of one machine
 
 CLI::Validator instruction_set_of_this_machine() {
   Names names;
@@ -45,9 +52,41 @@ schema::DrawRange parse_range(const std::string& text) {
                   "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
 }
 
+// --ranks: "all", or how many.
+CLI::Validator rank_count() {
+  const CLI::Validator count = counted(1, kMostRanks);
+  return CLI::Validator(
+      [=](std::string& text) {
+        const bool is_count = text == "all" || count(text).empty();
+        return is_count ? std::string()
+                        : "'" + text + "' is neither all nor a whole number from 1 to " +
+                              std::to_string(kMostRanks);
+      },
+      "");
+}
+
+// How many ranks are to be started; 1 where nobody asked.
+int ranks_wanted(const std::string& ranks) {
+  if (ranks.empty()) return 1;
+  if (launched_by_mpi()) {
+    throw UserError(schema::kExitUsage, "--ranks " + ranks +
+                                            " has no meaning under mpirun (which has started the "
+                                            "ranks); take it out, and give mpirun -n");
+  }
+  return ranks == "all" ? usable_threads() : std::stoi(ranks);
+}
+
+// What would use every core; empty if this does, or if somebody else decides.
+std::string command_for_all(const std::vector<std::string>& words) {
+  if (launched_by_mpi() || usable_threads() < 2) return "";
+  std::string command;
+  for (const std::string& word : words) command += shell_word(word) + " ";
+  return command + "--ranks all";
+}
+
 }  // namespace
 
-Action add_search(CLI::App& app) {
+Action add_search(CLI::App& app, const std::vector<std::string>& words) {
   auto* verb = app.add_subcommand("search", "run or resume a campaign, alone or under mpirun");
   verb->footer(
       "The same command again resumes: --draws is the total wanted.\n\n"
@@ -59,11 +98,15 @@ Action add_search(CLI::App& app) {
       "Signals, to mpirun or to the program alone: SIGINT and SIGTERM end it within\n"
       "half a second, a second one at once; SIGUSR1 ends it once all that is under\n"
       "way is committed; SIGUSR2 prints a status line.\n\n"
+      "--ranks starts so many ranks on this machine, through mpirun (Open MPI); across\n"
+      "machines, or with options of its own, call mpirun yourself.\n\n"
       "Examples:\n"
       "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
+      "  misalign search search/campaigns/miura-6x6.json --ranks all --max-time 3600\n"
       "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600");
   auto options = std::make_shared<SearchOptions>();
   auto range = std::make_shared<std::string>();
+  auto ranks = std::make_shared<std::string>();
   auto mixed = std::make_shared<bool>(false);
   const auto draw_count = a_draw();
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
@@ -87,6 +130,9 @@ Action add_search(CLI::App& app) {
       ->check(draw_count)
       ->type_name("SEED");
   verb->add_option("--range", *range, "only the draws from LO to HI - 1")->type_name("LO:HI");
+  verb->add_option("--ranks", *ranks, "so many ranks, a core each; all: as many as cores [1]")
+      ->check(rank_count())
+      ->type_name("N|all");
   verb->add_option("--unit-draws", options->unit_draws,
                    "draws of one unit of work [about 5 s worth]")
       ->check(counted(1, 1000000000))
@@ -108,9 +154,15 @@ Action add_search(CLI::App& app) {
                           {"bar", number_of(ProgressStyle::bar)},
                           {"json", number_of(ProgressStyle::json)},
                           {"none", number_of(ProgressStyle::none)}}));
-  return [options, range, mixed] {
+  return [=] {
     if (!range->empty()) options->range = parse_range(*range);
     if (*mixed) options->builds = schema::Builds::mixed;
+    if (const int count = ranks_wanted(*ranks); count > 1) {
+      const bool with_bar = options->progress == ProgressStyle::automatic &&
+                            is_terminal(STDERR_FILENO) && terminal_is_able();
+      return run_under_mpirun(count, words, with_bar);
+    }
+    if (ranks->empty()) options->command_for_all = command_for_all(words);
     return run_search(*options);
   };
 }

@@ -9,6 +9,7 @@
 
 #include "schema/catalogue_state.hpp"
 #include "search/draw.hpp"
+#include "search/rank_starter.hpp"
 #include "search/run_info.hpp"
 #include "search/status.hpp"
 #include "search/stop_signal.hpp"
@@ -121,8 +122,13 @@ class RankZero {
     catalogue_.begin_run(
         run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
         options_.builds);
-    spdlog::info("campaign {} ({}), {} ranks, catalogue {}", campaign().name,
-                 schema::identity(campaign()).substr(0, 8), ranks.size(), catalogue_.path());
+    spdlog::info("campaign {} ({}), {} rank{}, catalogue {}", campaign().name,
+                 schema::identity(campaign()).substr(0, 8), ranks.size(),
+                 ranks.size() == 1 ? "" : "s", catalogue_.path());
+    if (is_talkative() && !options_.command_for_all.empty()) {
+      spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
+                   options_.command_for_all);
+    }
     if (options_.retry_undecided) retry_undecided(trial_, catalogue_);
   }
 
@@ -154,9 +160,12 @@ class RankZero {
                 static_cast<unsigned long long>(state.accepted), rate,
                 static_cast<unsigned long long>(state.undecided), state.digest.c_str());
     std::fflush(stdout);
-    if (options_.progress == ProgressStyle::none || options_.progress == ProgressStyle::json)
-      return;
+    if (!is_talkative()) return;
     spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
+  }
+
+  bool is_talkative() const {
+    return options_.progress != ProgressStyle::none && options_.progress != ProgressStyle::json;
   }
 
   const SearchOptions& options_;
@@ -230,8 +239,9 @@ int run_search(const SearchOptions& wished) {
   hold_signals();
   MpiSession mpi;
   // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
-  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s,
-                    mpi.ranks() > 1 ? schema::kExitFailure : 0);
+  const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
+  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s, mpi.ranks() > 1 ? leave_code : 0);
+  if (mpi.rank() == 0) tell_starter();
   return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
 }
 

@@ -19,6 +19,7 @@ struct SearchOptions {
   std::optional<schema::Storage> storage;  ///< instead of what the file system says
   schema::Builds builds = schema::Builds::same;
   bool retry_undecided = false;
+  std::string command_for_all;  ///< what would use every core, if this does not
   solver::InstructionSet instruction_set = solver::available_instruction_sets().back();
 };
 

@@ -44,7 +44,9 @@ bool is_terminal(int file) { return isatty(file) == 1; }
 
 int terminal_width(int file) {
   winsize size{};
-  return ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  if (ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  const int columns = std::atoi(environment("COLUMNS").c_str());
+  return columns > 0 ? columns : 80;
 }
 
 bool terminal_is_able() {

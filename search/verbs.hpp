@@ -14,7 +14,8 @@ namespace misalign::search {
 using Action = std::function<int()>;
 
 // Those that run something.
-Action add_search(CLI::App& app);
+/// `words` as typed, the program's name first: to start them again under mpirun.
+Action add_search(CLI::App& app, const std::vector<std::string>& words);
 Action add_merge(CLI::App& app);
 Action add_config(CLI::App& app);
 Action add_doctor(CLI::App& app);
