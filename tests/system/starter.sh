@@ -91,6 +91,7 @@ for signal in TERM INT USR1; do
   wait $search
   code=$?
   [ $code = 0 ] && [ -z "$(said)" ] || fail "$signal: exit $code: $(cat err)"
+  sqlite3 $signal.db 'SELECT count(*) FROM unit' > /dev/null  # folds in the log, if there was no time to
   [ "$(sql $signal.db 'SELECT sum(draws) > 0 FROM unit')" = 1 ] || fail "$signal: nothing kept"
   sound_so_far $signal.db
 done
@@ -118,6 +119,7 @@ kill -TERM $search
 wait $search
 code=$?
 [ $code = 0 ] && [ -z "$(said)" ] || fail "TERM among slow draws: exit $code: $(cat err)"
+sqlite3 slow.db 'SELECT count(*) FROM unit' > /dev/null
 sound_so_far slow.db
 
 # A rank that dies is a failure in one sentence; a starter that dies takes the ranks with it.
