@@ -144,8 +144,9 @@ std::vector<Check> check_ranks(const std::vector<RankReport>& ranks, bool has_be
         {"ranks", Health::note,
          all + ": more ranks than threads on" + crowded + "; start fewer, or without --bind-to"});
   } else if (!idle.empty()) {
-    checks.push_back({"ranks", Health::note,
-                      all + ": threads left over on" + idle + "; mpirun -n takes more ranks"});
+    checks.push_back(
+        {"ranks", Health::note,
+         all + ": threads left over on" + idle + "; search --ranks all, or mpirun -n, uses more"});
   } else {
     checks.push_back({"ranks", Health::good, all});
   }

@@ -52,6 +52,27 @@ schema::DrawRange parse_range(const std::string& text) {
                   "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
 }
 
+// What is wanted, and of which draws.
+void add_goals(CLI::App& verb, SearchOptions& options) {
+  const auto draw_count = a_draw();
+  verb.add_option("--draws", options.draws, "draws wanted in total")
+      ->check(draw_count)
+      ->type_name("N");
+  verb.add_option("--accepted", options.accepted, "accepted draws wanted in total")
+      ->check(draw_count)
+      ->type_name("K");
+  verb.add_option("--relative-error", options.relative_error,
+                  "end when the acceptance rate is known to this share of itself")
+      ->check(a_share(1e-6, 1))
+      ->type_name("SHARE");
+  verb.add_option("--max-time", options.max_time_s, "end this run after so many seconds")
+      ->check(within(0, 1e9))
+      ->type_name("SECONDS");
+  verb.add_option("--seed", options.seed, "instead of the campaign's seed")
+      ->check(draw_count)
+      ->type_name("SEED");
+}
+
 // --ranks: "all", or how many.
 CLI::Validator rank_count() {
   const CLI::Validator count = counted(1, kMostRanks);
@@ -108,27 +129,11 @@ Action add_search(CLI::App& app, const std::vector<std::string>& words) {
   auto range = std::make_shared<std::string>();
   auto ranks = std::make_shared<std::string>();
   auto mixed = std::make_shared<bool>(false);
-  const auto draw_count = a_draw();
   verb->add_option("CAMPAIGN", options->campaign_path, "campaign file (JSON)")->required();
   verb->add_option("--catalogue", options->catalogue_path,
                    "catalogue file [results/NAME-<8 hex digits>.db]")
       ->type_name("CATALOGUE");
-  verb->add_option("--draws", options->draws, "draws wanted in total")
-      ->check(draw_count)
-      ->type_name("N");
-  verb->add_option("--accepted", options->accepted, "accepted draws wanted in total")
-      ->check(draw_count)
-      ->type_name("K");
-  verb->add_option("--relative-error", options->relative_error,
-                   "end when the acceptance rate is known to this share of itself")
-      ->check(a_share(1e-6, 1))
-      ->type_name("SHARE");
-  verb->add_option("--max-time", options->max_time_s, "end this run after so many seconds")
-      ->check(within(0, 1e9))
-      ->type_name("SECONDS");
-  verb->add_option("--seed", options->seed, "instead of the campaign's seed")
-      ->check(draw_count)
-      ->type_name("SEED");
+  add_goals(*verb, *options);
   verb->add_option("--range", *range, "only the draws from LO to HI - 1")->type_name("LO:HI");
   verb->add_option("--ranks", *ranks, "so many ranks, a core each; all: as many as cores [1]")
       ->check(rank_count())

@@ -13,13 +13,12 @@ log=$PWD/build/bare-$suite.log
 . scripts/packages.sh
 need_packages debootstrap git
 
-world=$(mktemp -d)
 if [ "${BARE_DEBIAN_INSIDE:-}" != yes ]; then
-  rmdir "$world"
   mkdir -p build
   # Mounts and processes of its own, which end with it.
-  BARE_DEBIAN_INSIDE=yes exec unshare --mount --pid --fork --kill-child --mount-proc bash "$0" "$@"
+  BARE_DEBIAN_INSIDE=yes exec unshare --mount --pid --fork --kill-child --mount-proc bash tests/cluster/bare_debian.sh "$@"
 fi
+world=$(mktemp -d)
 trap 'umount -R "$world/dev" "$world/proc" 2> /dev/null; rm -rf --one-file-system "$world"' EXIT
 
 # As apt here is set up: the archive of Debian itself.
