@@ -20,45 +20,142 @@ function has_webgl() {
   }
 }
 
-export function make_folding_view(box, caption, report, state) {
-  const canvas = h("canvas", {
+const kHelp =
+  "Two-toned: light is the side seen in the crease pattern. Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.";
+
+const rad = (deg) => (deg * Math.PI) / 180;
+
+function radius_of(values) {
+  let most = 0;
+  for (let i = 0; i < values.length; i += 3)
+    most = Math.max(most, Math.hypot(values[i], values[i + 1], values[i + 2]));
+  return most || 1;
+}
+
+/** How far off a point lies from a line between two points, on the screen. */
+function away_from([x, y], [x1, y1], [x2, y2]) {
+  const along =
+      ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1),
+    t = Math.max(0, Math.min(1, along));
+  return Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1));
+}
+
+const pairs_of = (list) => list.map(({ from_vertex, to_vertex }) => [from_vertex, to_vertex]);
+
+class FoldingView {
+  #report;
+  #state;
+  #canvas = h("canvas", {
     tabindex: 0,
     role: "application",
     "data-testid": "folding-canvas",
     "aria-label":
       "The sheet folding in space. Arrow keys turn it, plus and minus zoom, 0 shows all of it again.",
   });
-  const buttons = h("div", { class: "view-buttons" });
-  box.append(canvas, buttons);
-  const webgl = has_webgl();
-  const pen = webgl ? webgl_pen(canvas) : painter_pen(canvas);
-  const camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
-  camera.up.set(0, 0, 1);
-  const controls = new OrbitControls(camera, canvas);
-  controls.zoomSpeed = 0.6;
-  // The wheel scrolls the page, until the sheet was clicked on.
-  controls.enableZoom = false;
-  canvas.addEventListener("focus", () => (controls.enableZoom = true));
-  canvas.addEventListener("blur", () => (controls.enableZoom = false));
-  let decoded = null,
-    radius = 1,
-    marked = null,
-    points = null;
+  #pen;
+  #camera = new PerspectiveCamera(kFov_deg, 1, 1, 1e6);
+  #controls;
+  #decoded = null;
+  #radius = 1;
+  #marked = null;
+  #points = null;
+  #width = 0;
 
-  caption.textContent =
-    `Two-toned: light is the side seen in the crease pattern. Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.` +
-    (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
+  constructor(box, caption, report, state) {
+    [this.#report, this.#state] = [report, state];
+    box.append(this.#canvas, h("div", { class: "view-buttons" }, this.#buttons()));
+    const webgl = has_webgl();
+    this.#pen = webgl ? webgl_pen(this.#canvas) : painter_pen(this.#canvas);
+    caption.textContent =
+      kHelp +
+      (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
+    this.#set_up_controls();
+    this.#listen();
+    new ResizeObserver(([entry]) => this.#resize(Math.floor(entry.contentRect.width))).observe(box);
+    on_theme(() => {
+      this.#pen.recolour();
+      this.draw();
+    });
+  }
 
-  function radius_of(values) {
-    let most = 0;
-    for (let i = 0; i < values.length; i += 3)
-      most = Math.max(most, Math.hypot(values[i], values[i + 1], values[i + 2]));
-    return most || 1;
+  load(decoded) {
+    const before = this.#radius;
+    this.#decoded = decoded;
+    this.#radius = radius_of(this.#flat());
+    this.#pen.load(this.#report.sheet.panels, this.#parts());
+    this.#pen.recolour();
+    this.pose(this.#state.get("sample"));
+    if (before !== this.#radius && this.#width) this.#whole();
+  }
+
+  pose(sample) {
+    if (!this.#decoded) return;
+    const { vertex_count, vertices_mm } = this.#decoded;
+    this.#points = vertices_mm.subarray(3 * sample * vertex_count, 3 * (sample + 1) * vertex_count);
+    this.draw();
+  }
+
+  mark(d) {
+    if (!this.#marked) return;
+    this.#marked.hidden = d === null;
+    if (d !== null) this.#marked.pairs[0] = pairs_of([this.#report.diagonals[d]])[0];
+    this.draw();
+  }
+
+  draw() {
+    if (!this.#points) return;
+    this.#camera.updateMatrixWorld();
+    this.#pen.draw(this.#points, this.#camera);
+  }
+
+  #buttons() {
+    return [
+      ["Whole sheet", () => this.#whole(), "The scale of the flat sheet, seen obliquely"],
+      ["Fit", () => this.#fit(), "Fill the view with the present pose"],
+      ["From above", () => this.#look(-90, 89.9, this.#flat()), "As the crease pattern is seen"],
+    ].map(([words, onclick, title]) => h("button", { type: "button", title, onclick }, words));
+  }
+
+  #set_up_controls() {
+    this.#camera.up.set(0, 0, 1);
+    this.#controls = new OrbitControls(this.#camera, this.#canvas);
+    this.#controls.zoomSpeed = 0.6;
+    // The wheel scrolls the page, until the sheet was clicked on.
+    this.#controls.enableZoom = false;
+    this.#canvas.addEventListener("focus", () => (this.#controls.enableZoom = true));
+    this.#canvas.addEventListener("blur", () => (this.#controls.enableZoom = false));
+    this.#controls.addEventListener("change", () => this.draw());
+  }
+
+  #listen() {
+    this.#canvas.addEventListener("keydown", (event) => this.#key(event));
+    this.#canvas.addEventListener("pointermove", (event) => {
+      if (this.#decoded && !event.buttons) this.#state.set("diagonal", this.#nearest(event));
+    });
+    this.#canvas.addEventListener("pointerleave", () => this.#state.set("diagonal", null));
+  }
+
+  #key(event) {
+    const action = {
+      ArrowLeft: () => this.#turn(-0.12, 0, 1),
+      ArrowRight: () => this.#turn(0.12, 0, 1),
+      ArrowUp: () => this.#turn(0, 0.1, 1),
+      ArrowDown: () => this.#turn(0, -0.1, 1),
+      "+": () => this.#turn(0, 0, 0.9),
+      "=": () => this.#turn(0, 0, 0.9),
+      "-": () => this.#turn(0, 0, 1 / 0.9),
+      0: () => this.#whole(),
+      f: () => this.#fit(),
+    }[event.key];
+    if (!action || event.ctrlKey || event.metaKey) return;
+    action();
+    event.preventDefault();
   }
 
   // From that direction, as near as all the points leave room.
-  function look(azimuth_deg, elevation_deg, values) {
-    const [az, el] = [azimuth_deg, elevation_deg].map((deg) => (deg * Math.PI) / 180);
+  #look(azimuth_deg, elevation_deg, values) {
+    const [az, el] = [rad(azimuth_deg), rad(elevation_deg)],
+      camera = this.#camera;
     const towards = new Vector3(
       Math.cos(el) * Math.cos(az),
       Math.cos(el) * Math.sin(az),
@@ -67,7 +164,7 @@ export function make_folding_view(box, caption, report, state) {
     const right = new Vector3(-Math.sin(az), Math.cos(az), 0),
       up = towards.clone().cross(right),
       point = new Vector3();
-    const slope = kFilled * Math.tan((kFov_deg * Math.PI) / 360);
+    const slope = kFilled * Math.tan(rad(kFov_deg) / 2);
     let distance = 1;
     for (let i = 0; i < values.length; i += 3) {
       point.set(values[i], values[i + 1], values[i + 2]);
@@ -77,17 +174,17 @@ export function make_folding_view(box, caption, report, state) {
           Math.max(Math.abs(point.dot(right)) / camera.aspect, Math.abs(point.dot(up))) / slope,
       );
     }
-    controls.target.set(0, 0, 0);
+    this.#controls.target.set(0, 0, 0);
     camera.position.copy(towards).multiplyScalar(distance);
     camera.near = distance / 50;
     camera.far = distance * 20;
     camera.updateProjectionMatrix();
-    controls.update();
-    draw();
+    this.#controls.update();
+    this.draw();
   }
 
-  function angles() {
-    const away = camera.position.clone().sub(controls.target),
+  #angles() {
+    const away = this.#camera.position.clone().sub(this.#controls.target),
       distance = away.length();
     return {
       azimuth: Math.atan2(away.y, away.x),
@@ -96,62 +193,38 @@ export function make_folding_view(box, caption, report, state) {
     };
   }
 
-  function turn(azimuth, elevation, factor) {
-    const now = angles(),
+  #turn(azimuth, elevation, factor) {
+    const now = this.#angles(),
       el = Math.max(-1.5, Math.min(1.5, now.elevation + elevation)),
       az = now.azimuth + azimuth;
-    camera.position
+    this.#camera.position
       .set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el))
       .multiplyScalar(now.distance * factor)
-      .add(controls.target);
-    controls.update();
-    draw();
+      .add(this.#controls.target);
+    this.#controls.update();
+    this.draw();
   }
 
-  const flat = () => decoded.vertices_mm.subarray(0, 3 * decoded.vertex_count);
-  const whole = () => look(-62, 38, flat());
-  const fit = () => {
-    const { azimuth, elevation } = angles();
-    look((azimuth * 180) / Math.PI, (elevation * 180) / Math.PI, points);
-  };
-  for (const [words, action, about] of [
-    ["Whole sheet", whole, "The scale of the flat sheet, seen obliquely"],
-    ["Fit", fit, "Fill the view with the present pose"],
-    ["From above", () => look(-90, 89.9, flat()), "As the crease pattern is seen"],
-  ]) {
-    buttons.append(h("button", { type: "button", title: about, onclick: action }, words));
+  #flat() {
+    return this.#decoded.vertices_mm.subarray(0, 3 * this.#decoded.vertex_count);
   }
-  canvas.addEventListener("keydown", (event) => {
-    const action = {
-      ArrowLeft: () => turn(-0.12, 0, 1),
-      ArrowRight: () => turn(0.12, 0, 1),
-      ArrowUp: () => turn(0, 0.1, 1),
-      ArrowDown: () => turn(0, -0.1, 1),
-      "+": () => turn(0, 0, 0.9),
-      "=": () => turn(0, 0, 0.9),
-      "-": () => turn(0, 0, 1 / 0.9),
-      0: whole,
-      f: fit,
-    }[event.key];
-    if (!action || event.ctrlKey || event.metaKey) return;
-    action();
-    event.preventDefault();
-  });
 
-  function draw() {
-    if (!points) return;
-    camera.updateMatrixWorld();
-    pen.draw(points, camera);
+  #whole() {
+    this.#look(-62, 38, this.#flat());
   }
-  controls.addEventListener("change", draw);
 
-  // The diagonal nearest to the pointer, on the screen.
-  canvas.addEventListener("pointermove", (event) => {
-    if (!decoded || event.buttons) return;
-    const frame = canvas.getBoundingClientRect(),
-      corner = new Vector3();
+  #fit() {
+    const { azimuth, elevation } = this.#angles();
+    this.#look(azimuth / rad(1), elevation / rad(1), this.#points);
+  }
+
+  /** The diagonal under the pointer, or null. */
+  #nearest(event) {
+    const frame = this.#canvas.getBoundingClientRect(),
+      corner = new Vector3(),
+      points = this.#points;
     const seen = (k) => {
-      corner.set(points[3 * k], points[3 * k + 1], points[3 * k + 2]).project(camera);
+      corner.set(points[3 * k], points[3 * k + 1], points[3 * k + 2]).project(this.#camera);
       return [
         frame.left + ((corner.x + 1) / 2) * frame.width,
         frame.top + ((1 - corner.y) / 2) * frame.height,
@@ -159,94 +232,50 @@ export function make_folding_view(box, caption, report, state) {
     };
     let best = null,
       least = kReach_px;
-    report.diagonals.forEach(({ from_vertex, to_vertex }, d) => {
-      const [x1, y1] = seen(from_vertex),
-        [x2, y2] = seen(to_vertex);
-      const along = Math.max(
-        0,
-        Math.min(
-          1,
-          ((event.clientX - x1) * (x2 - x1) + (event.clientY - y1) * (y2 - y1)) /
-            ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1),
-        ),
-      );
-      const away = Math.hypot(
-        event.clientX - x1 - along * (x2 - x1),
-        event.clientY - y1 - along * (y2 - y1),
-      );
+    this.#report.diagonals.forEach(({ from_vertex, to_vertex }, d) => {
+      const away = away_from([event.clientX, event.clientY], seen(from_vertex), seen(to_vertex));
       if (away < least) [best, least] = [d, away];
     });
-    state.set("diagonal", best);
-  });
-  canvas.addEventListener("pointerleave", () => state.set("diagonal", null));
+    return best;
+  }
 
-  let width = 0,
-    height = 0;
-  new ResizeObserver(([entry]) => {
-    const now = Math.floor(entry.contentRect.width);
-    if (!now || now === width) return;
-    const first = width === 0;
-    width = now;
-    height = view_height(width);
-    canvas.style.height = `${height}px`;
-    pen.resize(width, height);
-    camera.aspect = width / height;
-    camera.updateProjectionMatrix();
-    if (first && decoded) whole();
-    draw();
-  }).observe(box);
-  on_theme(() => {
-    pen.recolour();
-    draw();
-  });
+  #resize(width) {
+    if (!width || width === this.#width) return;
+    const first = this.#width === 0,
+      height = view_height(width);
+    this.#width = width;
+    this.#canvas.style.height = `${height}px`;
+    this.#pen.resize(width, height);
+    this.#camera.aspect = width / height;
+    this.#camera.updateProjectionMatrix();
+    if (first && this.#decoded) this.#whole();
+    this.draw();
+  }
 
-  const pairs_of = (list) => list.map(({ from_vertex, to_vertex }) => [from_vertex, to_vertex]);
-  return {
-    load(decoded_) {
-      const before = radius;
-      decoded = decoded_;
-      radius = radius_of(flat());
-      const { sheet, diagonals } = report,
-        creases = (kind) =>
-          sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
-      const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length))); // for sheets of many panels
-      marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
-      pen.load(sheet.panels, [
-        { pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" },
-        { pairs: creases("mountain"), width: 1.8 * thin, colour: "mountain" },
-        { pairs: creases("valley"), width: 1.8 * thin, colour: "valley" },
-        {
-          pairs: pairs_of(diagonals.filter((_, d) => decoded.grows[d])),
-          width: 3 * thin,
-          colour: "grows",
-        },
-        {
-          pairs: pairs_of(diagonals.filter((_, d) => !decoded.grows[d])),
-          width: 3 * thin,
-          colour: "shrinks",
-          dashed: true,
-          dash: (radius / 34) * thin,
-        },
-        marked,
-      ]);
-      pen.recolour();
-      this.pose(state.get("sample"));
-      if (before !== radius && width) whole();
-    },
-    pose(sample) {
-      if (!decoded) return;
-      points = decoded.vertices_mm.subarray(
-        3 * sample * decoded.vertex_count,
-        3 * (sample + 1) * decoded.vertex_count,
-      );
-      draw();
-    },
-    mark(d) {
-      if (!marked) return;
-      marked.hidden = d === null;
-      if (d !== null) marked.pairs[0] = pairs_of([report.diagonals[d]])[0];
-      draw();
-    },
-    draw,
-  };
+  /** Lines by kind; those of the picked diagonal lie on top. */
+  #parts() {
+    const { sheet, diagonals } = this.#report,
+      { grows } = this.#decoded;
+    const creases = (kind) =>
+      sheet.creases.filter((c) => c.assignment === kind).map(({ a, b }) => [a, b]);
+    const thin = Math.max(0.45, Math.min(1, 8 / Math.sqrt(sheet.panels.length))); // for sheets of many panels
+    this.#marked = { pairs: [[0, 0]], width: 6, colour: "pick", on_top: true, hidden: true };
+    return [
+      { pairs: sheet.cuts, width: 1.4 * thin, colour: "edge" },
+      { pairs: creases("mountain"), width: 1.8 * thin, colour: "mountain" },
+      { pairs: creases("valley"), width: 1.8 * thin, colour: "valley" },
+      { pairs: pairs_of(diagonals.filter((_, d) => grows[d])), width: 3 * thin, colour: "grows" },
+      {
+        pairs: pairs_of(diagonals.filter((_, d) => !grows[d])),
+        width: 3 * thin,
+        colour: "shrinks",
+        dashed: true,
+        dash: (this.#radius / 34) * thin,
+      },
+      this.#marked,
+    ];
+  }
 }
+
+export const make_folding_view = (box, caption, report, state) =>
+  new FoldingView(box, caption, report, state);

@@ -132,7 +132,7 @@ export class Inspector {
     show_shifts(by_id("shifts"), detail, state);
     save_details(report, detail, decoded, state, crease.drawing);
     this.#parts = [
-      { move: () => folding.pose(state.get("sample")), mark: folding.mark },
+      { move: () => folding.pose(state.get("sample")), mark: (d) => folding.mark(d) },
       { mark: (d) => crease.mark(d) },
       list,
       histories,

@@ -123,6 +123,13 @@ async function report_checks(browser, report) {
   }
 
   if (shown > 0) {
+    await check("whose folding it carries is said", async () => {
+      const note = await by(page, "candidates-note").textContent();
+      assert.match(note, new RegExp(` ${data.details.length} draws with all details`));
+      const { where, diverse } = data.chosen;
+      if (where) assert.ok(note.includes(where), note);
+      if (diverse) assert.ok(note.includes(`a spread of ${diverse}`), note);
+    });
     await table_checks(page, data);
     await scatter_checks(page, data);
     await no_detail_checks(page, data);

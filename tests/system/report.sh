@@ -23,7 +23,8 @@ rejected=$(sql few.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 F
 sqlite3 many.db "UPDATE fault_sample SET first_fault = 'bump_between_samples' WHERE draw =
   (SELECT min(draw) FROM fault_sample WHERE fault_deg IS NOT NULL)"
 
-"$program" report few.db --draw "$rejected" --stroke-limit 0.01 --output few.html > names || fail "report"
+"$program" report few.db --draw "$rejected" --diverse 5 --where "stroke_max > 0.001" --stroke-limit 0.01 \
+  --output few.html > names || fail "report"
 [ "$(cat names)" = few.html ] || fail "report prints its file's name"
 for name in none many; do
   "$program" report $name.db --output $name.html > /dev/null || fail "report $name"
@@ -60,6 +61,9 @@ chosen "SELECT draw FROM candidates ORDER BY stroke_min DESC, slope_min_mm_per_d
 "$program" export many.db --diverse 4 --where "stroke_max < 0.02" --output spread > names || fail "export --diverse"
 "$program" report many.db --diverse 4 --where "stroke_max < 0.02" --output chosen.html > /dev/null || fail "report --diverse"
 [ "$(drawn chosen.html)" = "$(sed 's/.*-\([0-9]*\)\.json$/\1/' names)" ] || fail "report --diverse is another spread than export's"
+# What a filter leaves, far down in the order, can have its folding too.
+late=$(sql many.db "SELECT draw FROM candidates $order LIMIT 1 OFFSET 5000")
+chosen "SELECT $late" --where "draw = $late"
 chosen "SELECT draw FROM candidates WHERE $where $order LIMIT 5" --where "$where" --details 5 --rows 700
 [ "$(data chosen.html candidates.shown)" = 700 ] || fail "report --rows 700"
 eval "set -- $(data chosen.html commands.choice)"  # as a shell takes them
