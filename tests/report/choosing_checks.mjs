@@ -137,40 +137,6 @@ export async function table_checks(page, data) {
     await by(page, "head-rank").locator("button").click();
   });
 
-  await unfiltered(page, "all columns can be reached, and are seen to go on", async () => {
-    const grid = by(page, "grid"),
-      more = by(page, "table").locator(".side.right");
-    for (const width of [2500, 800]) {
-      await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(150);
-      const hidden = await grid.evaluate((node) => node.scrollWidth - node.clientWidth);
-      assert.equal(hidden > 1, width === 800, `${hidden} px are hidden at ${width} px`);
-      assert.equal(await more.isVisible(), width === 800, `the sign of it at ${width} px`);
-    }
-    for (let i = 0; i < 9 && (await more.isVisible()); ++i) {
-      await more.click({ timeout: 2000 }).catch(() => {}); // it goes with the last column
-      await page.waitForTimeout(60);
-    }
-    const [last, box] = [
-      await by(page, "head-isometry_error_mm").boundingBox(),
-      await grid.boundingBox(),
-    ];
-    assert.ok(last.x + last.width <= box.x + box.width + 2, "the last column stays outside");
-    await page.setViewportSize({ width: 1400, height: 900 });
-    await grid.evaluate((node) => (node.scrollLeft = 0));
-    for (const { width, text } of await grid
-      .locator(".line")
-      .first()
-      .locator("> div")
-      .evaluateAll((nodes) =>
-        nodes.map((node) => ({
-          width: node.scrollWidth - node.clientWidth,
-          text: node.textContent,
-        })),
-      ))
-      assert.ok(width <= 0, `“${text}” is cut off`);
-  });
-
   await unfiltered(
     page,
     "rows are picked by click and arrow keys, and come into view",
@@ -212,31 +178,6 @@ export async function scatter_checks(page, data) {
     ];
     for (const side of ["x", "y", "width", "height"])
       assert.ok(Math.abs(points[side] - axes[side]) < 1, `${side}: ${points[side]}, ${axes[side]}`);
-  });
-  await unfiltered(page, "no title of the scatter lies on its ticks", async () => {
-    const names = await by(page, "scatter-y")
-      .locator("option")
-      .evaluateAll((nodes) => nodes.map((node) => node.value));
-    const before = await by(page, "scatter-y").inputValue();
-    for (const name of names) {
-      await by(page, "scatter-y").selectOption(name);
-      const gap = await by(page, "scatter").evaluate((box) => {
-        const right = (node) => node.getBoundingClientRect().right,
-          left = (node) => node.getBoundingClientRect().left;
-        const ticks = [...box.querySelectorAll('g[aria-label^="y-axis tick label"] text')];
-        return (
-          Math.min(...ticks.map(left)) -
-          right(box.querySelector('g[aria-label="y-axis label"] text'))
-        );
-      });
-      assert.ok(gap > 1, `${name}: ${gap.toFixed(1)} px`);
-    }
-    await by(page, "scatter-y").selectOption(before);
-    return `${names.length} metrics`;
-  });
-  await unfiltered(page, "one candidate is one candidate", async () => {
-    await by(page, "filter").fill(`draw = ${columns.draw[0]}`);
-    assert.match(await page.locator("#scatter-note").textContent(), /^1 candidate shown/);
   });
   const across = "stroke_max",
     up = "elongation_max";
@@ -381,4 +322,68 @@ export async function no_detail_checks(page, data) {
       await by(page, "filter").fill("");
     },
   );
+}
+
+/** What the table and the scatter look like, whatever is in them. */
+export async function layout_checks(page, data) {
+  const { columns } = data.candidates;
+  await unfiltered(page, "all columns can be reached, and are seen to go on", async () => {
+    const grid = by(page, "grid"),
+      more = by(page, "table").locator(".side.right");
+    for (const width of [2500, 800]) {
+      await page.setViewportSize({ width, height: 900 });
+      await page.waitForTimeout(150);
+      const hidden = await grid.evaluate((node) => node.scrollWidth - node.clientWidth);
+      assert.equal(hidden > 1, width === 800, `${hidden} px are hidden at ${width} px`);
+      assert.equal(await more.isVisible(), width === 800, `the sign of it at ${width} px`);
+    }
+    for (let i = 0; i < 9 && (await more.isVisible()); ++i) {
+      await more.click({ timeout: 2000 }).catch(() => {}); // it goes with the last column
+      await page.waitForTimeout(60);
+    }
+    const [last, box] = [
+      await by(page, "head-isometry_error_mm").boundingBox(),
+      await grid.boundingBox(),
+    ];
+    assert.ok(last.x + last.width <= box.x + box.width + 2, "the last column stays outside");
+    await page.setViewportSize({ width: 1400, height: 900 });
+    await grid.evaluate((node) => (node.scrollLeft = 0));
+    for (const { width, text } of await grid
+      .locator(".line")
+      .first()
+      .locator("> div")
+      .evaluateAll((nodes) =>
+        nodes.map((node) => ({
+          width: node.scrollWidth - node.clientWidth,
+          text: node.textContent,
+        })),
+      ))
+      assert.ok(width <= 0, `“${text}” is cut off`);
+  });
+
+  await unfiltered(page, "no title of the scatter lies on its ticks", async () => {
+    const names = await by(page, "scatter-y")
+      .locator("option")
+      .evaluateAll((nodes) => nodes.map((node) => node.value));
+    const before = await by(page, "scatter-y").inputValue();
+    for (const name of names) {
+      await by(page, "scatter-y").selectOption(name);
+      const gap = await by(page, "scatter").evaluate((box) => {
+        const right = (node) => node.getBoundingClientRect().right,
+          left = (node) => node.getBoundingClientRect().left;
+        const ticks = [...box.querySelectorAll('g[aria-label^="y-axis tick label"] text')];
+        return (
+          Math.min(...ticks.map(left)) -
+          right(box.querySelector('g[aria-label="y-axis label"] text'))
+        );
+      });
+      assert.ok(gap > 1, `${name}: ${gap.toFixed(1)} px`);
+    }
+    await by(page, "scatter-y").selectOption(before);
+    return `${names.length} metrics`;
+  });
+  await unfiltered(page, "one candidate is one candidate", async () => {
+    await by(page, "filter").fill(`draw = ${columns.draw[0]}`);
+    assert.match(await page.locator("#scatter-note").textContent(), /^1 candidate shown/);
+  });
 }

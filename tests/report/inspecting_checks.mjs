@@ -2,6 +2,134 @@
 import assert from "node:assert/strict";
 import { axis, by, check, eventually, floats, pixels, state } from "./reading.mjs";
 
+/** Letters on a drawing that are shown: how many, how high in px, and how many lie on others. */
+const letters_of = (drawing) =>
+  drawing.evaluate((svg) => {
+    const texts = [...svg.querySelectorAll("text")].filter((t) => t.style.display !== "none"),
+      frames = texts.map((text) => text.getBoundingClientRect());
+    const px = texts.map(
+      (text) => parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a,
+    );
+    let meeting = 0;
+    // Letters' boxes are a little higher than what is drawn in them.
+    frames.forEach((a, i) =>
+      frames.slice(0, i).forEach((b) => {
+        meeting +=
+          a.left + 1 < b.right &&
+          b.left + 1 < a.right &&
+          a.top + 4 < b.bottom &&
+          b.top + 4 < a.bottom;
+      }),
+    );
+    return { count: texts.length, least: Math.min(...px), most: Math.max(...px), meeting };
+  });
+
+async function zoom_checks(page) {
+  await check("the crease pattern zooms, and its letters can be read at every zoom", async () => {
+    const drawing = by(page, "crease-drawing"),
+      box = () => drawing.getAttribute("viewBox");
+    const legible = async (when) => {
+      const { count, least, most, meeting } = await letters_of(drawing);
+      assert.ok(
+        count > 0 && least > 10.4 && most < 18,
+        `${when}: letters of ${least} to ${most} px`,
+      );
+      assert.equal(meeting, 0, `${when}: letters on each other`);
+    };
+    const whole = await box();
+    await legible("whole");
+    for (let i = 0; i < 4; ++i) await by(page, "zoom-in").click();
+    const [, , width] = (await box()).split(" ").map(Number);
+    assert.ok(width < 0.3 * Number(whole.split(" ")[2]), `four steps nearer: ${width}`);
+    await legible("near");
+    const near = await box();
+    await drawing.evaluate((svg) => svg.scrollIntoView({ block: "center" }));
+    const { x, y, width: w, height: h } = await drawing.boundingBox();
+    await page.mouse.move(x + w / 2, y + h / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + w / 2 - 50, y + h / 2 - 30, { steps: 3 });
+    await page.mouse.up();
+    assert.notEqual(await box(), near, "it does not move");
+    const moved = await box();
+    await page.mouse.wheel(0, -200); // it has the focus now
+    await eventually(
+      page,
+      {
+        test: (was) => document.querySelector("#crease svg.sheet").getAttribute("viewBox") !== was,
+        with: moved,
+      },
+      "the wheel does not zoom",
+    );
+    await by(page, "zoom-fit").click();
+    assert.equal(await box(), whole);
+    await by(page, "zoom-fit").blur();
+    const [sheet, card] = [
+      await drawing.evaluate(
+        (svg) => svg.querySelector(".panel").parentNode.getBoundingClientRect().width,
+      ),
+      await by(page, "crease-pattern").boundingBox(),
+    ];
+    assert.ok(sheet > 0.98 * card.width, "the drawing takes its card's width");
+  });
+}
+
+async function spring_checks(page, detail) {
+  const depth = detail.pilot_deg.findLastIndex(
+    (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
+  );
+  const moments = floats(detail.moment_n_mm);
+  await check("the moment's axis begins where there is something to see", async () => {
+    const looked_at = moments.slice(0, depth + 1).filter((_, k) => detail.pilot_deg[k] >= 5);
+    const [least, most] = [Math.min(...looked_at), Math.max(...looked_at)];
+    const wanted = least > 0 && most > 300 * least;
+    if (wanted) assert.ok(await by(page, "moment-log").isChecked(), "weak and strong on one scale");
+    if (!(least > 0))
+      assert.ok(!(await by(page, "moment-log").isChecked()), "no logarithm of this");
+    const frame = (await by(page, "moment").locator("svg.plot").boundingBox()).height;
+    if (wanted) {
+      const y = await axis(by(page, "moment"), "y", Math.log10);
+      const away = frame - 40 - y(least);
+      assert.ok(away > 5 && away < 0.3 * frame, `the weakest point is ${away.toFixed(0)} px up`);
+    }
+    await by(page, "moment-log").uncheck();
+    const y = await axis(by(page, "moment"), "y");
+    const below = frame - 40 - y(0);
+    if (Math.min(...moments.slice(0, depth + 1)) > -1e-6 * most && depth === moments.length - 1)
+      assert.ok(Math.abs(below) < 1.5, `${below.toFixed(1)} px below zero hold nothing`);
+    await by(page, "moment-log").check();
+  });
+
+  await check("energy and moment on a logarithmic scale", async () => {
+    const line = () =>
+      Promise.all(
+        ["energy", "moment", "advantage"].map((id) =>
+          by(page, id).locator("path.value").first().getAttribute("d"),
+        ),
+      );
+    for (const id of ["energy", "moment"]) await by(page, `${id}-log`).uncheck();
+    const before = await line();
+    for (const id of ["energy", "moment"]) await by(page, `${id}-log`).check();
+    const after = await line();
+    if (detail.weakest?.moment_n_mm > 0) assert.notEqual(after[1], before[1], "moment");
+    assert.notEqual(after[0], before[0], "energy");
+    assert.equal(after[2], before[2], "mechanical advantage");
+    for (const id of ["energy", "moment"]) await by(page, `${id}-log`).uncheck();
+    assert.deepEqual(await line(), before);
+  });
+
+  await check("forces run through the data", async () => {
+    for (const [id, values] of [
+      ["energy", floats(detail.energy_n_mm)],
+      ["moment", moments],
+    ]) {
+      const y = await axis(by(page, id), "y");
+      const path = await by(page, id).locator("path.value").first().getAttribute("d"),
+        [, py] = path.split(/[ML]/).at(-1).split(",").map(Number);
+      assert.ok(Math.abs(py - y(values[depth])) < 1, `${id} at D`);
+    }
+  });
+}
+
 export async function detail_checks(page, data, detail, webgl = true) {
   const canvas = by(page, "folding-canvas"),
     slider = by(page, "pilot");
@@ -76,72 +204,7 @@ export async function detail_checks(page, data, detail, webgl = true) {
     }
   });
 
-  await check("the crease pattern zooms, and its letters can be read at every zoom", async () => {
-    const drawing = by(page, "crease-drawing"),
-      box = () => drawing.getAttribute("viewBox");
-    const letters = () =>
-      drawing.evaluate((svg) => {
-        const texts = [...svg.querySelectorAll("text")].filter((t) => t.style.display !== "none"),
-          frames = texts.map((text) => text.getBoundingClientRect());
-        const px = texts.map(
-          (text) => parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a,
-        );
-        let meeting = 0;
-        // Letters' boxes are a little higher than what is drawn in them.
-        frames.forEach((a, i) =>
-          frames.slice(0, i).forEach((b) => {
-            meeting +=
-              a.left + 1 < b.right &&
-              b.left + 1 < a.right &&
-              a.top + 4 < b.bottom &&
-              b.top + 4 < a.bottom;
-          }),
-        );
-        return { count: texts.length, least: Math.min(...px), most: Math.max(...px), meeting };
-      });
-    const legible = async (when) => {
-      const { count, least, most, meeting } = await letters();
-      assert.ok(
-        count > 0 && least > 10.4 && most < 18,
-        `${when}: letters of ${least} to ${most} px`,
-      );
-      assert.equal(meeting, 0, `${when}: letters on each other`);
-    };
-    const whole = await box();
-    await legible("whole");
-    for (let i = 0; i < 4; ++i) await by(page, "zoom-in").click();
-    const [, , width] = (await box()).split(" ").map(Number);
-    assert.ok(width < 0.3 * Number(whole.split(" ")[2]), `four steps nearer: ${width}`);
-    await legible("near");
-    const near = await box();
-    await drawing.evaluate((svg) => svg.scrollIntoView({ block: "center" }));
-    const { x, y, width: w, height: h } = await drawing.boundingBox();
-    await page.mouse.move(x + w / 2, y + h / 2);
-    await page.mouse.down();
-    await page.mouse.move(x + w / 2 - 50, y + h / 2 - 30, { steps: 3 });
-    await page.mouse.up();
-    assert.notEqual(await box(), near, "it does not move");
-    const moved = await box();
-    await page.mouse.wheel(0, -200); // it has the focus now
-    await eventually(
-      page,
-      {
-        test: (was) => document.querySelector("#crease svg.sheet").getAttribute("viewBox") !== was,
-        with: moved,
-      },
-      "the wheel does not zoom",
-    );
-    await by(page, "zoom-fit").click();
-    assert.equal(await box(), whole);
-    await by(page, "zoom-fit").blur();
-    const [sheet, card] = [
-      await drawing.evaluate(
-        (svg) => svg.querySelector(".panel").parentNode.getBoundingClientRect().width,
-      ),
-      await by(page, "crease-pattern").boundingBox(),
-    ];
-    assert.ok(sheet > 0.98 * card.width, "the drawing takes its card's width");
-  });
+  await zoom_checks(page);
 
   await check("the sheet is drawn in space", async () => {
     const { colours } = await pixels(canvas);
@@ -277,60 +340,7 @@ export async function detail_checks(page, data, detail, webgl = true) {
     await page.mouse.move(2, 2);
   });
 
-  const depth = detail.pilot_deg.findLastIndex(
-    (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
-  );
-  const moments = floats(detail.moment_n_mm);
-  await check("the moment's axis begins where there is something to see", async () => {
-    const looked_at = moments.slice(0, depth + 1).filter((_, k) => detail.pilot_deg[k] >= 5);
-    const [least, most] = [Math.min(...looked_at), Math.max(...looked_at)];
-    const wanted = least > 0 && most > 300 * least;
-    if (wanted) assert.ok(await by(page, "moment-log").isChecked(), "weak and strong on one scale");
-    if (!(least > 0))
-      assert.ok(!(await by(page, "moment-log").isChecked()), "no logarithm of this");
-    const frame = (await by(page, "moment").locator("svg.plot").boundingBox()).height;
-    if (wanted) {
-      const y = await axis(by(page, "moment"), "y", Math.log10);
-      const away = frame - 40 - y(least);
-      assert.ok(away > 5 && away < 0.3 * frame, `the weakest point is ${away.toFixed(0)} px up`);
-    }
-    await by(page, "moment-log").uncheck();
-    const y = await axis(by(page, "moment"), "y");
-    const below = frame - 40 - y(0);
-    if (Math.min(...moments.slice(0, depth + 1)) > -1e-6 * most && depth === moments.length - 1)
-      assert.ok(Math.abs(below) < 1.5, `${below.toFixed(1)} px below zero hold nothing`);
-    await by(page, "moment-log").check();
-  });
-
-  await check("energy and moment on a logarithmic scale", async () => {
-    const line = () =>
-      Promise.all(
-        ["energy", "moment", "advantage"].map((id) =>
-          by(page, id).locator("path.value").first().getAttribute("d"),
-        ),
-      );
-    for (const id of ["energy", "moment"]) await by(page, `${id}-log`).uncheck();
-    const before = await line();
-    for (const id of ["energy", "moment"]) await by(page, `${id}-log`).check();
-    const after = await line();
-    if (detail.weakest?.moment_n_mm > 0) assert.notEqual(after[1], before[1], "moment");
-    assert.notEqual(after[0], before[0], "energy");
-    assert.equal(after[2], before[2], "mechanical advantage");
-    for (const id of ["energy", "moment"]) await by(page, `${id}-log`).uncheck();
-    assert.deepEqual(await line(), before);
-  });
-
-  await check("forces run through the data", async () => {
-    for (const [id, values] of [
-      ["energy", floats(detail.energy_n_mm)],
-      ["moment", moments],
-    ]) {
-      const y = await axis(by(page, id), "y");
-      const path = await by(page, id).locator("path.value").first().getAttribute("d"),
-        [, py] = path.split(/[ML]/).at(-1).split(",").map(Number);
-      assert.ok(Math.abs(py - y(values[depth])) < 1, `${id} at D`);
-    }
-  });
+  await spring_checks(page, detail);
 
   await check("space plays and pauses, arrow keys move the slider", async () => {
     await go(detail.pilot_deg.length - 1);

@@ -3,7 +3,12 @@
 // What a page shows is compared with the data inside it, read here without the page's code.
 import assert from "node:assert/strict";
 import { open_browser, open_page } from "./browser.mjs";
-import { no_detail_checks, scatter_checks, table_checks } from "./choosing_checks.mjs";
+import {
+  layout_checks,
+  no_detail_checks,
+  scatter_checks,
+  table_checks,
+} from "./choosing_checks.mjs";
 import { detail_checks } from "./inspecting_checks.mjs";
 import { address_checks, saving_checks } from "./keeping_checks.mjs";
 import { by, check, data_of, eventually, summary } from "./reading.mjs";
@@ -131,6 +136,7 @@ async function report_checks(browser, report) {
       if (diverse) assert.ok(note.includes(`a spread of ${diverse}`), note);
     });
     await table_checks(page, data);
+    await layout_checks(page, data);
     await scatter_checks(page, data);
     await no_detail_checks(page, data);
   } else {
