@@ -143,11 +143,12 @@ CatalogueState state_of(SQLite::Database& database) {
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
   const bool knows_errors = version_of(database) >= 3;
-  SQLite::Statement campaign(database,
-                             std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
-                                         "goal_accepted, goal_end, ") +
-                                 (knows_errors ? "goal_relative_error" : "NULL") +
-                                 ", json_extract(configuration, '$.seed') FROM campaign");
+  SQLite::Statement campaign(
+      database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
+                            "goal_accepted, goal_end, ") +
+                    (knows_errors ? "goal_relative_error" : "NULL") +
+                    ", json_extract(configuration, '$.seed'), json_extract(configuration, "
+                    "'$.accept.deploys_from_deg') FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
@@ -161,20 +162,23 @@ CatalogueState state_of(SQLite::Database& database) {
   if (!campaign.getColumn(7).isNull())
     state.goal.relative_error = campaign.getColumn(7).getDouble();
   state.seed = draw_of(campaign.getColumn(8));
+  state.threshold_deg = campaign.getColumn(9).getDouble();
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
 
   // Those of no candidate, by what makes one: to look for each of them would take ten times as
   // long.
+  const std::string weight = weight_of_sampled(database);
   SQLite::Statement faults(
       database,
-      "SELECT first_fault, count(*) FROM fault_sample WHERE first_fault = 'undecided' OR "
-      "deploys_from_sample < (SELECT round(json_extract(configuration, "
-      "'$.accept.deploys_from_deg') "
-      "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY first_fault");
+      "SELECT first_fault, count(*), " + weight +
+          " FROM fault_sample WHERE first_fault = 'undecided' OR deploys_from_sample < (SELECT "
+          "round(json_extract(configuration, '$.accept.deploys_from_deg') "
+          "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
   while (faults.executeStep()) {
-    state.faults[text_of(faults.getColumn(0))] = draw_of(faults.getColumn(1));
+    state.faults[text_of(faults.getColumn(0))] +=
+        WeightedCount::of(draw_of(faults.getColumn(1)), faults.getColumn(2).getDouble());
   }
   return state;
 }

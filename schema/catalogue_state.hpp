@@ -8,6 +8,7 @@
 #include "schema/campaign.hpp"
 #include "schema/database.hpp"
 #include "schema/goal.hpp"
+#include "schema/weighted_count.hpp"
 
 namespace misalign::schema {
 
@@ -17,12 +18,13 @@ struct CatalogueState {
   std::uint64_t seed;
   Goal goal;
   std::uint64_t goal_end;
+  double threshold_deg;                                ///< that accepted draws deploy from
   std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end
   std::uint64_t draws_in_ledger;
   std::vector<DrawRange> gaps;
   std::string digest;
-  std::map<std::string, std::uint64_t>
-      faults;          ///< first faults of the rejected draws in the fault sample
+  std::map<std::string, WeightedCount>
+      faults;          ///< first faults of the rejected draws in the sample
   double draws_per_s;  ///< of the last run that committed something, all ranks together
 };
 

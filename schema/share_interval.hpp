@@ -15,6 +15,9 @@ struct ShareInterval {
 /// none, the rule of three. (0, 1) without trials.
 ShareInterval share_interval(std::uint64_t hits, std::uint64_t trials);
 
+/// The same for numbers that need not be whole: effective ones, see WeightedCount.
+ShareInterval share_interval_of(double hits, double trials);
+
 /// The same when `undecided` more of the trials may have hit: the low end counts none of them, the
 /// high end all.
 ShareInterval share_interval(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials);

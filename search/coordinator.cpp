@@ -129,7 +129,8 @@ class Coordinator {
 
   // With what rank 0 has under way, so that the numbers move although units take seconds.
   ProgressCounts counts() const {
-    ProgressCounts counts{standing_, draws_of_run_, dispatcher_.draws_left(), limited_};
+    ProgressCounts counts{standing_, draws_of_run_, dispatcher_.draws_left(), limited_,
+                          options_.max_time_s};
     if (!own_work_) return counts;
     const std::uint64_t draws = own_work_->so_far().range.size();
     counts.standing.add(own_work_->so_far());

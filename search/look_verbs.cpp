@@ -7,6 +7,7 @@
 
 #include "schema/result_table.hpp"
 #include "search/look.hpp"
+#include "search/nothing_found.hpp"
 #include "search/status.hpp"
 #include "search/suggestion.hpp"
 #include "search/terminal.hpp"
@@ -68,7 +69,11 @@ Action add_perforations(CLI::App& app) {
 
 Action add_status(CLI::App& app) {
   auto* verb = app.add_subcommand("status", "how far a campaign is, and what it found");
-  verb->footer("Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
+  verb->footer(
+      "First faults, and survival in the JSON, are from the fault sample: each of its rows\n"
+      "weighs the draws that it stands for. Where nothing was accepted, it says from which\n"
+      "angle draws survive, how rare an accepted one is at most, and what to try.\n\n"
+      "Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
   auto path = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false), check = std::make_shared<bool>(false);
   auto at_deg = std::make_shared<std::optional<double>>();
@@ -85,12 +90,17 @@ Action add_status(CLI::App& app) {
       deploying =
           deploying_from(*database, state, schema::read_campaign_of(*database, *path), **at_deg);
     }
+    const schema::Survival survival = schema::read_survival(*database);
     if (*json) {
       Json answer = status_json(state);
+      answer["survival"] = survival_json(survival, state);
       if (deploying) answer["at"] = deploying_json(*deploying, state);
       std::puts(answer.dump(1).c_str());
     } else {
       std::fputs(status_text(state, deploying, paint_for(STDOUT_FILENO)).c_str(), stdout);
+      for (const std::string& sentence : nothing_found(survival, state)) {
+        std::printf("\n%s\n", sentence.c_str());
+      }
       std::fflush(stdout);
       if (!*check) spdlog::info("next: {}", next_step(state, *path, ""));
     }
@@ -139,10 +149,22 @@ bool was_cut_off(SQLite::Database& database, const std::string& sql, std::size_t
   return std::count(row.begin(), row.end(), '\n') > 1;  // more than the header
 }
 
+// Instead of a header without rows, where a named query of candidates has none because there are
+// none. False if there is nothing to say.
+bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
+  if (sql.find("FROM candidates") == std::string::npos) return false;
+  const std::vector<std::string> sentences = nothing_found(database);
+  for (const std::string& sentence : sentences) std::puts(sentence.c_str());
+  std::fflush(stdout);
+  return !sentences.empty();
+}
+
 void show_rows(SQLite::Database& database, const std::string& name, const std::string& sql,
                bool paged) {
   const std::string table = schema::query_table(database, sql, schema::TableStyle::aligned);
   const std::size_t header = table.find('\n');
+  const bool is_empty = header + 1 == table.size();
+  if (is_empty && !name.empty() && show_nothing_found(database, sql)) return;
   show(paint_for(STDOUT_FILENO).bold(table.substr(0, header)) + table.substr(header), paged);
   const auto rows = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) - 1;
   std::fflush(stdout);

@@ -7,27 +7,12 @@
 #include <vector>
 
 #include "schema/input.hpp"
+#include "search/duration.hpp"
 
 namespace misalign::search {
 namespace {
 
 using schema::shown_number;
-
-std::string duration(double seconds) {
-  char text[64];
-  if (!(seconds < 1e13)) return "ages";
-  const auto s = static_cast<long long>(seconds);
-  if (s >= 86400) {
-    std::snprintf(text, sizeof text, "%lld d %lld h", s / 86400, s % 86400 / 3600);
-  } else if (s >= 3600) {
-    std::snprintf(text, sizeof text, "%lld h %lld min", s / 3600, s % 3600 / 60);
-  } else if (s >= 60) {
-    std::snprintf(text, sizeof text, "%lld min %lld s", s / 60, s % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%lld s", s);
-  }
-  return text;
-}
 
 // 999, 12.3 k, 4.56 M: three digits that matter.
 std::string short_number(double value) {
@@ -54,10 +39,18 @@ std::uint64_t wanted(const ProgressCounts& counts) {
   return counts.standing.draws + counts.draws_left;
 }
 
-std::optional<double> left_s(const ProgressReport& report) {
+std::optional<double> draws_left_s(const ProgressReport& report) {
   if (report.counts.limited && report.counts.draws_left == 0) return 0;
   if (!report.counts.limited || !(report.draws_per_s > 0)) return std::nullopt;
   return static_cast<double>(report.counts.draws_left) / report.draws_per_s;
+}
+
+// Until the draws are done or the run's time is over, whichever comes first.
+std::optional<double> left_s(const ProgressReport& report) {
+  const auto draws_s = draws_left_s(report);
+  if (!report.counts.max_time_s) return draws_s;
+  const double time_s = std::max(*report.counts.max_time_s - report.elapsed_s, 0.0);
+  return draws_s ? std::min(*draws_s, time_s) : time_s;
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ struct ProgressCounts {
   schema::Standing standing;       ///< of the campaign, earlier runs too
   std::uint64_t draws_of_run = 0;  ///< of this run alone
   std::uint64_t draws_left = 0;
-  bool limited = false;  ///< whether draws_left means anything
+  bool limited = false;                ///< whether draws_left means anything
+  std::optional<double> max_time_s{};  ///< that this run may take
 };
 
 /// What one line says.

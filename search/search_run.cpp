@@ -9,6 +9,7 @@
 
 #include "schema/catalogue_state.hpp"
 #include "search/draw.hpp"
+#include "search/nothing_found.hpp"
 #include "search/rank_starter.hpp"
 #include "search/run_info.hpp"
 #include "search/status.hpp"
@@ -161,6 +162,9 @@ class RankZero {
                 static_cast<unsigned long long>(state.undecided), state.digest.c_str());
     std::fflush(stdout);
     if (!is_talkative()) return;
+    for (const std::string& sentence : nothing_found(*database)) {
+      spdlog::info("{}", sentence);
+    }
     spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
   }
 

@@ -34,6 +34,25 @@ std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint
 
 bool endless(std::uint64_t end) { return end == schema::kEndOfDraws; }
 
+schema::WeightedCount sum_of(const std::map<std::string, schema::WeightedCount>& faults) {
+  schema::WeightedCount sum;
+  for (const auto& [fault, draws] : faults) sum += draws;
+  return sum;
+}
+
+schema::Json faults_json(const std::map<std::string, schema::WeightedCount>& faults) {
+  const schema::WeightedCount all = sum_of(faults);
+  schema::Json json = schema::Json::object();
+  for (const auto& [fault, draws] : faults) {
+    const auto [low, high] = schema::share_interval(draws, all);
+    json[fault] = {{"sampled", draws.rows},
+                   {"share", schema::share(draws, all)},
+                   {"share_low", low},
+                   {"share_high", high}};
+  }
+  return json;
+}
+
 std::uint64_t missing(const schema::CatalogueState& state) {
   std::uint64_t draws = 0;
   for (const schema::DrawRange& gap : state.gaps) draws += gap.size();
@@ -50,7 +69,8 @@ std::string status_text(const schema::CatalogueState& state,
   };
   std::vector<schema::Row> rows = {{"", "draws", "share", "95 % interval"},
                                    {"done", std::to_string(state.draws)}};
-  rows.push_back(row("  accepted", state.accepted, state.draws));
+  rows.push_back(row("  accepted from " + schema::shown_number(state.threshold_deg) + " deg",
+                     state.accepted, state.draws));
   rows.back()[3] = interval_text(state.accepted, state.undecided, state.draws);
   if (deploying) {
     rows.push_back(row("    from " + schema::shown_number(deploying->at_deg) + " deg",
@@ -65,10 +85,15 @@ std::string status_text(const schema::CatalogueState& state,
     rows.push_back({"beyond goal", std::to_string(state.draws_in_ledger - state.draws), "",
                     "not counted above; queries and report have them"});
   }
-  std::uint64_t sampled = 0;
-  for (const auto& [fault, draws] : state.faults) sampled += draws;
-  if (sampled > 0) rows.push_back({"first faults", std::to_string(sampled), "", "of a sample"});
-  for (const auto& [fault, draws] : state.faults) rows.push_back(row("  " + fault, draws, sampled));
+  const schema::WeightedCount sampled = sum_of(state.faults);
+  if (sampled.rows > 0) {
+    rows.push_back({"first faults", std::to_string(sampled.rows), "", "of a sample"});
+  }
+  for (const auto& [fault, draws] : state.faults) {
+    const auto [low, high] = schema::share_interval(draws, sampled);
+    rows.push_back({"  " + fault, std::to_string(draws.rows),
+                    percent(schema::share(draws, sampled)), percent(low) + " to " + percent(high)});
+  }
 
   std::string goal =
       "draws from " + std::to_string(state.goal.range.lo) +
@@ -114,8 +139,9 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
            file + " best";
   }
   if (state.accepted == 0) {
-    return "nothing was accepted: ask for more with --draws, or for less with "
-           "accept.deploys_from_deg in a copy of the campaign";
+    return "more draws with --draws, or a lower accept.deploys_from_deg in a copy of the campaign; "
+           "misalign report " +
+           file + " shows how deep draws fold";
   }
   return "misalign query " + file + " best; misalign export " + file + " --best 3 --output found";
 }
@@ -130,6 +156,7 @@ schema::Json status_json(const schema::CatalogueState& state) {
                        {"identity", state.identity},
                        {"range", {state.goal.range.lo, state.goal.range.hi}},
                        {"goal_end", state.goal_end},
+                       {"threshold_deg", state.threshold_deg},
                        {"goal",
                         {{"draws", or_null(state.goal.draws)},
                          {"accepted", or_null(state.goal.accepted)},
@@ -142,7 +169,7 @@ schema::Json status_json(const schema::CatalogueState& state) {
                        {"rejected", state.rejected},
                        {"undecided", state.undecided},
                        {"acceptance", rate_json(state.accepted, state.undecided, state.draws)},
-                       {"fault_sample", state.faults},
+                       {"fault_sample", faults_json(state.faults)},
                        {"draws_per_s", state.draws_per_s},
                        {"gaps", gaps},
                        {"digest", state.digest}};

@@ -12,8 +12,9 @@ import {
 } from "./format.js";
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
-import { fault_bins, faults_chart, sum, survival_chart, survival_points } from "./faults.js";
+import { fault_bins, faults_chart, survival_chart } from "./faults.js";
 import { add_saving, single } from "./save.js";
+import { effective, sum, survival_points } from "./shares.js";
 
 const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
 
@@ -134,14 +135,14 @@ function show_along_the_folding(report, total, name) {
       (nowhere ? ` Without an angle: ${plural(nowhere, "draw")}.` : ""),
     legend(present),
   );
-  const points = survival_points(rows, total, configuration);
+  const points = survival_points(rows, configuration);
   show_when_wide(box_of("faults"), (width) => faults_chart(rows, total, configuration, width));
   show_when_wide(box_of("survival"), (width) => survival_chart(points, total, report, width));
   save_chart("faults", `${name}-first-faults`, () => ({
     heads: ["first_fault", "above_deg", "up_to_deg", "draws", "share"],
     rows: fault_bins(rows, configuration).map((bin) => [
       ...[bin.first_fault, bin.from, bin.to, bin.draws],
-      single(bin.draws / total),
+      single(bin.share),
     ]),
   }));
   save_chart("survival", `${name}-survival`, () => ({
@@ -168,7 +169,7 @@ function show_places(report, name) {
   const rows = () => ({
     heads: ["where", "first_fault", "draws", "share"],
     rows: list.flatMap(({ where, faults }) =>
-      [...faults].map(([fault, draws]) => [where, fault, draws, single(draws / total)]),
+      [...faults].map(([fault, { draws, share }]) => [where, fault, draws, single(share)]),
     ),
   });
   save_chart("where", `${name}-places`, rows);
@@ -194,7 +195,10 @@ export function show_acceptance(report) {
     return;
   }
   note.textContent =
-    `From an unbiased sample: of one draw in ${count(faults.every)} (${plural(total, "draw")}) the exact first fault is known. ` +
+    `From an unbiased sample: of one draw in ${count(faults.every)} (${plural(total, "draw")}) the exact first fault is known` +
+    (faults.every_at_most > faults.every
+      ? `; of later ones up to one in ${count(faults.every_at_most)}, each weighed by the draws that it stands for: shares are known as well as from ${plural(Math.round(effective(faults.rows)), "draw")} of one weight. `
+      : ". ") +
     "All other draws are turned away at whatever angle first shows anything certain against them, which says nothing about where they fail first.";
   show_along_the_folding(report, total, campaign.name);
   show_places(report, campaign.name);

@@ -12,34 +12,33 @@ import {
   plural,
 } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
-import { sum } from "./faults.js";
+import { sum, weight } from "./shares.js";
 
 export function places(rows) {
   const shares = new Map();
   const named = rows.filter((row) => row.where && row.first_fault !== "none");
-  const total = sum(named);
-  for (const { where, first_fault, draws } of named) {
-    if (!shares.has(where)) shares.set(where, { where, draws: 0, faults: new Map() });
-    const entry = shares.get(where);
-    entry.draws += draws;
-    entry.faults.set(first_fault, (entry.faults.get(first_fault) ?? 0) + draws);
+  const all = sum(named, weight);
+  for (const row of named) {
+    const { where, first_fault, draws } = row;
+    if (!shares.has(where)) shares.set(where, { where, draws: 0, share: 0, faults: new Map() });
+    const entry = shares.get(where),
+      part = entry.faults.get(first_fault) ?? { draws: 0, share: 0 };
+    for (const counted of [entry, part]) {
+      counted.draws += draws;
+      counted.share += weight(row) / all;
+    }
+    entry.faults.set(first_fault, part);
   }
-  const list = [...shares.values()].sort((a, b) => b.draws - a.draws);
-  for (const entry of list) entry.share = entry.draws / total;
-  return { list, total };
+  const list = [...shares.values()].sort((a, b) => b.share - a.share);
+  return { list, total: sum(named) };
 }
 
 export const kMostBars = 20;
 
 export function where_chart(list, width) {
   const shown = list.slice(0, kMostBars);
-  const parts = shown.flatMap(({ where, faults, draws, share }) =>
-    [...faults].map(([fault, part]) => ({
-      where,
-      fault,
-      part: (share * part) / draws,
-      draws: part,
-    })),
+  const parts = shown.flatMap(({ where, faults }) =>
+    [...faults].map(([fault, { draws, share }]) => ({ where, fault, part: share, draws })),
   );
   const present = fault_order.filter((fault) => parts.some((part) => part.fault === fault));
   return Plot.plot({

@@ -11,31 +11,22 @@ import {
   plural,
   powers,
 } from "./format.js";
-
-export function sum(rows, value = (row) => row.draws) {
-  return rows.reduce((total, row) => total + value(row), 0);
-}
-
-/** Wilson's 95 % interval of k in n. */
-function interval(k, n) {
-  const z = 1.96,
-    p = k / n,
-    middle = (p + (z * z) / (2 * n)) / (1 + (z * z) / n);
-  const half = (z / (1 + (z * z) / n)) * Math.sqrt((p * (1 - p)) / n + (z * z) / (4 * n * n));
-  return [Math.max(0, middle - half), Math.min(1, middle + half)];
-}
+import { effective, sum, weight } from "./shares.js";
 
 /** The first faults that have an angle, in steps of the pilot's: a bin holds (from, to]. */
 export function fault_bins(rows, { path }) {
   const bin_deg = Math.max(5, path.sample_deg);
-  const bins = new Map();
-  for (const { first_fault, fault_deg, draws } of rows) {
+  const bins = new Map(),
+    all = sum(rows, weight);
+  for (const row of rows) {
+    const { first_fault, fault_deg, draws } = row;
     if (fault_deg === null || first_fault === "none") continue;
     // Faults at 170° belong to those that fail up to 170°.
     const to = Math.ceil(fault_deg / bin_deg) * bin_deg,
       key = `${first_fault} ${to}`;
-    if (!bins.has(key)) bins.set(key, { first_fault, from: to - bin_deg, to, draws: 0 });
+    if (!bins.has(key)) bins.set(key, { first_fault, from: to - bin_deg, to, draws: 0, share: 0 });
     bins.get(key).draws += draws;
+    bins.get(key).share += weight(row) / all;
   }
   const place = ({ first_fault }) => fault_order.indexOf(first_fault);
   return [...bins.values()].sort((a, b) => place(a) - place(b) || a.to - b.to);
@@ -79,13 +70,13 @@ export function faults_chart(rows, total, { path, accept }, width) {
         Plot.stackY({
           x1: "from",
           x2: "to",
-          y: (bin) => bin.draws / total,
+          y: "share",
           fill: "first_fault",
           insetLeft: 0.5,
           insetRight: 0.5,
           order: present,
           title: (bin) =>
-            `${fault_name(bin.first_fault)}\nabove ${bin.from}° up to ${bin.to}°\n${count(bin.draws)} of ${plural(total, "draw")} (${percent(bin.draws / total)})`,
+            `${fault_name(bin.first_fault)}\nabove ${bin.from}° up to ${bin.to}°\n${count(bin.draws)} of ${plural(total, "sampled draw")} (${percent(bin.share)})`,
           tip: true,
         }),
       ),
@@ -93,24 +84,6 @@ export function faults_chart(rows, total, { path, accept }, width) {
       Plot.ruleY([0]),
     ],
   });
-}
-
-/** The share without a fault after each angle at which one was seen, with its interval. */
-export function survival_points(rows, total, { path }) {
-  const failed_at = new Map();
-  for (const { first_fault, fault_deg, draws } of rows) {
-    if (first_fault === "none") continue;
-    const angle = fault_deg ?? 0; // a fault of the whole range: it deploys from nowhere
-    failed_at.set(angle, (failed_at.get(angle) ?? 0) + draws);
-  }
-  let left = total;
-  return [...new Set([0, ...failed_at.keys(), path.end_deg])]
-    .sort((a, b) => a - b)
-    .map((angle) => {
-      left -= failed_at.get(angle) ?? 0;
-      const [low, high] = interval(left, total);
-      return { angle, share: left / total, left, low, high };
-    });
 }
 
 /** The acceptance rate of all draws, beside the sample's. */
@@ -153,7 +126,7 @@ const survival_tip = (points, total) =>
       x: "angle",
       y: "share",
       title: (d) =>
-        `${degrees(d.angle)}: ${percent(d.share)} without a fault\n${count(d.left)} of ${plural(total, "draw")}`,
+        `${degrees(d.angle)}: ${percent(d.share)} without a fault\n${count(d.left)} of ${plural(total, "sampled draw")}`,
     }),
   );
 
@@ -162,7 +135,7 @@ export function survival_chart(points, total, report, width) {
   const { rate, rate_low, rate_high } = report.state.acceptance ?? {};
   const overall =
     rate > 0 ? [{ angle: accept.deploys_from_deg, rate, low: rate_low, high: rate_high }] : [];
-  const least = Math.min(0.5 / total, overall[0]?.low || 1);
+  const least = Math.min(0.5 / effective(report.faults.rows), overall[0]?.low || 1);
   return plot_with_room({
     width,
     height: 280,

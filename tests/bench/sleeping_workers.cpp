@@ -39,10 +39,9 @@ Balance sleep_through_ranges(const MpiSession& mpi, const Speed& speed) {
     const Stopwatch work;
     const auto count = static_cast<double>(range.size());
     std::this_thread::sleep_for(std::chrono::duration<double>(count / speed.draws_per_s));
-    constexpr std::uint64_t kEvery = schema::kFaultSampleEvery;
-    schema::UnitRecord unit = draws.unit(
-        range, {static_cast<std::uint64_t>(count * speed.acceptance),
-                (range.hi + kEvery - 1) / kEvery - (range.lo + kEvery - 1) / kEvery, 200});
+    schema::UnitRecord unit =
+        draws.unit(range, {static_cast<std::uint64_t>(count * speed.acceptance),
+                           schema::FaultSampleRule().rows_in(range), 200});
     unit.seconds = work.seconds();
     balance.busy_s += work.seconds();
     const Stopwatch send;

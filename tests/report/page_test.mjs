@@ -88,6 +88,13 @@ async function report_checks(browser, report) {
           "faults with words",
         );
       }
+      if (data.faults.every_at_most > 1024)
+        assert.ok(
+          (await by(page, "sample-note").textContent()).includes(
+            data.faults.every_at_most.toLocaleString("en"),
+          ),
+          "how many draws the later rows stand for",
+        );
       const bins = new Set(
         data.faults.rows
           .filter((row) => row.fault_deg !== null && row.first_fault !== "none")
@@ -102,8 +109,8 @@ async function report_checks(browser, report) {
         "bars",
       );
       const places = new Map();
-      for (const { where, draws } of data.faults.rows)
-        if (where) places.set(where, (places.get(where) ?? 0) + draws);
+      for (const { where, weight } of data.faults.rows)
+        if (where) places.set(where, (places.get(where) ?? 0) + weight);
       if (places.size) {
         const most = Math.max(...places.values());
         const first = (

@@ -35,7 +35,7 @@ TEST_F(CatalogueTest, OrderAndSizeOfUnitsDoNotMatter) {
     EXPECT_GT(s.undecided, 0u);
     EXPECT_EQ(s.gaps, (std::vector<DrawRange>{{3000, 3500}}));
     EXPECT_EQ(s.digest, expected({{0, 3000}, {3500, 8000}}));
-    EXPECT_EQ(s.faults.at("not_monotone"), 7u);  // 0, 1024, ..., 7168 without 3072
+    EXPECT_EQ(s.faults.at("not_monotone").rows, 7u);  // 0, 1024, ..., 7168 without 3072
     EXPECT_EQ(s.goal_end, 8000u);
     EXPECT_EQ(count("screened", name), 1);
     EXPECT_EQ(count_deploying_from(*open_for_reading(path(name)), 0),
@@ -79,13 +79,17 @@ TEST_F(CatalogueTest, RejectedAreTheSampledDrawsOfNoCandidate) {
   catalogue.commit({unit(40000, 60000)});
   const std::string sampled = "fault_sample WHERE draw NOT IN (SELECT draw FROM candidate)";
   EXPECT_EQ(count("fault_sample JOIN candidate USING (draw)"), 1);
-  EXPECT_EQ(state().faults, (std::map<std::string, std::uint64_t>{{"not_monotone", 18}}));
+  ASSERT_EQ(state().faults.size(), 1u);
+  EXPECT_EQ(state().faults.at("not_monotone").rows, 18u);
+  EXPECT_EQ(state().faults.at("not_monotone").draws, 18 * 1024);
   EXPECT_EQ(count(sampled), 18);
   const Json rows = Json::parse(
       query_table(*open_for_reading(path()), named_query("rejections"), TableStyle::json));
-  EXPECT_EQ(
-      rows,
-      (Json{{{"first_fault", "not_monotone"}, {"from_deg", 0}, {"draws", 18}, {"share", 1.0}}}));
+  EXPECT_EQ(rows, (Json{{{"first_fault", "not_monotone"},
+                         {"from_deg", 0},
+                         {"sampled", 18},
+                         {"draws", 18 * 1024},
+                         {"share", 1.0}}}));
 }
 
 TEST_F(CatalogueTest, SpeedIsThatOfTheLastRun) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "schema/catalogue_state.hpp"
+#include "schema/result_table.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {
@@ -249,6 +250,42 @@ TEST_F(MergeTest, OlderSchemas) {
   EXPECT_EQ(merged.draws_in_ledger, 60u);
   EXPECT_EQ(report.compared, 40u);
   EXPECT_EQ(merged.accepted, 35u);
+}
+
+// An undecided draw that has a row by the rule of its unit, and would have none by today's, keeps
+// one when it is decided.
+TEST_F(MergeTest, DecidedDrawsKeepTheirRows) {
+  constexpr std::uint64_t kDraw = 268436480;  // 2^28 + 1024, of unit 268436470
+  std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db",
+                             path("old.db"));
+  Trial trial(schema::read_campaign_of(*schema::open_for_reading(path("old.db")), "old.db"));
+  { schema::Catalogue(path("old.db"), trial.campaign(), trial.mechanism()); }
+  const std::string draw = std::to_string(kDraw);
+  change("old.db",
+         "INSERT INTO undecided (draw, unit, cause, run) SELECT draw, unit, 'stalled', 3 "
+         "FROM candidate WHERE draw = " +
+             draw +
+             ";"
+             "DELETE FROM candidate WHERE draw = " +
+             draw +
+             ";"
+             "UPDATE unit SET accepted = accepted - 1, undecided = 1 WHERE lo = 268436470;"
+             "UPDATE fault_sample SET first_fault = 'undecided' WHERE draw = " +
+             draw);
+  EXPECT_TRUE(work_off(trial, {kDraw, kDraw + 1}).fault_sample.empty());
+  {
+    schema::Catalogue catalogue(path("old.db"), trial.campaign(), trial.mechanism());
+    catalogue.begin_run(run_, {}, schema::Builds::mixed);
+    catalogue.settle(judge_again(trial, kDraw));
+    catalogue.end_run("stopped");
+  }
+  const auto database = schema::open_for_reading(path("old.db"));
+  EXPECT_EQ(schema::query_table(*database,
+                                "SELECT first_fault, deploys_from_sample, stands_for FROM "
+                                "fault_sample WHERE draw = " +
+                                    draw,
+                                schema::TableStyle::csv),
+            "first_fault,deploys_from_sample,stands_for\nnot_monotone,178,1024\n");
 }
 
 // A catalogue whose rows are denser than today's goes in with a new one of the same draws: rows

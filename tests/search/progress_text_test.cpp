@@ -132,6 +132,23 @@ TEST(ProgressText, TheLastLineHasTheMean) {
   EXPECT_FALSE(holds(plain_line(last), "left")) << plain_line(last);
 }
 
+// A run that may take three minutes does not say that it has hours left.
+TEST(ProgressText, TimeLeftKnowsTheRunsEnd) {
+  ProgressReport now = report(100000, 300000);  // 150 s of draws are left, after 100 s
+  now.counts.max_time_s = 160;
+  for (const std::string& line : {plain_line(now), bar_line(now, 200)}) {
+    EXPECT_TRUE(holds(line, "1 min 0 s left")) << line;
+  }
+  EXPECT_EQ(schema::Json::parse(json_line(now))["left_s"], 60);
+  now.counts.max_time_s = 1000;  // the draws are done before
+  EXPECT_EQ(schema::Json::parse(json_line(now))["left_s"], 150);
+  now.counts.limited = false;  // no end of draws, or no speed yet: the time's is known
+  EXPECT_EQ(schema::Json::parse(json_line(now))["left_s"], 900);
+  EXPECT_TRUE(holds(plain_line(now), "15 min 0 s left")) << plain_line(now);
+  now.counts.max_time_s = 90;
+  EXPECT_EQ(schema::Json::parse(json_line(now))["left_s"], 0);
+}
+
 TEST(RecentSpeed, IsThatOfTheLastSeconds) {
   RecentSpeed speed;
   EXPECT_EQ(speed.draws_per_s(), 0);

@@ -19,7 +19,10 @@ schema::CatalogueState state(std::uint64_t draws, std::uint64_t accepted, std::u
   state.rejected = draws - accepted;
   if (missing > 0) state.gaps = {{draws, draws + missing}};
   state.digest = "d";
-  state.faults = {{"not_monotone", 3}, {"fold_limit", 1}};
+  state.threshold_deg = 165;
+  // Three rows of one weight, and one that stands for as many draws as two of them.
+  state.faults = {{"not_monotone", schema::WeightedCount::of(3, 1024)},
+                  {"fold_limit", schema::WeightedCount::of(1, 2048)}};
   return state;
 }
 
@@ -42,14 +45,24 @@ TEST(StatusText, IsATable) {
   EXPECT_NE(text.find("small (01234567): work remains\n"), std::string::npos) << text;
   EXPECT_EQ(line(text, "done"), (Words{"done", "200"}));
   const Words accepted = line(text, "accepted");
-  ASSERT_EQ(accepted.size(), 9u) << text;  // accepted 50 25 % LOW % to HIGH %
-  EXPECT_EQ(accepted[1], "50");
-  EXPECT_EQ(accepted[2], "25");
-  EXPECT_LT(std::stod(accepted[4]), 25);
-  EXPECT_GT(std::stod(accepted[7]), 25);
+  ASSERT_EQ(accepted.size(), 12u) << text;  // accepted from 165 deg 50 25 % LOW % to HIGH %
+  EXPECT_EQ((Words{accepted.begin(), accepted.begin() + 4}),
+            (Words{"accepted", "from", "165", "deg"}));
+  EXPECT_EQ(accepted[4], "50");
+  EXPECT_EQ(accepted[5], "25");
+  EXPECT_LT(std::stod(accepted[7]), 25);
+  EXPECT_GT(std::stod(accepted[10]), 25);
   EXPECT_EQ(line(text, "rejected"), (Words{"rejected", "150", "75", "%"}));
   EXPECT_EQ(line(text, "missing"), (Words{"missing", "10"}));
-  EXPECT_EQ(line(text, "not_monotone"), (Words{"not_monotone", "3", "75", "%"}));
+  Words fault = line(text, "not_monotone");  // 3 of 4 rows, 3 of 5 parts of the draws
+  ASSERT_EQ(fault.size(), 9u) << text;
+  EXPECT_EQ((Words{fault.begin(), fault.begin() + 4}), (Words{"not_monotone", "3", "60", "%"}));
+  const schema::Json json = status_json(state(200, 50, 10));
+  EXPECT_EQ(json["threshold_deg"], 165);
+  EXPECT_EQ(json["fault_sample"]["not_monotone"]["sampled"], 3);
+  EXPECT_DOUBLE_EQ(json["fault_sample"]["not_monotone"]["share"], 0.6);
+  EXPECT_LT(json["fault_sample"]["not_monotone"]["share_low"], 0.6);
+  EXPECT_GT(json["fault_sample"]["not_monotone"]["share_high"], 0.6);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   const auto column_after = [&](const std::string& part) {
     const std::size_t at = text.find(part);

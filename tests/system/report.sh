@@ -12,6 +12,8 @@ make none 180 40 180        # no candidate at all
 make many 60 16000 90       # more than ten thousand
 [ "$(sql none.db 'SELECT count(*) FROM candidate')" = 0 ] || fail "there are candidates in none.db"
 [ "$(sql many.db 'SELECT count(*) FROM candidate')" -gt 10000 ] || fail "too few candidates in many.db"
+# Its later rows stand for more draws than the first, as those of large numbers do.
+sqlite3 many.db "UPDATE fault_sample SET stands_for = 4096 WHERE draw % 4096 = 0 AND draw > 0"
 # Few of another family, seen from the side where its pilot is a mountain, and a rejected draw.
 sed "s|\.\./patterns|$source_dir/search/patterns|; s/\"deploys_from_deg\": [0-9]*/\"deploys_from_deg\": 60/" \
   "$source_dir/search/campaigns/turned-quads-6x6.json" > few.json
@@ -84,6 +86,8 @@ refuse 2 "--by strok: is no column" --best 2 --by strok
 refuse 2 "excludes" --best 2 --diverse 2
 "$program" report none.db --best 3 --output none-best.html > /dev/null || fail "--best where there is none"
 
+"$program" query many.db "SELECT first_fault, fault_deg, stands_for FROM fault_sample" --json > rows.json
+node "$web/shares_test.mjs" "$source_dir/schema/report/shares.js" many.html rows.json || fail "shares by weight"
 node "$web/page_test.mjs" few.html none.html many.html || fail "the pages in a browser"
 
 "$program" report few.db --output nowhere/few.html > /dev/null 2> err

@@ -30,8 +30,11 @@ class UnitSource {
   std::vector<UnitRecord> next(int units, const UnitContents& contents) {
     std::vector<UnitRecord> all;
     for (int k = 0; k < units; ++k) {
-      all.push_back(draws_.unit({lo_, lo_ + kUnitDraws}, contents));
-      lo_ += kUnitDraws;
+      schema::DrawRange range{lo_, lo_ + kUnitDraws};
+      // The rows of the fault sample get rarer.
+      while (schema::FaultSampleRule().rows_in(range) < contents.sampled) range.hi += range.size();
+      all.push_back(draws_.unit(range, contents));
+      lo_ = range.hi;
     }
     return all;
   }

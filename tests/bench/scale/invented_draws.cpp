@@ -73,11 +73,10 @@ schema::UnitRecord InventedDraws::unit(const schema::DrawRange& range,
   }
   unit.accepted = contents.candidates;
   unit.rejected = range.size() - contents.candidates;
-  constexpr std::uint64_t kEvery = schema::kFaultSampleEvery;
-  std::uint64_t draw = (range.lo + kEvery - 1) / kEvery * kEvery;
-  for (std::uint64_t k = 0; k < contents.sampled; ++k, draw += kEvery) {
-    if (draw >= range.hi) throw std::logic_error("more sampled draws than the range has");
-    unit.fault_sample.push_back(sampled(draw));
+  const std::vector<std::uint64_t> rows = schema::FaultSampleRule().draws_in(range);
+  if (contents.sampled > rows.size()) throw std::logic_error("more sampled draws than there are");
+  for (std::uint64_t k = 0; k < contents.sampled; ++k) {
+    unit.fault_sample.push_back(sampled(rows[k]));
   }
   for (int k = 0; k < contents.screened; ++k) {
     const auto fault = k % 10 ? solver::Fault::not_monotone : solver::Fault::fold_limit;

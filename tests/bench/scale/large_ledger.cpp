@@ -70,7 +70,9 @@ void fill(const std::string& path, const LedgerSize& size) {
     SQLite::Statement sampled(
         database,
         "WITH RECURSIVE count (k) AS (SELECT 0 UNION ALL SELECT k + 1 FROM count WHERE k + 1 < "
-        ":rows) INSERT INTO fault_sample SELECT k * 1024, k * 1024 / :draws * :draws, k * 7 % 170, "
+        ":rows) INSERT INTO fault_sample (draw, unit, deploys_from_sample, "
+        "first_fault, fault_deg, \"where\") SELECT k * 1024, k * 1024 / :draws * :draws, k * 7 % "
+        "170, "
         "iif(k % 200, 'not_monotone', 'fold_limit'), k * 7 % 170 + 1.0, iif(k % 200, 'A18-A10', "
         "NULL) FROM count");
     sampled.bind(":rows", schema::stored(size.sampled));

@@ -117,10 +117,8 @@ class Simulation {
   void begin(int rank, const DrawRange& range, double start_s, double finish_s) {
     const double draws = static_cast<double>(range.size());
     std::poisson_distribution<std::uint64_t> accepted(draws * campaign_.acceptance);
-    constexpr std::uint64_t kEvery = schema::kFaultSampleEvery;
     units_.push_back({rank, range, start_s, finish_s, finish_s + network_.latency_s, 0,
-                      accepted(random_),
-                      (range.hi + kEvery - 1) / kEvery - (range.lo + kEvery - 1) / kEvery});
+                      accepted(random_), schema::FaultSampleRule().rows_in(range)});
   }
 
   bool compute_one_block() {

@@ -1,0 +1,48 @@
+// Shares of the draws by the fault sample, whose rows stand for several draws each.
+
+export function sum(rows, value = (row) => row.draws) {
+  return rows.reduce((total, row) => total + value(row), 0);
+}
+
+/** How many draws a row stands for. */
+export const weight = (row) => row.weight;
+
+/** How many rows of one weight say as much as these: (sum w)^2 / sum w^2 (Kish, 1965, section 11.7). */
+export function effective(rows) {
+  return sum(rows, weight) ** 2 / sum(rows, (row) => row.weight_sq);
+}
+
+/** Wilson's 95 % interval of k in n. */
+function interval(k, n) {
+  const z = 1.96,
+    p = k / n,
+    middle = (p + (z * z) / (2 * n)) / (1 + (z * z) / n);
+  const half = (z / (1 + (z * z) / n)) * Math.sqrt((p * (1 - p)) / n + (z * z) / (4 * n * n));
+  // Rounding must not put p outside.
+  return [Math.max(0, Math.min(p, middle - half)), Math.min(1, Math.max(p, middle + half))];
+}
+
+/** The share without a fault after each angle at which one was seen, with its interval. */
+export function survival_points(rows, { path }) {
+  const total = sum(rows, weight),
+    trials = effective(rows);
+  const failed_at = new Map();
+  for (const row of rows) {
+    const { first_fault, fault_deg, draws } = row;
+    if (first_fault === "none") continue;
+    const angle = fault_deg ?? 0; // a fault of the whole range: it deploys from nowhere
+    const before = failed_at.get(angle) ?? { draws: 0, weight: 0 };
+    failed_at.set(angle, { draws: before.draws + draws, weight: before.weight + weight(row) });
+  }
+  let left = sum(rows),
+    left_weight = total;
+  return [...new Set([0, ...failed_at.keys(), path.end_deg])]
+    .sort((a, b) => a - b)
+    .map((angle) => {
+      left -= failed_at.get(angle)?.draws ?? 0;
+      left_weight -= failed_at.get(angle)?.weight ?? 0;
+      const share = left > 0 ? left_weight / total : 0,
+        [low, high] = interval(share * trials, trials);
+      return { angle, share, left, low, high };
+    });
+}
