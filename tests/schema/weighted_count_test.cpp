@@ -8,13 +8,13 @@
 namespace misalign::schema {
 namespace {
 
-struct SampledRow {
+struct WeightedRow {
   double weight;
   bool hit;
 };
 
-std::vector<SampledRow> mixed_rows(std::mt19937_64& random, int rows, double p) {
-  std::vector<SampledRow> all;
+std::vector<WeightedRow> mixed_rows(std::mt19937_64& random, int rows, double p) {
+  std::vector<WeightedRow> all;
   for (int k = 0; k < rows; ++k) {
     const double weight = static_cast<double>(std::uint64_t{1} << (10 + random() % 5));
     all.push_back({weight, std::uniform_real_distribution(0.0, 1.0)(random) < p});
@@ -22,9 +22,9 @@ std::vector<SampledRow> mixed_rows(std::mt19937_64& random, int rows, double p) 
   return all;
 }
 
-WeightedCount count(const std::vector<SampledRow>& rows, bool hits_only) {
+WeightedCount counted(const std::vector<WeightedRow>& rows, bool hits_only) {
   WeightedCount sum;
-  for (const SampledRow& row : rows) {
+  for (const WeightedRow& row : rows) {
     if (row.hit || !hits_only) sum += WeightedCount::of(1, row.weight);
   }
   return sum;
@@ -35,13 +35,13 @@ TEST(WeightedCount, ShareIsThatOfTheDraws) {
   std::mt19937_64 random(11);
   const auto rows = mixed_rows(random, 200, 0.3);
   std::uint64_t draws = 0, hits = 0;
-  for (const SampledRow& row : rows) {
+  for (const WeightedRow& row : rows) {
     for (int k = 0; k < static_cast<int>(row.weight); ++k) {
       ++draws;
       hits += row.hit;
     }
   }
-  const WeightedCount all = count(rows, false), part = count(rows, true);
+  const WeightedCount all = counted(rows, false), part = counted(rows, true);
   EXPECT_EQ(all.rows, 200u);
   EXPECT_DOUBLE_EQ(all.draws, static_cast<double>(draws));
   EXPECT_DOUBLE_EQ(share(part, all), static_cast<double>(hits) / static_cast<double>(draws));
@@ -73,7 +73,7 @@ TEST(WeightedCount, EffectiveNumberGivesTheVariance) {
   int held = 0;
   for (int k = 0; k < kSamples; ++k) {
     const auto rows = mixed_rows(random, 120, p);
-    const WeightedCount all = count(rows, false), part = count(rows, true);
+    const WeightedCount all = counted(rows, false), part = counted(rows, true);
     const double off = share(part, all) - p;
     squares += off * off;
     expected += p * (1 - p) / all.effective();
