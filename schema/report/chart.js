@@ -7,7 +7,9 @@ import { text_width } from "./text_size.js";
 
 const kLetter_px = 12, // of .plot in page.css
   kTick_px = 12,
-  kTitle_px = 20;
+  kTitle_px = 20,
+  kLeft_px = 66,
+  kRight_px = 14;
 
 /** Calls draw(width) whenever the box gets another width, on paper too; the answer draws it anew. */
 export function when_wide(box, draw) {
@@ -157,9 +159,8 @@ export function folding_chart({
   label,
   lines,
   marks = [],
-  room = 0,
+  room_px = 0,
 }) {
-  const limits = limit_marks(detail, end_deg, room);
   let rule = null,
     x = null;
   const move = () => {
@@ -169,11 +170,14 @@ export function folding_chart({
     rule.setAttribute("x2", at);
   };
   const draw = (width) => {
+    // Room left of the last sample, as a part of the axis.
+    const room = (room_px * (1 - deployment(end_deg))) / (width - kLeft_px - kRight_px - room_px);
+    const limits = limit_marks(detail, end_deg, room);
     const plot = plot_with_room({
       width,
       height,
-      marginLeft: 66,
-      marginRight: 14,
+      marginLeft: kLeft_px,
+      marginRight: kRight_px,
       marginTop: 38,
       marginBottom: 40,
       className: "plot",

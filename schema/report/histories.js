@@ -116,7 +116,7 @@ export function make_histories(caption, report, folding) {
     ...folding,
     height: kHeight,
     label: "Relative lengths of the diagonals against the deployment ratio",
-    room: diagonals.length <= kNumbered ? 0.055 : 0,
+    room_px: diagonals.length <= kNumbered ? 54 : 0,
     y: { domain, label: "relative length L / L₀" },
     marks: limit_marks(limits),
     lines(svg, x, y) {

@@ -29,7 +29,9 @@ for (const [theme, width, ending] of kLooks) {
   });
   if (draw) await page.getByTestId("detailed").selectOption(draw);
   // Sticky bars would lie across a picture that is higher than the window.
-  await page.addStyleTag({ content: ".top, .pilot { position: static !important }" });
+  await page.addStyleTag({
+    content: "html { scrollbar-width: none } .top, .pilot { position: static !important }",
+  });
   await page.waitForTimeout(500);
   for (const [part, place] of Object.entries(kParts)) {
     const section = page.locator(place);
