@@ -19,6 +19,7 @@ if [ "${BARE_DEBIAN_INSIDE:-}" != yes ]; then
   BARE_DEBIAN_INSIDE=yes exec unshare --mount --pid --fork --kill-child --mount-proc bash tests/cluster/bare_debian.sh "$@"
 fi
 world=$(mktemp -d)
+chmod 755 "$world"  # whoever apt downloads as looks into it
 trap 'umount -R "$world/dev" "$world/proc" 2> /dev/null; rm -rf --one-file-system "$world"' EXIT
 
 # As apt here is set up: the archive of Debian itself.
@@ -44,6 +45,7 @@ timed() {
 
 timed "debootstrap, $suite" debootstrap --variant=minbase "$suite" "$world" "$mirror"
 cp -L /etc/resolv.conf "$world/etc/resolv.conf"
+echo force-unsafe-io > "$world/etc/dpkg/dpkg.cfg.d/unsafe-io"  # it need not survive a power cut
 apt-config dump Acquire | grep -i '::proxy' > "$world/etc/apt/apt.conf.d/90this-machine" || true
 mount --rbind /dev "$world/dev"
 mount -t proc proc "$world/proc"
