@@ -3,10 +3,12 @@
 import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
 import { h } from "./format.js";
+import { on_print, paper_share } from "./paper.js";
 import { line, panel_size_mm, polygon, sheet_extent, sheet_svg, view_height } from "./sheet.js";
 import { ZoomedView } from "./zoomed_view.js";
 
 const kMostWide_px = 1000,
+  kPaper_px = 330, // height on paper, as page.css has it
   kLeastPanel_px = 45; // where panels would be smaller, the drawing takes the whole width
 
 const kNumberAt = [0.27, 0.2, 0.35, 0.73, 0.8]; // along the diagonal
@@ -99,6 +101,7 @@ class CreasePattern {
   #wide_button;
   #wide = null; // null: nobody said
   #width_px = 0;
+  #share = null; // of the screen's width, on paper
   #diagonals = [];
   #labels = [];
   #balls = [];
@@ -128,6 +131,10 @@ class CreasePattern {
     );
     box.replaceChildren(this.#svg, buttons, legend());
     new ResizeObserver(() => this.#resize()).observe(box);
+    on_print((printing) => {
+      this.#share = printing ? paper_share() : null;
+      this.#resize();
+    });
   }
 
   get drawing() {
@@ -252,11 +259,16 @@ class CreasePattern {
       return this.#set_wide(this.#size_mm * scale < kLeastPanel_px, false);
     }
     this.#width_px = width;
+    if (this.#share) return this.#fill(width * this.#share, kPaper_px);
     const height = this.#is_wide()
       ? Math.min((width * whole.height) / whole.width, kMostWide_px)
       : view_height(width);
+    this.#fill(width, height);
+  }
+
+  #fill(width, height) {
     this.#svg.style.height = `${Math.round(height)}px`;
-    this.#view.resize(width, Math.round(height));
+    this.#view.resize(Math.round(width), Math.round(height));
   }
 }
 
