@@ -55,14 +55,14 @@ double rounded_down(double x) {
 void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
                        Misalignment& misalignment) {
   InputFaults& faults = reader.faults();
-  const std::size_t before = faults.sentences().size();
+  const std::size_t before = faults.count();
   if (sheet) {
     misalignment.vertices = read_vertices(reader, *sheet);
   } else {
     reader.find("vertices");
   }
   reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
-  if (sheet && faults.sentences().size() == before) {
+  if (sheet && faults.count() == before) {
     const double safe = solver::largest_safe_amplitude_mm(*sheet, misalignment.vertices);
     if (misalignment.amplitude_mm >= safe) {
       faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
@@ -83,12 +83,12 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
 void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
                              Campaign& campaign) {
   InputFaults& faults = path.faults();
-  const std::size_t before = faults.sentences().size();
+  const std::size_t before = faults.count();
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
   accept.flag("between_samples", campaign.between_samples);
-  const bool numbers_good = faults.sentences().size() == before;
+  const bool numbers_good = faults.count() == before;
   path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
   if (!numbers_good) return;

@@ -52,10 +52,10 @@ Json perforated_mesh_json(const Pattern& pattern) {
 }
 
 Pattern read_carried_pattern(const Json& fold, InputFaults& faults, Perforations perforations) {
-  const std::size_t before = faults.sentences().size();
+  const std::size_t before = faults.count();
   Pattern pattern = read_pattern(fold.at(kCarriedPattern), kCarriedPattern, Displacements::allowed,
                                  {}, faults, perforations);
-  if (faults.sentences().size() == before && !is_mesh_of(pattern, fold)) {
+  if (faults.count() == before && !is_mesh_of(pattern, fold)) {
     faults.add(
         kCarriedPattern,
         "is not the pattern of this file's vertices, edges and faces, which were changed since",

@@ -6,6 +6,7 @@
 
 #include "schema/carried_files.hpp"
 #include "schema/catalogue_state.hpp"
+#include "schema/file_name.hpp"
 #include "schema/folding_json.hpp"
 #include "schema/output_file.hpp"
 #include "schema/unit_copier.hpp"
@@ -61,12 +62,12 @@ void Standing::add(const UnitRecord& unit) {
 
 Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
                      const solver::Mechanism& mechanism, std::optional<Storage> storage)
-    : path_(path),
+    : path_(end_of_links(path)),
       campaign_(campaign),
       mechanism_(mechanism),
       identity_(identity(campaign)),
-      storage_(storage.value_or(file_system_of(path).storage)),
-      lock_(path) {
+      storage_(storage.value_or(file_system_of(path_).storage)),
+      lock_(path_) {
   try {
     guarded(path_, [&] { open(); });
   } catch (...) {

@@ -39,23 +39,47 @@ struct StructureGuard {
   }
 };
 
+constexpr std::size_t kMostOfASentence = 3000;
+
+// Shortened first, too: a value can be as long as its file.
+std::string in_a_sentence(const std::string& text, std::size_t most) {
+  return shortened(printable(shortened(text, most)), most);
+}
+
+std::string listed(const std::vector<std::string>& list, std::size_t more) {
+  std::string lines;
+  const std::size_t shown = std::min(list.size(), kMostListed);
+  for (std::size_t k = 0; k < shown; ++k) {
+    lines += "\n  " + in_a_sentence(list[k], kMostOfASentence);
+  }
+  more += list.size() - shown;
+  if (more > 0) lines += "\n  and " + std::to_string(more) + " more";
+  return lines;
+}
+
 }  // namespace
+
+UserError::UserError(int exit_code, const std::string& sentence)
+    : std::runtime_error(in_a_sentence(sentence, kMostOfASentence)), exit_code_(exit_code) {}
+
+UserError::UserError(int exit_code, const std::string& sentence,
+                     const std::vector<std::string>& list, std::size_t more)
+    : std::runtime_error(in_a_sentence(sentence, kMostOfASentence) + listed(list, more)),
+      exit_code_(exit_code) {}
 
 void InputFaults::add(const std::string& problem, const std::string& why,
                       const std::string& suggestion) {
-  sentences_.push_back(printable(problem + " (" + why + "); " + suggestion));
+  constexpr std::size_t kMostOfAPart = 400;
+  if (++count_ > kMostListed) return;
+  const auto part = [](const std::string& text) { return in_a_sentence(text, kMostOfAPart); };
+  sentences_.push_back(part(problem) + " (" + part(why) + "); " + part(suggestion));
 }
 
 void InputFaults::refuse(const std::string& source) const {
   if (none()) return;
-  std::string message = source + ": ";
-  if (sentences_.size() == 1) {
-    message += sentences_.front();
-  } else {
-    message += std::to_string(sentences_.size()) + " faults";
-    for (const std::string& sentence : sentences_) message += "\n  " + sentence;
-  }
-  throw UserError(kExitBadInput, message);
+  if (count_ == 1) throw UserError(kExitBadInput, source + ": " + sentences_.front());
+  throw UserError(kExitBadInput, source + ": " + std::to_string(count_) + " faults", sentences_,
+                  count_ - sentences_.size());
 }
 
 ObjectReader::ObjectReader(const Json& value, std::string where, InputFaults& faults)
@@ -179,23 +203,12 @@ Json parse_json(const std::string& text, const std::string& source) {
   }
 }
 
-std::string printable(const std::string& text) {
-  std::string shown;
-  for (const char c : text) {
-    if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F) {
-      shown += c;
-      continue;
-    }
-    char escaped[8];
-    std::snprintf(escaped, sizeof escaped, "\\u%04x", c);
-    shown += escaped;
+Json json_of(const Json& text) {
+  try {
+    return text.is_string() ? parse_json(text.get_ref<const std::string&>(), "") : Json();
+  } catch (const UserError&) {
+    return {};
   }
-  return shown;
-}
-
-std::string utf8(const std::string& text) {
-  const std::string replaced = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(replaced).get<std::string>();
 }
 
 std::string shown_number(double value) { return shown_number("%.10g", value); }

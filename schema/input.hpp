@@ -8,20 +8,28 @@
 #include <string>
 #include <vector>
 
+#include "schema/printable.hpp"
+
 namespace misalign::schema {
 
 using Json = nlohmann::json;
 
-/// A sentence for the person who called, and the exit code of the contract.
+/// A sentence for the person who called, and the exit code of the contract. Names and values in it
+/// may come from anywhere: it is printable, and shortened where it is longer than any of ours.
 class UserError : public std::runtime_error {
  public:
-  UserError(int exit_code, const std::string& sentence)
-      : std::runtime_error(sentence), exit_code_(exit_code) {}
+  UserError(int exit_code, const std::string& sentence);
+  /// The same with a list, a line each: at most kMostListed, then how many more there are.
+  UserError(int exit_code, const std::string& sentence, const std::vector<std::string>& list,
+            std::size_t more);
   int exit_code() const { return exit_code_; }
 
  private:
   int exit_code_;
 };
+
+/// Of faults or findings that people are told at once.
+inline constexpr std::size_t kMostListed = 20;
 
 inline constexpr int kExitFailure = 1;
 inline constexpr int kExitUsage = 2;
@@ -35,13 +43,16 @@ inline constexpr int kExitWorkRemains = 75;
 class InputFaults {
  public:
   void add(const std::string& problem, const std::string& why, const std::string& suggestion);
-  bool none() const { return sentences_.empty(); }
+  bool none() const { return count_ == 0; }
+  std::size_t count() const { return count_; }
+  /// The first kMostListed of them: a file can have millions.
   const std::vector<std::string>& sentences() const { return sentences_; }
   /// Throws a UserError (3) naming `source` and every fault, unless there is none.
   void refuse(const std::string& source) const;
 
  private:
   std::vector<std::string> sentences_;
+  std::size_t count_ = 0;
 };
 
 /// Reads the keys of one JSON object; what is absent keeps its default, what is wrong is a fault.
@@ -82,17 +93,14 @@ Json read_json_file(const std::string& path);
 /// The JSON in a text that came from `source`; UserError (3) if it is none.
 Json parse_json(const std::string& text, const std::string& source);
 
+/// The JSON in a text of a database, null if there is none: also where it is nested more deeply
+/// than any of ours, which would exhaust the stack of who copies or prints it.
+Json json_of(const Json& text);
+
 /// A number as people write it: 80, 0.4, 1e-09.
 std::string shown_number(double value);
 
 /// The same in a format of printf for one double.
 std::string shown_number(const char* format, double value);
-
-/// A text for a sentence: control characters, which could end it or change what a terminal shows,
-/// as \u0000.
-std::string printable(const std::string& text);
-
-/// A text of unknown origin, with U+FFFD for what is no UTF-8 in it: JSON has no other.
-std::string utf8(const std::string& text);
 
 }  // namespace misalign::schema

@@ -235,7 +235,8 @@ class LedgerCheck {
 
 Finding differs(const std::string& where, const std::string& column, const Json& stored,
                 const Json& recomputed) {
-  return {where + ": " + column + " is " + stored.dump() + " as stored, " + recomputed.dump() +
+  const auto shown = [](const Json& value) { return shortened(value.dump(), 200); };
+  return {where + ": " + column + " is " + shown(stored) + " as stored, " + shown(recomputed) +
               " recomputed",
           {{"where", where}, {"column", column}, {"stored", stored}, {"recomputed", recomputed}}};
 }

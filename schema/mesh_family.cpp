@@ -63,7 +63,7 @@ FamilyMesh read_miura(ObjectReader& reader) {
       into = static_cast<int>(n);
     }
   };
-  const std::size_t before = reader.faults().sentences().size();
+  const std::size_t before = reader.faults().count();
   side("rows", rows);
   side("columns", columns);
   solver::MiuraShape shape;
@@ -71,7 +71,7 @@ FamilyMesh read_miura(ObjectReader& reader) {
   read_lengths(reader, "panel_height_mm", 80, rows, "try 80", shape.height_mm);
   read_lengths(reader, "zigzag_offset_mm", 40, rows, "try half of the panel width",
                shape.offset_mm);
-  if (reader.faults().sentences().size() > before) return {};
+  if (reader.faults().count() > before) return {};
   FamilyMesh mesh;
   mesh.family = {{"family", "miura"},
                  {"rows", rows},
@@ -100,12 +100,12 @@ FamilyMesh read_fold_mesh(ObjectReader& reader, const std::filesystem::path& dir
     reader.faults().add(reader.shown("file"), "must be a text", "name a FOLD file");
     return {};
   }
-  const std::size_t before = reader.faults().sentences().size();
+  const std::size_t before = reader.faults().count();
   const std::string name = file ? file->get<std::string>() : "";
   const Json document = file ? read_json_file((directory / name).string()) : *inline_mesh;
   FoldMesh fold =
       read_fold(document, file ? name : reader.name("mesh"), mm_per_unit, reader.faults());
-  if (reader.faults().sentences().size() > before) return {};
+  if (reader.faults().count() > before) return {};
   return {{{"family", "fold"}},
           std::move(fold.sheet),
           std::move(fold.assignment),

@@ -217,9 +217,9 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
                      const std::filesystem::path& directory, InputFaults& faults,
                      Perforations perforations) {
   Pattern pattern;
-  const std::size_t before = faults.sentences().size();
+  const std::size_t before = faults.count();
   ObjectReader reader(value, where, faults);
-  const auto good = [&] { return faults.sentences().size() == before; };
+  const auto good = [&] { return faults.count() == before; };
   FamilyMesh mesh = read_family(reader, directory);
   if (good()) {
     pattern.base.holes = read_holes(reader, mesh);

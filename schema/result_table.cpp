@@ -14,7 +14,7 @@ namespace {
 const std::string kQueryFolder = "schema/queries/";
 
 UserError bad_sql(const std::string& what) {
-  return UserError(kExitUsage, "the query was refused (" + printable(utf8(what)) +
+  return UserError(kExitUsage, "the query was refused (" + what +
                                    "); it must be one SELECT, or one "
                                    "of the names " +
                                    named_query_list());
@@ -95,11 +95,8 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
           continue;
         }
         numeric[k] = numeric[k] && !cell.isText();
-        if (style == TableStyle::aligned) {  // a line break would end the row
-          row.push_back(printable(utf8(cell_text(cell))));
-        } else {
-          row.push_back(cell.isFloat() ? Json(cell.getDouble()).dump() : cell_text(cell));
-        }
+        const bool all_digits = style == TableStyle::csv && cell.isFloat();
+        row.push_back(all_digits ? Json(cell.getDouble()).dump() : cell_text(cell));
       }
       style == TableStyle::json ? list.push_back(std::move(object))
                                 : rows.push_back(std::move(row));

@@ -72,8 +72,12 @@ UserError storage_failure(const std::string& path, const SQLite::Exception& erro
       return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kKept +
                                 "make room" + kAgain};
     case SQLITE_IOERR:
-      return {kExitFailure,
-              path + ": reading or writing failed" + what + kKept + "see to the disk" + kAgain};
+      return {kExitFailure, path + ": reading or writing failed" + what + kKept +
+                                "see to the disk and to limits of a file's size (ulimit -f)" +
+                                kAgain};
+    case SQLITE_NOMEM:
+      return {kExitFailure, path + ": there is too little memory" + what + kKept +
+                                "ask for less at once, or give it more"};
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
         return {kExitFailure, path +

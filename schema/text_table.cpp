@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "schema/printable.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -48,7 +50,12 @@ std::size_t display_width(const std::string& text) {
   return width;
 }
 
-std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& numeric) {
+std::string aligned(const std::vector<Row>& cells, const std::vector<bool>& numeric) {
+  std::vector<Row> rows = cells;
+  for (Row& row : rows) {
+    std::transform(row.begin(), row.end(), row.begin(),
+                   [](const std::string& cell) { return printable(cell); });
+  }
   std::vector<std::size_t> width(numeric.size(), 0);
   for (const Row& row : rows) {
     for (std::size_t k = 0; k < row.size(); ++k) {

@@ -12,7 +12,8 @@ std::size_t display_width(const std::string& text);
 
 using Row = std::vector<std::string>;
 
-/// Columns two apart; the numeric ones flush right. No blanks at the ends of lines.
-std::string aligned(const std::vector<Row>& rows, const std::vector<bool>& numeric);
+/// Columns two apart; the numeric ones flush right. No blanks at the ends of lines. Cells and names
+/// of columns may come from anywhere: they are made printable, so that a row is one line.
+std::string aligned(const std::vector<Row>& cells, const std::vector<bool>& numeric);
 
 }  // namespace misalign::schema

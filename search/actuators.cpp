@@ -6,6 +6,7 @@
 
 #include "schema/actuation_json.hpp"
 #include "search/chosen_sheet.hpp"
+#include "search/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -23,27 +24,27 @@ std::string labels(const solver::Mechanism& mechanism, const std::vector<int>& d
 void print_summary(const solver::Mechanism& mechanism, const FoldedSheet& folded) {
   const solver::Actuation& actuation = folded.actuation;
   const auto& limit = actuation.actuators.stroke_limit;
-  std::printf("springs of %g N/mm on every diagonal, relaxed when flat%s\n",
-              actuation.actuators.stiffness_n_per_mm,
-              limit ? ("; stroke limit " + schema::shown_number(100 * *limit) + " %").c_str() : "");
+  put_format("springs of %g N/mm on every diagonal, relaxed when flat%s\n",
+             actuation.actuators.stiffness_n_per_mm,
+             limit ? ("; stroke limit " + schema::shown_number(100 * *limit) + " %").c_str() : "");
   if (actuation.weakest) {
-    std::printf("weakest at %g deg: %.4g N mm about the pilot crease\n",
-                actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
+    put_format("weakest at %g deg: %.4g N mm about the pilot crease\n",
+               actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
   } else {
-    std::printf("deploys from less than 5 deg: no weakest point\n");
+    put_format("deploys from less than 5 deg: no weakest point\n");
   }
   if (actuation.few) {
-    std::printf("%zu of %d diagonals keep %.3g %% of that: %s%s\n", actuation.few->diagonals.size(),
-                mechanism.diagonal_count(), 100 * actuation.few->share,
-                labels(mechanism, actuation.few->diagonals).c_str(),
-                actuation.few->proven ? "; no fewer do" : "; fewer might");
+    put_format("%zu of %d diagonals keep %.3g %% of that: %s%s\n", actuation.few->diagonals.size(),
+               mechanism.diagonal_count(), 100 * actuation.few->share,
+               labels(mechanism, actuation.few->diagonals).c_str(),
+               actuation.few->proven ? "; no fewer do" : "; fewer might");
   }
   if (actuation.over_stroke) {
-    std::printf("the stroke limit is first exceeded at %g deg; up to D by %s\n",
-                actuation.over_stroke->from_deg,
-                labels(mechanism, actuation.over_stroke->diagonals).c_str());
+    put_format("the stroke limit is first exceeded at %g deg; up to D by %s\n",
+               actuation.over_stroke->from_deg,
+               labels(mechanism, actuation.over_stroke->diagonals).c_str());
   } else if (limit) {
-    std::printf("no diagonal goes beyond the stroke limit up to D\n");
+    put_format("no diagonal goes beyond the stroke limit up to D\n");
   }
 }
 
@@ -51,30 +52,30 @@ void print_summary(const solver::Mechanism& mechanism, const FoldedSheet& folded
 void print_way(const FoldedSheet& folded) {
   const solver::Actuation& actuation = folded.actuation;
   const Index at_d = folded.path.rows_up_to_d();
-  std::printf("\n%9s %10s %12s %12s %10s\n", "pilot_deg", "deployment", "energy_n_mm",
-              "moment_n_mm", "advantage");
+  put_format("\n%9s %10s %12s %12s %10s\n", "pilot_deg", "deployment", "energy_n_mm", "moment_n_mm",
+             "advantage");
   for (std::size_t row = 1; row < actuation.pilot_deg.size(); ++row) {
     const double pilot_deg = actuation.pilot_deg[row];
     const bool is_d = static_cast<Index>(row) == at_d;
     if (!is_d && std::abs(std::remainder(pilot_deg, 10)) > 1e-9) continue;
-    std::printf("%9g %10.4f %12.6g %12.6g %10.4g%s\n", pilot_deg, (180 - pilot_deg) / 180,
-                actuation.energy_n_mm[row], actuation.moment_n_mm[row],
-                actuation.mechanical_advantage[row], is_d ? "  <- deploys from here" : "");
+    put_format("%9g %10.4f %12.6g %12.6g %10.4g%s\n", pilot_deg, (180 - pilot_deg) / 180,
+               actuation.energy_n_mm[row], actuation.moment_n_mm[row],
+               actuation.mechanical_advantage[row], is_d ? "  <- deploys from here" : "");
   }
 }
 
 void print_forces(const solver::Mechanism& mechanism, const FoldedSheet& folded) {
   const solver::Actuation& actuation = folded.actuation;
   const Index at_d = folded.path.rows_up_to_d();
-  std::printf("\n%9s %11s %11s\n", "diagonal", "force_at_D", "elongation");
+  put_format("\n%9s %11s %11s\n", "diagonal", "force_at_D", "elongation");
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     const double force_n = actuation.force_n(at_d, d);
     const double stretch_mm = force_n / actuation.actuators.stiffness_n_per_mm;
     const double elongation = stretch_mm / folded.path.history.flat_mm[static_cast<std::size_t>(d)];
     const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
                                                           actuation.few->diagonals.end(), d);
-    std::printf("%9s %9.3f N %9.3f %% %s\n", schema::diagonal_label(mechanism, d).c_str(), force_n,
-                100 * elongation, kept ? " one of the few" : "");
+    put_format("%9s %9.3f N %9.3f %% %s\n", schema::diagonal_label(mechanism, d).c_str(), force_n,
+               100 * elongation, kept ? " one of the few" : "");
   }
 }
 
@@ -91,7 +92,7 @@ void show_actuators(const ActuatorsOptions& options) {
     schema::Json json = schema::actuation_history_json(view, folded.path, folded.actuation);
     json.update(sheet.key_json());
     json["deploys_from_deg"] = verdict["deploys_from_deg"];
-    std::puts(json.dump(1).c_str());
+    put_json(json);
     return;
   }
   const char* standing = "";
@@ -99,9 +100,9 @@ void show_actuators(const ActuatorsOptions& options) {
     const bool accepted = sheet.drawn->campaign.accepts(folded.path.history.verdict);
     standing = accepted ? "accepted, " : "not accepted, ";
   }
-  std::printf("%s: %sdeploys from %g deg%s\n", sheet.name().c_str(), standing,
-              verdict["deploys_from_deg"].get<double>(),
-              verdict.contains("cause") ? " as far as could be told (undecided)" : "");
+  put_format("%s: %sdeploys from %g deg%s\n", schema::printable(sheet.name()).c_str(), standing,
+             verdict["deploys_from_deg"].get<double>(),
+             verdict.contains("cause") ? " as far as could be told (undecided)" : "");
   print_summary(folder.mechanism(), folded);
   print_way(folded);
   print_forces(folder.mechanism(), folded);

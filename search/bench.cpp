@@ -5,6 +5,7 @@
 
 #include "search/draw.hpp"
 #include "search/stopwatch.hpp"
+#include "search/terminal.hpp"
 #include "search/trial.hpp"
 #include "solver/reference.hpp"
 
@@ -120,24 +121,24 @@ Json report_json(const AgreementReport& report) {
 }
 
 void print_speed(const SpeedReport& report) {
-  std::printf("%-10s %12s %8s %12s %16s %14s\n", "solver", "draws/s", "ratio", "solves/draw",
-              "iterations/draw", "disagreements");
+  put_format("%-10s %12s %8s %12s %16s %14s\n", "solver", "draws/s", "ratio", "solves/draw",
+             "iterations/draw", "disagreements");
   const auto row = [&](const char* name, const SolverSpeed& speed) {
     const double draws = static_cast<double>(speed.draws);
-    std::printf("%-10s %12.0f %8.0f %12.2f %16.2f %14llu\n", name, speed.draws_per_s(),
-                speed.draws_per_s() / report.reference.draws_per_s(),
-                static_cast<double>(speed.effort.solves) / draws,
-                static_cast<double>(speed.effort.iterations) / draws,
-                static_cast<unsigned long long>(speed.disagreements));
+    put_format("%-10s %12.0f %8.0f %12.2f %16.2f %14llu\n", name, speed.draws_per_s(),
+               speed.draws_per_s() / report.reference.draws_per_s(),
+               static_cast<double>(speed.effort.solves) / draws,
+               static_cast<double>(speed.effort.iterations) / draws,
+               static_cast<unsigned long long>(speed.disagreements));
   };
   row("reference", report.reference);
   for (const auto& [set, speed] : report.lanes) row(solver::instruction_set_name(set), speed);
-  std::printf("disagreements: on the reference's %llu draws\n",
-              static_cast<unsigned long long>(report.reference.draws));
+  put_format("disagreements: on the reference's %llu draws\n",
+             static_cast<unsigned long long>(report.reference.draws));
 }
 
 void print_agreement(const AgreementReport& report) {
-  std::printf(
+  put_format(
       "%llu draws: %llu verdicts differ (in %llu more the reference had jumped), %llu of %llu "
       "decisions differ, %llu undecided\n",
       static_cast<unsigned long long>(report.draws),
@@ -147,7 +148,7 @@ void print_agreement(const AgreementReport& report) {
       static_cast<unsigned long long>(report.decisions),
       static_cast<unsigned long long>(report.undecided));
   for (const std::uint64_t draw : report.differing_draws) {
-    std::printf("  differs: draw %llu\n", static_cast<unsigned long long>(draw));
+    put_format("  differs: draw %llu\n", static_cast<unsigned long long>(draw));
   }
 }
 
@@ -297,11 +298,11 @@ bool bench(const BenchOptions& options) {
   if (options.agree_draws) {
     const AgreementReport report = compare_verdicts(campaign, *options.agree_draws,
                                                     solver::available_instruction_sets().back());
-    options.json ? void(std::puts(report_json(report).dump(1).c_str())) : print_agreement(report);
+    options.json ? put_json(report_json(report)) : print_agreement(report);
     return report.verdicts_differ + report.decisions_differ + report.undecided == 0;
   }
   const SpeedReport report = measure_speed(campaign, options.seconds);
-  options.json ? void(std::puts(report_json(report).dump(1).c_str())) : print_speed(report);
+  options.json ? put_json(report_json(report)) : print_speed(report);
   return std::all_of(report.lanes.begin(), report.lanes.end(),
                      [](const auto& lane) { return lane.second.disagreements == 0; });
 }

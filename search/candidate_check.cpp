@@ -20,8 +20,7 @@ Finding exceeds(const std::string& where, const std::string& what, double value,
 
 // The displacements of a row; nothing if they are no displacements of this sheet.
 std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
-  const Json json =
-      text.is_string() ? Json::parse(text.get<std::string>(), nullptr, false) : Json();
+  const Json json = schema::json_of(text);
   if (!json.is_object()) return {};
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
   for (const auto& [label, shift] : json.items()) {

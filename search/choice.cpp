@@ -63,18 +63,12 @@ Eigen::MatrixXd standardized(const std::vector<std::vector<double>>& points) {
   return block;
 }
 
-// The JSON of a text column.
-Json parsed(const Json& row, const char* column) {
-  const Json& text = row.at(column);
-  return text.is_string() ? Json::parse(text.get<std::string>(), nullptr, false) : Json();
-}
-
 // Elongations of the diagonals at D, one list per row.
 std::vector<std::vector<double>> elongations_of(const SQLite::Database& database,
                                                 const Json& rows) {
   std::vector<std::vector<double>> elongations;
   for (const Json& row : rows) {
-    const Json list = parsed(row, "elongation");
+    const Json list = schema::json_of(row.at("elongation"));
     const bool numbers = list.is_array() && !list.empty() &&
                          std::all_of(list.begin(), list.end(), std::mem_fn(&Json::is_number));
     if (!numbers || (!elongations.empty() && elongations[0].size() != list.size())) {
@@ -90,7 +84,7 @@ std::vector<std::vector<double>> shifts_of(const SQLite::Database& database, con
   std::map<std::string, std::size_t> place;  // of a vertex in the lists
   std::vector<Json> displacements;
   for (const Json& row : rows) {
-    displacements.push_back(parsed(row, "displacements_mm"));
+    displacements.push_back(schema::json_of(row.at("displacements_mm")));
     if (!displacements.back().is_object()) {
       throw schema::damaged(database, "a candidate's displacements are none");
     }

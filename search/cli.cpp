@@ -9,10 +9,12 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 
 #include "schema/draw_range.hpp"
 #include "schema/input.hpp"
 #include "search/build_info.hpp"
+#include "search/failure.hpp"
 #include "search/help_format.hpp"
 #include "search/mpi_session.hpp"
 #include "search/progress.hpp"
@@ -45,7 +47,26 @@ class MessageSink : public ColorSink {
   explicit MessageSink(spdlog::color_mode mode) : ColorSink(mode) {}
   void log(const spdlog::details::log_msg& message) override {
     erase_live_line();
-    ColorSink::log(message);
+    const std::string_view said(message.payload.data(), message.payload.size());
+    const std::string shown = on_lines_of_its_own(said);
+    spdlog::details::log_msg printable = message;
+    printable.payload = shown;
+    ColorSink::log(printable);
+  }
+
+ private:
+  // Names and values in it may come from anywhere; what is behind a line feed is never taken for a
+  // message of its own.
+  static std::string on_lines_of_its_own(std::string_view said) {
+    std::string shown;
+    for (std::size_t begin = 0; begin <= said.size();) {
+      const std::size_t end = std::min(said.find('\n', begin), said.size());
+      const std::string_view line = said.substr(begin, end - begin);
+      if (begin > 0) shown += line.starts_with("  ") ? "\n" : "\n  ";
+      shown += schema::printable(line);
+      begin = end + 1;
+    }
+    return shown;
   }
 };
 
@@ -101,7 +122,7 @@ std::string too_many_files(const CLI::App& verb, const std::vector<std::string>&
   constexpr int kShown = 4;
   for (const std::string& word : arguments) {
     if (!is_like_first(word)) continue;
-    if (++files <= kShown) names += (files > 1 ? ", " : "") + schema::printable(schema::utf8(word));
+    if (++files <= kShown) names += (files > 1 ? ", " : "") + word;
   }
   if (files < 2) return "";
   return (files == 2 ? "two" : std::to_string(files)) + " files match (" + names +
@@ -114,8 +135,7 @@ std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
   for (const std::string& word : app.remaining(/*recurse=*/true)) {
     const bool is_option = word.size() > 1 && word[0] == '-';
     if (!is_option && verb) {
-      return verb->get_name() + " takes no further argument, such as " +
-             schema::printable(schema::utf8(word));
+      return verb->get_name() + " takes no further argument, such as " + word;
     }
     std::vector<std::string> known;
     if (is_option) {
@@ -150,6 +170,7 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error,
     const CLI::App* const verb = chosen_verb(app);
     std::string sentence = verb ? too_many_files(*verb, words) : "";
     if (sentence.empty()) sentence = usage_sentence(app, error.what());
+    sentence = schema::shortened(schema::printable(sentence), 1000);
     std::fprintf(stderr, "misalign: %s; see misalign %s--help\n", sentence.c_str(),
                  verb ? (verb->get_name() + " ").c_str() : "");
   }
@@ -291,10 +312,6 @@ int run_command_line(int argc, char** argv) {
   }
   wish_colors(color);
   set_up_log(level, color);
-  const auto fail = [&](const std::exception& error, int exit_code) {
-    if (!rank_zero_speaks(app)) spdlog::error("{}", error.what());
-    return exit_code;
-  };
   try {
     const int exit_code = verbs.at(app.get_subcommands().front()->get_name())();
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
@@ -303,10 +320,10 @@ int run_command_line(int argc, char** argv) {
                       "the results could not be written to standard output (is the disk full?)");
     }
     return exit_code;
-  } catch (const UserError& error) {
-    return fail(error, error.exit_code());
   } catch (const std::exception& error) {
-    return fail(error, schema::kExitFailure);
+    const Failure failure = failure_of(error);
+    if (!rank_zero_speaks(app)) spdlog::error("{}", failure.sentence);
+    return failure.exit_code;
   }
 }
 

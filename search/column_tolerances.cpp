@@ -52,14 +52,10 @@ bool lists_agree(const Json& a, const Json& b) {
                     [](const Json& x, const Json& y) { return numbers_agree(x, y, kElongations); });
 }
 
-Json parsed(const Json& text) {
-  return text.is_string() ? Json::parse(text.get<std::string>(), nullptr, false) : Json();
-}
-
 }  // namespace
 
 bool ColumnTolerances::agree(const std::string& column, const Json& a, const Json& b) const {
-  if (column == "elongation") return lists_agree(parsed(a), parsed(b));
+  if (column == "elongation") return lists_agree(schema::json_of(a), schema::json_of(b));
   return numbers_agree(a, b, allowance_of(column, width_mm, sample_deg));
 }
 

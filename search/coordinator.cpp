@@ -65,11 +65,12 @@ class Coordinator {
   bool compute_one_block() {
     if (mpi_.ranks() > kMostRanksWithOwnDraws) return false;
     if (!own_work_) {
-      if (const auto range = dispatcher_.assign(0)) own_work_.emplace(trial_, *range);
+      if (const auto range = dispatcher_.assign(0))
+        own_work_.emplace(trial_, *range, schema::FaultSampleRule(), options_.unit_bytes);
     }
     if (!own_work_) return false;
     own_work_->run_next_block();
-    if (own_work_->finished()) commit_own_work();
+    if (own_work_->finished() || own_work_->is_full()) commit_own_work();
     return true;
   }
 
@@ -84,11 +85,13 @@ class Coordinator {
   bool receive_all() {
     std::vector<schema::UnitRecord> units;
     for (std::size_t rows = 0; rows < kMostRows;) {
-      std::optional<schema::UnitRecord> unit = mpi_.receive_unit();
-      if (!unit) break;
-      hand_on(*unit);
-      rows += 1 + unit->candidates.size() + unit->fault_sample.size();
-      units.push_back(std::move(*unit));
+      std::optional<SentUnit> sent = mpi_.receive_unit();
+      if (!sent) break;
+      if (sent->was_stopped) worker_was_stopped_ = true;
+      schema::UnitRecord& unit = sent->unit;
+      hand_on(unit);
+      rows += 1 + unit.candidates.size() + unit.fault_sample.size();
+      units.push_back(std::move(unit));
     }
     if (units.empty()) return false;
     commit(std::move(units));
@@ -97,9 +100,6 @@ class Coordinator {
 
   // What its rank has not done of the range is open again, and the rank gets another one.
   void hand_on(const schema::UnitRecord& unit) {
-    if (unit.worker > 0 && unit.range.hi < dispatcher_.assigned(unit.worker)->hi) {
-      worker_was_stopped_ = true;
-    }
     dispatcher_.settle(unit.worker, unit.range.hi, unit.seconds);
     if (unit.worker > 0) idle_.push_back(unit.worker);
     if (reason_to_stop() || !dispatcher_.anything_open()) return;

@@ -21,6 +21,7 @@ inline constexpr std::size_t kMostRows = 20000;
 
 struct CoordinatorOptions {
   UnitSize unit_size;
+  std::size_t unit_bytes = kMostUnit_bytes;  ///< at which a unit ends early
   std::optional<double> max_time_s;
   ProgressStyle progress = ProgressStyle::plain;
 };

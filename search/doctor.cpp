@@ -5,6 +5,7 @@
 #include "search/machine_check.hpp"
 #include "search/mpi_session.hpp"
 #include "search/run_info.hpp"
+#include "search/terminal.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {
@@ -21,8 +22,7 @@ int run_doctor(const std::string& directory, bool json) {
     for (auto&& more : {check_ranks(ranks, mpi.has_beats()), check_directory(directory)}) {
       checks.insert(checks.end(), more.begin(), more.end());
     }
-    std::fputs(json ? (checks_json(checks).dump(1) + "\n").c_str() : checks_text(checks).c_str(),
-               stdout);
+    json ? put_json(checks_json(checks)) : put(checks_text(checks));
     exit_code = any_bad(checks) ? schema::kExitFailure : 0;
   }
   return mpi.broadcast(exit_code);

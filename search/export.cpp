@@ -11,6 +11,7 @@
 #include "schema/text_file.hpp"
 #include "search/chosen_sheet.hpp"
 #include "search/draw.hpp"
+#include "search/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -118,7 +119,7 @@ class Exporter {
                                   "name); name another directory");
     }
     schema::write_text_file(path.string(), text);
-    std::puts(path.c_str());
+    put(schema::printable(path.string()) + "\n");
   }
 
   const SheetFolder& folder_;

@@ -7,6 +7,9 @@
 
 namespace misalign::search {
 
+/// The group of options that no help, completion or suggestion shows: those for tests.
+inline constexpr const char* kHidden = "";
+
 /// Usage, what a footer says before its "Examples:", arguments, options, the examples.
 class HelpFormat : public CLI::Formatter {
  public:

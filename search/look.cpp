@@ -18,12 +18,10 @@ namespace {
 
 using schema::Json;
 
-void print_json(const Json& json) { std::puts(json.dump(1).c_str()); }
-
 void print_folding(const schema::FoldingView& view, bool table) {
   const std::string text = folding_text(
       view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO)});
-  std::fputs(text.c_str(), stdout);
+  put(text);
 }
 
 // A set of holes and what the Jacobian says of it.
@@ -69,10 +67,10 @@ Json perforation_json(const schema::Pattern& pattern, const Perforation& perfora
 
 // One line each, then one about those that only count to one.
 void print_perforations(const Json& one, const Json& others) {
-  if (!one.empty()) std::printf("%8s %9s %4s  holes\n", "unknowns", "equations", "rank");
+  if (!one.empty()) put_format("%8s %9s %4s  holes\n", "unknowns", "equations", "rank");
   for (const Json& row : one) {
-    std::printf("%8d %9d %4d  %s\n", row["unknowns"].get<int>(), row["equations"].get<int>(),
-                row["rank"].get<int>(), row["holes"].dump().c_str());
+    put_format("%8d %9d %4d  %s\n", row["unknowns"].get<int>(), row["equations"].get<int>(),
+               row["rank"].get<int>(), row["holes"].dump().c_str());
   }
   std::map<std::pair<int, int>, int> by_rank;
   for (const Json& row : others) {
@@ -83,9 +81,9 @@ void print_perforations(const Json& one, const Json& others) {
     ranks += (ranks.empty() ? "" : ", ") + std::to_string(times) + " of rank " +
              std::to_string(rank.first) + " with " + std::to_string(rank.second) + " equations";
   }
-  std::printf("%zu %s one degree of freedom; %zu more count to 1 by (2.1) but are not 1%s%s\n",
-              one.size(), one.size() == 1 ? "leaves" : "leave", others.size(),
-              ranks.empty() ? "" : ": ", ranks.c_str());
+  put_format("%zu %s one degree of freedom; %zu more count to 1 by (2.1) but are not 1%s%s\n",
+             one.size(), one.size() == 1 ? "leaves" : "leave", others.size(),
+             ranks.empty() ? "" : ": ", ranks.c_str());
 }
 
 }  // namespace
@@ -105,7 +103,7 @@ void fold(const FoldOptions& options) {
                                               {sampling.between_samples, {}});
   const schema::FoldingView view{pattern, pattern.shifts_mm, mechanism, history,
                                  sampling.sample_deg};
-  options.json ? print_json(schema::folding_json(view)) : print_folding(view, options.table);
+  options.json ? put_json(schema::folding_json(view)) : print_folding(view, options.table);
 }
 
 void list_perforations(const PerforationsOptions& options) {
@@ -117,7 +115,7 @@ void list_perforations(const PerforationsOptions& options) {
         .push_back(perforation_json(pattern, perforation));
   }
   if (options.json) {
-    print_json({{"perforations", one}, {"count_to_one_only", others}});
+    put_json({{"perforations", one}, {"count_to_one_only", others}});
   } else {
     print_perforations(one, others);
   }
@@ -134,9 +132,9 @@ void replay(const ReplayOptions& options) {
   const bool accepted = campaign.accepts(history.verdict);
   if (!options.json) {
     const Paint paint = paint_for(STDOUT_FILENO);
-    std::printf("draw %llu of %s: %s\n", static_cast<unsigned long long>(options.draw),
-                campaign.name.c_str(),
-                (accepted ? paint.good("accepted") : paint.bad("not accepted")).c_str());
+    put_format("draw %llu of %s: %s\n", static_cast<unsigned long long>(options.draw),
+               campaign.name.c_str(),
+               (accepted ? paint.good("accepted") : paint.bad("not accepted")).c_str());
     print_folding(view, options.table);
     return;
   }
@@ -144,7 +142,7 @@ void replay(const ReplayOptions& options) {
   json["campaign"] = {{"name", campaign.name}, {"identity", schema::identity(campaign)}};
   json["draw"] = options.draw;
   json["verdict"]["accepted"] = accepted;
-  print_json(json);
+  put_json(json);
 }
 
 }  // namespace misalign::search

@@ -95,11 +95,11 @@ Action add_status(CLI::App& app) {
       Json answer = status_json(state);
       answer["survival"] = survival_json(survival, state);
       if (deploying) answer["at"] = deploying_json(*deploying, state);
-      std::puts(answer.dump(1).c_str());
+      put_json(answer);
     } else {
-      std::fputs(status_text(state, deploying, paint_for(STDOUT_FILENO)).c_str(), stdout);
+      put(status_text(state, deploying, paint_for(STDOUT_FILENO)));
       for (const std::string& sentence : nothing_found(survival, state)) {
-        std::printf("\n%s\n", sentence.c_str());
+        put("\n" + schema::printable(sentence) + "\n");
       }
       std::fflush(stdout);
       if (!*check) spdlog::info("next: {}", next_step(state, *path, ""));
@@ -154,7 +154,7 @@ bool was_cut_off(SQLite::Database& database, const std::string& sql, std::size_t
 bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
   if (sql.find("FROM candidates") == std::string::npos) return false;
   const std::vector<std::string> sentences = nothing_found(database);
-  for (const std::string& sentence : sentences) std::puts(sentence.c_str());
+  for (const std::string& sentence : sentences) put(schema::printable(sentence) + "\n");
   std::fflush(stdout);
   return !sentences.empty();
 }
@@ -191,7 +191,8 @@ Action add_query(CLI::App& app) {
   verb->add_option("CATALOGUE", *path, "catalogue file")->required();
   verb->add_option("QUERY", *sql, "name or SQL [best]");
   auto* json_flag = verb->add_flag("--json", *json, "as JSON; a second column x is called x_2");
-  verb->add_flag("--csv", *csv, "as CSV")->excludes(json_flag);
+  verb->add_flag("--csv", *csv, "as CSV; on a terminal control characters are escaped")
+      ->excludes(json_flag);
   verb->add_flag("--no-pager", *unpaged, "straight to the terminal");
   return [=] {
     const auto database = schema::open_for_reading(*path);
@@ -202,7 +203,8 @@ Action add_query(CLI::App& app) {
       show_rows(*database, named.empty() ? "" : *sql, text, !*unpaged);
     } else {
       const auto style = *json ? schema::TableStyle::json : schema::TableStyle::csv;
-      std::fputs(schema::query_table(*database, text, style).c_str(), stdout);
+      const std::string rows = schema::query_table(*database, text, style);
+      *json ? put_json(rows) : put_csv(rows);
     }
     return 0;
   };
@@ -232,9 +234,7 @@ Action add_verify(CLI::App& app) {
     const auto database = schema::open_for_reading(*path);
     const Verification verification =
         verify(*database, *path, *all ? std::nullopt : std::optional(*sample));
-    std::fputs(*json ? (verification_json(verification).dump(1) + "\n").c_str()
-                     : verification_text(verification).c_str(),
-               stdout);
+    *json ? put_json(verification_json(verification)) : put(verification_text(verification));
     return verification.good() ? 0 : schema::kExitCheckFailed;
   };
 }
@@ -274,9 +274,7 @@ Action add_tolerance(CLI::App& app) {
     }
     const Tolerance tolerance = study_tolerance(campaign, *draw, *amplitude_mm, *trials,
                                                 solver::available_instruction_sets().back());
-    std::fputs(*json ? (tolerance_json(tolerance).dump(1) + "\n").c_str()
-                     : tolerance_text(tolerance).c_str(),
-               stdout);
+    *json ? put_json(tolerance_json(tolerance)) : put(tolerance_text(tolerance));
     return 0;
   };
 }

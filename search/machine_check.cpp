@@ -168,7 +168,8 @@ std::string checks_text(const std::vector<Check>& checks) {
   std::string text;
   for (const Check& check : checks) {
     text += std::string(name_of(check.health)) + "  " + (check.health == Health::bad ? " " : "") +
-            check.name + std::string(17 - check.name.size(), ' ') + check.sentence + "\n";
+            check.name + std::string(17 - check.name.size(), ' ') +
+            schema::printable(check.sentence) + "\n";
   }
   return text;
 }

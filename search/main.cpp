@@ -1,3 +1,7 @@
 #include "search/cli.hpp"
+#include "search/process_start.hpp"
 
-int main(int argc, char** argv) { return misalign::search::run_command_line(argc, argv); }
+int main(int argc, char** argv) {
+  misalign::search::prepare_process();
+  return misalign::search::run_command_line(argc, argv);
+}

@@ -91,7 +91,13 @@ class Merge {
     }
     catalogue.begin_run(options_.run, goal_of(inputs_), options_.builds);
     for (const DrawRange& range : plan_.recomputed) {
-      catalogue.commit({work_off(*trial_, range)});
+      for (std::uint64_t next = range.lo; next < range.hi;) {
+        UnitWork work(*trial_, {next, range.hi});
+        while (!work.finished() && !work.is_full()) work.run_next_block();
+        schema::UnitRecord unit = work.take();
+        next = unit.range.hi;
+        catalogue.commit({std::move(unit)});
+      }
       report_.recomputed += range.size();
     }
     auto merged = schema::open_for_reading(path);
@@ -195,8 +201,9 @@ class Merge {
   void differ(const Input& input, std::uint64_t draw, const std::string& column, const Json& theirs,
               const Json& mine) {
     const std::string where = "draw " + std::to_string(draw);
-    report_.findings.push_back({where + ": " + column + " is " + theirs.dump() + " in " +
-                                    input.path + ", but " + mine.dump() + " elsewhere",
+    const auto shown = [](const Json& value) { return schema::shortened(value.dump(), 200); };
+    report_.findings.push_back({where + ": " + column + " is " + shown(theirs) + " in " +
+                                    input.path + ", but " + shown(mine) + " elsewhere",
                                 {{"where", where},
                                  {"column", column},
                                  {"file", input.path},

@@ -107,8 +107,10 @@ using Seen = std::pair<std::pair<int, int>, std::uint64_t>;
 
 }  // namespace
 
-Bytes pack(const schema::UnitRecord& unit) {
+Bytes pack(const SentUnit& sent) {
   Writer wire;
+  const schema::UnitRecord& unit = sent.unit;
+  wire.field(sent.was_stopped);
   unit_fields(wire, unit);
   const std::vector<Seen> screened(unit.screened.begin(), unit.screened.end());
   list(wire, screened, [&](const Seen& seen) {
@@ -119,9 +121,11 @@ Bytes pack(const schema::UnitRecord& unit) {
   return wire.take();
 }
 
-schema::UnitRecord unpack_unit(const Bytes& bytes) {
+SentUnit unpack_unit(const Bytes& bytes) {
   Reader wire(bytes);
-  schema::UnitRecord unit;
+  SentUnit sent;
+  schema::UnitRecord& unit = sent.unit;
+  wire.field(sent.was_stopped);
   unit_fields(wire, unit);
   std::vector<Seen> screened;
   list(wire, screened, [&](Seen& seen) {
@@ -130,7 +134,15 @@ schema::UnitRecord unpack_unit(const Bytes& bytes) {
     wire.field(seen.second);
   });
   unit.screened.insert(screened.begin(), screened.end());
-  return unit;
+  return sent;
+}
+
+int message_length(std::size_t bytes, std::size_t most) {
+  if (bytes <= most) return static_cast<int>(bytes);
+  throw schema::UserError(schema::kExitFailure,
+                          "the results of one unit take " + std::to_string(bytes) +
+                              " bytes (one message may have " + std::to_string(most) +
+                              "); give smaller units with --unit-draws");
 }
 
 }  // namespace misalign::search

@@ -1,6 +1,7 @@
 // What ranks send each other, as bytes. All ranks run the same program on the same kind of machine.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "schema/unit_writer.hpp"
@@ -9,7 +10,17 @@ namespace misalign::search {
 
 using Bytes = std::vector<char>;
 
-Bytes pack(const schema::UnitRecord& unit);
-schema::UnitRecord unpack_unit(const Bytes& bytes);
+/// What a worker sends back of its range.
+struct SentUnit {
+  schema::UnitRecord unit;
+  bool was_stopped = false;  ///< by a signal, before the range was done
+};
+
+Bytes pack(const SentUnit& sent);
+SentUnit unpack_unit(const Bytes& bytes);
+
+/// The length of a message as MPI counts it. UserError (1) where that is more than `most`, which
+/// units are kept far below (see UnitWork::is_full).
+int message_length(std::size_t bytes, std::size_t most = std::numeric_limits<int>::max());
 
 }  // namespace misalign::search

@@ -42,13 +42,13 @@ int MpiSession::broadcast(int value) const {
 
 std::string MpiSession::broadcast(const std::string& text) const {
   std::string result = text;
-  result.resize(static_cast<std::size_t>(broadcast(static_cast<int>(text.size()))));
+  result.resize(static_cast<std::size_t>(broadcast(message_length(text.size()))));
   MPI_Bcast(result.data(), static_cast<int>(result.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
   return result;
 }
 
 std::vector<std::string> MpiSession::gather(const std::string& text) const {
-  int size = static_cast<int>(text.size());
+  int size = message_length(text.size());
   std::vector<int> sizes(ranks_), starts(ranks_);
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
   std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
@@ -70,12 +70,12 @@ void MpiSession::meet() const {
   for (int met = 0; MPI_Test(&request, &met, MPI_STATUS_IGNORE), !met;) backoff.wait();
 }
 
-void MpiSession::send_unit(const schema::UnitRecord& unit) const {
-  const Bytes bytes = pack(unit);
-  MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, kUnitTag, MPI_COMM_WORLD);
+void MpiSession::send_unit(const SentUnit& sent) const {
+  const Bytes bytes = pack(sent);
+  MPI_Send(bytes.data(), message_length(bytes.size()), MPI_BYTE, 0, kUnitTag, MPI_COMM_WORLD);
 }
 
-std::optional<schema::UnitRecord> MpiSession::receive_unit() const {
+std::optional<SentUnit> MpiSession::receive_unit() const {
   int arrived = 0, size = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, kUnitTag, MPI_COMM_WORLD, &arrived, &status);
@@ -84,9 +84,9 @@ std::optional<schema::UnitRecord> MpiSession::receive_unit() const {
   Bytes bytes(static_cast<std::size_t>(size));
   MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, kUnitTag, MPI_COMM_WORLD,
            MPI_STATUS_IGNORE);
-  schema::UnitRecord unit = unpack_unit(bytes);
-  unit.worker = status.MPI_SOURCE;
-  return unit;
+  SentUnit sent = unpack_unit(bytes);
+  sent.unit.worker = status.MPI_SOURCE;
+  return sent;
 }
 
 void MpiSession::send_range(int to, const schema::DrawRange& range) const {

@@ -30,10 +30,10 @@ class MpiSession {
   /// Returns once every rank has called it; sleeps meanwhile.
   void meet() const;
 
-  /// To rank 0: a unit that was worked off.
-  void send_unit(const schema::UnitRecord& unit) const;
+  /// To rank 0: a unit that was worked off. UserError: see message_length.
+  void send_unit(const SentUnit& sent) const;
   /// On rank 0: the next unit that has arrived; none if there is none.
-  std::optional<schema::UnitRecord> receive_unit() const;
+  std::optional<SentUnit> receive_unit() const;
 
   /// From rank 0: a range to work off; an empty one ends the worker.
   void send_range(int to, const schema::DrawRange& range) const;

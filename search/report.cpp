@@ -14,6 +14,7 @@
 #include "search/draw.hpp"
 #include "search/shell_word.hpp"
 #include "search/status.hpp"
+#include "search/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -188,7 +189,7 @@ void write_report(const ReportOptions& options) {
   data.update(catalogue);
   data.update(folding_json(campaign, folder, look));
   schema::write_text_file(options.output, schema::report_page(data));
-  std::puts(options.output.c_str());
+  put(schema::printable(options.output) + "\n");
 }
 
 }  // namespace misalign::search

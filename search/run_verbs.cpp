@@ -143,6 +143,9 @@ Action add_search(CLI::App& app, const std::vector<std::string>& words) {
                    "draws of one unit of work [about 5 s worth]")
       ->check(counted(1, 1000000000))
       ->type_name("N");
+  verb->add_option("--unit-bytes", options->unit_bytes)  // so that a test need not make gigabytes
+      ->check(counted(1, kMostUnit_bytes))
+      ->group(kHidden);
   verb->add_option("--instruction-set", options->instruction_set,
                    "changes no answer, only the speed [the widest of this machine]")
       ->transform(instruction_set_of_this_machine());
@@ -191,8 +194,7 @@ Action add_merge(CLI::App& app) {
     if (*mixed) options->builds = schema::Builds::mixed;
     options->run = run_info(golden_verdicts(solver::available_instruction_sets().back()), 1);
     const MergeReport report = merge(*options);
-    constexpr std::size_t kShown = 20;
-    for (std::size_t k = 0; k < std::min(report.findings.size(), kShown); ++k) {
+    for (std::size_t k = 0; k < std::min(report.findings.size(), schema::kMostListed); ++k) {
       spdlog::error("{}", report.findings[k].sentence);
     }
     if (!report.findings.empty()) {
@@ -201,10 +203,10 @@ Action add_merge(CLI::App& app) {
     }
     const auto merged = schema::open_for_reading(options->output);
     const schema::CatalogueState state = schema::read_state(*merged);
-    std::printf(
+    put_format(
         "%s: %zu catalogues, %zu units taken, %llu draws compared, %llu computed again, %llu "
         "decided; %llu draws, %llu accepted, digest %s\n",
-        options->output.c_str(), options->inputs.size(), report.units,
+        schema::printable(options->output).c_str(), options->inputs.size(), report.units,
         static_cast<unsigned long long>(report.compared),
         static_cast<unsigned long long>(report.recomputed),
         static_cast<unsigned long long>(report.decided),
@@ -229,16 +231,16 @@ Action add_config(CLI::App& app) {
   choice->require_option(1);
   return [=] {
     if (*show) {
-      std::puts(schema::campaign_json(schema::default_campaign()).dump(2).c_str());
+      put_json(schema::campaign_json(schema::default_campaign()), 2);
       return 0;
     }
     if (*keys) {
-      std::fputs(schema::campaign_keys_markdown().c_str(), stdout);
+      put(schema::campaign_keys_markdown());
       return 0;
     }
     const schema::Campaign campaign = schema::read_campaign_file(*checked);
-    std::printf("%s: good; catalogue %s\n", checked->c_str(),
-                default_catalogue_path(campaign).c_str());
+    put_format("%s: good; catalogue %s\n", schema::printable(*checked).c_str(),
+               default_catalogue_path(campaign).c_str());
     return 0;
   };
 }
@@ -290,7 +292,7 @@ Action add_completion(CLI::App& app) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh"}));
   return [&app, shell] {
-    std::fputs((*shell == "bash" ? bash_completion(app) : zsh_completion(app)).c_str(), stdout);
+    put(*shell == "bash" ? bash_completion(app) : zsh_completion(app));
     return 0;
   };
 }
@@ -308,7 +310,7 @@ Action add_help(CLI::App& app) {
     // Not app.help(): that is this verb's, which was chosen.
     const std::string text =
         asked.get_formatter()->make_help(&asked, "", CLI::AppFormatMode::Normal);
-    std::fputs(text.c_str(), stdout);
+    put(text);
     return 0;
   };
 }

@@ -9,6 +9,7 @@
 
 #include "schema/catalogue_state.hpp"
 #include "search/draw.hpp"
+#include "search/failure.hpp"
 #include "search/nothing_found.hpp"
 #include "search/rank_starter.hpp"
 #include "search/run_info.hpp"
@@ -137,6 +138,7 @@ class RankZero {
   int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
     CoordinatorOptions settings;
     settings.unit_size.draws = options_.unit_draws;
+    settings.unit_bytes = options_.unit_bytes;
     settings.max_time_s = campaign().stop.wall_s;
     settings.progress = options_.progress;
     const RunEnd end = run_coordinator(mpi, heartbeat, trial_, catalogue_, goal_, settings);
@@ -155,11 +157,11 @@ class RankZero {
     const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
                                               static_cast<double>(state.draws)
                                         : 0.0;
-    std::printf("%s: %s, %llu draws, %llu accepted (%.4g %%), %llu undecided, digest %s\n",
-                catalogue_.path().c_str(), run_end_name(end),
-                static_cast<unsigned long long>(state.draws),
-                static_cast<unsigned long long>(state.accepted), rate,
-                static_cast<unsigned long long>(state.undecided), state.digest.c_str());
+    put_format("%s: %s, %llu draws, %llu accepted (%.4g %%), %llu undecided, digest %s\n",
+               schema::printable(catalogue_.path()).c_str(), run_end_name(end),
+               static_cast<unsigned long long>(state.draws),
+               static_cast<unsigned long long>(state.accepted), rate,
+               static_cast<unsigned long long>(state.undecided), state.digest.c_str());
     std::fflush(stdout);
     if (!is_talkative()) return;
     for (const std::string& sentence : nothing_found(*database)) {
@@ -178,21 +180,16 @@ class RankZero {
   schema::Goal goal_;
 };
 
-int fail(const std::exception& error, int exit_code) {
-  spdlog::error("{}", error.what());
-  return exit_code;
-}
-
 // The exit code of `work`, 0 if it throws nothing; what it throws is said.
 template <class Work>
 int exit_code_of(const Work& work) {
   try {
     work();
     return 0;
-  } catch (const schema::UserError& error) {
-    return fail(error, error.exit_code());
   } catch (const std::exception& error) {
-    return fail(error, schema::kExitFailure);
+    const Failure failure = failure_of(error);
+    spdlog::error("{}", failure.sentence);
+    return failure.exit_code;
   }
 }
 
@@ -222,7 +219,7 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
                 options.instruction_set);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
-    if (!refused) run_worker(mpi, trial);
+    if (!refused) run_worker(mpi, trial, options.unit_bytes);
   });
   if (failure) mpi.abort(failure);  // rank 0 would wait for ever
   if (!refused) mpi.meet();

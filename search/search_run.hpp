@@ -15,6 +15,7 @@ struct SearchOptions {
   std::optional<double> max_time_s, relative_error;
   std::optional<schema::DrawRange> range;
   std::optional<std::uint64_t> unit_draws;
+  std::size_t unit_bytes = kMostUnit_bytes;
   ProgressStyle progress = ProgressStyle::automatic;
   std::optional<schema::Storage> storage;  ///< instead of what the file system says
   schema::Builds builds = schema::Builds::same;

@@ -105,7 +105,8 @@ std::string status_text(const schema::CatalogueState& state,
   std::string table = schema::aligned(rows, {false, true, true, false});
   const std::size_t header = table.find('\n');
   table = paint.bold(table.substr(0, header)) + table.substr(header);
-  return paint.bold(state.name) + " (" + state.identity.substr(0, 8) +
+  return paint.bold(schema::printable(state.name)) + " (" +
+         schema::printable(state.identity.substr(0, 8)) +
          "): " + (complete ? paint.good("complete") : paint.bold("work remains")) + "\n" +
          schema::aligned(
              {{"goal", goal},

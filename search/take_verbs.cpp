@@ -8,6 +8,7 @@
 #include "search/chosen_sheet.hpp"
 #include "search/export.hpp"
 #include "search/report.hpp"
+#include "search/terminal.hpp"
 #include "search/verbs.hpp"
 
 namespace misalign::search {
@@ -141,7 +142,7 @@ Action add_export(CLI::App& app) {
                                   "--draw, --where, --diverse or --sqlite-compat");
     } else if (*compat) {
       schema::export_plain(*schema::open_for_reading(options->path), options->output);
-      std::puts(options->output.c_str());
+      put(schema::printable(options->output) + "\n");
     } else {
       export_candidates(*options);
     }

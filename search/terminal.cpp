@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 
@@ -19,6 +21,33 @@ std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
 }
+
+constexpr const char *kBold = "1", *kDim = "2", *kGood = "32", *kBad = "31", *kEnd = "0";
+
+std::string mark(const char* code) { return std::string("\x1b[") + code + "m"; }
+
+// How many bytes of a mark of Paint begin here; 0 if none does.
+std::size_t mark_at(std::string_view text) {
+  for (const char* code : {kBold, kDim, kGood, kBad, kEnd}) {
+    if (text.starts_with(mark(code))) return mark(code).size();
+  }
+  return 0;
+}
+
+std::string for_people(std::string_view text) {
+  if (!paint_for(STDOUT_FILENO).is_on()) return schema::printable_lines(text);
+  std::string shown;
+  while (!text.empty()) {  // from mark to mark
+    const std::size_t marked = mark_at(text);
+    const std::size_t end = marked > 0 ? marked : std::min(text.find('\x1b', 1), text.size());
+    const std::string_view part = text.substr(0, end);
+    shown += marked > 0 ? std::string(part) : schema::printable_lines(part);
+    text.remove_prefix(end);
+  }
+  return shown;
+}
+
+void write_out(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 // False if there is no such pager: then nothing was shown.
 bool show_in_pager(const std::string& command, const std::string& text) {
@@ -72,8 +101,13 @@ bool colors_wanted(ColorWish wish, bool to_terminal) {
 }
 
 std::string Paint::marked(const char* code, const std::string& text) const {
-  return on_ ? std::string("\x1b[") + code + "m" + text + "\x1b[0m" : text;
+  return on_ ? mark(code) + text + mark(kEnd) : text;
 }
+
+std::string Paint::bold(const std::string& text) const { return marked(kBold, text); }
+std::string Paint::dim(const std::string& text) const { return marked(kDim, text); }
+std::string Paint::good(const std::string& text) const { return marked(kGood, text); }
+std::string Paint::bad(const std::string& text) const { return marked(kBad, text); }
 
 void wish_colors(ColorWish wish) { color_wish = wish; }
 
@@ -85,10 +119,35 @@ std::string pager_command() {
   return command == "cat" ? "" : command;
 }
 
+void put(const std::string& text) { write_out(for_people(text)); }
+
+void put_format(const char* format, ...) {
+  std::va_list words, again;
+  va_start(words, format);
+  va_copy(again, words);
+  const int size = std::vsnprintf(nullptr, 0, format, words);
+  std::string text(static_cast<std::size_t>(std::max(size, 0)) + 1, '\0');
+  std::vsnprintf(text.data(), text.size(), format, again);
+  va_end(again);
+  va_end(words);
+  text.pop_back();
+  put(text);
+}
+
+void put_json(const schema::Json& json, int indent) {
+  put_json(json.dump(indent, ' ', false, schema::Json::error_handler_t::replace) + "\n");
+}
+
+void put_json(const std::string& json) { write_out(schema::printable_json(json)); }
+
+void put_csv(const std::string& rows) {
+  write_out(is_terminal(STDOUT_FILENO) ? schema::printable_csv(rows) : rows);
+}
+
 void show(const std::string& text, bool paged) {
   const std::string command = paged && is_terminal(STDOUT_FILENO) ? pager_command() : "";
   std::fflush(stdout);
-  if (command.empty() || !show_in_pager(command, text)) std::fputs(text.c_str(), stdout);
+  if (command.empty() || !show_in_pager(command, for_people(text))) put(text);
 }
 
 bool reader_has_gone() {

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "schema/input.hpp"
+
 namespace misalign::search {
 
 enum class ColorWish { automatic, always, never };
@@ -22,10 +24,11 @@ bool colors_wanted(ColorWish wish, bool to_terminal);
 class Paint {
  public:
   explicit Paint(bool on) : on_(on) {}
-  std::string bold(const std::string& text) const { return marked("1", text); }
-  std::string dim(const std::string& text) const { return marked("2", text); }
-  std::string good(const std::string& text) const { return marked("32", text); }
-  std::string bad(const std::string& text) const { return marked("31", text); }
+  bool is_on() const { return on_; }
+  std::string bold(const std::string& text) const;
+  std::string dim(const std::string& text) const;
+  std::string good(const std::string& text) const;
+  std::string bad(const std::string& text) const;
 
  private:
   std::string marked(const char* code, const std::string& text) const;
@@ -38,7 +41,23 @@ Paint paint_for(int file);
 
 /// $PAGER, without one less; empty if that is empty or cat: then nothing is paged.
 std::string pager_command();
-/// Writes to standard output, through the pager if that is a terminal and `paged`.
+
+// Everything that goes to standard output, in four ways; nothing else writes there
+// (scripts/check.sh looks). Names and cells of a file may hold whatever moves a cursor, erases or
+// colors: it is escaped, also in a pipe, which a terminal may be the end of.
+
+/// Text for people. Colors of Paint stay where they are wanted. Whoever puts text of a file in says
+/// schema::printable to it: a line feed stays here.
+void put(const std::string& text);
+/// The same with a format of printf.
+[[gnu::format(printf, 1, 2)]] void put_format(const char* format, ...);
+/// JSON for programs: escaped in JSON's own way, so that nothing is lost.
+void put_json(const schema::Json& json, int indent = 1);
+void put_json(const std::string& json);
+/// CSV for programs: as it is, but escaped on a terminal, where nobody but people reads it.
+void put_csv(const std::string& rows);
+
+/// As put, through the pager if standard output is a terminal and `paged`.
 void show(const std::string& text, bool paged);
 
 /// Whether nobody reads standard output any more: a pager that was left, a head that has enough.

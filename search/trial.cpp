@@ -50,6 +50,12 @@ std::uint64_t Trial::largest_block() const {
   return std::clamp<std::uint64_t>(kMostNumbers / numbers, 8, kMostDraws);
 }
 
+std::size_t Trial::bytes_of_candidate() const {
+  const auto shifts = 2 * static_cast<std::size_t>(family_.mechanism().vertices);
+  return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
+         sizeof(double) * (shifts + family_.mechanism().diagonals.size() + 2);
+}
+
 template <class SomeDraws>
 void Trial::displace(const SomeDraws& draws) {
   const std::size_t per_sheet = 2 * family_.shifted().size();
@@ -148,13 +154,21 @@ std::string golden_verdicts(solver::InstructionSet set) {
 }
 
 UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range,
-                   const schema::FaultSampleRule& sampled)
+                   const schema::FaultSampleRule& sampled, std::size_t most_bytes)
     : trial_(trial),
       range_(range),
       sampled_(sampled),
+      most_bytes_(most_bytes),
       next_(range.lo),
       seconds_per_path_(std::numeric_limits<double>::infinity()) {
   record_.range = {range.lo, range.lo};
+}
+
+bool UnitWork::is_full() const {
+  const std::size_t candidates = record_.candidates.size() + trial_.waiting();
+  const std::size_t verdicts = record_.undecided.size() + record_.fault_sample.size();
+  return candidates * trial_.bytes_of_candidate() + verdicts * sizeof(schema::DrawVerdict) >=
+         most_bytes_;
 }
 
 void UnitWork::run_next_block() {

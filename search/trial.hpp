@@ -29,6 +29,8 @@ class Trial {
   void screen(const schema::DrawRange& block, schema::UnitRecord& unit,
               const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
   std::size_t waiting() const { return waiting_.size(); }
+  /// What one candidate takes in a message, in bytes; rather more.
+  std::size_t bytes_of_candidate() const;
   /// Follows the full paths of all draws that wait: the more there are, the fuller the lanes.
   void settle(schema::UnitRecord& unit,
               const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
@@ -62,13 +64,21 @@ class Trial {
 /// numbers, the same for every build whose verdicts can be trusted to agree.
 std::string golden_verdicts(solver::InstructionSet set);
 
+/// What the results of a unit may take before it ends early: they are one message of MPI, whose
+/// length is an int, and in memory twice on rank 0. A block adds as much again at most.
+inline constexpr std::size_t kMostUnit_bytes = 256 << 20;
+
 /// A range of draws being worked off, one block at a time.
 class UnitWork {
  public:
   UnitWork(Trial& trial, const schema::DrawRange& range,
-           const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
+           const schema::FaultSampleRule& sampled = schema::FaultSampleRule(),
+           std::size_t most_bytes = kMostUnit_bytes);
 
   bool finished() const { return next_ == range_.hi; }
+  /// Whether its results, and those of draws that wait, take all that they may: the rest of the
+  /// range is for another unit.
+  bool is_full() const;
   /// As many draws as take less than about a tenth of a second: who waits for this must not wait
   /// long.
   void run_next_block();
@@ -83,13 +93,14 @@ class UnitWork {
   Trial& trial_;
   schema::DrawRange range_;
   schema::FaultSampleRule sampled_;
+  std::size_t most_bytes_;
   std::uint64_t next_;
   std::uint64_t block_draws_ = 1;
   double seconds_per_path_;
   schema::UnitRecord record_;
 };
 
-/// A whole range at once.
+/// A whole range at once, in one unit.
 schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range);
 /// One draw that was undecided, for UnitWriter::settle(): with its fault sample, whichever rule its
 /// unit was made by.

@@ -65,7 +65,13 @@ Verification verify(SQLite::Database& database, const std::string& path,
 
 std::string verification_text(const Verification& v) {
   std::string text;
-  for (const schema::Finding& finding : v.findings) text += finding.sentence + "\n";
+  const std::size_t shown = std::min(v.findings.size(), schema::kMostListed);
+  for (std::size_t k = 0; k < shown; ++k) {
+    text += schema::printable(v.findings[k].sentence) + "\n";
+  }
+  if (v.findings.size() > shown) {
+    text += "and " + std::to_string(v.findings.size() - shown) + " more; --json has them all\n";
+  }
   char line[200];
   const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
   std::snprintf(line, sizeof line, "campaign     %s, digest %s\n", v.campaign.c_str(),

@@ -6,8 +6,8 @@
 
 namespace misalign::search {
 
-/// A unit under way is cut short, and sent as far as it is done, when a signal asks to stop or rank
-/// 0 has already sent the next range.
-void run_worker(const MpiSession& mpi, Trial& trial);
+/// A unit under way is cut short, and sent as far as it is done, when a signal asks to stop, rank 0
+/// has already sent the next range, or its results take `most_bytes`.
+void run_worker(const MpiSession& mpi, Trial& trial, std::size_t most_bytes);
 
 }  // namespace misalign::search

@@ -45,7 +45,7 @@ Balance sleep_through_ranges(const MpiSession& mpi, const Speed& speed) {
     unit.seconds = work.seconds();
     balance.busy_s += work.seconds();
     const Stopwatch send;
-    mpi.send_unit(unit);
+    mpi.send_unit({unit, false});
     waiting_s = send.seconds();
   }
 }

@@ -87,6 +87,48 @@ TEST_F(CatalogueFile, OneWriterAtATime) {
   EXPECT_EQ(refusal([&] { open(); }).exit_code, 0);
 }
 
+// A link to a link to a file that is not there yet: what belongs to the file lies beside it, and
+// whoever comes by another way finds it in use.
+TEST_F(CatalogueFile, LinksAreFollowedToTheirEnd) {
+  namespace fs = std::filesystem;
+  fs::create_directories(path("far/away"));
+  fs::create_symlink("far/away/real.db", path("middle.db"));
+  fs::create_symlink("middle.db", path("one.db"));
+  fs::create_symlink(path("middle.db"), path("two.db"));
+  const auto names_in = [](const std::string& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  const auto links = names_in(path("."));
+  {
+    Catalogue first = open("one.db");
+    first.begin_run(kRun, {{0, kEndOfDraws}, 300, {}});
+    EXPECT_EQ(refusal([&] { open("two.db"); }).exit_code, kExitInUse);
+    first.commit({unit(0, 300)});
+    EXPECT_TRUE(fs::exists(path("far/away/real.db-wal")));
+    EXPECT_EQ(names_in(path(".")), links);
+    EXPECT_EQ(state("two.db").draws, 300u);
+  }
+  EXPECT_EQ(refusal([&] { open("two.db"); }).exit_code, 0);
+  // A catalogue that could not be made leaves no file behind, and the links alone.
+  fs::create_symlink("far/away/other.db", path("third.db"));
+  fs::create_symlink("third.db", path("fourth.db"));
+  Campaign broken = campaign_;
+  broken.name = std::string(1, '\xff');  // no JSON can hold it
+  EXPECT_ANY_THROW(Catalogue(path("fourth.db"), broken, mechanism_));
+  EXPECT_TRUE(fs::is_symlink(path("third.db")) && fs::is_symlink(path("fourth.db")));
+  EXPECT_EQ(names_in(path("far/away")), std::vector<std::string>{"real.db"});
+  // In a circle.
+  fs::create_symlink("right.db", path("left.db"));
+  fs::create_symlink("left.db", path("right.db"));
+  const Refusal circle = refusal([&] { open("left.db"); });
+  EXPECT_EQ(circle.exit_code, kExitFailure);
+  EXPECT_NE(circle.sentence.find("link"), std::string::npos) << circle.sentence;
+}
+
 // A file of every schema there was: the same rows and digest afterwards, laid out as a new one.
 TEST_F(CatalogueFile, OlderSchemasAreBroughtUpToDate) {
   const auto rows = [](const std::string& file, const std::string& columns) {

@@ -34,5 +34,11 @@ TEST(TextTable, NumbersAreFlushRightAndLinesEndWithTheirLastWord) {
   EXPECT_EQ(aligned({}, {}), "");
 }
 
+TEST(TextTable, ARowIsOneLineWhateverIsInIt) {
+  EXPECT_EQ(aligned({{"na\x1b[2Jme", "n"}, {"x\naccepted 99999\u202e", "5"}}, {false, true}),
+            "na\\u001b[2Jme                n\n"
+            "x\\u000aaccepted 99999\\u202e  5\n");
+}
+
 }  // namespace
 }  // namespace misalign::schema

@@ -26,7 +26,10 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
   unit.fault_sample.push_back({1024, {7, solver::Fault::not_monotone, 5}});
   unit.screened = {{{4, 12}, 3}, {{1, 0}, 1ULL << 60}};
 
-  const schema::UnitRecord got = unpack_unit(pack(unit));
+  EXPECT_FALSE(unpack_unit(pack({unit, false})).was_stopped);
+  const SentUnit sent_back = unpack_unit(pack({unit, true}));
+  EXPECT_TRUE(sent_back.was_stopped);
+  const schema::UnitRecord& got = sent_back.unit;
   EXPECT_EQ(got.range, unit.range);
   EXPECT_EQ(got.accepted, 2u);
   EXPECT_EQ(got.rejected, 7u);
@@ -50,6 +53,22 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
   EXPECT_EQ(got.fault_sample[0].draw, 1024u);
   EXPECT_EQ(got.fault_sample[0].verdict.where, 5);
   EXPECT_EQ(got.screened, unit.screened);
+}
+
+TEST(Messages, ALengthThatMpiCannotCountIsRefused) {
+  EXPECT_EQ(message_length(100, 100), 100);
+  EXPECT_EQ(message_length(0x7fffffff), 0x7fffffff);
+  constexpr std::pair<std::size_t, std::size_t> kTooLong[] = {
+      {101, 100}, {0x80000000, 0x7fffffff}, {5ULL << 30, 0x7fffffff}};
+  for (const auto& [bytes, most] : kTooLong) {
+    try {
+      message_length(bytes, most);
+      ADD_FAILURE() << bytes << " were sent";
+    } catch (const schema::UserError& error) {
+      EXPECT_EQ(error.exit_code(), schema::kExitFailure);
+      EXPECT_NE(std::string(error.what()).find("--unit-draws"), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

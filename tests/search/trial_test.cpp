@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "search/folded_sheet.hpp"
+#include "search/messages.hpp"
 #include "solver/reference.hpp"
 
 namespace misalign::search {
@@ -108,6 +109,42 @@ TEST(Trial, UnitsCountEveryDrawOnce) {
   std::uint64_t screened = 0;
   for (const auto& [seen, draws] : unit.screened) screened += draws;
   EXPECT_EQ(screened, unit.rejected);
+}
+
+// A unit whose results take more than one message may is several: none of them larger than that and
+// a block, and together what one unit would have been.
+TEST(Trial, UnitsThatAreFullGoOnInOthers) {
+  constexpr schema::DrawRange kAll{0, 600};
+  Trial trial(small_campaign());
+  const schema::UnitRecord whole = work_off(trial, kAll);
+  ASSERT_GT(whole.candidates.size(), 100u);
+  const std::size_t most_bytes = 20 * trial.bytes_of_candidate();
+  std::vector<std::uint64_t> accepted;
+  std::uint64_t rejected = 0, next = kAll.lo;
+  int units = 0;
+  for (; next < kAll.hi; ++units) {
+    UnitWork work(trial, {next, kAll.hi}, schema::FaultSampleRule(), most_bytes);
+    std::uint64_t largest_block = 0, before = next;
+    while (!work.finished() && !work.is_full()) {
+      work.run_next_block();
+      largest_block = std::max(largest_block, work.so_far().range.hi - before);
+      before = work.so_far().range.hi;
+    }
+    const schema::UnitRecord unit = work.take();
+    EXPECT_EQ(unit.range.lo, next);
+    next = unit.range.hi;
+    rejected += unit.rejected;
+    for (const schema::Candidate& candidate : unit.candidates) accepted.push_back(candidate.draw);
+    EXPECT_LE(pack({unit}).size(), most_bytes + largest_block * trial.bytes_of_candidate());
+    // What is counted is no less than what is sent.
+    EXPECT_LE(pack({unit}).size(), 1000 + unit.screened.size() * 16 +
+                                       unit.candidates.size() * trial.bytes_of_candidate() +
+                                       unit.undecided.size() * sizeof(schema::DrawVerdict) +
+                                       unit.fault_sample.size() * sizeof(schema::DrawVerdict));
+  }
+  EXPECT_GT(units, 3);
+  EXPECT_EQ(rejected, whole.rejected);
+  EXPECT_EQ(accepted, whole.accepted_draws());
 }
 
 // Draws of the fault sample take the full path whatever the fast tests saw: the sample has their

@@ -134,7 +134,7 @@ class Reader {
       is_new = identity(campaign) == identity(new_.trial.campaign());
       const auto deploying =
           search::deploying_from(*database, state, campaign, campaign.threshold_deg);
-      search::status_text(state, deploying, search::Paint(false));
+      check_shown(search::status_text(state, deploying, search::Paint(false)));
       candidates_json(*database, 10).dump();
       faults_json(*database, campaign).dump();
       search::Choice choice;
@@ -142,7 +142,7 @@ class Reader {
       ends([&] { search::chosen_draws(*database, choice); });
       is_good = check_ledger(*database, campaign).empty();
       const search::Verification verification = search::verify(*database, path, 1);
-      search::verification_text(verification);
+      check_shown(search::verification_text(verification));
       search::verification_json(verification).dump();
     });
     Subject& subject = is_new ? new_ : old_;
@@ -173,6 +173,7 @@ class Reader {
       return true;
     } catch (const UserError& error) {
       const std::string text = error.what();
+      check_shown(text);
       if (error.exit_code() < 1 || error.exit_code() > 6) found("an exit code of its own: " + text);
       if (text.find(" (") == std::string::npos && text.find(": ") == std::string::npos) {
         found("no sentence: " + text);
@@ -189,7 +190,10 @@ class Reader {
         "acceptance", "faults",    "gaps"};
     const auto ask = [&](const std::string& sql) {
       for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
-        ends([&] { query_table(database, sql, style); });
+        ends([&] {
+          const std::string rows = query_table(database, sql, style);
+          if (style == TableStyle::aligned) check_shown(rows, std::string::npos);
+        });
       }
     };
     for (const std::string& name : named_queries()) ask(named_query(name));

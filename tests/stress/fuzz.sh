@@ -49,7 +49,7 @@ all asan 20
 
 # What the readers of JSON need, without the rest of the program.
 sources="schema/campaign.cpp schema/carried_pattern.cpp schema/digest.cpp schema/fold_format.cpp schema/input.cpp
-  schema/mesh_family.cpp schema/pattern_file.cpp schema/plane_mesh.cpp solver/base_folding.cpp
+  schema/mesh_family.cpp schema/pattern_file.cpp schema/plane_mesh.cpp schema/printable.cpp solver/base_folding.cpp
   solver/crease_pattern.cpp solver/degree_four.cpp solver/half_angle.cpp solver/loop_closure.cpp
   solver/mechanism.cpp solver/miura.cpp solver/newton.cpp solver/outline.cpp solver/perforation.cpp"
 by_coverage() { # NAME INPUTS

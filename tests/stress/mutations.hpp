@@ -161,9 +161,17 @@ class Running {
   std::abort();
 }
 
+/// What may be shown to people: nothing in it that a terminal acts on, and no flood.
+inline void check_shown(const std::string& text, std::size_t most_bytes = 1 << 16) {
+  if (schema::printable_lines(text) != text) found("not printable: " + schema::printable(text));
+  if (text.size() > most_bytes)
+    found(std::to_string(text.size()) + " bytes: " + text.substr(0, 300));
+}
+
 /// "problem (why); suggestion", and no angle in it that is no number (a quoted text may be
 /// anything).
 inline void check_sentence(const std::string& sentence) {
+  check_shown(sentence);
   if (sentence.find(" (") == std::string::npos || sentence.find("); ") == std::string::npos) {
     found("no sentence: " + sentence);
   }

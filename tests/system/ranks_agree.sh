@@ -21,6 +21,17 @@ for n in 1 2 3; do
 done
 [ "$(sql ranks-3-37.db 'SELECT count(DISTINCT worker) FROM unit')" = 3 ] || fail "an idle rank"
 
+# Results that take more than a message may are several units, without which a unit of 2 GB would be
+# sent as one of a negative length.
+for n in 1 3; do
+  "${ranks[@]}" $n "$program" search "$campaign" --catalogue bytes-$n.db --draws $draws --unit-draws 100000 \
+    --unit-bytes 30000 --progress none > out 2> err || { fail "$n ranks, small messages"; cat err; }
+  grep -q "bytes-$n.db: complete" out || fail "$n ranks, small messages: $(cat out)"
+  sound bytes-$n.db $draws
+  [ "$(digest_of bytes-$n.db)" = "$expected" ] || fail "$n ranks, small messages: another digest"
+  [ "$(sql bytes-$n.db 'SELECT count(*) FROM unit')" -ge 10 ] || fail "$n ranks: messages were not small"
+done
+
 # The registers of every instruction set give the same, and so does a C library that must do without.
 for set in baseline avx2 avx512; do
   "$program" search "$campaign" --catalogue set-$set.db --draws $draws --progress none --instruction-set $set \

@@ -130,7 +130,7 @@ double shortest_s(const std::function<void()>& call) {
 void measure_messages(Costs& costs) {
   UnitSource source;
   const auto measure = [&](const UnitContents& contents) {
-    const search::Bytes bytes = search::pack(source.next(1, contents).front());
+    const search::Bytes bytes = search::pack({source.next(1, contents).front(), false});
     const double seconds = shortest_s([&] { search::unpack_unit(bytes); });
     return std::pair{seconds, static_cast<double>(bytes.size())};
   };

@@ -1,0 +1,11 @@
+// What this process must be before it opens anything.
+#pragma once
+
+namespace misalign::search {
+
+/// Descriptors 0 to 2 are open: a catalogue that became one of them would get what is printed.
+/// Those that were closed give nothing and take nothing, so that writing there still fails. A file
+/// that grows beyond a limit (ulimit -f, a quota) is an error of that file, not a signal.
+void prepare_process();
+
+}  // namespace misalign::search
