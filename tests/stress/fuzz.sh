@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # The long fuzzing of all that is read: meshes, campaign and pattern files, catalogues.
-#   fuzz.sh [MESHES [CAMPAIGNS [CATALOGUES [SEED]]]]
+#   fuzz.sh [--sanitized] [MESHES [CAMPAIGNS [CATALOGUES [SEED]]]]
 # So many inputs each (ten million, ten million, 100,000; 0 leaves a kind out) by the release build on
 # two cores, and then a twentieth as many under the address and undefined-behaviour sanitizers, a tenth of
-# those (but for catalogues) chosen by libFuzzer's coverage. In parts of seeds SEED, SEED + 1, ... (1),
+# those (but for catalogues) chosen by libFuzzer's coverage; --sanitized: so many of each, under the
+# sanitizers alone. In parts of seeds SEED, SEED + 1, ... (1),
 # whose results are kept in build/fuzz: a part that is there is not run again. Stops at the first crash,
 # leak or hang, and keeps the input as a file there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . scripts/packages.sh
 need_packages $build_packages clang libclang-rt-dev
+sanitized=
+[ "${1:-}" = --sanitized ] && sanitized=yes && shift
 meshes=${1:-10000000} campaigns=${2:-10000000} catalogues=${3:-100000} seed=${4:-1}
 parts=20
 work=build/fuzz
@@ -44,6 +47,10 @@ all() { # PRESET SHARE
   run "$1" campaign_fuzz $((campaigns / $2))
   run "$1" catalogue_fuzz $((catalogues / $2))
 }
+if [ -n "$sanitized" ]; then
+  all asan 1
+  exit
+fi
 all release 1
 all asan 20
 
