@@ -48,6 +48,7 @@ double Survival::ln_t(double deg) const {
 // deepest samples are taken whole until there are rows enough.
 std::optional<Survival::Tail> Survival::tail() const {
   const double most = std::min(kMostRows, kMostShare * all_.effective());
+  if (most < kLeastRows) return std::nullopt;
   WeightedCount rows;
   int first = 0;
   for (auto at = at_.rbegin(); at != at_.rend() && at->first > 0; ++at) {

@@ -38,7 +38,7 @@ class Survival {
   std::optional<int> sample_of_share(double share) const;
 
   /// The share of draws that deploys from this sample or deeper, guessed from the tail; empty where
-  /// fewer than eight draws make one.
+  /// fewer than eight draws make one, that is with fewer than 32 in all.
   ///
   /// The tail is taken for Pareto's in t = tan(pilot angle / 2), the variable in which the closure
   /// is algebraic: the share beyond t falls as a power of it. The power is Hill's estimate (Annals
@@ -47,11 +47,11 @@ class Survival {
   /// the logarithm of the guess has the variance (1 + (power * distance in ln t)^2) / rows. At 180
   /// degrees, where t has no end, half a sample less is meant.
   ///
-  /// How far off: on 6 x 6 (interior vertices, 0.4 mm), from 500, 1,000, 2,000 and 4,289 draws of
-  /// one sample in pieces, guesses of the share at 160, 170 and 175 degrees (0.9 %, 0.05 % and
-  /// 2.8e-5) were 0.4 to 4 times the true ones on the geometric mean; single ones at 175 degrees
-  /// within a factor of 20 (results/survival.md). Exponentials of the angle itself guess 130 times
-  /// too many there.
+  /// How far off (results/survival.md, 6 x 6, interior vertices, 0.4 mm): from 1,000 sampled draws
+  /// on, single guesses of the share at 160 to 175 degrees (0.9 % to 3.6e-5) were 0.35 to 2.1 times
+  /// what a million draws counted; from 500, 0.3 to 8.4 times; from 250, 0.5 to 81 times, for there
+  /// the tail begins where the curve is still flatter. An exponential of the angle itself, from 140
+  /// to 155 degrees, guesses a hundred times too many at 175.
   std::optional<SurvivalGuess> guess(int sample) const;
 
   /// The deepest sample from which, by what was seen or else by the tail, at least this share of

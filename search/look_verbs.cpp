@@ -152,7 +152,7 @@ bool was_cut_off(SQLite::Database& database, const std::string& sql, std::size_t
 // Instead of a header without rows, where a named query of candidates has none because there are
 // none. False if there is nothing to say.
 bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
-  if (sql.find("FROM candidates") == std::string::npos) return false;
+  if (sql.find("FROM candidate") == std::string::npos) return false;
   const std::vector<std::string> sentences = nothing_found(database);
   for (const std::string& sentence : sentences) put(schema::printable(sentence) + "\n");
   std::fflush(stdout);

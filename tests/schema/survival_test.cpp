@@ -59,6 +59,12 @@ TEST(Survival, TooFewDrawsSayNothing) {
   EXPECT_EQ(survival_of({}).deepest(), 0);
   EXPECT_EQ(survival_of({}).sample_to_try(0.001), std::nullopt);
   EXPECT_EQ(survival_of({{40, 1024}, {50, 1024}}).guess(170), std::nullopt);
+  // A quarter of 31 draws is no tail, of 32 it is.
+  std::vector<SampledRow> few;
+  for (int k = 0; k < 31; ++k) few.push_back({50 + k, 1024});
+  EXPECT_EQ(survival_of(few).guess(170), std::nullopt);
+  few.push_back({100, 1024});
+  EXPECT_NE(survival_of(few).guess(170), std::nullopt);
   // All of them fail before the first sample.
   EXPECT_EQ(survival_of(std::vector<SampledRow>(100, {0, 1024})).guess(170), std::nullopt);
   // Outside the path: its ends.
