@@ -31,16 +31,6 @@ void bind_or_null(SQLite::Statement& statement, const char* name,
   value ? statement.bind(name, *value) : statement.bind(name);
 }
 
-Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism) {
-  const auto& vertices = campaign.pattern.base.sheet.vertices_mm;
-  Json list = Json::array();
-  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
-    const double flat_mm = (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm();
-    list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
-  }
-  return list;
-}
-
 // A log that readers keep from being emptied is emptied by waiting for them, from this size on;
 // usually it is written from its start again at 32 MB (see open_for_writing).
 constexpr std::uintmax_t kLargestLog_bytes = 44 << 20;
@@ -193,7 +183,7 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
   guarded(path_, [&] {
     if (builds == Builds::same) check_same_builds(run);
     goal_ = goal;
-    const GoalEnd end = goal_end_of_rows(goal);
+    const GoalEnd end = goal_end_of_rows(*database_, goal);
     const std::string configuration = stored_configuration(campaign_).dump();
     transact([&] {
       SQLite::Statement campaign(
@@ -213,9 +203,9 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
       SQLite::Statement insert(
           *database_,
           "INSERT INTO run (started_at, host, ranks, version, \"commit\", compiler, flags, "
-          "golden_verdicts, configuration, schema_version) VALUES "
+          "golden_verdicts, configuration, schema_version, metrics_version) VALUES "
           "(strftime('%Y-%m-%dT%H:%M:%fZ'), :host, :ranks, :version, :commit, :compiler, :flags, "
-          ":golden, :configuration, :schema)");
+          ":golden, :configuration, :schema, :metrics)");
       insert.bind(":host", run.host);
       insert.bind(":ranks", run.ranks);
       insert.bind(":version", run.version);
@@ -225,6 +215,7 @@ void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
       insert.bind(":golden", run.golden_verdicts);
       insert.bind(":configuration", configuration);
       insert.bind(":schema", kSchemaVersion);
+      insert.bind(":metrics", solver::kMetricsVersion);
       insert.exec();
     });
     run_ = database_->getLastInsertRowid();
@@ -268,7 +259,7 @@ void Catalogue::settle(const UnitRecord& decided) {
   guarded(path_, [&] {
     transact([&] {
       writer_->settle(decided);
-      goal_end_ = goal_end_of_rows(goal_);
+      goal_end_ = goal_end_of_rows(*database_, goal_);
       store_goal_end(*goal_end_);
     });
   });
@@ -282,29 +273,6 @@ void Catalogue::transact(const Work& work) {
   work();
   transaction.commit();
   lock_.check_file_is_there();
-}
-
-GoalEnd Catalogue::goal_end_of_rows(const Goal& goal) const {
-  GoalEnd end(goal);
-  if (!goal.looks_at_results()) return end;
-  const auto draws_of = [&](const char* sql) {
-    std::vector<std::uint64_t> draws;
-    SQLite::Statement rows(*database_, sql);
-    while (rows.executeStep()) draws.push_back(draw_of(rows.getColumn(0)));
-    std::sort(draws.begin(), draws.end());
-    return draws;
-  };
-  // By the index, a hundredth of the table's size.
-  const auto accepted = draws_of("SELECT draw FROM candidate INDEXED BY candidate_by_deploys_from");
-  const auto undecided = draws_of("SELECT draw FROM undecided");
-  const auto within = [](const std::vector<std::uint64_t>& draws, const DrawRange& range) {
-    return std::vector(std::lower_bound(draws.begin(), draws.end(), range.lo),
-                       std::lower_bound(draws.begin(), draws.end(), range.hi));
-  };
-  for (const DrawRange& range : done()) {
-    end.add(range, within(accepted, range), within(undecided, range));
-  }
-  return end;
 }
 
 void Catalogue::store_goal_end(const GoalEnd& end) {

@@ -83,7 +83,6 @@ class Catalogue {
   void check_same_builds(const RunInfo& run) const;
   void migrate();
   void create();
-  GoalEnd goal_end_of_rows(const Goal& goal) const;
   void store_goal_end(const GoalEnd& end);
   void keep_log_small();
   template <class Work>

@@ -35,7 +35,9 @@ CREATE TABLE run (
   -- What committing cost, null for a run that was killed or is from before version 3.
   commits INTEGER,
   commit_s REAL,
-  longest_commit_s REAL
+  longest_commit_s REAL,
+  -- By which definitions its candidates are measured (solver/metrics.hpp). Since version 4.
+  metrics_version INTEGER NOT NULL DEFAULT 1
 ) STRICT;
 
 -- The ledger: ranges of draws that are done. A unit and its candidates are one transaction.

@@ -7,6 +7,7 @@
 
 #include "schema/digest.hpp"
 #include "schema/fault_sample.hpp"
+#include "solver/metrics.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -220,14 +221,45 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
   });
 }
 
-int schema_version_of(SQLite::Database& database, std::uint64_t draw) {
+std::string metrics_version_sql(int schema_version) {
+  if (schema_version < 2) return "1";
+  return schema_version < 4 ? "min(schema_version, 2)" : "metrics_version";
+}
+
+int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
-    if (version_of(database) < 2) return 1;
-    SQLite::Statement row(database,
-                          "SELECT schema_version FROM candidate JOIN unit ON unit.lo = "
-                          "candidate.unit JOIN run ON run.id = unit.run WHERE draw = ?");
+    const int schema_version = version_of(database);
+    SQLite::Statement row(database, "SELECT " + metrics_version_sql(schema_version) +
+                                        " FROM candidate JOIN unit ON unit.lo = candidate.unit "
+                                        "JOIN run ON run.id = unit.run WHERE draw = ?");
     row.bind(1, stored(draw));
-    return row.executeStep() ? row.getColumn(0).getInt() : kSchemaVersion;
+    return row.executeStep() ? row.getColumn(0).getInt() : solver::kMetricsVersion;
+  });
+}
+
+GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
+  return reading(database, [&] {
+    GoalEnd end(goal);
+    if (!goal.looks_at_results()) return end;
+    const auto draws_of = [&](const char* sql) {
+      std::vector<std::uint64_t> draws;
+      SQLite::Statement rows(database, sql);
+      while (rows.executeStep()) draws.push_back(draw_of(rows.getColumn(0)));
+      std::sort(draws.begin(), draws.end());
+      return draws;
+    };
+    // By the index, a hundredth of the table's size.
+    const auto accepted =
+        draws_of("SELECT draw FROM candidate INDEXED BY candidate_by_deploys_from");
+    const auto undecided = draws_of("SELECT draw FROM undecided");
+    const auto within = [](const std::vector<std::uint64_t>& draws, const DrawRange& range) {
+      return std::vector(std::lower_bound(draws.begin(), draws.end(), range.lo),
+                         std::lower_bound(draws.begin(), draws.end(), range.hi));
+    };
+    for (const DrawRange& range : units_done(database)) {
+      end.add(range, within(accepted, range), within(undecided, range));
+    }
+    return end;
   });
 }
 

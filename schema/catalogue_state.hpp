@@ -48,8 +48,15 @@ std::string weight_of_sampled(SQLite::Database& database);
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 
-/// The schema that a candidate was written with: columns that came later are null in it.
-int schema_version_of(SQLite::Database& database, std::uint64_t draw);
+/// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
+int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
+
+/// The same in SQL, of a row of `run` in a catalogue of this schema. Builds of schema 3 measured by
+/// version 2 or 3 and did not say which.
+std::string metrics_version_sql(int schema_version);
+
+/// Where a goal ends by what the rows say, see GoalEnd.
+GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
 
 /// Accepted draws below the goal's end that deploy from `sample` or more.
 std::uint64_t count_deploying_from(SQLite::Database& database, int sample);

@@ -43,6 +43,16 @@ Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
           {"flat_mm", flat_mm}};
 }
 
+Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism) {
+  const auto& vertices = campaign.pattern.base.sheet.vertices_mm;
+  Json list = Json::array();
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    const double flat_mm = (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm();
+    list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
+  }
+  return list;
+}
+
 std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
   if (verdict.where < 0) return "";
   switch (verdict.first_fault) {

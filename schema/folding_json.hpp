@@ -22,6 +22,9 @@ struct FoldingView {
 Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
                    const solver::Diagonal& diagonal, double flat_mm);
 
+/// Those of a campaign's base pattern, as its catalogue keeps them: a list of diagonal_json.
+Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism);
+
 /// "A17-A23" of a diagonal or crease that a verdict names; empty if it names none.
 std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict);
 

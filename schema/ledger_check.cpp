@@ -1,8 +1,12 @@
 #include "schema/ledger_check.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "schema/campaign_check.hpp"
 #include "schema/digest.hpp"
 #include "schema/unit_writer.hpp"
 
@@ -23,8 +27,11 @@ class LedgerCheck {
     count_fault_sample();
     check_units();
     check_fault_sample();
+    check_sampled_verdicts();
     check_verdicts();
     check_digest();
+    check_campaign_row(database_, campaign_, findings_);
+    check_runs(database_, findings_);
     return std::move(findings_);
   }
 
@@ -49,6 +56,7 @@ class LedgerCheck {
     SQLite::Statement integrity(database_, "PRAGMA integrity_check");
     while (integrity.executeStep()) {
       const std::string answer = text_of(integrity.getColumn(0));
+      throw_if_unread(answer);
       if (answer != "ok") add("file", "integrity_check", answer, "ok");
     }
     SQLite::Statement keys(database_, "PRAGMA foreign_key_check");
@@ -56,6 +64,16 @@ class LedgerCheck {
       add("table " + text_of(keys.getColumn(0)) + ", row " + text_of(keys.getColumn(1)),
           "key into " + text_of(keys.getColumn(2)), "no such row", "a row");
     }
+  }
+
+  // It lists pages that the disk did not give among those that are damaged, with SQLite's code.
+  void throw_if_unread(const std::string& answer) const {
+    static const std::string kCode = "error code=";
+    const std::size_t at = answer.find(kCode);
+    if (at == std::string::npos) return;
+    const int code = std::atoi(answer.c_str() + at + kCode.size()) & 0xff;
+    if (code != SQLITE_IOERR && code != SQLITE_NOMEM) return;
+    throw storage_failure(database_.getFilename(), SQLite::Exception(answer, code));
   }
 
   void check_campaign() {
@@ -190,6 +208,27 @@ class LedgerCheck {
       add("draw " + std::to_string(draw_of(row.getColumn(0))), "fault_sample.deploys_from_sample",
           row.getColumn(1).getInt(), row.getColumn(2).getInt());
     }
+  }
+
+  // What was sampled is accepted where it is a candidate, and nowhere else; and it is undecided
+  // where it is no other row's.
+  void check_sampled_verdicts() {
+    const std::string accepted = "first_fault != 'undecided' AND deploys_from_sample >= " +
+                                 std::to_string(campaign_.threshold_sample());
+    const auto compare = [&](const std::string& column, const std::string& sampled,
+                             const std::string& table) {
+      SQLite::Statement row(database_, "SELECT draw, " + sampled +
+                                           " AS sampled FROM fault_sample WHERE sampled != "
+                                           "EXISTS (SELECT 1 FROM " +
+                                           table + " WHERE draw = fault_sample.draw)");
+      while (row.executeStep()) {
+        const bool is_sampled = row.getColumn(1).getInt() != 0;
+        add("draw " + std::to_string(draw_of(row.getColumn(0))), "fault_sample." + column,
+            is_sampled ? column : "not " + column, is_sampled ? "not " + column : column);
+      }
+    };
+    compare("accepted", "(" + accepted + ")", "candidate");
+    compare("undecided", "(first_fault = 'undecided')", "undecided");
   }
 
   // No draw is both accepted and undecided.

@@ -20,9 +20,11 @@ Finding differs(const std::string& where, const std::string& column, const Json&
                 const Json& recomputed);
 
 /// The file's integrity and foreign keys (SQLite looks at no CHECK of a table while it only reads);
-/// the campaign's identity; for every unit the number of its candidates, its part of the digest,
-/// its undecided draws, none of which is a candidate, and its fault sample; and the digest of the
-/// whole against the candidates alone. UserError (3) if the file cannot be read so far.
+/// the campaign's identity, diagonals and goal's end, and what its runs say of themselves (see
+/// campaign_check.hpp); for every unit the number of its candidates, its part of the digest, its
+/// undecided draws, none of which is a candidate, and its fault sample, which accepts what the
+/// candidates do; and the digest of the whole against the candidates alone. Of one moment, if the
+/// caller holds a transaction. UserError (3) if the file cannot be read so far.
 std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign);
 
 }  // namespace misalign::schema

@@ -18,7 +18,7 @@ namespace misalign::schema {
 namespace {
 
 constexpr std::size_t kLongestStem = 200;  // with what is added, a name of at most 255 bytes
-constexpr std::size_t kDigits = 32;
+constexpr std::size_t kRandomDigits = 32;
 constexpr const char* kEnding = ".partial";
 constexpr int kMostTries = 100;
 constexpr int kCreate = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
@@ -29,7 +29,7 @@ std::string stem_of(const std::string& output) {
 }
 
 std::string unforeseen_name(const std::string& output) {
-  std::array<unsigned char, kDigits / 2> bytes{};
+  std::array<unsigned char, kRandomDigits / 2> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
     throw UserError(kExitFailure, output + ": cannot be written (no random numbers: " +
                                       std::strerror(errno) + "); see to the system");
@@ -43,9 +43,9 @@ std::string unforeseen_name(const std::string& output) {
 
 bool has_such_a_name(const std::string& path, const std::string& output) {
   const std::string stem = stem_of(output), ending = kEnding;
-  return path.size() == stem.size() + kDigits + ending.size() && path.starts_with(stem) &&
+  return path.size() == stem.size() + kRandomDigits + ending.size() && path.starts_with(stem) &&
          path.ends_with(ending) &&
-         path.find_first_not_of("0123456789abcdef", stem.size()) == stem.size() + kDigits;
+         path.find_first_not_of("0123456789abcdef", stem.size()) == stem.size() + kRandomDigits;
 }
 
 // One byte far behind the data, beside the one that a catalogue's writer locks. 0, or an errno.
@@ -247,7 +247,22 @@ void OutputFile::write(std::string_view bytes) {
   }
 }
 
+// What is in a journal is not in the file yet: a disk that failed while the last connection closed
+// has left it there. An empty one, or shared memory, says nothing.
+void OutputFile::refuse_journals() const {
+  for (const std::string& suffix : journal_suffixes()) {
+    const auto found = stat_of(path_ + suffix);
+    if (found && found->st_size > 0 && suffix != "-shm") {
+      throw UserError(kExitFailure, output_ +
+                                        ": could not be written to its end (a journal is left "
+                                        "of it); see to the disk, then the same again");
+    }
+    if (found) ::unlink((path_ + suffix).c_str());
+  }
+}
+
 void OutputFile::publish() {
+  if (!path_.empty()) refuse_journals();
   if (::fsync(descriptor_) != 0 && errno != EINVAL) refuse(errno);
   if (path_.empty()) {
     const std::string path = unforeseen_name(target_);

@@ -40,13 +40,15 @@ class OutputFile {
   /// Adds to a text. UserError (1).
   void write(std::string_view bytes);
   /// Gives it its name, when disk and directory have it. Every connection to it must be closed.
-  /// UserError: 2 the output has come to be meanwhile; 1 it cannot be written.
+  /// UserError: 2 the output has come to be meanwhile; 1 it cannot be written, or SQLite has left a
+  /// part of it in a journal.
   void publish();
 
  private:
   OutputFile(const std::string& output, Existing existing);
   void make_named(mode_t mode);
   void make_unnamed();
+  void refuse_journals() const;
   [[noreturn]] void refuse(int error) const;
 
   std::string output_, target_;  // as it was asked for, and where links lead from there

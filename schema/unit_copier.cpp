@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "schema/database.hpp"
+#include "schema/catalogue_state.hpp"
 #include "schema/fault_sample.hpp"
 
 namespace misalign::schema {
@@ -18,10 +18,11 @@ std::vector<std::string> columns_of(SQLite::Database& database, const std::strin
   });
 }
 
-// What a catalogue that has no such column is to say there.
-std::string stand_in(const std::string& column) {
+// What a catalogue of this schema, which has no such column, is to say there.
+std::string stand_in(const std::string& column, int schema_version) {
   if (column == "schema_version") return "1";
   if (column == "stands_for") return std::to_string(kFaultSampleEvery);
+  if (column == "metrics_version") return metrics_version_sql(schema_version);
   return "NULL";
 }
 
@@ -63,10 +64,11 @@ class UnitCopier::Table {
  private:
   std::string select_of(SQLite::Database& from, const std::string& name) const {
     const std::vector<std::string> held = columns_of(from, name);
+    const int version = version_of(from);
     std::vector<std::string> expressions;
     for (const std::string& column : columns_) {
       const bool is_held = std::find(held.begin(), held.end(), column) != held.end();
-      expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column));
+      expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column, version));
     }
     return "SELECT " + listed(expressions) + " FROM " + name + " ";
   }

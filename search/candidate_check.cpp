@@ -51,7 +51,22 @@ CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
       shape_(campaign.pattern.base.sheet, campaign.pattern.base.holes, mechanism_),
       panels_(solver::panels_of(campaign.pattern.base, mechanism_)) {}
 
-CandidateReport CandidateCheck::check(const Json& row, int schema_version) const {
+Eigen::Matrix2Xd CandidateCheck::shifts_mm(std::uint64_t draw) const {
+  const int vertices = campaign_.pattern.base.sheet.vertex_count();
+  Eigen::Matrix2Xd drawn_mm = Eigen::Matrix2Xd::Zero(2, vertices);
+  draw_shifts(campaign_.misalignment, campaign_.seed, draw, drawn_mm);
+  return drawn_mm;
+}
+
+solver::Verdict CandidateCheck::verdict(std::uint64_t draw) const {
+  const solver::PerforatedSheet& base = campaign_.pattern.base;
+  const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm(draw);
+  return solver::record_history(base, mechanism_, elimination_, plan_, vertices_mm,
+                                {campaign_.between_samples, {}})
+      .verdict;
+}
+
+CandidateReport CandidateCheck::check(const Json& row, int metrics_version) const {
   CandidateReport report;
   const auto cell = [&](const char* column) {
     return row.is_object() ? row.value(column, Json()) : Json();
@@ -67,8 +82,7 @@ CandidateReport CandidateCheck::check(const Json& row, int schema_version) const
     report.findings.push_back(schema::differs(where, column, stored, recomputed));
   };
   const solver::PerforatedSheet& base = campaign_.pattern.base;
-  Eigen::Matrix2Xd drawn_mm = Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count());
-  draw_shifts(campaign_.misalignment, campaign_.seed, draw, drawn_mm);
+  const Eigen::Matrix2Xd drawn_mm = shifts_mm(draw);
   const auto shifts_mm = read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
   if (!shifts_mm || *shifts_mm != drawn_mm) {
     differs("displacements_mm", cell("displacements_mm"),
@@ -91,28 +105,30 @@ CandidateReport CandidateCheck::check(const Json& row, int schema_version) const
     differs("deploys_from_sample", cell("deploys_from_sample"), 0);
     return report;
   }
-  check_metrics(row, schema_version,
+  check_metrics(row, metrics_version,
                 solver::measure(base, vertices_mm, history, campaign_.sample_deg), report);
   check_shapes(where, vertices_mm, history, states, report);
   return report;
 }
 
-void CandidateCheck::check_metrics(const Json& row, int schema_version,
+void CandidateCheck::check_metrics(const Json& row, int metrics_version,
                                    const solver::Metrics& metrics, CandidateReport& report) const {
   const std::string where = "draw " + row.at("draw").dump();
   const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
     report.findings.push_back(schema::differs(where, column, stored, recomputed));
   };
-  Json recomputed = schema::metrics_json(metrics);
-  if (schema_version < 2) {
-    for (const char* column : {"slope_between_min_mm_per_deg", "bump_deg"}) {
-      recomputed.erase(column);
-      if (row.contains(column)) recomputed[column] = nullptr;
-    }
-  }
+  const Json recomputed = schema::metrics_json(metrics);
   for (const auto& [column, value] : recomputed.items()) {
-    const Json stored = row.value(column, Json("no such column"));
-    if (!tolerances_.agree(column, stored, value)) differs(column, stored, value);
+    const solver::MetricAge age = solver::metric_age(column);
+    const bool is_younger = metrics_version < age.first;  // then null, if the column is there
+    const Json stored = row.value(column, is_younger ? Json() : Json("no such column"));
+    const Json expected = is_younger ? Json() : value;
+    if (tolerances_.agree(column, stored, expected)) continue;
+    if (!is_younger && metrics_version < age.present) {
+      report.not_comparable.push_back(column);
+    } else {
+      differs(column, stored, expected);
+    }
   }
   const std::string elongation = Json(metrics.elongation).dump();
   const Json stored_elongation = row.value("elongation", Json());

@@ -13,6 +13,8 @@ namespace misalign::search {
 
 struct CandidateReport {
   std::vector<schema::Finding> findings;
+  /// Columns that differ, but were measured by another definition.
+  std::vector<std::string> not_comparable;
   /// Over the samples up to D.
   solver::ShapeErrors shape;
   double diagonal_mm = 0;  ///< of the recomputed lengths against the coordinates
@@ -26,13 +28,20 @@ class CandidateCheck {
   CandidateCheck(const CandidateCheck&) = delete;
   CandidateCheck& operator=(const CandidateCheck&) = delete;
 
-  /// `row` is the candidate's row, see read_candidate, with the columns of this schema filled; what
-  /// it lacks is a finding.
-  CandidateReport check(const schema::Json& row, int schema_version = schema::kSchemaVersion) const;
+  /// `row` is the candidate's row, see read_candidate, measured by this version of the metrics;
+  /// what it lacks is a finding, and what has another meaning now is compared in vain at most.
+  CandidateReport check(const schema::Json& row,
+                        int metrics_version = solver::kMetricsVersion) const;
+
+  /// The verdict on a draw, by the same solver.
+  solver::Verdict verdict(std::uint64_t draw) const;
+  const schema::Campaign& campaign() const { return campaign_; }
+  const solver::Mechanism& mechanism() const { return mechanism_; }
 
  private:
-  void check_metrics(const schema::Json& row, int schema_version, const solver::Metrics& metrics,
+  void check_metrics(const schema::Json& row, int metrics_version, const solver::Metrics& metrics,
                      CandidateReport& report) const;
+  Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
   void check_shapes(const std::string& where, const solver::FlatVertices& vertices_mm,
                     const solver::FoldingHistory& history,
                     const std::vector<solver::FoldState<double>>& states,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <random>
 
 #include "schema/result_table.hpp"
 #include "search/look.hpp"
@@ -213,27 +214,43 @@ Action add_query(CLI::App& app) {
 Action add_verify(CLI::App& app) {
   auto* verb = app.add_subcommand("verify", "a catalogue's ledger, and its candidates once more");
   verb->footer(
-      "Checks the file, every unit's candidates and the digest; follows the chosen\n"
-      "candidates' paths again from their stored displacements and compares every\n"
-      "column; checks each folded shape by its coordinates. Panels that cross are\n"
-      "reported (they are assumed not to), and no fault.\n"
+      "Checks the file, every unit's candidates and sums, what runs say of themselves,\n"
+      "the goal's end, the diagonals and the digest, all of one moment; follows the\n"
+      "chosen candidates' paths again from their stored displacements and compares\n"
+      "every column; checks each folded shape by its coordinates; judges fault samples\n"
+      "again. --units makes all draws of units chosen at random again: a candidate that\n"
+      "was removed together with its sums is seen by nothing else. Panels that cross are\n"
+      "reported (they are assumed not to), and no fault; so are metrics that an older\n"
+      "build measured by another definition.\n"
       "Exit code 6 if anything differs.\n\n"
       "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"
-      "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json");
+      "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json\n"
+      "  misalign verify results/miura-6x6-1a2b3c4d.db --units 20");
   auto path = std::make_shared<std::string>();
-  auto sample = std::make_shared<std::uint64_t>(100);
+  auto options = std::make_shared<VerifyOptions>();
+  auto sample = std::make_shared<std::uint64_t>(*options->sample);
+  auto seed = std::make_shared<std::optional<std::uint64_t>>();
   auto all = std::make_shared<bool>(false), json = std::make_shared<bool>(false);
   verb->add_option("CATALOGUE", *path, "catalogue file")->required();
   auto* sample_option = verb->add_option("--sample", *sample,
                                          "so many candidates, spread evenly over them in the order "
-                                         "of their draws [100]");
+                                         "of their draws, and as many fault samples [100]");
   sample_option->check(a_draw())->type_name("N");
-  verb->add_flag("--all", *all, "every candidate")->excludes(sample_option);
+  verb->add_flag("--all", *all, "every candidate and fault sample")->excludes(sample_option);
+  auto* units_option =
+      verb->add_option("--units", options->units,
+                       "also make all draws of so many units again, chosen at random [0]");
+  units_option->check(a_draw())->type_name("N");
+  verb->add_option("--seed", *seed, "of that choice, to have the same again [a random one]")
+      ->check(a_draw())
+      ->needs(units_option)
+      ->type_name("N");
   verb->add_flag("--json", *json, "as JSON");
   return [=] {
     const auto database = schema::open_for_reading(*path);
-    const Verification verification =
-        verify(*database, *path, *all ? std::nullopt : std::optional(*sample));
+    options->sample = *all ? std::nullopt : std::optional(*sample);
+    options->seed = seed->value_or(std::random_device()());
+    const Verification verification = verify(*database, *path, *options);
     *json ? put_json(verification_json(verification)) : put(verification_text(verification));
     return verification.good() ? 0 : schema::kExitCheckFailed;
   };

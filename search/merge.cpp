@@ -19,6 +19,7 @@ using schema::Json;
 struct Input {
   std::string path;
   std::unique_ptr<SQLite::Database> database;
+  std::unique_ptr<SQLite::Transaction> moment;  // the one that is joined, whoever writes meanwhile
   schema::CatalogueState state;
   std::vector<DrawRange> units;
 };
@@ -61,7 +62,9 @@ class Merge {
 
  private:
   void open(const std::string& path) {
-    Input input{path, schema::open_for_reading(path), {}, {}};
+    Input input{path, schema::open_for_reading(path), {}, {}, {}};
+    schema::reading(*input.database,
+                    [&] { input.moment = std::make_unique<SQLite::Transaction>(*input.database); });
     schema::Campaign campaign = schema::read_campaign_of(*input.database, path);
     std::vector<Finding> findings = schema::check_ledger(*input.database, campaign);
     for (Finding& finding : findings) {
@@ -158,14 +161,13 @@ class Merge {
   void compare_candidates(SQLite::Database& merged, const Input& input, std::uint64_t draw) {
     const Json mine = schema::read_candidate(merged, draw);
     const Json theirs = schema::read_candidate(*input.database, draw);
-    const bool knows_between = std::min(schema::schema_version_of(merged, draw),
-                                        schema::schema_version_of(*input.database, draw)) >= 2;
+    const int version = std::min(schema::metrics_version_of(merged, draw),
+                                 schema::metrics_version_of(*input.database, draw));
     const ColumnTolerances tolerances{trial_->mechanism().panel_width_mm,
                                       trial_->campaign().sample_deg};
     for (const auto& [column, value] : mine.items()) {
       if (column == "draw" || column == "unit") continue;
-      const bool is_between = column == "slope_between_min_mm_per_deg" || column == "bump_deg";
-      if (is_between && !knows_between) continue;
+      if (version < solver::metric_age(column).present) continue;  // another definition
       const Json other = theirs.value(column, Json());
       if (!tolerances.agree(column, other, value)) differ(input, draw, column, other, value);
     }

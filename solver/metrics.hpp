@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "solver/history.hpp"
@@ -10,6 +11,20 @@ namespace misalign::solver {
 
 /// slope_min is taken from here on: closer to flat every slope goes to zero with the fold angle.
 inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
+
+/// Of the definitions below; a run keeps by which its candidates were measured. To change one is a
+/// new version, and a line of metric_age. 1: all but slope_between_min and bump_deg. 2: these two,
+/// by cubics in the pilot's angle. 3: by cubics along the path, which see no bump before a fold
+/// limit where there is none.
+inline constexpr int kMetricsVersion = 3;
+
+struct MetricAge {
+  int first;    ///< the version that it came with
+  int present;  ///< the version since which it means what it does
+};
+
+/// By the name of its column.
+MetricAge metric_age(std::string_view column);
 
 /// Columns of the same names in the catalogue; everything over the samples up to D.
 struct Metrics {

@@ -10,4 +10,9 @@ SELECT first_fault, fault_deg, count(*) AS sampled, sum(stands_for) AS draws,
 FROM fault_sample
 GROUP BY first_fault, fault_deg;
 
+-- What older builds measured by: version 1 before the rates of change were there, then 2; builds of
+-- schema 3 may have had 3 and do not say so.
+ALTER TABLE run ADD COLUMN metrics_version INTEGER NOT NULL DEFAULT 1;
+UPDATE run SET metrics_version = min(schema_version, 2);
+
 PRAGMA user_version = 4;

@@ -84,6 +84,31 @@ TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
             "accepted"));
 }
 
+// What follows from the rest of it.
+TEST_F(LedgerCheckTest, CampaignAndRunsAreWhatFollows) {
+  EXPECT_TRUE(finds("UPDATE campaign SET goal_end = 0", "goal_end"));
+  EXPECT_TRUE(finds("UPDATE campaign SET goal_end = 5999", "goal_end"));
+  EXPECT_TRUE(finds("UPDATE campaign SET goal_accepted = 1", "goal_end"));  // met at 4096
+  EXPECT_TRUE(finds("UPDATE campaign SET diagonals = '[]'", "diagonals"));
+  EXPECT_TRUE(finds("UPDATE campaign SET diagonals = 'nonsense'", "diagonals"));
+  EXPECT_TRUE(
+      finds("UPDATE campaign SET diagonals = json_set(diagonals, '$[1].from', 'A1')", "diagonals"));
+  EXPECT_TRUE(
+      finds("UPDATE campaign SET diagonals = json_set(diagonals, '$[1].flat_mm', "
+            "json_extract(diagonals, '$[1].flat_mm') + 1e-9)",
+            "diagonals"));
+  EXPECT_TRUE(finds("UPDATE unit SET worker = 2 WHERE lo = 0", "ranks"));  // of 0 and 1
+  EXPECT_TRUE(finds("UPDATE run SET commits = 4", "commits"));
+  EXPECT_TRUE(finds("UPDATE run SET longest_commit_s = 2 * commit_s + 1", "longest_commit_s"));
+}
+
+TEST_F(LedgerCheckTest, WhatIsSampledIsAcceptedWhereItIsACandidate) {
+  EXPECT_TRUE(finds("UPDATE fault_sample SET deploys_from_sample = 180 WHERE draw = 1024",
+                    "fault_sample.accepted"));
+  EXPECT_TRUE(finds("UPDATE fault_sample SET first_fault = 'undecided' WHERE draw = 1024",
+                    "fault_sample.undecided"));
+}
+
 // A fault sample and a candidate are one draw's verdict.
 TEST_F(LedgerCheckTest, FaultSampleAndCandidateAgree) {
   EXPECT_TRUE(

@@ -97,6 +97,23 @@ TEST_F(OutputFileTest, WhatCameMeanwhileStays) {
   EXPECT_NE(names(), "");
 }
 
+// A disk that failed as the last connection closed: the rest is in the log, and lost without it.
+TEST_F(OutputFileTest, WhatIsPartlyInAJournalIsNotPublished) {
+  for (const char* suffix : {"-wal", "-journal"}) {
+    {
+      OutputFile file = database();
+      std::ofstream(file.path()) << "half";
+      std::ofstream(file.path() + suffix) << "the other half";
+      EXPECT_EQ(refusal([&] { file.publish(); }).exit_code, kExitFailure);
+    }
+    EXPECT_EQ(names(), "");
+  }
+  OutputFile file = database();
+  for (const char* suffix : {"-wal", "-shm"}) std::ofstream(file.path() + suffix);
+  file.publish();
+  EXPECT_EQ(names(), "all.db");
+}
+
 TEST_F(OutputFileTest, JournalsBesideTheOutputAreNotTaken) {
   for (const char* name : {"all.db-wal", "all.db-journal", "all.db-shm"}) {
     put(name, "mine");

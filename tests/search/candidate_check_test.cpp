@@ -119,6 +119,16 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   older["slope_between_min_mm_per_deg"] = older["bump_deg"] = nullptr;
   EXPECT_TRUE(check_.check(older, 1).findings.empty());
   EXPECT_FALSE(check_.check(older).findings.empty());
+  // What has another meaning by now is noted; what has none is as wrong as ever.
+  Json altered = row;
+  altered["bump_deg"] = 40.0;
+  altered["slope_between_min_mm_per_deg"] = -1.0;
+  const CandidateReport by_then = check_.check(altered, 2);
+  EXPECT_TRUE(by_then.findings.empty());
+  EXPECT_EQ(by_then.not_comparable.size(), 2u);
+  EXPECT_EQ(check_.check(altered, 3).findings.size(), 2u);
+  altered["stroke_max"] = 1.0;
+  EXPECT_EQ(check_.check(altered, 2).findings.size(), 1u);
   older.erase("slope_between_min_mm_per_deg");
   older.erase("bump_deg");
   EXPECT_TRUE(check_.check(older, 1).findings.empty());

@@ -141,7 +141,7 @@ class Reader {
       choice.diverse = 3;
       ends([&] { search::chosen_draws(*database, choice); });
       is_good = check_ledger(*database, campaign).empty();
-      const search::Verification verification = search::verify(*database, path, 1);
+      const search::Verification verification = search::verify(*database, path, {.sample = 1});
       check_shown(search::verification_text(verification));
       search::verification_json(verification).dump();
     });

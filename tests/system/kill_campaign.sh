@@ -1,6 +1,7 @@
 # A campaign killed again and again, ranks and mpirun, in every way and at any moment: nothing is lost or
 # counted twice, and every time it gets to its end the digest is that of an undisturbed run.
-# The long form: kill_campaign.sh PROGRAM SOURCE_DIR 250 [SEED]
+# The long form: kill_campaign.sh PROGRAM SOURCE_DIR 250 [SEED]; SIGNALS="KILL" for kill -9 alone; ALONE=1 for
+# one process without mpirun, which dies and starts ten times as often in the same time.
 . "$(dirname "$0")/lib.sh"
 kills_wanted=${3:-10}
 RANDOM=${4:-1}
@@ -15,17 +16,20 @@ expected=$(digest_of calm.db)
 # The processes that work on the catalogue.
 ranks_of() { pgrep -f "^$program search .*--catalogue $PWD/killed.db"; }
 
+read -ra signals <<< "${SIGNALS:-KILL TERM USR1}"
 kills=0 rounds=0 resumes=0 slowest_ms=0 lingered=0
 declare -A counts
 while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
   n=$((resumes % 4 + 1))
   resumes=$((resumes + 1))
-  "${ranks[@]}" $n "$program" search $campaign --catalogue "$PWD/killed.db" --draws "$draws" \
+  start=("${ranks[@]}" $n)
+  [ -n "${ALONE:-}" ] && start=(env)
+  "${start[@]}" "$program" search $campaign --catalogue "$PWD/killed.db" --draws "$draws" \
     --unit-draws $((20 + RANDOM % 400)) --progress none > out 2> err &
   launcher=$!
   if [ $kills -lt "$kills_wanted" ]; then
     sleep 0.$((RANDOM % 10))$((RANDOM % 10))
-    case $((RANDOM % 3)) in 0) signal=KILL ;; 1) signal=TERM ;; 2) signal=USR1 ;; esac
+    signal=${signals[RANDOM % ${#signals[@]}]}
     case $((RANDOM % 3)) in
       0) victim=mpirun pids=$launcher ;;
       1) victim=rank pids=$(ranks_of | shuf -n 1 --random-source=<(yes $RANDOM)) ;;
@@ -36,7 +40,7 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
       kills=$((kills + 1))
       counts[$signal-$victim]=$((${counts[$signal-$victim]:-0} + 1))
     fi
-    start=$(date +%s%3N)
+    start_ms=$(date +%s%3N)
     # Ranks that have lost their mpirun end by themselves. mpirun 4.1 itself now and then waits for ever
     # for a rank that died while it was being started.
     alone=0
@@ -56,7 +60,7 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
       [ -z "${STACKS:-}" ] || for pid in $(cat left); do gdb -batch -ex 'thread apply all bt' -p $pid 2> /dev/null; done
       pkill -KILL -f -- "$PWD/killed.db"
     fi
-    took_ms=$(($(date +%s%3N) - start))
+    took_ms=$(($(date +%s%3N) - start_ms))
     [ $took_ms -gt $slowest_ms ] && slowest_ms=$took_ms
     kill -KILL $launcher 2> /dev/null && lingered=$((lingered + 1))
     wait $launcher 2> /dev/null

@@ -59,6 +59,14 @@ for name in b.db b.db-wal; do
   [ "$(of b.db)" = "$before" ] || fail "a report replaced a catalogue"
 done
 rm -f precious
+# Where a file without a name cannot be had, it has one that nobody can foresee.
+if unshare -m true 2> /dev/null; then
+  echo old > page.html
+  unshare -m sh -c 'mount -t tmpfs none /proc && exec "$0" report a.db --output page.html' "$program" > out 2> err ||
+    { fail "report without /proc"; cat err; }
+  grep -q "</html>" page.html || fail "report without /proc: not written"
+  rm -f page.html
+fi
 alone
 
 # Whose files may be read by nobody else: neither may what is made of them; a replaced file keeps its own.

@@ -56,6 +56,27 @@ found "UPDATE unit SET rejected = rejected + 1 WHERE lo = 60" "unit 60: rejected
 found "UPDATE unit SET digest_part = randomblob(16) WHERE lo = 60" "unit 60: digest_part"
 found "DELETE FROM fault_sample" "rows of fault_sample"
 found "UPDATE campaign SET identity = lower(hex(randomblob(16)))" identity
+found "UPDATE campaign SET goal_end = 0" "campaign: goal_end"
+found "UPDATE campaign SET diagonals = json_set(diagonals, '\$[0].to', 'A1')" "campaign: diagonals"
+found "UPDATE unit SET worker = 1 WHERE lo = 30" "ranks"
+found "UPDATE fault_sample SET first_fault = 'bump', fault_deg = 29" "draw 0: fault_sample.first_fault"
+
+# All draws of some units once more.
+"$program" verify small.db --sample 1 --units 2 --seed 7 > text || fail "--units"
+grep -q "^units        2 of 3 made again, 60 draws (--seed 7).* probability 0.667" text || { fail "--units"; cat text; }
+"$program" verify small.db --seed 7 2> /dev/null
+[ $? = 2 ] || fail "--seed without --units"
+
+# While a search writes, every look is at one moment.
+"$program" search campaign.json --draws 10000000 --unit-draws 20 --progress none --catalogue live.db > /dev/null 2>&1 &
+search=$!
+until [ -s live.db ] && [ "$(sql live.db 'SELECT count(*) FROM unit' 2> /dev/null)" -gt 0 ] 2> /dev/null; do sleep 0.1; done
+for look in 1 2 3 4 5 6 7 8 9 10; do
+  "$program" verify live.db --sample 2 > text || { fail "verify while a search writes"; cat text; }
+done
+kill -TERM $search
+wait $search || fail "the search that was looked at"
+"$program" verify live.db --sample 2 --units 3 > text || { fail "verify after it"; cat text; }
 
 "$program" verify nothing.db 2> /dev/null
 [ $? = 3 ] || fail "verify of no file"

@@ -1,0 +1,97 @@
+// Catalogues of every schema there was: they are verified as what they are, and joined with what
+// this program finds.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "schema/catalogue_state.hpp"
+#include "search/merge.hpp"
+#include "search/trial.hpp"
+#include "search/verify.hpp"
+
+namespace misalign::search {
+namespace {
+
+class OlderCatalogues : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("misalign_older_" + std::to_string(GetParam()) + "_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
+                                   std::to_string(GetParam()) + ".db",
+                               path("old.db"));
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ / name; }
+  schema::CatalogueState state(const std::string& name) const {
+    return schema::read_state(*schema::open_for_reading(path(name)));
+  }
+  void expect_good(const std::string& name) const {
+    const auto database = schema::open_for_reading(path(name));
+    const Verification v = verify(*database, path(name), {.sample = {}, .units = 100});
+    for (const auto& finding : v.findings) ADD_FAILURE() << name << ": " << finding.sentence;
+    EXPECT_GT(v.checked.size(), 10u);
+    EXPECT_EQ(v.units.checked, v.units.of);
+    // Draw 19 of the fixture has a bump by the cubics of then, and none by those of now.
+    if (GetParam() == 2) {
+      EXPECT_EQ(v.not_comparable, 1u);
+      EXPECT_EQ(v.other_definitions, std::set<std::string>{"bump_deg"});
+      EXPECT_NE(verification_text(v).find("bump_deg"), std::string::npos);
+    }
+  }
+  schema::Campaign campaign() const {
+    return schema::read_campaign_of(*schema::open_for_reading(path("old.db")), "fixture");
+  }
+
+  const schema::RunInfo run_{"host", "0",
+                             "none", "g++",
+                             "-O2",  golden_verdicts(solver::available_instruction_sets().back()),
+                             1};
+  std::filesystem::path folder_;
+};
+
+TEST_P(OlderCatalogues, AreVerifiedAsWhatTheyAre) {
+  expect_good("old.db");
+  const schema::Campaign campaign = this->campaign();
+  const Trial trial(campaign);
+  { schema::Catalogue(path("old.db"), campaign, trial.mechanism()); }
+  expect_good("old.db");  // and after they are brought up to date
+}
+
+TEST_P(OlderCatalogues, AreJoinedWithAFreshRun) {
+  Trial trial(campaign());
+  const schema::CatalogueState old = state("old.db");
+  {
+    schema::Catalogue fresh(path("fresh.db"), trial.campaign(), trial.mechanism());
+    fresh.begin_run(run_, old.goal);
+    // Units of other sizes: some of both are taken, others compared.
+    for (std::uint64_t lo = 0; lo < old.goal_end;) {
+      const std::uint64_t hi = std::min(old.goal_end, lo + (lo == 0 ? 20 : 30));
+      fresh.commit({work_off(trial, {lo, hi})});
+      lo = hi;
+    }
+    fresh.end_run("complete");
+  }
+  EXPECT_EQ(state("fresh.db").digest.size(), 32u);
+  for (const auto& order : {std::vector{"old.db", "fresh.db"}, {"fresh.db", "old.db"}}) {
+    const MergeReport report =
+        merge({path("all.db"), {path(order[0]), path(order[1])}, run_, schema::Builds::same});
+    for (const auto& finding : report.findings) ADD_FAILURE() << finding.sentence;
+    EXPECT_EQ(report.compared, old.goal_end);
+    EXPECT_EQ(state("all.db").digest, state("fresh.db").digest);
+    const auto database = schema::open_for_reading(path("all.db"));
+    for (const auto& finding : verify(*database, "all.db", {.sample = {}}).findings) {
+      ADD_FAILURE() << finding.sentence;
+    }
+    std::filesystem::remove(path("all.db"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySchema, OlderCatalogues, testing::Range(1, schema::kSchemaVersion));
+
+}  // namespace
+}  // namespace misalign::search

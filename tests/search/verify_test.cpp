@@ -1,0 +1,147 @@
+// What is altered in a catalogue with all its sums mended is found by computing it again.
+#include "search/verify.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "schema/catalogue.hpp"
+#include "schema/digest.hpp"
+#include "search/trial.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+class VerifyTest : public testing::Test {
+ protected:
+  static constexpr std::uint64_t kUnits = 6, kUnitDraws = 12;
+
+  // Short paths, of which about half deploy.
+  static schema::Campaign campaign() {
+    return schema::read_campaign(
+        Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
+                        "path": {"end_deg": 60}, "accept": {"deploys_from_deg": 58}})"),
+        "test");
+  }
+  void SetUp() override {
+    folder_ =
+        std::filesystem::temp_directory_path() / ("misalign_verify_" + std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    Trial trial(campaign());
+    schema::Catalogue catalogue(path_(), trial.campaign(), trial.mechanism());
+    catalogue.begin_run({"host", "0", "none", "g++", "-O2", "golden", 1},
+                        {{0, kUnits * kUnitDraws}, {}, {}});
+    for (std::uint64_t k = 0; k < kUnits; ++k) {
+      catalogue.commit({work_off(trial, {k * kUnitDraws, (k + 1) * kUnitDraws})});
+    }
+    catalogue.end_run("complete");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path_() const { return folder_ / "a.db"; }
+  void change(const std::string& sql) {
+    SQLite::Database(path_(), SQLite::OPEN_READWRITE).exec(sql);
+  }
+  Verification look(const VerifyOptions& options) {
+    const auto database = schema::open_for_reading(path_());
+    return verify(*database, path_(), options);
+  }
+  std::string first_column(const VerifyOptions& options) {
+    const Verification v = look(options);
+    return v.good() ? "" : v.findings.front().details.value("column", v.findings.front().sentence);
+  }
+  std::int64_t number(const std::string& sql) {
+    return SQLite::Database(path_()).execAndGet(sql).getInt64();
+  }
+  // The unit's row as its candidates are now: all that can be mended without computing.
+  void mend(std::int64_t unit) {
+    SQLite::Database database(path_(), SQLite::OPEN_READWRITE);
+    schema::CandidateSum sum;
+    int accepted = 0;
+    SQLite::Statement row(database,
+                          "SELECT draw, deploys_from_sample FROM candidate WHERE unit = ?");
+    row.bind(1, unit);
+    while (row.executeStep()) {
+      sum.add(schema::draw_of(row.getColumn(0)), row.getColumn(1).getInt());
+      ++accepted;
+    }
+    SQLite::Statement update(database,
+                             "UPDATE unit SET accepted = ?1, rejected = hi - lo - undecided - ?1, "
+                             "digest_part = ?2 WHERE lo = ?3");
+    const auto bytes = sum.bytes();
+    update.bind(1, accepted);
+    update.bind(2, bytes.data(), static_cast<int>(bytes.size()));
+    update.bind(3, unit);
+    update.exec();
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(VerifyTest, AGoodOneIsGoodThroughout) {
+  const Verification v = look({.sample = {}, .units = kUnits});
+  for (const auto& finding : v.findings) ADD_FAILURE() << finding.sentence;
+  EXPECT_GT(v.checked.size(), 10u);
+  EXPECT_EQ(v.fault_samples.checked, v.fault_samples.of);
+  EXPECT_GT(v.fault_samples.of, 0u);
+  EXPECT_EQ(v.units.checked, kUnits);
+  EXPECT_EQ(v.draws_again, kUnits * kUnitDraws);
+  EXPECT_EQ(v.chance_to_find_one(), 1);
+  EXPECT_EQ(look({.units = 3}).chance_to_find_one(), 0.5);
+  EXPECT_EQ(look({.units = 100}).units.checked, kUnits);
+}
+
+TEST_F(VerifyTest, AlteredFaultSamplesAreFound) {
+  const std::pair<const char*, const char*> kChanges[] = {
+      {"fault_deg", "UPDATE fault_sample SET fault_deg = coalesce(fault_deg, 3) + 1"},
+      {"where", "UPDATE fault_sample SET \"where\" = 'A1-A2'"},
+      {"first_fault", "UPDATE fault_sample SET first_fault = 'over_folded'"},
+  };
+  for (const auto& [column, sql] : kChanges) {
+    TearDown();
+    SetUp();
+    change(sql);
+    EXPECT_EQ(first_column({.sample = 1}), "fault_sample." + std::string(column));
+    EXPECT_EQ(first_column({.sample = 0, .units = kUnits}), "fault_sample." + std::string(column));
+  }
+}
+
+TEST_F(VerifyTest, ARemovedCandidateWithItsSumsIsFoundByMakingUnitsAgain) {
+  const std::int64_t draw = number("SELECT max(draw) FROM candidate WHERE draw % 1024 > 30");
+  const std::int64_t unit =
+      number("SELECT unit FROM candidate WHERE draw = " + std::to_string(draw));
+  change("DELETE FROM candidate WHERE draw = " + std::to_string(draw));
+  mend(unit);
+  EXPECT_TRUE(look({.sample = {}}).good());  // nothing else can know
+  const Verification v = look({.sample = 0, .units = kUnits});
+  ASSERT_EQ(v.findings.size(), 1u);
+  EXPECT_EQ(v.findings[0].details.at("where"), "draw " + std::to_string(draw));
+  EXPECT_EQ(v.findings[0].details.at("column"), "verdict");
+  // As often as is said: 60 choices of 2 units of 6.
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Verification some = look({.sample = 0, .units = 2, .seed = seed});
+    EXPECT_EQ(some.units.checked, 2u);
+    found += !some.good();
+  }
+  EXPECT_NEAR(found, 20, 11);  // three standard deviations of a binomial
+}
+
+TEST_F(VerifyTest, AnInventedCandidateIsFoundByMakingUnitsAgain) {
+  const std::string draw = std::to_string(number(
+      "WITH RECURSIVE d(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM d WHERE x < 71) SELECT min(x) "
+      "FROM d WHERE x NOT IN (SELECT draw FROM candidate)"));
+  change("CREATE TEMP TABLE t AS SELECT * FROM candidate LIMIT 1; UPDATE t SET draw = " + draw +
+         ", unit = " + draw + " - " + draw + " % 12; INSERT INTO candidate SELECT * FROM t");
+  mend(std::stoll(draw) - std::stoll(draw) % 12);
+  const Verification v = look({.sample = 0, .units = kUnits});
+  ASSERT_EQ(v.findings.size(), 1u);
+  EXPECT_EQ(v.findings[0].details.at("where"), "draw " + draw);
+}
+
+}  // namespace
+}  // namespace misalign::search
