@@ -2,6 +2,7 @@
 // from anywhere.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,13 @@ struct CarriedFile {
 };
 
 const std::vector<CarriedFile>& carried_files();
+
+/// The text of one that is there.
+inline const std::string& carried_text(const std::string& path) {
+  for (const CarriedFile& file : carried_files()) {
+    if (file.path == path) return file.text;
+  }
+  throw std::logic_error(path + " is not carried");
+}
 
 }  // namespace misalign::schema

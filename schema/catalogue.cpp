@@ -14,13 +14,6 @@
 namespace misalign::schema {
 namespace {
 
-const std::string& carried_text(const std::string& path) {
-  for (const CarriedFile& file : carried_files()) {
-    if (file.path == path) return file.text;
-  }
-  throw std::logic_error(path + " is not carried");
-}
-
 void bind_or_null(SQLite::Statement& statement, const char* name,
                   const std::optional<std::uint64_t>& value) {
   value ? statement.bind(name, stored(*value)) : statement.bind(name);
@@ -255,6 +248,14 @@ void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>&
   });
 }
 
+void Catalogue::keep(const std::vector<Yield>& yields, const std::string& commit_of_build) {
+  guarded(path_, [&] { transact([&] { write_yields(*database_, yields, commit_of_build); }); });
+}
+
+void Catalogue::take_over_yields(SQLite::Database& other) {
+  guarded(path_, [&] { transact([&] { copy_yields(other, *database_); }); });
+}
+
 void Catalogue::settle(const UnitRecord& decided) {
   guarded(path_, [&] {
     transact([&] {
@@ -307,6 +308,10 @@ void Catalogue::end_run(const std::string& end) {
       update.exec();
     });
   });
+  close();
+}
+
+void Catalogue::close() {
   // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
   // reader that is looking just now prevents that, which does no harm.
   writer_.reset();

@@ -9,6 +9,7 @@
 #include "schema/database.hpp"
 #include "schema/goal.hpp"
 #include "schema/unit_writer.hpp"
+#include "schema/yield.hpp"
 
 namespace misalign::schema {
 
@@ -68,8 +69,14 @@ class Catalogue {
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
   /// One transaction: a draw that was undecided, judged again; see UnitWriter.
   void settle(const UnitRecord& decided);
+  /// One transaction: what was found of miscut copies, see write_yields.
+  void keep(const std::vector<Yield>& yields, const std::string& commit_of_build);
+  /// The same of another catalogue, for candidates that both hold.
+  void take_over_yields(SQLite::Database& other);
   /// `end` says why, see catalogue.sql. Closes the file: nothing else may follow.
   void end_run(const std::string& end);
+  /// Leaves one plain file: nothing else may follow.
+  void close();
 
   /// Where the goal ends as far as is known, see GoalEnd.
   std::uint64_t goal_end() const { return goal_end_->value(); }

@@ -117,25 +117,65 @@ CREATE TABLE candidate (
   elongation TEXT NOT NULL CHECK (json_valid(elongation)),  -- [...], of each diagonal at D
   -- Since version 2; null in rows that were written before.
   slope_between_min_mm_per_deg REAL,  -- and when it deploys from less than 6 degrees
-  bump_deg REAL  -- null when no bump was seen between two samples
+  bump_deg REAL,  -- null when no bump was seen between two samples
+  -- Since version 4; null in rows that were written before.
+  miscut_margin_mm REAL
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
 -- What people sort by: a table of a million candidates need not be read for the best twenty.
-CREATE INDEX candidate_best ON candidate (deploys_from_deg DESC, slope_min_mm_per_deg DESC);
-CREATE INDEX candidate_robust ON candidate (slope_min_mm_per_deg DESC);
+CREATE INDEX candidate_best ON candidate (
+  coalesce(slope_between_min_mm_per_deg < 0, 0), deploys_from_deg DESC, miscut_margin_mm DESC,
+  slope_min_mm_per_deg DESC);
 CREATE INDEX candidate_simplest ON candidate (shifted_vertices, deploys_from_deg DESC);
 CREATE INDEX candidate_smooth ON candidate (slope_between_min_mm_per_deg DESC) WHERE bump_deg IS NULL;
 CREATE INDEX candidate_stroke ON candidate (stroke_min DESC);
+CREATE INDEX candidate_tolerant ON candidate (miscut_margin_mm DESC, slope_min_mm_per_deg DESC);
+
+-- What `misalign tolerance` found: of copies of a candidate whose vertices are off by up to
+-- amplitude_mm, in x and in y, how many still deploy from the campaign's threshold.
+CREATE TABLE yield (
+  draw INTEGER NOT NULL REFERENCES candidate (draw),
+  amplitude_mm REAL NOT NULL CHECK (amplitude_mm >= 0),
+  trials INTEGER NOT NULL CHECK (trials > 0),  -- 0 to this, of any candidate the same errors
+  survivors INTEGER NOT NULL CHECK (survivors >= 0),
+  undecided INTEGER NOT NULL CHECK (undecided >= 0),
+  share REAL CHECK (share BETWEEN 0 AND 1),  -- of the decided ones; null if there are none
+  share_low REAL NOT NULL CHECK (share_low BETWEEN 0 AND 1),  -- 95 %; the undecided may be either
+  share_high REAL NOT NULL CHECK (share_high BETWEEN share_low AND 1),
+  "commit" TEXT NOT NULL,   -- of the build that judged them
+  made_at TEXT NOT NULL,    -- UTC, ISO 8601
+  PRIMARY KEY (draw, amplitude_mm),
+  CHECK (survivors + undecided <= trials)
+) STRICT, WITHOUT ROWID;
 
 -- For people.
 
+-- Yields at the amplitude that most candidates were tried with (the larger of equals): so that they
+-- can be compared.
+CREATE VIEW common_yield AS
+SELECT draw, amplitude_mm, share, share_low FROM yield
+WHERE amplitude_mm = (SELECT amplitude_mm FROM yield GROUP BY amplitude_mm
+                      ORDER BY count(*) DESC, amplitude_mm DESC LIMIT 1);
+
+-- goes_back: whether a diagonal goes back between two samples, or on the last degree before D.
 CREATE VIEW candidates AS
-SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg,
-       slope_between_min_mm_per_deg, bump_deg, stroke_min, stroke_max,
+SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_per_deg,
+       slope_between_min_mm_per_deg,
+       coalesce(slope_between_min_mm_per_deg < 0, 0) AS goes_back,
+       bump_deg, stroke_min, stroke_max,
        elongation_min, elongation_max, stretch_sq_mm2, shifted_vertices, increasing, decreasing,
-       kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm
+       kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm,
+       (SELECT share FROM common_yield WHERE common_yield.draw = candidate.draw) AS yield,
+       (SELECT share_low FROM common_yield WHERE common_yield.draw = candidate.draw) AS yield_low,
+       (SELECT amplitude_mm FROM common_yield WHERE common_yield.draw = candidate.draw)
+         AS yield_amplitude_mm
 FROM candidate;
+
+CREATE VIEW yields AS
+SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high,
+       deploys_from_deg, miscut_margin_mm
+FROM yield JOIN candidate USING (draw);
 
 CREATE VIEW displacements AS
 SELECT candidate.draw, shift.key AS vertex, json_extract(shift.value, '$[0]') AS dx_mm,

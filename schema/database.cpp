@@ -9,6 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "schema/older_schema.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -103,6 +105,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
         std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, kBusyTimeout_ms);
     distrust(*database);
     if (!check_kind(*database, path)) throw not_a_catalogue(path);
+    show_as_of_today(*database, database->execAndGet("PRAGMA user_version").getInt());
     sqlite3_set_authorizer(database->getHandle(), authorize_reading, nullptr);
     return database;
   } catch (const SQLite::Exception& error) {

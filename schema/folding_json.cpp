@@ -160,6 +160,7 @@ Json metrics_json(const solver::Metrics& m) {
           {"slope_min_mm_per_deg", or_null(m.slope_min_mm_per_deg)},
           {"slope_between_min_mm_per_deg", or_null(m.slope_between_min_mm_per_deg)},
           {"bump_deg", or_null(m.bump_deg)},
+          {"miscut_margin_mm", or_null(m.miscut_margin_mm)},
           {"stretch_sq_mm2", m.stretch_sq_mm2},
           {"singular_value_min", m.singular_value_min},
           {"residual_max", m.residual_max},
@@ -184,15 +185,16 @@ Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
           {"actuation", actuation}};
 }
 
-Json origin_json(const Campaign& campaign, std::uint64_t draw) {
+Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yields) {
   return {{"campaign", {{"name", campaign.name}, {"identity", identity(campaign)}}},
-          {"draw", draw}};
+          {"draw", draw},
+          {"yields", yields}};
 }
 
 Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
-                    const solver::Metrics& metrics, const Json& actuation) {
+                    const solver::Metrics& metrics, const Json& yields, const Json& actuation) {
   Json json = folded_pattern_json(campaign.sampling(), view, metrics, actuation);
-  json.update(origin_json(campaign, draw));
+  json.update(origin_json(campaign, draw, yields));
   return json;
 }
 

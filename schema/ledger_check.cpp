@@ -9,6 +9,7 @@
 #include "schema/campaign_check.hpp"
 #include "schema/digest.hpp"
 #include "schema/unit_writer.hpp"
+#include "schema/yield_check.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -281,7 +282,11 @@ Finding differs(const std::string& where, const std::string& column, const Json&
 }
 
 std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
-  return reading(database, [&] { return LedgerCheck(database, campaign).take(); });
+  return reading(database, [&] {
+    std::vector<Finding> findings = LedgerCheck(database, campaign).take();
+    for (Finding& finding : check_yields(database)) findings.push_back(std::move(finding));
+    return findings;
+  });
 }
 
 }  // namespace misalign::schema

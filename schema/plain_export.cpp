@@ -4,17 +4,18 @@
 
 #include "schema/database.hpp"
 #include "schema/output_file.hpp"
+#include "schema/yield.hpp"
 
 namespace misalign::schema {
 namespace {
 
 // Tables and views alike; what is an INTEGER PRIMARY KEY stays one.
-constexpr const char* kTables[] = {"campaign",     "run",           "unit",
-                                   "screened",     "undecided",     "candidate",
-                                   "fault_sample", "displacements", "diagonals"};
+constexpr const char* kTables[] = {"campaign",  "run",       "unit",         "screened",
+                                   "undecided", "candidate", "fault_sample", "displacements",
+                                   "diagonals", "yield"};
 
 // Those that old readers understand.
-constexpr const char* kViews = "'candidates', 'acceptance', 'faults'";
+constexpr const char* kViews = "'candidates', 'acceptance', 'faults', 'yields', 'common_yield'";
 
 // The column that is the rows' number, if there is one.
 std::string integer_key(SQLite::Database& database, const std::string& table) {
@@ -56,7 +57,10 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
     SQLite::Transaction snapshot(catalogue);
     SQLite::Database plain(file.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(plain);
-    for (const char* table : kTables) copy_table(catalogue, plain, table);
+    for (const char* table : kTables) {
+      if (table != std::string("yield") || has_yields(catalogue))
+        copy_table(catalogue, plain, table);
+    }
     plain.exec(
         "CREATE INDEX displacements_of ON displacements (draw);"
         "CREATE INDEX diagonals_of ON diagonals (draw);");

@@ -60,9 +60,7 @@ Json shapes_json(const Eigen::Matrix2Xd& flat_mm, const solver::ShapedPath& path
 
 Json candidates_json(SQLite::Database& database, std::uint64_t most) {
   const Json rows = Json::parse(query_table(
-      database,
-      "SELECT * FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC LIMIT " +
-          std::to_string(most),
+      database, "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most),
       TableStyle::json));
   const Json total = Json::parse(
       query_table(database, "SELECT count(*) AS total FROM candidate", TableStyle::json));
@@ -76,6 +74,17 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most) {
     }
   }
   return {{"total", total[0]["total"]}, {"shown", rows.size()}, {"columns", columns}};
+}
+
+Json report_yields_json(SQLite::Database& database, std::uint64_t most) {
+  Json rows = Json::parse(query_table(
+      database,
+      "SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
+      "FROM yields WHERE draw IN (SELECT draw FROM candidates " +
+          best_order() + " LIMIT " + std::to_string(most) + ") ORDER BY draw, amplitude_mm",
+      TableStyle::json));
+  for (Json& row : rows) row["draw"] = row["draw"].dump();
+  return rows;
 }
 
 Json faults_json(SQLite::Database& database, const Campaign& campaign) {

@@ -11,6 +11,9 @@ namespace misalign::schema {
 /// the order of the query `best`, and how many there are.
 Json candidates_json(SQLite::Database& database, std::uint64_t most);
 
+/// What was found of miscut copies of those candidates: {"draw", and what yield_json says}.
+Json report_yields_json(SQLite::Database& database, std::uint64_t most);
+
 /// {"every", "rows": [{"first_fault", "fault_deg", "where", "accepted", "draws"}]}: the exact first
 /// faults of the sample.
 Json faults_json(SQLite::Database& database, const Campaign& campaign);

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "schema/carried_files.hpp"
 #include "schema/storage.hpp"
@@ -131,6 +132,13 @@ std::string named_query(const std::string& name) {
     if (file.path == kQueryFolder + name + ".sql") return file.text;
   }
   return "";
+}
+
+std::string best_order() {
+  const std::string best = named_query("best");
+  const std::size_t begin = best.find("ORDER BY "), end = best.find("LIMIT ");
+  assert(begin < end && end != std::string::npos);
+  return best.substr(begin, end - begin);
 }
 
 std::string named_query_list() {

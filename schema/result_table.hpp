@@ -17,6 +17,9 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
 
 /// The SQL of a named query; empty if there is no such name.
 std::string named_query(const std::string& name);
+/// What "the best first" means, stated in the query `best`: "ORDER BY ..., ..." on the columns of
+/// the view candidates.
+std::string best_order();
 /// "acceptance, best, ..."
 std::string named_query_list();
 std::vector<std::string> named_queries();

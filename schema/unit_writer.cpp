@@ -56,13 +56,14 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       unit_(database,
             "INSERT INTO unit (lo, hi, run, worker, accepted, rejected, undecided, seconds, "
             "digest_part) VALUES (?,?,?,?,?,?,?,?,?)"),
-      candidate_(database,
-                 "INSERT INTO candidate (draw, unit, deploys_from_sample, deploys_from_deg, "
-                 "fold_limit_deg, elongation_min, elongation_max, stroke_min, stroke_max, "
-                 "slope_min_mm_per_deg, stretch_sq_mm2, singular_value_min, residual_max, "
-                 "isometry_error_mm, kawasaki_defect_deg, shifted_vertices, increasing, "
-                 "decreasing, displacements_mm, elongation, slope_between_min_mm_per_deg, "
-                 "bump_deg) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      candidate_(
+          database,
+          "INSERT INTO candidate (draw, unit, deploys_from_sample, deploys_from_deg, "
+          "fold_limit_deg, elongation_min, elongation_max, stroke_min, stroke_max, "
+          "slope_min_mm_per_deg, stretch_sq_mm2, singular_value_min, residual_max, "
+          "isometry_error_mm, kawasaki_defect_deg, shifted_vertices, increasing, "
+          "decreasing, displacements_mm, elongation, slope_between_min_mm_per_deg, "
+          "bump_deg, miscut_margin_mm) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
       undecided_(database, "INSERT INTO undecided (draw, unit, cause, run) VALUES (?,?,?,?)"),
       fault_sample_(database,
                     "INSERT INTO fault_sample (draw, unit, deploys_from_sample, first_fault, "
@@ -165,6 +166,7 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
   bind(elongations_json(m.elongation).dump());
   bind_optional(m.slope_between_min_mm_per_deg);
   bind_optional(m.bump_deg);
+  bind_optional(m.miscut_margin_mm);
   insert(candidate_);
 }
 

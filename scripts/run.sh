@@ -19,10 +19,7 @@ echo "$summary"
 "$program" status "$catalogue"
 echo
 echo "The best candidates (misalign query $catalogue best):"
-"$program" query "$catalogue" \
-  "SELECT draw, deploys_from_deg, fold_limit_deg, slope_min_mm_per_deg, stroke_min, stroke_max,
-          shifted_vertices FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC
-   LIMIT 10"
+"$program" query "$catalogue" best --no-pager
 echo
 echo "The best one, as JSON:"
 "$program" export "$catalogue" --best 1 --format json --output results/candidates

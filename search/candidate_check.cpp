@@ -5,6 +5,7 @@
 
 #include "schema/folding_json.hpp"
 #include "search/draw.hpp"
+#include "solver/miscut_margin.hpp"
 
 namespace misalign::search {
 namespace {
@@ -100,7 +101,8 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
          if (stop.sample == 0) return;
          states.resize(stop.sample);
          states.back() = state;
-       }});
+       },
+       solver::margin_samples(campaign_.sample_deg, campaign_.threshold_sample())});
   if (history.verdict.deploys_from_sample == 0) {
     differs("deploys_from_sample", cell("deploys_from_sample"), 0);
     return report;

@@ -138,6 +138,39 @@ void check_column(SQLite::Database& database, const std::string& by) {
       "--by " + by + ": is no column of a candidate; choose one of " + joined(columns));
 }
 
+// Of those that `all` selects, so many: in the order that "best" means, or if another column than
+// its own is to say what is best, by that, the largest first, and the best first among equals.
+std::vector<std::uint64_t> best_draws(SQLite::Database& database, const std::string& all,
+                                      const std::string& by, std::uint64_t most) {
+  const std::string best = schema::best_order(), head = "ORDER BY ";
+  const std::string order =
+      by == Choice().by ? best : head + by + " DESC, " + best.substr(head.size());
+  return draws_of_rows(database,
+                       rows_of(database, all + " " + order + " LIMIT " + std::to_string(most)));
+}
+
+std::string joined(const std::vector<std::uint64_t>& draws) {
+  std::string text;
+  for (const std::uint64_t draw : draws) text += (text.empty() ? "" : ", ") + std::to_string(draw);
+  return text;
+}
+
+// The rows of these draws, each at its draw's place.
+Json in_order_of(const SQLite::Database& database, const std::vector<std::uint64_t>& draws,
+                 const Json& rows) {
+  std::map<std::uint64_t, const Json*> row_of;
+  for (const Json& row : rows) row_of[row.at("draw").get<std::uint64_t>()] = &row;
+  Json ordered = Json::array();
+  for (const std::uint64_t draw : draws) {
+    const auto row = row_of.find(draw);
+    if (row == row_of.end()) {
+      throw schema::damaged(database, "draw " + std::to_string(draw) + " has no row");
+    }
+    ordered.push_back(*row->second);
+  }
+  return ordered;
+}
+
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
   if (!choice.draws.empty()) {
     std::vector<std::uint64_t> draws;
@@ -155,19 +188,17 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     return draws_of_rows(database, rows_of(database, all + " ORDER BY draw"));
   }
   check_column(database, choice.by);
-  const std::string order = " ORDER BY " + choice.by + " DESC, slope_min_mm_per_deg DESC, draw";
-  if (choice.best) {
-    const std::string best = all + order + " LIMIT " + std::to_string(*choice.best);
-    return draws_of_rows(database, rows_of(database, best));
-  }
-  const Json rows =
-      rows_of(database, "SELECT draw, displacements_mm, elongation FROM candidate WHERE draw IN (" +
-                            all + order + " LIMIT " + std::to_string(kDiverseAmong) + ")" + order);
+  if (choice.best) return best_draws(database, all, choice.by, *choice.best);
+  const std::vector<std::uint64_t> among = best_draws(database, all, choice.by, kDiverseAmong);
+  const Json rows = in_order_of(database, among,
+                                rows_of(database,
+                                        "SELECT draw, displacements_mm, elongation FROM candidate "
+                                        "WHERE draw IN (" +
+                                            joined(among) + ")"));
   if (rows.empty()) return {};
-  const std::vector<std::uint64_t> draws = draws_of_rows(database, rows);
   std::vector<std::uint64_t> spread;
   for (const int k : solver::farthest_first(places_of(database, rows), *choice.diverse)) {
-    spread.push_back(draws[static_cast<std::size_t>(k)]);
+    spread.push_back(among[static_cast<std::size_t>(k)]);
   }
   return spread;
 }

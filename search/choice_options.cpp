@@ -37,7 +37,7 @@ ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
           ->check(a_condition());
   options.by =
       verb.add_option("--by", choice.by,
-                      "column that the best are sorted by, largest first [deploys_from_deg]")
+                      "column that the best are sorted by, largest first [as query `best` does]")
           ->type_name("COLUMN");
   return options;
 }

@@ -9,6 +9,7 @@
 #include "schema/drawing.hpp"
 #include "schema/fold_export.hpp"
 #include "schema/text_file.hpp"
+#include "schema/yield.hpp"
 #include "search/chosen_sheet.hpp"
 #include "search/draw.hpp"
 #include "search/terminal.hpp"
@@ -156,10 +157,11 @@ void export_candidates(const ExportOptions& options) {
     if (!campaign.accepts(folded.path.history.verdict)) {
       throw schema::damaged(*database, "draw " + number + " is among the candidates, but is none");
     }
+    const schema::Json yields = schema::yields_json(schema::read_yields(*database, draw));
     exporter.write(folded,
                    {campaign.name + "-" + number, "misalign: " + campaign.name + ", draw " + number,
                     "draw " + number},
-                   schema::origin_json(campaign, draw));
+                   schema::origin_json(campaign, draw, yields));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "search/folded_sheet.hpp"
 
 #include "solver/half_angle.hpp"
+#include "solver/miscut_margin.hpp"
 
 namespace misalign::search {
 
@@ -23,14 +24,17 @@ SheetFolder::SheetFolder(const schema::Pattern& base, const schema::Sampling& sa
       panels_(solver::panels_of(base.base, mechanism_)) {}
 
 SheetFolder::SheetFolder(const schema::Campaign& campaign, double look_deg)
-    : SheetFolder(campaign.pattern, campaign.sampling(), campaign.actuators, look_deg) {}
+    : SheetFolder(campaign.pattern, campaign.sampling(), campaign.actuators, look_deg) {
+  margin_samples_ = solver::margin_samples(campaign.sample_deg, campaign.threshold_sample());
+}
 
 FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   FoldedSheet folded;
   folded.shifts_mm = shifts_mm;
   folded.vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-  folded.path = solver::record_shapes(base_.base, mechanism_, elimination_, plan_,
-                                      folded.vertices_mm, sampling_.between_samples);
+  folded.path =
+      solver::record_shapes(base_.base, mechanism_, elimination_, plan_, folded.vertices_mm,
+                            sampling_.between_samples, margin_samples_);
   folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
   if (folded.path.history.verdict.deploys_from_sample > 0) {
     folded.metrics =

@@ -55,6 +55,7 @@ class SheetFolder {
   const solver::Elimination elimination_;
   const solver::PathPlan plan_;
   const solver::Panels panels_;
+  std::vector<int> margin_samples_;  // up to the campaign's threshold; none without a campaign
 };
 
 }  // namespace misalign::search

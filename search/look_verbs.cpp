@@ -12,7 +12,6 @@
 #include "search/status.hpp"
 #include "search/suggestion.hpp"
 #include "search/terminal.hpp"
-#include "search/tolerance.hpp"
 #include "search/verbs.hpp"
 #include "search/verify.hpp"
 
@@ -133,7 +132,9 @@ bool is_one_word(const std::string& text) {
 }
 
 UserError no_such_query(const std::string& name) {
-  const std::string meant = nearest_word(name, schema::named_queries());
+  // It went by the least slope, and foretold less than it said.
+  const bool is_former = name == "robust";
+  const std::string meant = is_former ? "tolerant" : nearest_word(name, schema::named_queries());
   return UserError(schema::kExitUsage, "the query was refused (" + name + " is the name of none" +
                                            (meant.empty() ? "" : "; did you mean " + meant + "?") +
                                            "); it must be one SELECT, or one of the names " +
@@ -253,46 +254,6 @@ Action add_verify(CLI::App& app) {
     const Verification verification = verify(*database, *path, *options);
     *json ? put_json(verification_json(verification)) : put(verification_text(verification));
     return verification.good() ? 0 : schema::kExitCheckFailed;
-  };
-}
-
-Action add_tolerance(CLI::App& app) {
-  auto* verb =
-      app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
-  verb->footer(
-      "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
-      "[-MM, MM] in x and in y; then each vertex alone. Trial t makes the same errors\n"
-      "for every candidate of a campaign: they are numbers of the campaign's seed and\n"
-      "of t. The intervals are exact ones of 95 %.\n\n"
-      "Examples:\n"
-      "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05");
-  auto path = std::make_shared<std::string>();
-  auto draw = std::make_shared<std::uint64_t>(), trials = std::make_shared<std::uint64_t>(1000);
-  auto amplitude_mm = std::make_shared<double>();
-  auto json = std::make_shared<bool>(false);
-  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
-  verb->add_option("DRAW", *draw, "number of the candidate's draw")->required()->check(a_draw());
-  verb->add_option("--amplitude", *amplitude_mm, "largest error, mm")
-      ->required()
-      ->check(within(0, 1e6))
-      ->type_name("MM");
-  verb->add_option("--trials", *trials, "copies with every vertex off its place [1000]")
-      ->check(counted(1, 100000000))
-      ->type_name("N");
-  verb->add_flag("--json", *json, "as JSON");
-  return [=] {
-    const auto database = schema::open_for_reading(*path);
-    const schema::Campaign campaign = schema::read_campaign_of(*database, *path);
-    if (schema::read_candidate(*database, *draw).is_null()) {
-      const std::string number = std::to_string(*draw);
-      throw UserError(schema::kExitUsage, *path + ": draw " + number +
-                                              " is no candidate; `misalign replay " + *path + " " +
-                                              number + "` shows what became of it");
-    }
-    const Tolerance tolerance = study_tolerance(campaign, *draw, *amplitude_mm, *trials,
-                                                solver::available_instruction_sets().back());
-    *json ? put_json(tolerance_json(tolerance)) : put(tolerance_text(tolerance));
-    return 0;
   };
 }
 

@@ -112,6 +112,7 @@ class Merge {
       }
     }
     merged.reset();
+    for (const Input& input : inputs_) catalogue.take_over_yields(*input.database);
     catalogue.end_run("merged");
     const auto wrong = schema::check_ledger(*schema::open_for_reading(path), trial_->campaign());
     report_.findings.insert(report_.findings.end(), wrong.begin(), wrong.end());

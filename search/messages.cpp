@@ -64,6 +64,7 @@ void metrics_fields(Wire& wire, Metrics& m) {
   wire.field(m.slope_min_mm_per_deg);
   wire.field(m.slope_between_min_mm_per_deg);
   wire.field(m.bump_deg);
+  wire.field(m.miscut_margin_mm);
   wire.field(m.stretch_sq_mm2);
   wire.field(m.singular_value_min);
   wire.field(m.residual_max);

@@ -13,13 +13,6 @@ namespace {
 
 std::atomic<bool> line_is_live = false;
 
-// Back to the start, the text, and what an older, longer one left is erased.
-void draw_live_line(const std::string& text) {
-  std::fputs(("\r" + text + "\x1b[K").c_str(), stderr);
-  std::fflush(stderr);
-  line_is_live = true;
-}
-
 double first_s(ProgressStyle style) {
   switch (style) {
     case ProgressStyle::bar:
@@ -79,6 +72,13 @@ void Progress::finish(const ProgressCounts& counts) {
   last.last = true;
   print(last);
   if (line_is_live.exchange(false)) std::fputc('\n', stderr);
+}
+
+// Back to the start, the text, and what an older, longer one left is erased.
+void draw_live_line(const std::string& text) {
+  std::fputs(("\r" + text + "\x1b[K").c_str(), stderr);
+  std::fflush(stderr);
+  line_is_live = true;
 }
 
 void leave_live_line() {

@@ -10,11 +10,9 @@
 #include "search/duration.hpp"
 
 namespace misalign::search {
-namespace {
 
 using schema::shown_number;
 
-// 999, 12.3 k, 4.56 M: three digits that matter.
 std::string short_number(double value) {
   constexpr std::array<const char*, 7> kUnits = {"", " k", " M", " G", " T", " P", " E"};
   std::size_t unit = 0;
@@ -29,6 +27,8 @@ std::string short_number(double value) {
                       value) +
          kUnits[unit];
 }
+
+namespace {
 
 double rate(const ProgressCounts& counts) {
   const auto draws = static_cast<double>(counts.standing.draws);

@@ -38,6 +38,9 @@ std::string plain_line(const ProgressReport& report);
 std::string bar_line(const ProgressReport& report, int width);
 std::string json_line(const ProgressReport& report);
 
+/// 999, 12.3 k, 4.56 M: three digits that matter.
+std::string short_number(double value);
+
 /// Draws per second over the last 15 s, or as far back as there is something: ranks hand in
 /// their draws every 5 s.
 class RecentSpeed {

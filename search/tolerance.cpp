@@ -1,19 +1,18 @@
 #include "search/tolerance.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <numeric>
+#include <thread>
 
-#include "schema/share_interval.hpp"
 #include "search/draw.hpp"
 
 namespace misalign::search {
 namespace {
 
-using schema::Json;
-
-constexpr std::uint64_t kSheetsAtOnce = 1024;
+constexpr std::uint64_t kCopiesAtOnce = 256;  // full lanes, and pieces for every core
 
 std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
   std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
@@ -21,66 +20,147 @@ std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
   return vertices;
 }
 
-// Copies of one candidate, every vertex anywhere near its place.
-class Copies {
+// Some copies of one sheet, in one piece of work.
+struct Piece {
+  std::size_t sheet;
+  int vertex;  // off its place, or all of them if negative
+  std::uint64_t first, count;
+};
+
+// What all threads share. A sheet is the base with shifts, a copy one with errors as well.
+class Study {
  public:
-  Copies(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm, double amplitude_mm,
-         solver::InstructionSet set)
+  Study(const schema::Campaign& campaign, const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+        const ToleranceOptions& options)
       : campaign_(campaign),
         shifts_mm_(shifts_mm),
-        amplitude_mm_(amplitude_mm),
+        options_(options),
         family_(campaign.pattern.base, all_vertices(campaign.pattern.base.sheet), campaign.path(),
-                campaign.threshold_sample(), campaign.between_samples),
-        batch_(solver::make_batch(set, family_)) {}
-
-  int own_sample() {
-    begin(1);
-    place(0, Eigen::Matrix2Xd::Zero(2, shifts_mm_.cols()));
-    return judge().front().deploys_from_sample;
-  }
-
-  /// Trials with the errors of one vertex only, or of all if it is negative.
-  MiscutCopies count(std::uint64_t trials, int vertex, int own_sample) {
-    MiscutCopies copies;
-    Eigen::Matrix2Xd errors_mm(2, shifts_mm_.cols()), kept_mm(2, shifts_mm_.cols());
-    for (std::uint64_t first = 0; first < trials; first += kSheetsAtOnce) {
-      const auto sheets = static_cast<int>(std::min(kSheetsAtOnce, trials - first));
-      begin(sheets);
-      for (int k = 0; k < sheets; ++k) {
-        trial_errors(campaign_, amplitude_mm_, first + static_cast<std::uint64_t>(k),
-                     errors_mm.data());
-        if (vertex >= 0) {
-          kept_mm.setZero();
-          kept_mm.col(vertex) = errors_mm.col(vertex);
-          errors_mm.swap(kept_mm);
-        }
-        place(k, errors_mm);
-      }
-      for (const solver::Verdict& verdict : judge()) {
-        copies.add(verdict, campaign_.threshold_sample(), own_sample);
+                campaign.threshold_sample(), campaign.between_samples) {
+    const int vertices = family_.mechanism().vertices;
+    for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
+      tolerances_.push_back({options.amplitude_mm,
+                             campaign.sample_deg,
+                             campaign.threshold_deg,
+                             campaign.threshold_sample(),
+                             0,
+                             {},
+                             {}});
+      add_pieces(sheet, -1, options.trials);
+      if (!options.vertices) continue;
+      for (int v = 0; v < vertices; ++v) {
+        tolerances_.back().vertices.push_back({v, {}});
+        add_pieces(sheet, v, std::min(options.trials, kMostTrialsOfOneVertex));
       }
     }
-    std::sort(copies.samples.begin(), copies.samples.end());
-    return copies;
+  }
+
+  std::vector<Tolerance> run() {
+    judge_the_sheets();
+    const auto most = static_cast<std::size_t>(std::max(options_.jobs, 1));
+    std::vector<std::thread> others;
+    for (std::size_t k = 1; k < std::min(most, pieces_.size()); ++k) {
+      others.emplace_back([this] { work(); });
+    }
+    work();
+    for (std::thread& other : others) other.join();
+    if (failure_) std::rethrow_exception(failure_);
+    for (Tolerance& tolerance : tolerances_) sort_by_harm(tolerance);
+    return std::move(tolerances_);
   }
 
  private:
-  void begin(int sheets) {
-    block_.sheets = sheets;
-    block_.shifts_mm.resize(static_cast<std::size_t>(shifts_mm_.size() * sheets));
+  void add_pieces(std::size_t sheet, int vertex, std::uint64_t trials) {
+    for (std::uint64_t first = 0; first < trials; first += kCopiesAtOnce) {
+      pieces_.push_back({sheet, vertex, first, std::min(kCopiesAtOnce, trials - first)});
+    }
+    copies_.all += trials;
   }
-  void place(int sheet, const Eigen::Matrix2Xd& errors_mm) {
-    Eigen::Map<Eigen::Matrix2Xd>(block_.shifts_mm.data() + shifts_mm_.size() * sheet, 2,
-                                 shifts_mm_.cols()) = shifts_mm_ + errors_mm;
+
+  std::unique_ptr<solver::Batch> batch() const { return solver::make_batch(options_.set, family_); }
+
+  void judge_the_sheets() {
+    const auto own_batch = batch();
+    for (std::size_t first = 0; first < shifts_mm_.size(); first += kCopiesAtOnce) {
+      solver::ShiftBlock block;
+      const std::size_t last = std::min(first + kCopiesAtOnce, shifts_mm_.size());
+      block.sheets = static_cast<int>(last - first);
+      for (std::size_t k = first; k < last; ++k) append(shifts_mm_[k], block);
+      const auto verdicts = judge_to_the_end(family_, *own_batch, block);
+      for (std::size_t k = first; k < last; ++k) {
+        tolerances_[k].own_sample = verdicts[k - first].deploys_from_sample;
+      }
+    }
   }
-  std::vector<solver::Verdict> judge() { return judge_to_the_end(family_, *batch_, block_); }
+
+  static void append(const Eigen::Matrix2Xd& shifts_mm, solver::ShiftBlock& block) {
+    block.shifts_mm.insert(block.shifts_mm.end(), shifts_mm.data(),
+                           shifts_mm.data() + shifts_mm.size());
+  }
+
+  // One thread's: the next piece, until there is none or somebody failed.
+  void work() {
+    try {
+      const auto own_batch = batch();
+      for (std::size_t k; (k = next_++) < pieces_.size();) {
+        const MiscutCopies copies = judge(pieces_[k], *own_batch);
+        const std::lock_guard lock(mutex_);
+        if (failure_) return;
+        Tolerance& tolerance = tolerances_[pieces_[k].sheet];
+        const int vertex = pieces_[k].vertex;
+        (vertex < 0 ? tolerance.copies
+                    : tolerance.vertices[static_cast<std::size_t>(vertex)].copies)
+            .add(copies);
+        copies_.done += copies.trials;
+        if (options_.progress) options_.progress(copies_);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+
+  MiscutCopies judge(const Piece& piece, solver::Batch& own_batch) const {
+    const Eigen::Matrix2Xd& shifts_mm = shifts_mm_[piece.sheet];
+    Eigen::Matrix2Xd errors_mm(2, shifts_mm.cols());
+    solver::ShiftBlock block;
+    block.sheets = static_cast<int>(piece.count);
+    for (std::uint64_t trial = piece.first; trial < piece.first + piece.count; ++trial) {
+      trial_errors(campaign_, options_.amplitude_mm, trial, errors_mm.data());
+      if (piece.vertex >= 0) {
+        const Eigen::Vector2d kept_mm = errors_mm.col(piece.vertex);
+        errors_mm.setZero();
+        errors_mm.col(piece.vertex) = kept_mm;
+      }
+      append(shifts_mm + errors_mm, block);
+    }
+    MiscutCopies copies;
+    for (const solver::Verdict& verdict : judge_to_the_end(family_, own_batch, block)) {
+      copies.add(verdict);
+    }
+    return copies;
+  }
+
+  static void sort_by_harm(Tolerance& tolerance) {
+    const auto harm = [&](const VertexTolerance& vertex) {
+      const std::uint64_t survivors = vertex.copies.from(tolerance.threshold_sample);
+      return std::pair(-share_of(survivors, vertex.copies).share,
+                       tolerance.mean_loss_deg(vertex.copies));
+    };
+    std::stable_sort(tolerance.vertices.begin(), tolerance.vertices.end(),
+                     [&](const auto& a, const auto& b) { return harm(a) > harm(b); });
+  }
 
   const schema::Campaign& campaign_;
-  const Eigen::Matrix2Xd shifts_mm_;
-  const double amplitude_mm_;
+  const std::vector<Eigen::Matrix2Xd>& shifts_mm_;
+  const ToleranceOptions& options_;
   const solver::SheetFamily family_;
-  const std::unique_ptr<solver::Batch> batch_;
-  solver::ShiftBlock block_;
+  std::vector<Piece> pieces_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;  // of what follows
+  std::vector<Tolerance> tolerances_;
+  CopiesDone copies_{0, 0};
+  std::exception_ptr failure_;
 };
 
 void refuse_lost_convexity(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm,
@@ -95,16 +175,6 @@ void refuse_lost_convexity(const solver::CreasePattern& base, const Eigen::Matri
                               " mm (where a facet of this sheet can lose convexity); try 0.1");
 }
 
-Json share_json(std::uint64_t hits, const MiscutCopies& copies) {
-  const ShareOfTrials share = share_of(hits, copies);
-  return {{"copies", hits},
-          {"share", share.share},
-          {"share_low", share.low},
-          {"share_high", share.high}};
-}
-
-constexpr double kQuantiles[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
-
 }  // namespace
 
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,
@@ -114,133 +184,13 @@ void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::ui
   draw_shifts(errors, campaign.seed, trial, errors_mm, kToleranceStream);
 }
 
-void MiscutCopies::add(const solver::Verdict& verdict, int threshold_sample, int own_sample) {
-  ++trials;
-  if (verdict.first_fault == solver::Fault::undecided) {
-    ++undecided;
-    return;
+std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,
+                                       const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                                       const ToleranceOptions& options) {
+  for (const Eigen::Matrix2Xd& shifts : shifts_mm) {
+    refuse_lost_convexity(campaign.pattern.base.sheet, shifts, options.amplitude_mm);
   }
-  from_threshold += verdict.deploys_from_sample >= threshold_sample;
-  from_own += verdict.deploys_from_sample >= own_sample;
-  samples.push_back(verdict.deploys_from_sample);
-}
-
-int MiscutCopies::quantile(double share) const {
-  if (samples.empty()) return 0;
-  const auto count =
-      static_cast<std::size_t>(std::ceil(share * static_cast<double>(samples.size())));
-  return samples[std::max<std::size_t>(count, 1) - 1];
-}
-
-double MiscutCopies::mean_sample() const {
-  if (samples.empty()) return 0;
-  return std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
-}
-
-ShareOfTrials share_of(std::uint64_t hits, const MiscutCopies& copies) {
-  const std::uint64_t decided = copies.trials - copies.undecided;
-  const auto [low, high] = schema::share_interval(hits, copies.undecided, copies.trials);
-  return {decided > 0 ? static_cast<double>(hits) / static_cast<double>(decided) : 0, low, high};
-}
-
-Tolerance study_tolerance(const schema::Campaign& campaign, std::uint64_t draw, double amplitude_mm,
-                          std::uint64_t trials, solver::InstructionSet set) {
-  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
-  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, sheet.vertex_count());
-  draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
-  refuse_lost_convexity(sheet, shifts_mm, amplitude_mm);
-  Copies copies(campaign, shifts_mm, amplitude_mm, set);
-  const int own_sample = copies.own_sample();
-  Tolerance tolerance{draw,
-                      amplitude_mm,
-                      campaign.sample_deg,
-                      campaign.threshold_deg,
-                      own_sample,
-                      copies.count(trials, -1, own_sample),
-                      {}};
-  const std::uint64_t of_one = std::min(trials, kMostTrialsOfOneVertex);
-  for (int v = 0; v < sheet.vertex_count(); ++v) {
-    tolerance.vertices.push_back({v, copies.count(of_one, v, own_sample)});
-  }
-  const auto harm = [&](const VertexTolerance& vertex) {
-    return std::pair(-share_of(vertex.copies.from_threshold, vertex.copies).share,
-                     tolerance.mean_loss_deg(vertex.copies));
-  };
-  std::stable_sort(tolerance.vertices.begin(), tolerance.vertices.end(),
-                   [&](const auto& a, const auto& b) { return harm(a) > harm(b); });
-  return tolerance;
-}
-
-std::string tolerance_text(const Tolerance& t) {
-  char line[200];
-  std::string text;
-  const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-  std::snprintf(line, sizeof line,
-                "draw %llu, deploys from %g deg; %llu copies, every vertex off by up to %g mm\n",
-                number(t.draw), t.own_sample * t.sample_deg, number(t.copies.trials),
-                t.amplitude_mm);
-  text += line;
-  const auto add_share = [&](double deg, std::uint64_t hits) {
-    const ShareOfTrials share = share_of(hits, t.copies);
-    std::snprintf(line, sizeof line, "still from %-6g %llu, %.4g %% (95 %%: %.4g to %.4g)\n", deg,
-                  number(hits), 100 * share.share, 100 * share.low, 100 * share.high);
-    text += line;
-  };
-  add_share(t.threshold_deg, t.copies.from_threshold);
-  if (t.own_sample * t.sample_deg > t.threshold_deg) {
-    add_share(t.own_sample * t.sample_deg, t.copies.from_own);
-  }
-  if (t.copies.undecided > 0) {
-    std::snprintf(line, sizeof line, "undecided         %llu: the intervals allow for both\n",
-                  number(t.copies.undecided));
-    text += line;
-  }
-  text += "deploy from      ";
-  for (const double share : kQuantiles) {
-    std::snprintf(line, sizeof line, " %g deg (%g %%)", t.copies.quantile(share) * t.sample_deg,
-                  100 * share);
-    text += line;
-  }
-  std::snprintf(line, sizeof line,
-                "\n\none vertex alone, %llu copies each, the most harmful first\n"
-                "vertex  still from %g  mean loss, deg\n",
-                number(t.vertices.front().copies.trials), t.threshold_deg);
-  text += line;
-  for (const VertexTolerance& vertex : t.vertices) {
-    std::snprintf(line, sizeof line, "%-6s %12.4g %% %15.4g\n",
-                  solver::vertex_label(vertex.vertex).c_str(),
-                  100 * share_of(vertex.copies.from_threshold, vertex.copies).share,
-                  t.mean_loss_deg(vertex.copies));
-    text += line;
-  }
-  return text;
-}
-
-Json tolerance_json(const Tolerance& t) {
-  Json quantiles = Json::array(), vertices = Json::array();
-  for (const double share : kQuantiles) {
-    quantiles.push_back(
-        {{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}});
-  }
-  for (const VertexTolerance& vertex : t.vertices) {
-    Json json = share_json(vertex.copies.from_threshold, vertex.copies);
-    json["vertex"] = solver::vertex_label(vertex.vertex);
-    json["trials"] = vertex.copies.trials;
-    json["undecided"] = vertex.copies.undecided;
-    json["mean_loss_deg"] = t.mean_loss_deg(vertex.copies);
-    vertices.push_back(json);
-  }
-  return {{"draw", t.draw},
-          {"amplitude_mm", t.amplitude_mm},
-          {"trials", t.copies.trials},
-          {"undecided", t.copies.undecided},
-          {"deploys_from_deg", t.own_sample * t.sample_deg},
-          {"threshold_deg", t.threshold_deg},
-          {"from_threshold", share_json(t.copies.from_threshold, t.copies)},
-          {"from_own", share_json(t.copies.from_own, t.copies)},
-          {"mean_loss_deg", t.mean_loss_deg(t.copies)},
-          {"quantiles", quantiles},
-          {"vertices", vertices}};
+  return Study(campaign, shifts_mm, options).run();
 }
 
 }  // namespace misalign::search

@@ -1,8 +1,10 @@
 #include "solver/history.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "solver/dense_look.hpp"
+#include "solver/miscut_margin.hpp"
 #include "solver/recording_client.hpp"
 #include "solver/start.hpp"
 #include "solver/tracker.hpp"
@@ -66,6 +68,7 @@ class SingleRecording {
 Recording::Recording(const Mechanism& mechanism, RecordingOptions options)
     : mechanism_(mechanism),
       visit_(std::move(options.visit)),
+      margin_samples_(std::move(options.margin_samples)),
       judge_(mechanism, options.bump_is_fault) {}
 
 void Recording::begin(const FlatVertices& vertices_mm) {
@@ -97,6 +100,9 @@ void Recording::see(const SeenStop& seen) {
   history_.open_by.push_back(seen.open_by);
   history_.singular_value_min.push_back(seen.singular_value_min);
   history_.isometry_error_mm.push_back(seen.isometry_error * width_mm);
+  if (std::binary_search(margin_samples_.begin(), margin_samples_.end(), seen.stop.sample)) {
+    history_.margin_states.push_back(seen.state);
+  }
   if (visit_) visit_(seen.stop, seen.state);
 }
 
@@ -155,7 +161,13 @@ FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mech
   SingleRecording single(mechanism, plan, vertices_mm, finder, options);
   RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
   tracker.run(client);
-  return confirmed(single.take(), mechanism, shape, plan, vertices_mm, options);
+  FoldingHistory history = confirmed(single.take(), mechanism, shape, plan, vertices_mm, options);
+  if (!options.margin_samples.empty() &&
+      history.margin_states.size() == options.margin_samples.size()) {
+    history.miscut_margin_mm =
+        miscut_margin_mm(mechanism, elimination, vertices_mm, history.margin_states);
+  }
+  return history;
 }
 
 FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solver/isometry.hpp"
@@ -34,7 +35,9 @@ struct FoldingHistory {
   Eigen::MatrixXd fold_angle_deg;    ///< stops x creases
   std::vector<double> open_by;       ///< largest closure entry: radians, panel widths
   std::vector<double> singular_value_min;
-  std::vector<double> isometry_error_mm;  ///< see FoldedShape
+  std::vector<double> isometry_error_mm;         ///< see FoldedShape
+  std::vector<FoldState<double>> margin_states;  ///< at RecordingOptions::margin_samples
+  std::optional<double> miscut_margin_mm;        ///< once the path has reached all of those
 
   /// Whether the solver failed where the path may go on.
   bool lost() const { return path.end == PathEnd::start_lost || path.end == PathEnd::stalled; }
@@ -56,8 +59,9 @@ struct SeenStop {
 using StopVisitor = std::function<void(const Stop&, const FoldState<double>&)>;
 
 struct RecordingOptions {
-  bool bump_is_fault = false;  ///< see Judge
-  StopVisitor visit;           ///< if there is one
+  bool bump_is_fault = false;         ///< see Judge
+  StopVisitor visit{};                ///< if there is one
+  std::vector<int> margin_samples{};  ///< see there; none: the margin is not wanted
 };
 
 /// A history in the making.
@@ -79,6 +83,7 @@ class Recording {
  private:
   const Mechanism& mechanism_;
   StopVisitor visit_;
+  std::vector<int> margin_samples_;
   Judge judge_;
   FlatVertices vertices_mm_;
   std::shared_ptr<DenseLook> dense_;                                 // made when first needed

@@ -5,6 +5,7 @@
 
 #include "solver/lane_desk.hpp"
 #include "solver/lane_test.hpp"
+#include "solver/miscut_margin.hpp"
 #include "solver/recording_client.hpp"
 
 namespace misalign::solver {
@@ -22,7 +23,10 @@ class LaneBatch final : public Batch {
         approach_tracker_(family.mechanism(), family.elimination(), approach_options()),
         single_test_(family),
         double_test_(family),
-        recording_client_(family.mechanism(), recording_.shape(), tracker_, recording_) {}
+        recording_client_(family.mechanism(), recording_.shape(), tracker_, recording_),
+        margin_(family.mechanism(), family.elimination()),
+        margin_geometry_(lane_geometry<T>(family.mechanism())),
+        margin_state_(flat_state<T>(family.mechanism())) {}
 
   // In single precision first, twice as many sheets at once: that turns away six of seven.
   const std::vector<Screened>& screen(const ShiftBlock& block) override {
@@ -52,6 +56,14 @@ class LaneBatch final : public Batch {
   std::vector<FoldingHistory>& record(const ShiftBlock& block) override {
     recording_.begin(block);
     tracker_.run(recording_client_);
+    margin_sheets_.clear();
+    for (int sheet = 0; sheet < block.sheets; ++sheet) {
+      const auto& states = recording_.histories()[sheet].margin_states;
+      if (states.size() == recording_.margin_samples().size()) margin_sheets_.push_back(sheet);
+    }
+    for (std::size_t first = 0; first < margin_sheets_.size(); first += kLanes<T>) {
+      find_margins(block, first);
+    }
     return recording_.histories();
   }
 
@@ -72,6 +84,33 @@ class LaneBatch final : public Batch {
     for (int i = 0; i < static_cast<int>(family_.tests().size()); ++i) {
       test.run(i, block, open_, screening_, approach_);
       std::erase_if(open_, [&](const OpenSheet& open) { return screening_.decided(open.sheet); });
+    }
+  }
+
+  // Of as many sheets as there are lanes, or those that are left.
+  void find_margins(const ShiftBlock& block, std::size_t first) {
+    const auto sheet_of_lane = [&](int i) {
+      return margin_sheets_[std::min(first + static_cast<std::size_t>(i),
+                                     margin_sheets_.size() - 1)];
+    };
+    FlatVertices vertices_mm;
+    SheetGeometry<double> geometry;
+    for (int i = 0; i < kLanes<T>; ++i) {
+      family_.displace(block.of(sheet_of_lane(i)), vertices_mm);
+      place(family_.mechanism(), vertices_mm, geometry);
+      put_lane(geometry, margin_geometry_, i);
+    }
+    margin_.begin(margin_geometry_);
+    for (std::size_t k = 0; k < recording_.margin_samples().size(); ++k) {
+      for (int i = 0; i < kLanes<T>; ++i) {
+        put_lane(recording_.histories()[sheet_of_lane(i)].margin_states[k], margin_state_, i);
+      }
+      margin_.see(margin_state_);
+    }
+    const T widths = margin_.widths();
+    for (int i = 0; i < kLanes<T>; ++i) {
+      recording_.histories()[sheet_of_lane(i)].miscut_margin_mm =
+          lane(widths, i) * family_.mechanism().panel_width_mm;
     }
   }
 
@@ -113,6 +152,10 @@ class LaneBatch final : public Batch {
   LaneTest<T> double_test_;
   RecordingClient<T, RecordingDesk> recording_client_;
   std::vector<OpenSheet> open_;
+  MiscutMargin<T> margin_;
+  SheetGeometry<T> margin_geometry_;
+  FoldState<T> margin_state_;
+  std::vector<int> margin_sheets_;
 };
 
 }  // namespace misalign::solver

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/miscut_margin.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -146,9 +148,12 @@ void JudgingDesk::ended(PathResult path, int lane) {
 
 RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
     : family_(family),
+      options_{family.bump_is_fault(),
+               {},
+               solver::margin_samples(family.sample_deg(), family.threshold_sample())},
       shape_(family.base().sheet, family.base().holes, family.mechanism()),
       sheets_(family, lanes),
-      recordings_(lanes, Recording(family.mechanism(), {family.bump_is_fault(), {}})) {}
+      recordings_(lanes, Recording(family.mechanism(), options_)) {}
 
 RecordingDesk::~RecordingDesk() = default;
 
@@ -167,7 +172,7 @@ void RecordingDesk::ended(PathResult path, int lane) {
   if (!sheets_.has_ended(path, lane)) return;
   FoldingHistory& history = histories_[sheets_.of_lane(lane)];
   history = confirmed(recordings_[lane].conclude(path), family_.mechanism(), shape_, family_.path(),
-                      recordings_[lane].vertices_mm(), {family_.bump_is_fault(), {}});
+                      recordings_[lane].vertices_mm(), options_);
 }
 
 // After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only

@@ -107,6 +107,7 @@ class RecordingDesk {
   void begin(const ShiftBlock& block);
   bool next(Departure& departure, int lane);
   const FoldedShape& shape() const { return shape_; }
+  const std::vector<int>& margin_samples() const { return options_.margin_samples; }
   Recording& of_lane(int lane) { return recordings_[lane]; }
   void ended(PathResult path, int lane);
 
@@ -114,6 +115,7 @@ class RecordingDesk {
 
  private:
   const SheetFamily& family_;
+  const RecordingOptions options_;
   const FoldedShape shape_;
   LaneSheets sheets_;
   std::vector<Recording> recordings_;  // of lanes

@@ -48,6 +48,7 @@ double kawasaki_defect_deg(const PerforatedSheet& base, const FlatVertices& vert
 
 MetricAge metric_age(std::string_view column) {
   const bool is_between = column == "slope_between_min_mm_per_deg" || column == "bump_deg";
+  if (column == "miscut_margin_mm") return {4, 4};
   return is_between ? MetricAge{2, 3} : MetricAge{1, 1};
 }
 
@@ -86,6 +87,7 @@ Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
         history.between.least_slope * base.sheet.panel_width_mm * kRadPerDeg;
   }
   if (history.between.bump_where >= 0) m.bump_deg = history.between.bump_deg;
+  m.miscut_margin_mm = history.miscut_margin_mm;
   m.singular_value_min = std::numeric_limits<double>::infinity();
   for (const Eigen::Index row : rows) {
     m.singular_value_min = std::min(m.singular_value_min, history.singular_value_min[row]);

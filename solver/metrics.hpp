@@ -15,8 +15,8 @@ inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
 /// Of the definitions below; a run keeps by which its candidates were measured. To change one is a
 /// new version, and a line of metric_age. 1: all but slope_between_min and bump_deg. 2: these two,
 /// by cubics in the pilot's angle. 3: by cubics along the path, which see no bump before a fold
-/// limit where there is none.
-inline constexpr int kMetricsVersion = 3;
+/// limit where there is none. 4: with miscut_margin.
+inline constexpr int kMetricsVersion = 4;
 
 struct MetricAge {
   int first;    ///< the version that it came with
@@ -40,9 +40,12 @@ struct Metrics {
   /// negative where there is a bump, or a turn just below D; none if D lies below.
   std::optional<double> slope_between_min_mm_per_deg;
   std::optional<double> bump_deg;  ///< where the first bump between two samples begins
-  double stretch_sq_mm2;           ///< sum of (L - L0)^2 at D
-  double singular_value_min;       ///< square Jacobian, lengths in panel widths
-  double residual_max;             ///< largest closure entry
+  /// How far off the vertices may be cut, to first order, see MiscutMargin; none if the history was
+  /// made without, or the path ends before the threshold.
+  std::optional<double> miscut_margin_mm;
+  double stretch_sq_mm2;      ///< sum of (L - L0)^2 at D
+  double singular_value_min;  ///< square Jacobian, lengths in panel widths
+  double residual_max;        ///< largest closure entry
   double isometry_error_mm;
   double kawasaki_defect_deg;  ///< largest |theta_1 + theta_3 - 180| over whole vertices
   int shifted_vertices;

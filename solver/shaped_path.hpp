@@ -19,6 +19,7 @@ struct ShapedPath {
 /// sheet at z = 0 (least squares over the vertices; Kabsch 1976), so that neighbours differ little.
 ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
                          const Elimination& elimination, const PathPlan& plan,
-                         const FlatVertices& vertices_mm, bool bump_is_fault = false);
+                         const FlatVertices& vertices_mm, bool bump_is_fault = false,
+                         const std::vector<int>& margin_samples = {});
 
 }  // namespace misalign::solver

@@ -25,6 +25,25 @@ export const metrics = [
       "Pilot fold angle where the pilot crease turns round: a misaligned sheet generally cannot fold flat. Or the end of the path.",
   },
   {
+    name: "miscut_margin_mm",
+    label: "miscut margin",
+    unit: "mm",
+    better: "more",
+    text: (v) => number(v),
+    about:
+      "How far off the vertices may be cut, to first order, before some diagonal stalls on some stretch of 20° up to the threshold (root of the sum of squares of all errors). Of all that is known without trying it foretells best how many miscut copies deploy.",
+  },
+  {
+    name: "yield",
+    label: "yield",
+    unit: "%",
+    axis: 100,
+    better: "more",
+    text: share,
+    about:
+      "Share of miscut copies that deploy from the threshold, where `misalign tolerance` has tried; at the amplitude that most candidates were tried with.",
+  },
+  {
     name: "yield_low",
     label: "yield low",
     unit: "%",

@@ -133,7 +133,7 @@ class LargeCatalogue {
     close();
     {
       SQLite::Database database(path_, SQLite::OPEN_READWRITE);
-      for (const char* index : {"best", "robust", "simplest", "smooth", "stroke"}) {
+      for (const char* index : {"best", "simplest", "smooth", "stroke", "tolerant"}) {
         database.exec(std::string("DROP INDEX candidate_") + index);
       }
     }

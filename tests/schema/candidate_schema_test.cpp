@@ -1,5 +1,6 @@
 // candidate.schema.json describes what `misalign export` writes.
 #include "schema/actuation_json.hpp"
+#include "schema/yield.hpp"
 #include "schema_agreement.hpp"
 #include "solver/elimination.hpp"
 
@@ -29,6 +30,7 @@ Json table1_candidate() {
                            campaign.sample_deg};
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
     return candidate_json(campaign, 7, view, metrics,
+                          yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}}),
                           actuation_json(view, path, solver::actuate(wires, path, vertices_mm)));
   }();
   return candidate;
@@ -84,6 +86,11 @@ TEST(CandidateSchema, RefusesWrongValues) {
       {"/metrics/elongation_max", "-0.1"},
       {"/metrics/singular_value_min", "null"},
       {"/metrics/increasing", "0.5"},
+      {"/yields", "null"},
+      {"/yields/0/trials", "0"},
+      {"/yields/0/survivors", "-1"},
+      {"/yields/0/share", "1.5"},
+      {"/yields/0/amplitude_mm", "-0.1"},
       {"/diagonals", "[]"},
       {"/diagonals/0/hole", "[1]"},
       {"/diagonals/0/from", "\"17\""},

@@ -268,8 +268,8 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
   record.candidates = {candidate(0), candidate(1)};
   solver::Metrics& m = record.candidates[0].metrics;
   // All different, so that no two columns can be exchanged.
-  m = {171, 171.5, 172.5, -0.1, 0.2,  0.3, 0.4, 0.5, -1.5,        2.5,
-       6.5, 7.5,   8.5,   9.5,  10.5, 11,  12,  13,  m.elongation};
+  m = {171, 171.5, 172.5, -0.1, 0.2, 0.3,  0.4, 0.5, -1.5, 2.5,
+       3.5, 6.5,   7.5,   8.5,  9.5, 10.5, 11,  12,  13,   m.elongation};
   record.candidates[1].metrics.slope_min_mm_per_deg.reset();
   record.candidates[1].metrics.slope_between_min_mm_per_deg.reset();
   {
@@ -290,6 +290,7 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
                                                      {"slope_min_mm_per_deg", 0.5},
                                                      {"slope_between_min_mm_per_deg", -1.5},
                                                      {"bump_deg", 2.5},
+                                                     {"miscut_margin_mm", 3.5},
                                                      {"stretch_sq_mm2", 6.5},
                                                      {"singular_value_min", 7.5},
                                                      {"residual_max", 8.5},

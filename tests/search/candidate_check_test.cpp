@@ -116,6 +116,9 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   EXPECT_EQ(check_.check(nullptr).findings.size(), 1u);
   // What was written before a column was there has none of it, or null in it.
   Json older = row;
+  older["miscut_margin_mm"] = nullptr;
+  EXPECT_TRUE(check_.check(older, 3).findings.empty());
+  EXPECT_FALSE(check_.check(older).findings.empty());
   older["slope_between_min_mm_per_deg"] = older["bump_deg"] = nullptr;
   EXPECT_TRUE(check_.check(older, 1).findings.empty());
   EXPECT_FALSE(check_.check(older).findings.empty());

@@ -18,6 +18,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
     metrics.decreasing = 9;
     if (draw == 1) metrics.slope_min_mm_per_deg = 2e-5;
     if (draw == 2) metrics.bump_deg = 42.5;
+    if (draw != 2) metrics.miscut_margin_mm = 0.0625;
     metrics.slope_between_min_mm_per_deg = -0.25;
     metrics.elongation = {0.1, -0.2, 1e-300};
     unit.candidates.push_back({draw, metrics, Eigen::Matrix2Xd::Random(2, 49)});
@@ -43,6 +44,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
     EXPECT_EQ(came.slope_min_mm_per_deg, sent.slope_min_mm_per_deg);
     EXPECT_EQ(came.slope_between_min_mm_per_deg, sent.slope_between_min_mm_per_deg);
     EXPECT_EQ(came.bump_deg, sent.bump_deg);
+    EXPECT_EQ(came.miscut_margin_mm, sent.miscut_margin_mm);
     EXPECT_EQ(came.decreasing, 9);
     EXPECT_EQ(came.elongation, sent.elongation);
     EXPECT_EQ(got.candidates[k].shifts_mm, unit.candidates[k].shifts_mm);

@@ -1,5 +1,3 @@
-#include "search/tolerance.hpp"
-
 #include <Random123/philox.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "search/draw.hpp"
+#include "search/tolerance_text.hpp"
 #include "solver/reference.hpp"
 
 namespace misalign::search {
@@ -31,9 +30,24 @@ class ToleranceTest : public testing::Test {
     trial.settle(unit);
     return unit.candidates.at(2).draw;
   }
-  Tolerance study(double amplitude_mm, std::uint64_t trials,
-                  solver::InstructionSet set = solver::available_instruction_sets().back()) const {
-    return study_tolerance(campaign_, draw_, amplitude_mm, trials, set);
+  ToleranceOptions options(double amplitude_mm, std::uint64_t trials) const {
+    ToleranceOptions all;
+    all.amplitude_mm = amplitude_mm;
+    all.trials = trials;
+    all.vertices = true;
+    all.set = solver::available_instruction_sets().back();
+    return all;
+  }
+  Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const {
+    Eigen::Matrix2Xd shifts = Eigen::Matrix2Xd::Zero(2, 25);
+    draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts);
+    return shifts;
+  }
+  Tolerance study(const ToleranceOptions& options) const {
+    return study_tolerance(campaign_, {shifts_mm(draw_)}, options).front();
+  }
+  Tolerance study(double amplitude_mm, std::uint64_t trials) const {
+    return study(options(amplitude_mm, trials));
   }
 
   const schema::Campaign campaign_ = campaign();
@@ -44,11 +58,11 @@ TEST_F(ToleranceTest, NoErrorNoLoss) {
   for (const double amplitude_mm : {0.0, 1e-9}) {
     const Tolerance tolerance = study(amplitude_mm, 20);
     EXPECT_EQ(tolerance.copies.trials, 20u);
-    EXPECT_EQ(tolerance.copies.from_threshold, 20u);
+    EXPECT_EQ(tolerance.survivors(), 20u);
     EXPECT_EQ(tolerance.mean_loss_deg(tolerance.copies), 0);
     EXPECT_EQ(tolerance.vertices.size(), 25u);
     for (const VertexTolerance& vertex : tolerance.vertices) {
-      EXPECT_EQ(vertex.copies.from_threshold, 20u);
+      EXPECT_EQ(vertex.copies.from(150), 20u);
       EXPECT_EQ(tolerance.mean_loss_deg(vertex.copies), 0);
     }
   }
@@ -69,6 +83,14 @@ TEST_F(ToleranceTest, ErrorsAreStreamOne) {
   }
 }
 
+// How many there are of each, up to the largest.
+std::vector<std::uint64_t> counted(const std::vector<int>& samples) {
+  std::vector<std::uint64_t> counts(
+      static_cast<std::size_t>(*std::max_element(samples.begin(), samples.end())) + 1);
+  for (const int sample : samples) ++counts[static_cast<std::size_t>(sample)];
+  return counts;
+}
+
 // Every trial by itself: the dense reference on the sheet put together here.
 TEST_F(ToleranceTest, TrialsAreTheReferences) {
   const Tolerance tolerance = study(kAmplitude_mm, kTrials);
@@ -77,10 +99,9 @@ TEST_F(ToleranceTest, TrialsAreTheReferences) {
   const auto plan =
       solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign_.path());
   solver::Reference reference(mechanism, plan);
-  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, 25);
-  draw_shifts(campaign_.misalignment, campaign_.seed, draw_, shifts_mm);
   const auto sample_of = [&](const Eigen::Matrix2Xd& errors_mm) {
-    return reference.judge(base.sheet.vertices_mm + (shifts_mm + errors_mm)).deploys_from_sample;
+    return reference.judge(base.sheet.vertices_mm + (shifts_mm(draw_) + errors_mm))
+        .deploys_from_sample;
   };
   EXPECT_EQ(tolerance.own_sample, sample_of(Eigen::Matrix2Xd::Zero(2, 25)));
 
@@ -95,14 +116,14 @@ TEST_F(ToleranceTest, TrialsAreTheReferences) {
     of_one.push_back(sample_of(one_mm));
   }
   for (std::vector<int>* list : {&samples, &of_one}) std::sort(list->begin(), list->end());
-  EXPECT_EQ(tolerance.copies.samples, samples);
-  EXPECT_EQ(tolerance.vertices.front().copies.samples, of_one);
+  EXPECT_EQ(tolerance.copies.of_sample, counted(samples));
+  EXPECT_EQ(tolerance.vertices.front().copies.of_sample, counted(of_one));
   const auto from = [&](int sample) {
     return static_cast<std::uint64_t>(samples.end() -
                                       std::lower_bound(samples.begin(), samples.end(), sample));
   };
-  EXPECT_EQ(tolerance.copies.from_threshold, from(150));
-  EXPECT_EQ(tolerance.copies.from_own, from(tolerance.own_sample));
+  EXPECT_EQ(tolerance.survivors(), from(150));
+  EXPECT_EQ(tolerance.copies.from(tolerance.own_sample), from(tolerance.own_sample));
   // The errors do matter, one vertex's too.
   EXPECT_GT(std::set<int>(samples.begin(), samples.end()).size(), 3u);
   EXPECT_GT(std::set<int>(of_one.begin(), of_one.end()).size(), 1u);
@@ -116,8 +137,8 @@ TEST_F(ToleranceTest, MostHarmfulVerticesFirst) {
   for (std::size_t k = 1; k < tolerance.vertices.size(); ++k) {
     const MiscutCopies& before = tolerance.vertices[k - 1].copies;
     const MiscutCopies& copies = tolerance.vertices[k].copies;
-    EXPECT_LE(before.from_threshold, copies.from_threshold);
-    if (before.from_threshold == copies.from_threshold) {
+    EXPECT_LE(before.from(150), copies.from(150));
+    if (before.from(150) == copies.from(150)) {
       EXPECT_GE(tolerance.mean_loss_deg(before), tolerance.mean_loss_deg(copies));
     }
   }
@@ -126,9 +147,54 @@ TEST_F(ToleranceTest, MostHarmfulVerticesFirst) {
 TEST_F(ToleranceTest, InstructionSetsAgree) {
   const Tolerance expected = study(kAmplitude_mm, 30);
   for (const auto set : solver::available_instruction_sets()) {
-    const Tolerance tolerance = study(kAmplitude_mm, 30, set);
-    EXPECT_EQ(tolerance_json(tolerance), tolerance_json(expected))
+    ToleranceOptions other = options(kAmplitude_mm, 30);
+    other.set = set;
+    EXPECT_EQ(tolerance_json(study(other)), tolerance_json(expected))
         << solver::instruction_set_name(set);
+  }
+}
+
+// Several sheets on several threads give what each gives alone on one; all copies are reported.
+TEST_F(ToleranceTest, ThreadsAndCompanyDoNotMatter) {
+  const std::vector<std::uint64_t> draws = {draw_, 0, 1, 2};
+  std::vector<Eigen::Matrix2Xd> sheets;
+  for (const std::uint64_t draw : draws) sheets.push_back(shifts_mm(draw));
+  ToleranceOptions alone = options(kAmplitude_mm, 300);
+  alone.vertices = false;
+  ToleranceOptions together = alone;
+  together.jobs = 3;
+  CopiesDone last{0, 0};
+  together.progress = [&](const CopiesDone& copies) {
+    EXPECT_GT(copies.done, last.done);
+    last = copies;
+  };
+  const std::vector<Tolerance> several = study_tolerance(campaign_, sheets, together);
+  ASSERT_EQ(several.size(), draws.size());
+  EXPECT_EQ(last.done, 4u * 300);
+  EXPECT_EQ(last.all, 4u * 300);
+  for (std::size_t k = 0; k < draws.size(); ++k) {
+    const Tolerance one = study_tolerance(campaign_, {sheets[k]}, alone).front();
+    EXPECT_EQ(tolerance_json(several[k]), tolerance_json(one)) << "draw " << draws[k];
+    EXPECT_EQ(one.copies.trials, 300u);
+    EXPECT_TRUE(one.vertices.empty()) << "not asked for";
+  }
+}
+
+// What counts is said last, in words too.
+TEST_F(ToleranceTest, TheAnswerComesLast) {
+  const Tolerance tolerance = study(kAmplitude_mm, 20);
+  const std::string text = tolerance_text({"draw 17", tolerance});
+  const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_EQ(last.find("still from 150 "), 0u) << text;
+  EXPECT_LT(text.find("one vertex alone"), text.find("draw 17"));
+  Tolerance worse = tolerance;
+  worse.copies = {};
+  worse.copies.add({0, solver::Fault::not_monotone, 0});
+  for (const bool first : {false, true}) {
+    std::vector<NamedTolerance> both = {{"draw 17", tolerance}, {"draw 3", worse}};
+    if (first) std::swap(both[0], both[1]);
+    const std::string lines = tolerances_text(both);
+    EXPECT_EQ(lines.substr(lines.rfind('\n', lines.size() - 2) + 1).find("draw 17"), 0u) << lines;
   }
 }
 
@@ -137,16 +203,16 @@ TEST_F(ToleranceTest, InstructionSetsAgree) {
 TEST(MiscutCopies, UndecidedOnesBoundBothWays) {
   MiscutCopies copies;
   for (int k = 0; k < 10; ++k) {
-    copies.add({k < 6 ? 160 : 100, solver::Fault::not_monotone, 0}, 150, 170);
+    copies.add({k < 6 ? 160 : 100, solver::Fault::not_monotone, 0});
   }
-  for (int k = 0; k < 2; ++k) copies.add({3, solver::Fault::undecided}, 150, 170);
+  for (int k = 0; k < 2; ++k) copies.add({3, solver::Fault::undecided});
   EXPECT_EQ(copies.trials, 12u);
   EXPECT_EQ(copies.undecided, 2u);
-  const ShareOfTrials share = share_of(copies.from_threshold, copies);
+  const ShareOfTrials share = share_of(copies.from(150), copies);
   EXPECT_DOUBLE_EQ(share.share, 0.6);
   EXPECT_NEAR(share.low, boost::math::ibeta_inv(6, 7, 0.025), 1e-12);
   EXPECT_NEAR(share.high, boost::math::ibeta_inv(9, 4, 0.975), 1e-12);
-  EXPECT_EQ(copies.from_own, 0u);
+  EXPECT_EQ(copies.from(170), 0u);
   EXPECT_DOUBLE_EQ(copies.mean_sample(), 136);
 }
 

@@ -17,10 +17,10 @@ named=$("$program" query "$file" --help | sed -n 's/^ *Named queries: //p')
 
 # The Pareto front, the long way.
 "$program" query "$file" "$(cat queries/3.sql)" --csv | tail -n +2 | cut -d, -f1 | sort > front
-sql "$file" 'SELECT draw FROM candidates c WHERE slope_min_mm_per_deg IS NOT NULL AND NOT EXISTS (
+sql "$file" 'SELECT draw FROM candidates c WHERE miscut_margin_mm IS NOT NULL AND NOT EXISTS (
   SELECT 1 FROM candidates o WHERE o.deploys_from_deg >= c.deploys_from_deg
-    AND o.slope_min_mm_per_deg >= c.slope_min_mm_per_deg
-    AND (o.deploys_from_deg > c.deploys_from_deg OR o.slope_min_mm_per_deg > c.slope_min_mm_per_deg))' |
+    AND o.miscut_margin_mm >= c.miscut_margin_mm
+    AND (o.deploys_from_deg > c.deploys_from_deg OR o.miscut_margin_mm > c.miscut_margin_mm))' |
   sort > expected
 cmp -s front expected || fail "the Pareto front: $(tr '\n' ' ' < front), expected $(tr '\n' ' ' < expected)"
 

@@ -61,7 +61,7 @@ sed 's/"M"/"x"/g; s/"V"/"M"/g; s/"x"/"V"/g' "$fold" > edited.fold
 "$program" fold "$source_dir/search/patterns/angle-array-6x6.fold" > /dev/null || fail "fold of a mesh"
 
 # OBJ: a file for the flat sheet, one every 30 degrees and one at D.
-best=$(sql "$file" 'SELECT draw FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC LIMIT 1')
+best=$(sql "$file" 'SELECT draw FROM candidates ORDER BY goes_back, deploys_from_deg DESC, miscut_margin_mm DESC, slope_min_mm_per_deg DESC LIMIT 1')
 deploys=$(sql "$file" "SELECT CAST(deploys_from_deg AS INTEGER) FROM candidate WHERE draw = $best")
 "$program" export "$file" --best 1 --format obj --step 30 --output obj > names || fail "export obj"
 for pilot in 000 030 060 090 120 150 "$(printf %03d "$deploys")"; do

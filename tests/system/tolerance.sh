@@ -1,12 +1,15 @@
-# `misalign tolerance` on a real catalogue: what it says, and what it refuses.
+# `misalign tolerance` on a real catalogue: what it says, what it keeps, and what it refuses.
 . "$(dirname "$0")/lib.sh"
 campaign=$source_dir/search/campaigns/miura-4x4.json
 "$program" search "$campaign" --draws 100 --catalogue a.db > /dev/null 2>&1 || fail "search"
 draw=$(sql a.db 'SELECT draw FROM candidate ORDER BY slope_min_mm_per_deg DESC LIMIT 1')
 field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
+before=$(digest_of a.db)
 
-"$program" tolerance a.db "$draw" --amplitude 0.05 --trials 300 --json > all.json || fail "tolerance"
+"$program" tolerance a.db "$draw" --amplitude 0.05 --trials 300 --vertices --json > all.json ||
+  fail "tolerance"
 [ "$(field all.json trials)" = 300 ] || fail "trials"
+[ "$(field all.json draw)" = "$draw" ] || fail "its draw"
 [ "$(field all.json deploys_from_deg)" = \
   "$(sql a.db "SELECT deploys_from_deg FROM candidate WHERE draw = $draw")" ] || fail "its own D"
 [ "$(sqlite3 :memory: "SELECT json_array_length(readfile('all.json'), '\$.vertices')")" = 25 ] ||
@@ -16,13 +19,72 @@ low=$(field all.json from_threshold.share_low) share=$(field all.json from_thres
 high=$(field all.json from_threshold.share_high)
 [ "$(sqlite3 :memory: "SELECT 0 < $low AND $low < $share AND $share <= $high AND $high <= 1")" = 1 ] ||
   fail "the share and its interval"
-"$program" tolerance a.db "$draw" --amplitude 0.05 --trials 300 --json | cmp -s - all.json ||
-  fail "another answer the second time"
-"$program" tolerance a.db "$draw" --amplitude 0.05 --trials 20 > text || fail "in words"
-grep -q "^still from 150" text || fail "the share in words"
+for jobs in 1 3; do
+  "$program" tolerance a.db "$draw" --amplitude 0.05 --trials 300 --vertices --jobs $jobs --json |
+    cmp -s - all.json || fail "another answer with $jobs threads"
+done
+"$program" tolerance a.db "$draw" --amplitude 0.05 --trials 20 --vertices > text || fail "in words"
+tail -1 text | grep -q "^still from 150" || fail "the answer is not the last line"
 [ "$(grep -c '^A[0-9]' text)" = 25 ] || fail "the table"
-"$program" tolerance a.db "$draw" --amplitude 0 --trials 20 --json > none.json || fail "no error"
+"$program" tolerance a.db "$draw" --amplitude 0.05 --trials 20 > text || fail "without vertices"
+grep -q '^A[0-9]' text && fail "vertices that nobody asked for"
+"$program" tolerance a.db "$draw" --amplitude 0 --trials 20 --no-keep --json > none.json ||
+  fail "no error"
 [ "$(field none.json from_own.share)" = 1.0 ] || fail "no error, no loss"
+
+# What was found is kept: that with the most trials.
+[ "$(sql a.db 'SELECT draw, amplitude_mm, trials FROM yield')" = "$draw|0.05|300" ] || fail "kept"
+[ "$(sql a.db 'SELECT share FROM yields')" = "$share" ] || fail "the share that is kept"
+[ "$(digest_of a.db)" = "$before" ] || fail "the digest changed"
+"$program" verify a.db --sample 1 > /dev/null || fail "verify"
+
+# Several at once, and then sorted by what was found.
+"$program" tolerance a.db --best 5 --by miscut_margin_mm --amplitude 0.05 --trials 60 --json \
+  > some.json || fail "the best five"
+[ "$(sqlite3 :memory: "SELECT json_array_length(readfile('some.json'))")" = 5 ] || fail "a list"
+"$program" tolerance a.db --where "slope_min_mm_per_deg > 0" --amplitude 0.05 --trials 60 > text ||
+  fail "those of a condition"
+head -1 text | grep -q "most tolerant last" || fail "a table: $(head -1 text)"
+all=$(sql a.db 'SELECT count(*) FROM candidate')
+[ "$(grep -c '^draw ' text)" = "$all" ] || fail "a line for each"
+[ "$(sql a.db 'SELECT count(*) FROM yield WHERE trials = 60')" = $((all - 1)) ] || fail "all are kept"
+first=$(sql a.db 'SELECT draw FROM yields ORDER BY share DESC, draw LIMIT 1')
+"$program" export a.db --best 1 --by yield --output out > /dev/null || fail "export --by yield"
+exported=$(ls out/*.json)
+share_of() { sql a.db "SELECT share FROM yield WHERE draw = $1"; }
+[ "$(share_of "$(field "$exported" draw)")" = "$(share_of "$first")" ] || fail "the best by yield"
+[ "$(field "$exported" 'yields[0].share')" = "$(share_of "$first")" ] || fail "exported yields"
+"$program" query a.db yields > rows && [ "$(wc -l < rows)" -gt 5 ] || fail "query yields"
+"$program" query a.db tolerant > rows && grep -q yield rows || fail "query tolerant"
+"$program" query a.db robust > /dev/null 2> err
+[ $? = 2 ] && grep -q "did you mean tolerant" err || fail "the former name: $(cat err)"
+
+# As verify finds it: 2 of 1 trials.
+cp a.db wrong.db
+sqlite3 wrong.db \
+  "PRAGMA ignore_check_constraints = ON; UPDATE yield SET survivors = trials + 1 WHERE draw = $draw"
+"$program" verify wrong.db --sample 1 > findings
+[ $? = 6 ] && grep -q "yield.survivors" findings || fail "verify: more survivors than trials"
+
+# Where the catalogue cannot be written the answer is there all the same, and why it is not kept.
+"$program" search "$campaign" --draws 100000000 --catalogue busy.db > /dev/null 2>&1 &
+searching=$!
+for _ in $(seq 300); do
+  there=$(sql busy.db 'SELECT draw FROM candidate LIMIT 1' 2> /dev/null) && [ -n "$there" ] && break
+  sleep 0.1
+done
+"$program" tolerance busy.db "$there" --amplitude 0.05 --trials 20 > text 2> err || fail "in use"
+kill $searching
+wait $searching 2> /dev/null
+tail -1 text | grep -q "^still from 150" || fail "no answer while another one writes"
+[ "$(grep -c "not kept.*another search is writing" err)" = 1 ] || fail "why it is not kept: $(cat err)"
+
+# An older catalogue is brought up to date, a copy of it kept.
+cp "$source_dir/tests/fixtures/catalogue-2.db" old.db
+old=$(sql old.db 'SELECT draw FROM candidate LIMIT 1')
+"$program" tolerance old.db "$old" --amplitude 0.05 --trials 20 > /dev/null || fail "an older one"
+[ "$(sql old.db 'SELECT trials FROM yield')" = 20 ] || fail "an older one keeps nothing"
+[ -s old.db.version-2 ] || fail "an older one was not copied"
 
 # refused CODE WORDS ARGS...
 refused() {
@@ -34,6 +96,7 @@ refused() {
   [ "$(wc -l < err)" = 1 ] || fail "one sentence: tolerance $*"
   grep -q -- "$words" err || fail "no '$words': tolerance $*"
 }
+rm -rf out
 rejected=$(sql a.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 99)
   SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
 refused 2 "misalign replay" a.db "$rejected" --amplitude 0.05
@@ -43,5 +106,8 @@ refused 2 "amplitude" a.db "$draw" --amplitude -1
 refused 2 "amplitude" a.db "$draw" --amplitude nan
 refused 2 "amplitude" a.db "$draw"
 refused 2 "trials" a.db "$draw" --amplitude 0.05 --trials 0
+refused 2 "of which candidates" a.db --amplitude 0.05
+refused 2 "no meaning without" a.db "$draw" --by stroke_min --amplitude 0.05
+refused 2 "excludes" a.db "$draw" --best 2 --amplitude 0.05
 refused 3 "no such file" nothing.db "$draw" --amplitude 0.05
 finish

@@ -22,7 +22,7 @@ done
 [ $? = 2 ] || fail "status --at below the threshold"
 
 # A candidate again: replay, export and fold of what was exported give the same verdict.
-draw=$(sql "$file" 'SELECT draw FROM candidates ORDER BY deploys_from_deg DESC, slope_min_mm_per_deg DESC LIMIT 1')
+draw=$(sql "$file" 'SELECT draw FROM candidates ORDER BY goes_back, deploys_from_deg DESC, miscut_margin_mm DESC, slope_min_mm_per_deg DESC LIMIT 1')
 deploys=$(sql "$file" "SELECT deploys_from_deg FROM candidate WHERE draw = $draw")
 field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 "$program" replay "$file" "$draw" --json > replay.json || fail "replay"
@@ -49,7 +49,8 @@ rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 
 [ "$(field rejected.json verdict.accepted)" = 0 ] || fail "replay: a rejected draw"
 "$program" replay "$file" 9223372036854775806 > /dev/null || fail "replay of a draw never made"
 
-for name in best stroke robust simplest acceptance rejections; do
+"$program" tolerance "$file" "$draw" --amplitude 0.05 --trials 20 > /dev/null || fail "tolerance"
+for name in best stroke tolerant yields simplest acceptance rejections; do
   for style in "" --json --csv; do
     "$program" query "$file" $name $style > rows || fail "query $name $style"
     [ -s rows ] || fail "query $name $style is empty"

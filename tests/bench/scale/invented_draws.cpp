@@ -34,6 +34,7 @@ schema::Candidate InventedDraws::candidate(std::uint64_t draw) {
   m.stroke_max = *high;
   m.slope_min_mm_per_deg = exponential(1.9e-4);
   m.slope_between_min_mm_per_deg = *m.slope_min_mm_per_deg * 0.9;
+  m.miscut_margin_mm = exponential(0.03);
   if (std::bernoulli_distribution(0.005)(random_)) {
     m.slope_between_min_mm_per_deg = -exponential(1e-5);
     m.bump_deg = 5 + exponential(20);

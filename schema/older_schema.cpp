@@ -1,0 +1,53 @@
+#include "schema/older_schema.hpp"
+
+#include <cassert>
+#include <string>
+
+#include "schema/carried_files.hpp"
+
+namespace misalign::schema {
+namespace {
+
+struct LaterColumn {
+  const char* name;
+  int since;
+};
+constexpr LaterColumn kLaterColumns[] = {
+    {"slope_between_min_mm_per_deg", 2}, {"bump_deg", 2}, {"miscut_margin_mm", 4}};
+
+// "CREATE VIEW name AS ...;" as catalogue.sql says it, for one connection.
+std::string temporary_view(const std::string& name) {
+  const std::string sql = carried_text("schema/catalogue.sql");
+  const std::string head = "CREATE VIEW " + name + " AS";
+  const std::size_t begin = sql.find(head), end = sql.find(';', begin);
+  assert(begin != std::string::npos && end != std::string::npos);
+  return "CREATE TEMP VIEW " + name + " AS" +
+         sql.substr(begin + head.size(), end + 1 - begin - head.size());
+}
+
+}  // namespace
+
+void show_as_of_today(SQLite::Database& database, int version) {
+  std::string later;
+  for (const LaterColumn& column : kLaterColumns) {
+    if (version < column.since) later += std::string(", NULL AS ") + column.name;
+  }
+  if (later.empty()) return;
+  // Nobody has kept any.
+  database.exec(
+      "CREATE TEMP VIEW yield AS SELECT NULL AS draw, NULL AS amplitude_mm, NULL AS trials, "
+      "NULL AS survivors, NULL AS undecided, NULL AS share, NULL AS share_low, "
+      "NULL AS share_high, NULL AS \"commit\", NULL AS made_at WHERE 0");
+  database.exec(temporary_view("common_yield"));
+  std::string candidates = temporary_view("candidates");
+  const std::string table = "FROM candidate;";
+  candidates.replace(candidates.rfind(table), table.size(),
+                     "FROM (SELECT *" + later + " FROM main.candidate) AS candidate;");
+  database.exec(candidates);
+  std::string yields = temporary_view("yields");
+  const std::string join = "JOIN candidate USING (draw)";
+  yields.replace(yields.rfind(join), join.size(), "JOIN temp.candidates USING (draw)");
+  database.exec(yields);
+}
+
+}  // namespace misalign::schema

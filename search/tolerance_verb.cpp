@@ -1,0 +1,188 @@
+// `misalign tolerance`: options, and what is done with the answer.
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "schema/catalogue_state.hpp"
+#include "search/build_info.hpp"
+#include "search/choice_options.hpp"
+#include "search/draw.hpp"
+#include "search/progress.hpp"
+#include "search/run_info.hpp"
+#include "search/terminal.hpp"
+#include "search/tolerance_text.hpp"
+#include "search/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+using schema::UserError;
+
+struct ToleranceCall {
+  std::string catalogue_path;
+  Choice choice;
+  ToleranceOptions study;
+  std::optional<int> jobs;
+  bool keep = true, json = false;
+};
+
+// Copies judged so far: a live line on a terminal, elsewhere a line now and then.
+class CopiesProgress {
+ public:
+  CopiesProgress() : live_(is_terminal(STDERR_FILENO) && terminal_is_able()) {}
+  ~CopiesProgress() { erase_live_line(); }
+
+  void see(const CopiesDone& copies) {
+    const double seconds = watch_.seconds();
+    if (seconds < next_s_) return;
+    next_s_ = seconds + (live_ ? 0.2 : 30);
+    const std::string line = copies_line(copies, seconds);
+    if (live_) {
+      draw_live_line(line.substr(0, static_cast<std::size_t>(terminal_width(STDERR_FILENO) - 1)));
+    } else {
+      std::fprintf(stderr, "%s\n", line.c_str());
+    }
+  }
+
+ private:
+  const bool live_;
+  Stopwatch watch_;
+  double next_s_ = live_ ? 0.2 : 10;
+};
+
+// Nothing, or why the yields are not in the catalogue.
+std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
+                 const std::vector<schema::Yield>& yields) {
+  const solver::PerforatedSheet& base = campaign.pattern.base;
+  try {
+    schema::Catalogue catalogue(call.catalogue_path, campaign,
+                                solver::build_mechanism(base.sheet, base.holes, base.folding));
+    catalogue.keep(yields, build_info().commit);
+    catalogue.close();
+    return "";
+  } catch (const UserError& error) {
+    return error.what();
+  }
+}
+
+schema::Yield yield_of(std::uint64_t draw, const Tolerance& tolerance) {
+  return {draw, tolerance.amplitude_mm, tolerance.copies.trials, tolerance.survivors(),
+          tolerance.copies.undecided};
+}
+
+std::string name_of(std::uint64_t draw) { return "draw " + std::to_string(draw); }
+
+void print(const ToleranceCall& call, const std::vector<std::uint64_t>& draws,
+           const std::vector<Tolerance>& tolerances) {
+  // One that was named is an answer of its own; what a choice finds is a list.
+  const bool single = call.choice.draws.size() == 1;
+  std::string text;
+  if (call.json) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      list.push_back(tolerance_json(tolerances[k]));
+      list.back()["draw"] = draws[k];
+    }
+    text = (single ? list.front() : list).dump(1) + "\n";
+  } else {
+    std::vector<NamedTolerance> named;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      named.push_back({name_of(draws[k]), tolerances[k]});
+    }
+    if (named.size() > 1 && call.study.vertices) {
+      for (const NamedTolerance& one : named) text += tolerance_text(one) + "\n";
+    }
+    text += named.size() == 1 ? tolerance_text(named.front()) : tolerances_text(named);
+  }
+  put(text);
+}
+
+int run(ToleranceCall call) {
+  auto database = schema::open_for_reading(call.catalogue_path);
+  const schema::Campaign campaign = schema::read_campaign_of(*database, call.catalogue_path);
+  const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
+  database.reset();  // before the writer's lock: see WriterLock
+  std::vector<Eigen::Matrix2Xd> shifts_mm;
+  for (const std::uint64_t draw : draws) {
+    shifts_mm.push_back(Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count()));
+    draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm.back());
+  }
+  call.study.set = solver::available_instruction_sets().back();
+  call.study.jobs = call.jobs.value_or(usable_threads());
+  std::vector<Tolerance> tolerances;
+  {
+    CopiesProgress progress;
+    call.study.progress = [&](const CopiesDone& copies) { progress.see(copies); };
+    tolerances = study_tolerance(campaign, shifts_mm, call.study);
+  }
+  if (call.keep) {
+    std::vector<schema::Yield> yields;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      yields.push_back(yield_of(draws[k], tolerances[k]));
+    }
+    const std::string why_not = keep(call, campaign, yields);
+    if (!why_not.empty()) spdlog::warn("this is not kept in the catalogue: {}", why_not);
+  }
+  print(call, draws, tolerances);
+  return 0;
+}
+
+}  // namespace
+
+Action add_tolerance(CLI::App& app) {
+  auto* verb =
+      app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
+  verb->footer(
+      "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
+      "[-MM, MM] in x and in y; with --vertices each vertex alone, too. Trial t makes\n"
+      "the same errors for every candidate of a campaign: they are numbers of the\n"
+      "campaign's seed and of t. The intervals are exact ones of 95 %.\n"
+      "What is found is kept in the catalogue, unless more trials with this amplitude\n"
+      "are: `misalign query FILE yields`, column yield of `export --by` and `--where`.\n"
+      "Whom to ask about: query `tolerant` foretells it.\n\n"
+      "Examples:\n"
+      "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
+      "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
+      "    --amplitude 0.05");
+  auto call = std::make_shared<ToleranceCall>();
+  ToleranceOptions& study = call->study;
+  verb->add_option("CATALOGUE", call->catalogue_path, "catalogue file")->required();
+  auto* draws =
+      verb->add_option("DRAW", call->choice.draws, "numbers of candidates' draws, or choose some:")
+          ->check(a_draw());
+  auto* group = verb->add_option_group("choice", "which candidates");
+  const ChoiceOptions chosen = add_choice(*verb, *group, call->choice);
+  for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
+  verb->add_option("--amplitude", study.amplitude_mm, "largest error, mm")
+      ->required()
+      ->check(within(0, 1e6))
+      ->type_name("MM");
+  verb->add_option("--trials", study.trials, "copies with every vertex off its place [1000]")
+      ->check(counted(1, 100000000))
+      ->type_name("N");
+  verb->add_flag("--vertices", study.vertices,
+                 "also each vertex alone, " + std::to_string(kMostTrialsOfOneVertex) +
+                     " copies at most: which ones matter most");
+  verb->add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
+      ->check(counted(1, 4096))
+      ->type_name("N");
+  verb->add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
+  verb->add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named");
+  return [call, verb] {
+    if (call->choice.draws.empty() && !call->choice.chooses()) {
+      throw UserError(schema::kExitUsage,
+                      "tolerance: of which candidates? (none is named); add the number of a draw, "
+                      "--best K, --diverse K or --where SQL");
+    }
+    if (verb->count("--by") > 0 && !call->choice.best && !call->choice.diverse) {
+      throw UserError(schema::kExitUsage,
+                      "--by has no meaning without --best or --diverse; take it out, or add that");
+    }
+    return run(*call);
+  };
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,158 @@
+// Yields of miscut copies: what is kept, what replaces what, and what is found wrong with them.
+#include "schema/yield.hpp"
+
+#include <boost/math/special_functions/beta.hpp>
+
+#include "catalogue_fixture.hpp"
+#include "schema/yield_check.hpp"
+
+namespace misalign::schema {
+namespace {
+
+class YieldTest : public CatalogueTest {
+ protected:
+  void SetUp() override {
+    CatalogueTest::SetUp();
+    Catalogue catalogue = open();
+    catalogue.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
+    catalogue.commit({unit(0, 4096)});
+    catalogue.end_run("complete");
+  }
+  void keep(const std::vector<Yield>& yields, const std::string& name = "a.db") const {
+    Catalogue catalogue = open(name);
+    catalogue.keep(yields, "this build");
+    catalogue.close();
+  }
+  std::vector<Yield> kept(std::uint64_t draw, const std::string& name = "a.db") const {
+    return read_yields(*open_for_reading(path(name)), draw);
+  }
+  /// Whatever it takes, as another program might.
+  void alter(const std::string& sql) const {
+    SQLite::Database database(path(), SQLite::OPEN_READWRITE);
+    database.exec("PRAGMA ignore_check_constraints = ON; PRAGMA foreign_keys = OFF; " + sql);
+  }
+};
+
+TEST_F(YieldTest, MoreTrialsReplaceFewer) {
+  const Yield first{5, 0.05, 100, 90, 2}, more{5, 0.05, 200, 150, 0}, fewer{5, 0.05, 50, 50, 0},
+      as_many{5, 0.05, 200, 160, 0}, other{5, 0.1, 30, 3, 0};
+  keep({first, other});
+  EXPECT_EQ(kept(5), (std::vector{first, other}));
+  keep({more});
+  EXPECT_EQ(kept(5), (std::vector{more, other}));
+  keep({fewer, as_many});
+  EXPECT_EQ(kept(5), (std::vector{more, other}));
+  EXPECT_TRUE(kept(102).empty());
+  keep({{6, 0.05, 10, 10, 0}});
+  EXPECT_TRUE(kept(6).empty()) << "6 is no candidate";
+  EXPECT_EQ(count("yield"), 2);
+  // Of the ledger nothing has changed.
+  EXPECT_EQ(state().digest, expected({{0, 4096}}));
+  EXPECT_TRUE(check_ledger(*open_for_reading(path()), campaign_).empty());
+}
+
+// In one file, which a directory that nobody may write to can hold.
+TEST_F(YieldTest, TheFileIsOneAgain) {
+  keep({{5, 0.05, 100, 90, 0}});
+  EXPECT_EQ(open_for_reading(path())->execAndGet("PRAGMA journal_mode").getString(), "delete");
+  EXPECT_FALSE(std::filesystem::exists(path() + "-wal"));
+}
+
+TEST_F(YieldTest, SharesAndIntervalsAreThoseOfTheCounts) {
+  keep({{5, 0.05, 12, 6, 2}});
+  const auto database = open_for_reading(path());
+  const Json row =
+      Json::parse(query_table(*database, "SELECT * FROM yields", TableStyle::json)).at(0);
+  EXPECT_DOUBLE_EQ(row.at("share").get<double>(), 0.6);
+  // Clopper and Pearson's bounds, the undecided ones counted both ways.
+  EXPECT_NEAR(row.at("share_low").get<double>(), boost::math::ibeta_inv(6, 7, 0.025), 1e-12);
+  EXPECT_NEAR(row.at("share_high").get<double>(), boost::math::ibeta_inv(9, 4, 0.975), 1e-12);
+  const Json exported = yield_json(kept(5).front());
+  for (const auto& [key, value] : exported.items()) EXPECT_EQ(row.at(key), value) << key;
+}
+
+// Rows can be compared: all yields in `candidates` are at one amplitude.
+TEST_F(YieldTest, CandidatesShowTheCommonAmplitude) {
+  const auto column = [&](const std::string& name) {
+    return query_table(*open_for_reading(path()),
+                       "SELECT draw, " + name + " FROM candidates WHERE " + name +
+                           " IS NOT NULL ORDER BY yield DESC",
+                       TableStyle::csv);
+  };
+  EXPECT_EQ(column("yield"), "draw,yield\n");
+  keep({{5, 0.05, 100, 90, 0}, {102, 0.05, 100, 95, 0}, {199, 0.2, 100, 10, 0}});
+  EXPECT_EQ(column("yield"), "draw,yield\n102,0.95\n5,0.9\n");
+  EXPECT_EQ(column("yield_amplitude_mm"), "draw,yield_amplitude_mm\n102,0.05\n5,0.05\n");
+  keep({{5, 0.2, 100, 20, 0}, {102, 0.2, 100, 5, 0}});
+  EXPECT_EQ(column("yield"), "draw,yield\n5,0.2\n199,0.1\n102,0.05\n");
+}
+
+TEST_F(YieldTest, MergedOnesAreTheLargerOfBoth) {
+  {
+    Catalogue other = open("b.db");
+    other.begin_run(kRun, {{0, kEndOfDraws}, 8192, {}});
+    other.commit({unit(4096, 8192)});
+  }
+  const std::uint64_t there = 4096 + 97 - (4096 - 5) % 97;  // a candidate of the other one
+  ASSERT_TRUE(is_accepted(there));
+  keep({{there, 0.05, 10, 4, 0}}, "b.db");
+  keep({{5, 0.05, 100, 90, 0}});
+  Catalogue catalogue = open();
+  catalogue.take_over_yields(*open_for_reading(path("b.db")));
+  EXPECT_TRUE(kept(there).empty()) << "it is not in this one";
+  catalogue.take_over(*open_for_reading(path("b.db")), {{4096, 8192}});
+  for (int times = 0; times < 2; ++times) {
+    catalogue.take_over_yields(*open_for_reading(path("b.db")));
+    EXPECT_EQ(kept(there), (std::vector<Yield>{{there, 0.05, 10, 4, 0}}));
+    EXPECT_EQ(kept(5), (std::vector<Yield>{{5, 0.05, 100, 90, 0}}));
+  }
+}
+
+TEST_F(YieldTest, WhatCannotHaveBeenCountedIsFound) {
+  keep({{5, 0.05, 100, 90, 4}, {102, 0.05, 100, 0, 0}});
+  const std::pair<const char*, const char*> kAlterations[] = {
+      {"UPDATE yield SET survivors = 97 WHERE draw = 5", "survivors"},
+      {"UPDATE yield SET survivors = -1 WHERE draw = 5", "survivors"},
+      {"UPDATE yield SET trials = 80 WHERE draw = 5", "survivors"},
+      {"UPDATE yield SET survivors = 91 WHERE draw = 5", "share"},
+      {"UPDATE yield SET share = NULL WHERE draw = 5", "share"},
+      {"UPDATE yield SET share_low = 0 WHERE draw = 5", "share_low"},
+      {"UPDATE yield SET share_high = 1 WHERE draw = 5", "share_high"},
+      {"UPDATE yield SET draw = 6 WHERE draw = 5", "yield.draw"},
+  };
+  for (const auto& [sql, named] : kAlterations) {
+    const std::string whole = path("whole.db");
+    std::filesystem::copy_file(path(), whole, std::filesystem::copy_options::overwrite_existing);
+    EXPECT_TRUE(check_yields(*open_for_reading(path())).empty());
+    alter(sql);
+    const auto findings = check_yields(*open_for_reading(path()));
+    ASSERT_FALSE(findings.empty()) << sql;
+    EXPECT_NE(findings.front().sentence.find(named), std::string::npos)
+        << findings.front().sentence;
+    EXPECT_FALSE(check_ledger(*open_for_reading(path()), campaign_).empty()) << sql;
+    std::filesystem::copy_file(whole, path(), std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
+// A catalogue of an older schema answers today's questions, and stays as it is.
+TEST_F(YieldTest, OlderCataloguesHaveNone) {
+  for (int version = 1; version < kSchemaVersion; ++version) {
+    const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
+                            std::to_string(version) + ".db";
+    if (!std::filesystem::exists(old)) continue;
+    const auto database = open_for_reading(old);
+    for (const char* name : {"best", "tolerant", "yields", "smooth", "simplest", "stroke"}) {
+      const Refusal r =
+          refusal([&] { query_table(*database, named_query(name), TableStyle::json); });
+      EXPECT_EQ(r.sentence, "") << name << ", version " << version;
+    }
+    EXPECT_TRUE(read_yields(*database, 0).empty());
+    EXPECT_TRUE(check_yields(*database).empty());
+    EXPECT_GT(database->execAndGet("SELECT count(*) FROM candidates").getInt(), 10);
+    EXPECT_EQ(database->execAndGet("SELECT count(miscut_margin_mm) FROM candidates").getInt(), 0);
+    EXPECT_EQ(database->execAndGet("SELECT count(yield) FROM candidates").getInt(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace misalign::schema

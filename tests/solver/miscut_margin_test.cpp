@@ -1,0 +1,155 @@
+// The miscut margin, against another solver's differences, and in lanes against the scalar code.
+#include "solver/miscut_margin.hpp"
+
+#include "blocks.hpp"
+#include "vertex_coordinates.hpp"
+
+namespace misalign::solver {
+namespace {
+
+constexpr int kThreshold = 110;
+
+TEST(MarginSamples, EndAtTheThreshold) {
+  EXPECT_EQ(margin_samples(1, 170), (std::vector{20, 40, 60, 80, 100, 120, 140, 160, 170}));
+  EXPECT_EQ(margin_samples(1, 60), (std::vector{20, 40, 60}));
+  EXPECT_EQ(margin_samples(1, 7), (std::vector{7}));
+  EXPECT_EQ(margin_samples(0.5, 100), (std::vector{40, 80, 100}));
+  EXPECT_EQ(margin_samples(45, 3), (std::vector{1, 2, 3}));
+  // Where the factors are worth nothing nothing is asked of them.
+  EXPECT_EQ(margin_samples(1, 180).back(), 179);
+  EXPECT_EQ(margin_samples(45, 4), (std::vector{1, 2, 3}));
+}
+
+// Lengths (mm) of the diagonals of a sheet that is cut like this, its pilot held, from vertex
+// coordinates alone.
+Eigen::VectorXd lengths_of(const TestSheet& sheet, const FlatVertices& flat_mm,
+                           const Eigen::Matrix3Xd& near_mm, double pilot_deg) {
+  Eigen::VectorXd lengths_mm(sheet.mechanism.diagonal_count());
+  if (pilot_deg == 0) {
+    for (int d = 0; d < lengths_mm.size(); ++d) {
+      const Diagonal& diagonal = sheet.mechanism.diagonals[d];
+      lengths_mm[d] = (flat_mm.col(diagonal.from) - flat_mm.col(diagonal.to)).norm();
+    }
+    return lengths_mm;
+  }
+  const VertexCoordinates folded(sheet.base, flat_mm, near_mm, pilot_deg);
+  for (int d = 0; d < lengths_mm.size(); ++d) {
+    const Diagonal& diagonal = sheet.mechanism.diagonals[d];
+    lengths_mm[d] = folded.distance_mm(diagonal.from, diagonal.to);
+  }
+  return lengths_mm;
+}
+
+// Least move over root of the sum of squares of its differences, every stretch and diagonal.
+double margin_by_differences_mm(const TestSheet& sheet, const FlatVertices& flat_mm) {
+  constexpr double kStep_mm = 0.01;
+  const FoldedShape shape(sheet.base.sheet, sheet.base.holes, sheet.mechanism);
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism, flat_mm, geometry);
+  std::map<int, Eigen::Matrix3Xd> folded_mm;
+  record_history(sheet.base, sheet.mechanism, sheet.plan(), flat_mm,
+                 {false, [&](const Stop& stop, const FoldState<double>& state) {
+                    folded_mm[stop.sample] = shape.vertices_mm(geometry, state);
+                  }});
+  Eigen::VectorXd last_mm;
+  Eigen::MatrixXd last_rows;
+  double least_mm = 1e9;
+  for (const int sample : {0, 20, 40, 60, 80, 100, 110}) {
+    const Eigen::Matrix3Xd& near_mm = folded_mm[sample];
+    const Eigen::VectorXd lengths_mm = lengths_of(sheet, flat_mm, near_mm, sample);
+    Eigen::MatrixXd rows(lengths_mm.size(), flat_mm.size());
+    for (Eigen::Index k = 0; k < flat_mm.size(); ++k) {
+      FlatVertices more = flat_mm, less = flat_mm;
+      more.data()[k] += kStep_mm;
+      less.data()[k] -= kStep_mm;
+      rows.col(k) =
+          (lengths_of(sheet, more, near_mm, sample) - lengths_of(sheet, less, near_mm, sample)) /
+          (2 * kStep_mm);
+    }
+    if (sample > 0) {
+      const Eigen::VectorXd moved_mm = (lengths_mm - last_mm).cwiseAbs();
+      const Eigen::VectorXd rates = (rows - last_rows).rowwise().norm();
+      least_mm = std::min(least_mm, moved_mm.cwiseQuotient(rates).minCoeff());
+    }
+    last_mm = lengths_mm;
+    last_rows = rows;
+  }
+  return least_mm;
+}
+
+// Histories with margins, by the scalar code.
+class Histories {
+ public:
+  explicit Histories(const TestSheet& sheet)
+      : sheet_(sheet),
+        elimination_(
+            plan_elimination(sheet.mechanism, sheet.base.folding, sheet.base.sheet.vertices_mm)),
+        plan_(sheet.plan()) {}
+  FoldingHistory of(const FlatVertices& vertices_mm,
+                    const std::vector<int>& samples = margin_samples(1, kThreshold)) const {
+    return record_history(sheet_.base, sheet_.mechanism, elimination_, plan_, vertices_mm,
+                          {false, {}, samples});
+  }
+
+ private:
+  const TestSheet& sheet_;
+  const Elimination elimination_;
+  const PathPlan plan_;
+};
+
+TEST(MiscutMargin, EqualsDifferencesOfVertexCoordinates) {
+  const TestFamily sheets(4, 4);
+  const Histories histories(sheets);
+  const ShiftBlock block = sheets.draws(12, kSeed);
+  double worst = 0;
+  int seen = 0;
+  for (int i = 0; i < block.sheets && seen < 2; ++i) {
+    const FlatVertices vertices_mm = sheets.vertices(block, i);
+    const FoldingHistory history = histories.of(vertices_mm);
+    if (history.verdict.deploys_from_sample < kThreshold) continue;
+    ++seen;
+    const double expected_mm = margin_by_differences_mm(sheets, vertices_mm);
+    ASSERT_TRUE(history.miscut_margin_mm);
+    EXPECT_GT(expected_mm, 0);
+    worst = std::max(worst, std::abs(*history.miscut_margin_mm / expected_mm - 1));
+  }
+  EXPECT_EQ(seen, 2);
+  RecordProperty("worst", scientific(worst));
+  EXPECT_LE(worst, 1e-4);  // of second differences: (step / size of a panel)^2, over what is left
+}
+
+TEST(MiscutMargin, NoneWhereThePathEndsBefore) {
+  const TestFamily sheets(6, 6);
+  const Json table = golden("table1_odd.json");
+  const FlatVertices vertices_mm = sheets.shifted(table.at("displacements_mm"));
+  const Histories histories(sheets);
+  EXPECT_TRUE(histories.of(vertices_mm, margin_samples(1, 156)).miscut_margin_mm);
+  EXPECT_FALSE(histories.of(vertices_mm, margin_samples(1, 157)).miscut_margin_mm)
+      << "beyond its fold limit";
+  EXPECT_FALSE(histories.of(vertices_mm, {}).miscut_margin_mm) << "not asked for";
+}
+
+TEST(MiscutMargin, LanesAreTheScalarCode) {
+  const TestFamily sheets(6, 6);
+  const SheetFamily family = sheets.with_threshold(kThreshold);
+  const Histories scalar(sheets);
+  for (const int count : {1, 11}) {  // less than a register, and more than one
+    const ShiftBlock block = sheets.draws(count, kSeed + static_cast<unsigned>(count));
+    std::vector<FoldingHistory> alone;
+    for (int i = 0; i < count; ++i) alone.push_back(scalar.of(sheets.vertices(block, i)));
+    for (const auto set : available_instruction_sets()) {
+      const auto batch = make_batch(set, family);
+      const auto& histories = batch->record(block);
+      for (int i = 0; i < count; ++i) {
+        const FoldingHistory& one = alone[i];
+        ASSERT_EQ(one.miscut_margin_mm.has_value(), histories[i].miscut_margin_mm.has_value());
+        if (!one.miscut_margin_mm) continue;
+        EXPECT_NEAR(*histories[i].miscut_margin_mm / *one.miscut_margin_mm, 1, 1e-9)
+            << instruction_set_name(set) << ", sheet " << i << " of " << count;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace misalign::solver
