@@ -66,8 +66,9 @@ int run(const std::string& folder, const Speed& speed, double seconds) {
     goal.draws = static_cast<std::uint64_t>(speed.draws_per_s * (mpi.ranks() - 1) * seconds);
     catalogue.begin_run(invented_run(mpi.ranks()), goal);
     const Stopwatch watch;
-    search::run_coordinator(mpi, heartbeat, trial, catalogue, goal,
-                            {{}, {}, search::ProgressStyle::none});
+    search::CoordinatorOptions options;
+    options.progress = search::ProgressStyle::none;
+    search::run_coordinator(mpi, heartbeat, trial, catalogue, goal, options);
     std::printf("%d,%g,%g,%.2f,%llu,%.4f,%.4f", mpi.ranks() - 1, speed.draws_per_s,
                 speed.acceptance, watch.seconds(),
                 static_cast<unsigned long long>(catalogue.cost().commits),
