@@ -27,7 +27,7 @@ for file in err status.txt best.txt; do
 done
 grep -q "^  accepted from 175 deg  *0 " status.txt || fail "status does not name the threshold: $(cat status.txt)"
 grep -q "fold_limit_deg" best.txt && fail "a header without rows: $(cat best.txt)"
-for name in robust simplest smooth stroke; do
+for name in tolerant simplest smooth stroke; do
   "$program" query ten.db $name 2> /dev/null | grep -qF "$half" || fail "query $name"
 done
 [ "$("$program" query ten.db best --json)" = "[]" ] || fail "query --json"
