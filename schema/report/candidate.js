@@ -77,7 +77,7 @@ export function show_commands(box, report, draw, state) {
       ...(accepted
         ? [
             command(
-              "How many copies, cut up to 0.05 mm off, still deploy, and which vertices matter most:",
+              "How many copies, cut up to 0.05 mm off, still deploy (with --vertices also: which vertices matter most); this report then shows it:",
               `${misalign} tolerance ${catalogue} ${draw} --amplitude 0.05`,
               state,
               "command-tolerance",

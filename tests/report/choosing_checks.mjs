@@ -387,3 +387,35 @@ export async function layout_checks(page, data) {
     assert.match(await page.locator("#scatter-note").textContent(), /^1 candidate shown/);
   });
 }
+
+/** What `misalign tolerance` found, where it was asked. */
+export async function yield_checks(page, data) {
+  const { columns } = data.candidates;
+  if (!columns.yield) return; // a catalogue from before it was kept
+  const head = by(page, "head-yield"),
+    tried = columns.draw.filter((_, i) => columns.yield[i] !== null);
+  await unfiltered(page, "yields of miscut copies are a column where there are any", async () => {
+    assert.equal(await head.count(), tried.length ? 1 : 0);
+    if (tried.length === 0) return "none";
+    await head.locator("button").click();
+    const first = await by(page, "grid").locator(".line").first().getAttribute("data-draw"),
+      most = Math.max(...columns.yield.filter((share) => share !== null));
+    assert.equal(columns.yield[columns.draw.indexOf(first)], most, "the largest yield first");
+    await by(page, "head-rank").locator("button").click();
+    return `${tried.length} candidates`;
+  });
+  await unfiltered(page, "and stand in the candidate's card with what was tried", async () => {
+    for (const draw of [...tried.slice(0, 1), columns.draw.find((one) => !tried.includes(one))]) {
+      await by(page, "filter").fill(`draw = ${draw}`);
+      await by(page, "grid").locator(".line").first().click();
+      const entries = data.yields.filter((entry) => entry.draw === draw),
+        words = await by(page, "yields").textContent();
+      assert.equal(await by(page, "yields").isVisible(), entries.length > 0);
+      for (const { amplitude_mm, survivors, trials } of entries)
+        assert.ok(
+          words.includes(`At ±${amplitude_mm} mm ${survivors} of ${trials} miscut copies`),
+          words,
+        );
+    }
+  });
+}

@@ -8,6 +8,7 @@ import {
   no_detail_checks,
   scatter_checks,
   table_checks,
+  yield_checks,
 } from "./choosing_checks.mjs";
 import { detail_checks } from "./inspecting_checks.mjs";
 import { address_checks, saving_checks } from "./keeping_checks.mjs";
@@ -145,6 +146,7 @@ async function report_checks(browser, report) {
     await table_checks(page, data);
     await layout_checks(page, data);
     await scatter_checks(page, data);
+    await yield_checks(page, data);
     await no_detail_checks(page, data);
   } else {
     await check("without candidates a sentence says what to do", async () => {
