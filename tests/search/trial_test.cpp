@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "search/draw.hpp"
 #include "search/folded_sheet.hpp"
 #include "search/messages.hpp"
 #include "solver/reference.hpp"
