@@ -180,7 +180,10 @@ class Table {
       if (place >= 0) this.#reveal(place);
       this.#draw(true);
     });
-    this.#state.on("sort", () => this.#arrange());
+    this.#state.on("sort", () => {
+      this.#grid.scrollTop = 0; // the best are to be seen
+      this.#arrange();
+    });
     new ResizeObserver(() => {
       this.#draw(true);
       this.#scrolled();
