@@ -124,6 +124,7 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   EXPECT_FALSE(check_.check(older).findings.empty());
   // What has another meaning by now is noted; what has none is as wrong as ever.
   Json altered = row;
+  altered["miscut_margin_mm"] = nullptr;  // which came later
   altered["bump_deg"] = 40.0;
   altered["slope_between_min_mm_per_deg"] = -1.0;
   const CandidateReport by_then = check_.check(altered, 2);
