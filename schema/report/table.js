@@ -188,8 +188,11 @@ class Table {
       this.#draw(true);
       this.#scrolled();
     }).observe(this.#grid);
+    let place = 0;
     on_print((begins) => {
       this.#printing = begins;
+      if (begins) place = this.#grid.scrollTop;
+      else this.#grid.scrollTop = place; // on paper there is nothing to scroll
       this.#draw(true);
     });
   }
