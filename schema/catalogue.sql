@@ -94,6 +94,7 @@ CREATE TABLE undecided (
   run INTEGER NOT NULL REFERENCES run (id)  -- the build that could not tell
 ) STRICT;
 
+-- Elongations and strokes are shares of a diagonal's flat length: 0.02 is 2 %.
 CREATE TABLE candidate (
   draw INTEGER PRIMARY KEY CHECK (draw >= 0),
   unit INTEGER NOT NULL REFERENCES unit (lo),
@@ -182,6 +183,7 @@ SELECT candidate.draw, shift.key AS vertex, json_extract(shift.value, '$[0]') AS
        json_extract(shift.value, '$[1]') AS dy_mm
 FROM candidate, json_each(candidate.displacements_mm) AS shift;
 
+-- Numbers of diagonals count from 0, here as in exports and the report.
 CREATE VIEW diagonals AS
 SELECT candidate.draw, diagonal.key AS diagonal,
        json_extract(diagonal.value, '$.hole[0]') AS hole_row,

@@ -50,15 +50,14 @@ class Page {
 
   std::string width() const { return number(most_.x() - least_.x() + 2 * kMargin_mm); }
   std::string height() const { return number(most_.y() - least_.y() + 2 * kMargin_mm); }
-  std::string point(int v) const {
-    return number(vertices_mm_(0, v) - least_.x() + kMargin_mm) + " " +
-           number(most_.y() - vertices_mm_(1, v) + kMargin_mm);
-  }
-  std::string label(int v) const {
-    const std::string at = point(v);
-    const auto blank = at.find(' ');
-    return "    <text x=\"" + at.substr(0, blank) + "\" y=\"" + at.substr(blank + 1) + "\">" +
-           solver::vertex_label(v) + "</text>\n";
+  std::string point(int v) const { return x(vertices_mm_.col(v)) + " " + y(vertices_mm_.col(v)); }
+  std::string label(int v) const { return text(vertices_mm_.col(v), solver::vertex_label(v)); }
+  // A number for a diagonal, off the crossing with the hole's other one.
+  std::string number_of(const solver::Diagonal& diagonal, std::size_t number) const {
+    constexpr double kAlong = 0.3;
+    const Eigen::Vector2d from = vertices_mm_.col(diagonal.from),
+                          to = vertices_mm_.col(diagonal.to);
+    return text(from + kAlong * (to - from), std::to_string(number));
   }
   std::string path(const std::vector<int>& vertices, bool closed) const {
     std::string d;
@@ -67,6 +66,16 @@ class Page {
   }
 
  private:
+  std::string x(const Eigen::Vector2d& at_mm) const {
+    return number(at_mm.x() - least_.x() + kMargin_mm);
+  }
+  std::string y(const Eigen::Vector2d& at_mm) const {
+    return number(most_.y() - at_mm.y() + kMargin_mm);
+  }
+  std::string text(const Eigen::Vector2d& at_mm, const std::string& words) const {
+    return "    <text x=\"" + x(at_mm) + "\" y=\"" + y(at_mm) + "\">" + words + "</text>\n";
+  }
+
   const Eigen::Matrix2Xd& vertices_mm_;
   const Eigen::Vector2d least_, most_;
 };
@@ -89,8 +98,9 @@ std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vert
   for (const solver::Crease& crease : mechanism.creases) {
     (mechanism.is_valley(crease) ? valleys : mountains) += page.path({crease.a, crease.b}, false);
   }
-  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
-    springs += page.path({diagonal.from, diagonal.to}, false);
+  for (std::size_t d = 0; d < mechanism.diagonals.size(); ++d) {
+    springs += page.path({mechanism.diagonals[d].from, mechanism.diagonals[d].to}, false);
+    labels += page.number_of(mechanism.diagonals[d], d);
   }
   for (int v = 0; v < vertices_mm.cols(); ++v) labels += page.label(v);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

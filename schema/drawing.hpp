@@ -11,7 +11,7 @@ namespace misalign::schema {
 /// The crease pattern at true scale, a margin round it, one user unit a mm, seen from +z with y up:
 /// layers (groups with Inkscape's names) `cut` (black: perimeter and holes, closed outlines),
 /// `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them, `springs` (the
-/// diagonals, green) and `labels` (of the vertices).
+/// diagonals, green) and `labels` (of the vertices, and the diagonals' numbers from 0).
 std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
                                const solver::Mechanism& mechanism, const std::string& title);
 

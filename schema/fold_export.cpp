@@ -41,26 +41,13 @@ Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge
   return list;
 }
 
-// How many rows from the first on have every crease on its side, and none folded too far.
-Index rows_folded_well(const FoldingView& view) {
-  const Eigen::MatrixXd& angle_deg = view.history.fold_angle_deg;
-  for (Index row = 0; row < angle_deg.rows(); ++row) {
-    for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
-      const double angle = angle_deg(row, static_cast<Index>(i));
-      const bool valley = view.mechanism.is_valley(view.mechanism.creases[i]);
-      if ((angle > 0) != valley || std::abs(angle) > 180 + solver::kOverFoldBand_deg) return row;
-    }
-  }
-  return angle_deg.rows();
-}
-
 }  // namespace
 
 std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
                                 double step_deg) {
   std::vector<Index> rows;
   const Index up_to_d = path.rows_up_to_d();
-  const Index end = up_to_d > 0 ? up_to_d : rows_folded_well(view);
+  const Index end = up_to_d > 0 ? up_to_d : solver::rows_folded_well(view.mechanism, view.history);
   for (Index row = 0; row < end; ++row) {
     const double away = std::remainder(path.history.stops[row].pilot_deg, step_deg);
     if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);

@@ -9,7 +9,6 @@
 namespace misalign::schema {
 namespace {
 
-constexpr std::size_t kMostFaces = 1600;  // as many as a 40 x 40 Miura-ori has
 constexpr double kMostCoordinate_mm = 1e6;
 
 using Point = Eigen::Vector2d;
@@ -22,7 +21,7 @@ class Reader {
 
   FoldMesh read() {
     if (!value_.is_object()) {
-      add("the document", "must be a FOLD object", "write {\"vertices_coords\": ...}");
+      add("the mesh", "must be a FOLD object", "write {\"vertices_coords\": ...}");
       return {};
     }
     using Stage = void (Reader::*)();
@@ -47,7 +46,8 @@ class Reader {
     const auto at = value_.find(key);
     if (at != value_.end() && at->is_array() && !at->empty()) return &*at;
     add(key, at == value_.end() ? "is missing" : "must be a list that is not empty",
-        "write vertices_coords, edges_vertices, edges_assignment and faces_vertices");
+        "write vertices_coords, edges_vertices and edges_assignment (faces_vertices may be left "
+        "out)");
     return nullptr;
   }
 
@@ -136,6 +136,8 @@ class Reader {
   }
 
   void read_faces() {
+    mesh_.has_faces = value_.contains("faces_vertices");
+    if (!mesh_.has_faces) return;  // they follow from the edges
     const Json* faces = list("faces_vertices");
     if (!faces) return;
     if (faces->size() > kMostFaces) {

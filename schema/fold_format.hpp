@@ -15,7 +15,9 @@ struct FoldMesh {
                                 ///< an edge of a missing face is neither
 };
 
-/// Reads the key frame of a FOLD object. Coordinates are in mm times `mm_per_unit`, unless the file
+/// Reads the key frame of a FOLD object. Without faces_vertices every region that the edges enclose
+/// is a face, but those that edges "B", borders of one face, part from the others: those are
+/// missing. Coordinates are in mm times `mm_per_unit`, unless the file
 /// names a frame_unit. Faults name the vertex ("A5" is the fifth), edge or face; the mesh is usable
 /// only when none was added: a disk of convex quadrilaterals, without crossings, its interior
 /// vertices of degree four, its creases mountain or valley.

@@ -102,7 +102,8 @@ Json folding_json(const FoldingView& view) {
   for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
     const solver::Crease& crease = view.mechanism.creases[i];
     creases.push_back(
-        {{"from", solver::vertex_label(crease.a)},
+        {{"crease", i},
+         {"from", solver::vertex_label(crease.a)},
          {"to", solver::vertex_label(crease.b)},
          {"assignment", view.mechanism.is_valley(crease) ? "valley" : "mountain"},
          {"fold_angle_deg", column_json(history.fold_angle_deg, static_cast<Eigen::Index>(i))}});
@@ -120,33 +121,6 @@ Json folding_json(const FoldingView& view) {
           {"residual_max", largest(history.open_by)},
           {"isometry_error_mm", largest(history.isometry_error_mm)},
           {"smallest_singular_value", history.singular_value_min}};
-}
-
-std::string folding_csv(const FoldingView& view, const solver::Actuation& actuation) {
-  std::string text = "pilot_deg";
-  for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
-    text +=
-        "," + solver::vertex_label(diagonal.from) + "-" + solver::vertex_label(diagonal.to) + "_mm";
-  }
-  text += ",energy_n_mm,moment_n_mm,mechanical_advantage\n";
-  char number[40];
-  const auto append = [&](double value) {
-    std::snprintf(number, sizeof number, ",%.12g", value);
-    text += std::isfinite(value) ? number : ",";
-  };
-  for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {
-    text += shown_number(actuation.pilot_deg[row]);
-    for (std::size_t d = 0; d < view.history.flat_mm.size(); ++d) {
-      append(row == 0 ? view.history.flat_mm[d]
-                      : view.history.length_mm(static_cast<Eigen::Index>(row) - 1,
-                                               static_cast<Eigen::Index>(d)));
-    }
-    append(actuation.energy_n_mm[row]);
-    append(actuation.moment_n_mm[row]);
-    append(actuation.mechanical_advantage[row]);
-    text += "\n";
-  }
-  return text;
 }
 
 Json metrics_json(const solver::Metrics& m) {

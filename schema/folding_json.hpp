@@ -1,4 +1,4 @@
-// A folding path as JSON and CSV: what `fold`, `replay` and `export` write.
+// A folding path as JSON: what `fold`, `replay` and `export` write.
 #pragma once
 
 #include <optional>
@@ -39,10 +39,6 @@ Json bump_json(const FoldingView& view);
 
 /// The contract's `fold --json`.
 Json folding_json(const FoldingView& view);
-
-/// One row per stop, flat first: pilot_deg, the length of each diagonal in mm, then energy, moment
-/// and mechanical advantage of the springs (the latter empty when flat).
-std::string folding_csv(const FoldingView& view, const solver::Actuation& actuation);
 
 /// The metrics under the names of their columns.
 Json metrics_json(const solver::Metrics& metrics);

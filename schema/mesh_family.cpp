@@ -79,6 +79,7 @@ FamilyMesh read_miura(ObjectReader& reader) {
                  {"panel_width_mm", lengths_json(shape.width_mm)},
                  {"panel_height_mm", lengths_json(shape.height_mm)},
                  {"zigzag_offset_mm", lengths_json(shape.offset_mm)}};
+  mesh.place = reader.name("family") + " = \"miura\"";
   mesh.sheet = solver::miura_sheet(shape);
   mesh.assignment = solver::miura_assignment(shape, mesh.sheet);
   return mesh;
@@ -103,10 +104,12 @@ FamilyMesh read_fold_mesh(ObjectReader& reader, const std::filesystem::path& dir
   const std::size_t before = reader.faults().count();
   const std::string name = file ? file->get<std::string>() : "";
   const Json document = file ? read_json_file((directory / name).string()) : *inline_mesh;
-  FoldMesh fold =
-      read_fold(document, file ? name : reader.name("mesh"), mm_per_unit, reader.faults());
+  const std::string at = reader.name("mesh");
+  const std::string place = file ? name : at == "mesh" ? "" : at;
+  FoldMesh fold = read_fold(document, place, mm_per_unit, reader.faults());
   if (reader.faults().count() > before) return {};
   return {{{"family", "fold"}},
+          place,
           std::move(fold.sheet),
           std::move(fold.assignment),
           std::move(fold.missing)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "schema/input.hpp"
@@ -10,7 +11,8 @@
 namespace misalign::schema {
 
 struct FamilyMesh {
-  Json family;  ///< "family" and its keys, resolved
+  Json family;        ///< "family" and its keys, resolved
+  std::string place;  ///< what a sentence calls the mesh; empty: it is the document itself
   solver::CreasePattern sheet;
   std::vector<int> assignment;  ///< per edge: +1 valley, -1 mountain, 0 unknown or border
   std::vector<int> missing;     ///< facets that the family itself leaves out

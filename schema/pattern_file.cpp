@@ -7,6 +7,7 @@
 
 #include "schema/carried_pattern.hpp"
 #include "schema/fold_format.hpp"
+#include "schema/folding_fault.hpp"
 #include "schema/mesh_family.hpp"
 #include "solver/perforation.hpp"
 
@@ -96,36 +97,9 @@ void fold_base(const std::string& where, const std::vector<int>& assignment, int
   auto folded = solver::fold_sequentially(pattern.base.sheet, assignment, pilot);
   if (auto* folding = std::get_if<solver::BaseFolding>(&folded)) {
     pattern.base.folding = std::move(*folding);
-    return;
-  }
-  const auto& none = std::get<solver::NoBaseFolding>(folded);
-  const std::string vertex = "vertex " + solver::vertex_label(none.vertex);
-  const auto edge_label = [&] {
-    const solver::Edge& edge = pattern.base.sheet.edges[none.edge];
-    return solver::line_label(edge.a, edge.b);
-  };
-  const auto tenth = [](double value) { return shown_number(std::round(value * 1e4) / 1e4); };
-  switch (none.cause) {
-    case solver::NoBaseFolding::Cause::assignment:
-      faults.add(where, vertex + " cannot fold with its mountains and valleys",
-                 "check the assignments round it: three of a kind and one of the other");
-      break;
-    case solver::NoBaseFolding::Cause::open:
-      faults.add(where,
-                 "the unperforated sheet does not fold rigidly: with the pilot at " +
-                     tenth(none.pilot_deg) + " deg " + vertex + " folds " + edge_label() + " by " +
-                     tenth(none.angle_deg) + " deg, its other end by " +
-                     tenth(none.other_angle_deg),
-                 "correct the coordinates or the assignments there");
-      break;
-    case solver::NoBaseFolding::Cause::ambiguous:
-      faults.add(where, vertex + " can fold in two ways that agree with all assignments known",
-                 none.edge < 0 ? "give the edges of holes an assignment, M or V"
-                               : "give " + edge_label() + " an assignment, M or V");
-      break;
-    case solver::NoBaseFolding::Cause::unconnected:
-      faults.add(where, vertex + " is not reached from the pilot over inner creases",
-                 "give a sheet whose inner vertices hang together");
+  } else {
+    add_folding_fault(where, pattern.base.sheet, assignment,
+                      std::get<solver::NoBaseFolding>(folded), faults);
   }
 }
 
@@ -231,7 +205,7 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
   if (good()) {
     pattern.base.sheet = std::move(mesh.sheet);
     pattern.shifts_mm.setZero(2, pattern.base.sheet.vertex_count());
-    fold_base(reader.shown("family"), mesh.assignment, pilot, pattern, faults);
+    fold_base(mesh.place, mesh.assignment, pilot, pattern, faults);
   }
   if (good()) {
     pattern.family = std::move(mesh.family);
@@ -278,17 +252,21 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
   PatternFile read;
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
-    read.sampling = read_sampling(document.value("misalign:data", Json::object()), faults);
+    read.exported = document.value("misalign:data", Json::object());
+    read.sampling = read_sampling(read.exported, faults);
   } else if (exported) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed,
                                 file.parent_path(), faults, perforations);
+    read.exported = document;
     read.sampling = read_sampling(document, faults);
   } else {
-    const Json mesh = {{"family", "fold"}, {"file", file.filename().string()}};
-    read.pattern = read_pattern(has("vertices_coords") ? mesh : document, "",
-                                Displacements::allowed, file.parent_path(), faults, perforations);
+    const bool is_mesh = has("vertices_coords");
+    read.pattern =
+        read_pattern(is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document, "",
+                     Displacements::allowed, file.parent_path(), faults, perforations);
   }
   faults.refuse(path);
+  if (!read.exported.is_object()) read.exported = nullptr;
   return read;
 }
 

@@ -38,6 +38,7 @@ Json sampling_json(const Sampling& sampling);
 struct PatternFile {
   Pattern pattern;
   Sampling sampling;  ///< an exported candidate's is its campaign's
+  Json exported;  ///< what an export says of it (candidate.schema.json); null for other patterns
 };
 
 /// A pattern file; an exported candidate, JSON or FOLD; or a FOLD mesh without shifts. UserError

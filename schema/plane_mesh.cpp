@@ -19,14 +19,20 @@ double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.
 class SheetBuilder {
  public:
   SheetBuilder(const PlaneMesh& mesh, MeshFaults& faults)
-      : points_(mesh.points_mm), edges_(mesh.edges), faults_(faults), faces_(mesh.faces) {}
+      : points_(mesh.points_mm),
+        edges_(mesh.edges),
+        has_faces_(mesh.has_faces),
+        faults_(faults),
+        faces_(mesh.faces) {}
+
+  const std::vector<Quad>& faces() const { return faces_; }
 
   std::optional<solver::CreasePattern> build() {
     using Stage = void (SheetBuilder::*)();
     for (const Stage stage :
-         {&SheetBuilder::check_vertices, &SheetBuilder::orient_faces, &SheetBuilder::pair_edges,
-          &SheetBuilder::check_crossings, &SheetBuilder::find_gaps, &SheetBuilder::check_degrees,
-          &SheetBuilder::place_faces}) {
+         {&SheetBuilder::check_points, &SheetBuilder::find_faces, &SheetBuilder::check_vertices,
+          &SheetBuilder::orient_faces, &SheetBuilder::pair_edges, &SheetBuilder::check_crossings,
+          &SheetBuilder::find_gaps, &SheetBuilder::check_degrees, &SheetBuilder::place_faces}) {
       faults_.next_kind();
       (this->*stage)();
       if (faults_.any()) return std::nullopt;
@@ -46,12 +52,18 @@ class SheetBuilder {
     for (const int v : loop) text += (text.empty() ? "" : "-") + label(v);
     return text;
   }
+  static std::string shortened(std::vector<int> loop) {
+    constexpr std::size_t kMost = 8;
+    if (loop.size() <= kMost) return label(loop);
+    loop.resize(kMost);
+    return label(loop) + "-...";
+  }
   static std::string face_label(const Quad& q) {
     return "the face " + label(std::vector<int>(q.begin(), q.end()));
   }
   int vertex_count() const { return static_cast<int>(points_.size()); }
 
-  void check_vertices() {
+  void check_points() {
     double size = 0;
     for (const Point& p : points_) size = std::max(size, (p - points_[0]).cwiseAbs().maxCoeff());
     if (!(size >= kLeastSize_mm)) {
@@ -74,6 +86,35 @@ class SheetBuilder {
             "join them into one vertex");
       }
     }
+  }
+
+  // Where the file has none.
+  void find_faces() {
+    if (has_faces_) return;
+    check_crossings();
+    if (faults_.any()) return;
+    FacesOfRegions found = faces_of_edges(points_, edges_);
+    for (const auto& [a, b] : found.contradictions) {
+      add("edge " + solver::line_label(a, b) + " is \"" + edges_.at({a, b}).substr(0, 8) + "\"",
+          "faces_vertices is missing, and the other edges do not agree with it on what is a face: "
+          "\"B\" borders one face, any other edge joins two",
+          "correct the assignment, or give faces_vertices");
+    }
+    for (const std::vector<int>& loop : found.not_four_sided) {
+      add("the face " + shortened(loop),
+          "has " + std::to_string(loop.size()) + " sides: the mesh must be one of quadrilaterals",
+          "correct the edges, or give faces_vertices");
+    }
+    if (found.faces.size() > kMostFaces) {
+      add("the mesh",
+          "has " + std::to_string(found.faces.size()) + " faces, more than " +
+              std::to_string(kMostFaces),
+          "take a part of the mesh");
+    }
+    faces_ = std::move(found.faces);
+  }
+
+  void check_vertices() {
     std::vector<bool> used(points_.size(), false);
     for (const Quad& q : faces_) {
       for (const int v : q) used[v] = true;
@@ -161,46 +202,16 @@ class SheetBuilder {
   // Walks round every region of the plane that the edges enclose, each on its left: a face of the
   // file, one that is missing, or the outside.
   void find_gaps() {
-    std::vector<std::vector<int>> around(points_.size());  // neighbours, counter-clockwise
-    for (const auto& [key, assignment] : edges_) {
-      around[key.first].push_back(key.second);
-      around[key.second].push_back(key.first);
-    }
-    for (int v = 0; v < vertex_count(); ++v) {
-      const auto angle = [&](int to) {
-        const Point along = points_[to] - points_[v];
-        return std::atan2(along.y(), along.x());
-      };
-      std::sort(around[v].begin(), around[v].end(),
-                [&](int a, int b) { return angle(a) < angle(b); });
-    }
-    std::map<std::pair<int, int>, bool> walked;
     int outsides = 0;
-    for (const auto& [key, assignment] : edges_) {
-      for (const auto& start :
-           {std::pair(key.first, key.second), std::pair(key.second, key.first)}) {
-        if (face_left_of_.contains(start) || walked[start]) continue;
-        std::vector<int> loop;
-        double area = 0;
-        for (std::pair<int, int> at = start; !walked[at];) {
-          walked[at] = true;
-          loop.push_back(at.first);
-          area += cross(points_[at.first] - points_[start.first],
-                        points_[at.second] - points_[start.first]);
-          const auto& ring = around[at.second];
-          const auto back = std::find(ring.begin(), ring.end(), at.first);
-          at = {at.second, back == ring.begin() ? ring.back() : *(back - 1)};
-        }
-        if (area <= 0) {
-          if (++outsides > 1) {
-            add("the mesh",
-                "is in two pieces: " + label(loop.front()) + " is joined to none of " + label(0) +
-                    "'s piece",
-                "give one sheet");
-          }
-        } else {
-          fill(loop);
-        }
+    for (const PlaneRegion& region : regions_of(
+             points_, edges_, [&](const auto& side) { return !face_left_of_.contains(side); })) {
+      if (region.bounded()) {
+        fill(region.loop);
+      } else if (++outsides > 1) {
+        add("the mesh",
+            "is in two pieces: " + label(region.loop.front()) + " is joined to none of " +
+                label(0) + "'s piece",
+            "give one sheet");
       }
     }
   }
@@ -212,11 +223,8 @@ class SheetBuilder {
       convex = cross(corner(k + 1) - corner(k), corner(k + 2) - corner(k + 1)) > 0;
     }
     if (!convex) {
-      const std::vector<int> shown(
-          loop.begin(),
-          loop.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(loop.size(), 8)));
-      add("the gap " + label(shown) + (shown.size() < loop.size() ? "-..." : ""),
-          "is no single missing quadrilateral", "holes may meet at corners, never share an edge");
+      add("the gap " + shortened(loop), "is no single missing quadrilateral",
+          "holes may meet at corners, never share an edge");
       return;
     }
     missing_.push_back({loop[0], loop[1], loop[2], loop[3]});
@@ -320,8 +328,9 @@ class SheetBuilder {
     return *middle;
   }
 
-  const std::vector<Point>& points_;
-  const std::map<std::pair<int, int>, std::string>& edges_;
+  const PlanePoints& points_;
+  const PlaneEdges& edges_;
+  const bool has_faces_;
   MeshFaults& faults_;
   std::vector<Quad> faces_, missing_;
   std::map<std::pair<int, int>, int> face_left_of_;  // of a side walked from first to second
@@ -336,8 +345,11 @@ void MeshFaults::add(const std::string& problem, const std::string& why,
   faults_.add(where_.empty() ? problem : where_ + ": " + problem, why, suggestion);
 }
 
-std::optional<solver::CreasePattern> fill_sheet(const PlaneMesh& mesh, MeshFaults& faults) {
-  return SheetBuilder(mesh, faults).build();
+std::optional<solver::CreasePattern> fill_sheet(PlaneMesh& mesh, MeshFaults& faults) {
+  SheetBuilder builder(mesh, faults);
+  auto sheet = builder.build();
+  if (!mesh.has_faces) mesh.faces = builder.faces();
+  return sheet;
 }
 
 }  // namespace misalign::schema

@@ -2,16 +2,17 @@
 // quadrilaterals whose inner vertices join four of them, in rows and columns.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "schema/input.hpp"
+#include "schema/plane_regions.hpp"
 #include "solver/crease_pattern.hpp"
 
 namespace misalign::schema {
+
+inline constexpr std::size_t kMostFaces = 1600;  ///< as many as a 40 x 40 Miura-ori has
 
 /// Faults of a mesh, a few of each kind.
 class MeshFaults {
@@ -35,14 +36,15 @@ class MeshFaults {
 
 /// A mesh as a file lists it.
 struct PlaneMesh {
-  std::vector<Eigen::Vector2d> points_mm;
-  std::map<std::pair<int, int>, std::string> edges;  ///< ends in order -> assignment
+  PlanePoints points_mm;
+  PlaneEdges edges;
+  bool has_faces = true;  ///< false: they follow from the edges, see faces_of_edges
   std::vector<std::array<int, 4>> faces;
 };
 
-/// The sheet: the mesh's faces in its order, then the single quadrilaterals that are missing among
-/// them. The median length of the faces' first sides is its panel width. Faults name the vertex,
-/// edge or face; nothing after a fault.
-std::optional<solver::CreasePattern> fill_sheet(const PlaneMesh& mesh, MeshFaults& faults);
+/// The sheet: the mesh's faces in its order (or in that of their least vertices), then the single
+/// quadrilaterals that are missing among them. The median length of the faces' first sides is its
+/// panel width. Faults name the vertex, edge or face; nothing after a fault.
+std::optional<solver::CreasePattern> fill_sheet(PlaneMesh& mesh, MeshFaults& faults);
 
 }  // namespace misalign::schema

@@ -37,13 +37,6 @@ std::string cell_text(const SQLite::Column& cell) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
 // Columns of one name are one key in JSON: the later ones get numbers, "draw_2".
 Row distinct(const Row& names) {
   Row keys;

@@ -16,4 +16,7 @@ using Row = std::vector<std::string>;
 /// of columns may come from anywhere: they are made printable, so that a row is one line.
 std::string aligned(const std::vector<Row>& cells, const std::vector<bool>& numeric);
 
+/// A cell of CSV: in quotes where it needs them (RFC 4180).
+std::string csv_cell(const std::string& text);
+
 }  // namespace misalign::schema

@@ -36,11 +36,12 @@ bool is_pattern_file(const std::string& path) {
 }
 
 ChosenSheet sheet_of_pattern_file(const std::string& path) {
-  auto [pattern, sampling] = schema::read_sampled_pattern_file(path);
+  auto [pattern, sampling, exported] = schema::read_sampled_pattern_file(path);
   sampling.end_deg = std::min(sampling.end_deg, pattern.base.folding.end_deg());
   const std::string stem = std::filesystem::path(path).stem().string();
   const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
-  return {std::move(pattern), sampling, {}, shifts_mm, {}, schema::printable(schema::utf8(stem))};
+  return {std::move(pattern), sampling, {}, shifts_mm, {}, schema::printable(schema::utf8(stem)),
+          std::move(exported)};
 }
 
 ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> draw) {
@@ -62,7 +63,8 @@ ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> d
           campaign.actuators,
           std::move(shifts_mm),
           ChosenSheet::Drawn{campaign, *draw},
-          ""};
+          "",
+          {}};
 }
 
 schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what) {

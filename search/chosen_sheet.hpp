@@ -19,7 +19,8 @@ struct ChosenSheet {
     std::uint64_t draw;
   };
   std::optional<Drawn> drawn;
-  std::string pattern;  ///< name of a pattern file without its ending
+  std::string pattern;    ///< name of a pattern file without its ending
+  schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
 
   /// "draw 7 of miura-6x6", or the pattern's name.
   std::string name() const;

@@ -8,6 +8,8 @@
 #include "schema/catalogue_state.hpp"
 #include "schema/drawing.hpp"
 #include "schema/fold_export.hpp"
+#include "schema/history_table.hpp"
+#include "schema/output_file.hpp"
 #include "schema/text_file.hpp"
 #include "schema/yield.hpp"
 #include "search/chosen_sheet.hpp"
@@ -40,6 +42,19 @@ std::string of_state(double pilot_deg) {
   return text + (rest > 1e-9 ? schema::shown_number(rest).substr(1) : "") + "deg";
 }
 
+// UserError (2) if that is the file which is read.
+std::string path_of(const ExportOptions& options, const std::string& stem) {
+  const auto path = std::filesystem::path(options.output) / (stem + ending(options.format));
+  std::error_code error;
+  if (std::filesystem::equivalent(path, options.path, error)) {
+    throw schema::UserError(schema::kExitUsage,
+                            "--output " + options.output +
+                                ": the file would replace the one that is read (it has the same "
+                                "name); name another directory");
+  }
+  return path.string();
+}
+
 // What a sheet's files say of whose they are.
 struct Label {
   std::string stem;   // of their names
@@ -53,13 +68,13 @@ class Exporter {
   Exporter(const SheetFolder& folder, const ExportOptions& options)
       : folder_(folder), options_(options) {}
 
-  // `origin`: the keys of the campaign that drew it, if there is one.
+  // Not for csv. `origin`: the keys of the campaign that drew it, if there is one.
   void write(const FoldedSheet& folded, const Label& label, const schema::Json& origin) const {
     const schema::FoldingView view = folder_.view(folded);
     const std::string& stem = label.stem;
     switch (options_.format) {
       case ExportFormat::csv:
-        return write(stem, schema::folding_csv(view, folded.actuation));
+        return;
       case ExportFormat::json:
         return write(stem, data_of(folded, view, origin).dump(1) + "\n");
       case ExportFormat::svg:
@@ -111,20 +126,55 @@ class Exporter {
   }
 
   void write(const std::string& stem, const std::string& text) const {
-    const auto path = std::filesystem::path(options_.output) / (stem + ending(options_.format));
-    std::error_code error;
-    if (std::filesystem::equivalent(path, options_.path, error)) {
-      throw schema::UserError(schema::kExitUsage,
-                              "--output " + options_.output +
-                                  ": the file would replace the one that is read (it has the same "
-                                  "name); name another directory");
-    }
-    schema::write_text_file(path.string(), text);
-    put(schema::printable(path.string()) + "\n");
+    const std::string path = path_of(options_, stem);
+    schema::write_text_file(path, text);
+    put(schema::printable(path) + "\n");
   }
 
   const SheetFolder& folder_;
   const ExportOptions& options_;
+};
+
+// All sheets as one long table, and as another one of creases if that is asked for. A sheet's rows
+// are written as soon as they are known: any number of sheets takes the room of one.
+class Tables {
+ public:
+  Tables(const SheetFolder& folder, const ExportOptions& options, const std::string& stem,
+         const std::string& key)
+      : folder_(folder), key_{key, ""}, diagonals_(path_of(options, stem)) {
+    diagonals_.file.write(schema::diagonal_columns(key_));
+    if (!options.creases) return;
+    creases_.emplace(path_of(options, stem + "-creases"));
+    creases_->file.write(schema::crease_columns(key_));
+  }
+
+  void add(const FoldedSheet& folded, const std::string& key) {
+    const schema::FoldingView view = folder_.view(folded);
+    key_.value = key;
+    diagonals_.file.write(schema::diagonal_rows(key_, view, folded.actuation));
+    if (creases_) creases_->file.write(schema::crease_rows(key_, view));
+  }
+
+  void publish() {
+    diagonals_.publish();
+    if (creases_) creases_->publish();
+  }
+
+ private:
+  struct Table {
+    explicit Table(const std::string& path) : name(path), file(schema::OutputFile::text(path)) {}
+    void publish() {
+      file.publish();
+      put(schema::printable(name) + "\n");
+    }
+    const std::string name;
+    schema::OutputFile file;
+  };
+
+  const SheetFolder& folder_;
+  schema::RowKey key_;
+  Table diagonals_;
+  std::optional<Table> creases_;
 };
 
 void make_directory(const std::string& path) {
@@ -150,19 +200,32 @@ void export_candidates(const ExportOptions& options) {
   campaign.actuators = options.actuators.instead_of(campaign.actuators);
   const SheetFolder folder(campaign, look_deg(options));
   make_directory(options.output);
+  const auto stem_of = [&](std::uint64_t draw) {
+    return campaign.name + "-" + std::to_string(draw);
+  };
   const Exporter exporter(folder, options);
+  std::optional<Tables> tables;
+  if (options.format == ExportFormat::csv) {
+    const std::vector<std::uint64_t>& named = options.choice.draws;
+    tables.emplace(folder, options, named.size() == 1 ? stem_of(named[0]) : campaign.name, "draw");
+  }
   for (const std::uint64_t draw : draws) {
     const std::string number = std::to_string(draw);
     const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
     if (!campaign.accepts(folded.path.history.verdict)) {
       throw schema::damaged(*database, "draw " + number + " is among the candidates, but is none");
     }
+    if (tables) {
+      tables->add(folded, number);
+      continue;
+    }
     const schema::Json yields = schema::yields_json(schema::read_yields(*database, draw));
-    exporter.write(folded,
-                   {campaign.name + "-" + number, "misalign: " + campaign.name + ", draw " + number,
-                    "draw " + number},
-                   schema::origin_json(campaign, draw, yields));
+    exporter.write(
+        folded,
+        {stem_of(draw), "misalign: " + campaign.name + ", draw " + number, "draw " + number},
+        schema::origin_json(campaign, draw, yields));
   }
+  if (tables) tables->publish();
 }
 
 void export_pattern(const ExportOptions& options) {
@@ -170,11 +233,16 @@ void export_pattern(const ExportOptions& options) {
   const SheetFolder folder(sheet.base, sheet.sampling,
                            options.actuators.instead_of(sheet.actuators), look_deg(options));
   make_directory(options.output);
+  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
+  const std::string stem = std::filesystem::path(options.path).stem().string();
+  if (options.format == ExportFormat::csv) {
+    Tables tables(folder, options, stem, "pattern");
+    tables.add(folded, sheet.pattern);
+    tables.publish();
+    return;
+  }
   Exporter(folder, options)
-      .write(folder.fold(sheet.shifts_mm),
-             {std::filesystem::path(options.path).stem().string(), "misalign: " + sheet.pattern,
-              sheet.pattern},
-             schema::Json::object());
+      .write(folded, {stem, "misalign: " + sheet.pattern, sheet.pattern}, schema::Json::object());
 }
 
 }  // namespace misalign::search

@@ -89,7 +89,8 @@ void print_perforations(const Json& one, const Json& others) {
 }  // namespace
 
 void fold(const FoldOptions& options) {
-  const auto [pattern, sampling] = schema::read_sampled_pattern_file(options.pattern_path);
+  const auto [pattern, sampling, exported] =
+      schema::read_sampled_pattern_file(options.pattern_path);
   const solver::Mechanism mechanism =
       solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding);
   solver::PathPlanOptions path;

@@ -7,8 +7,10 @@
 #include <random>
 
 #include "schema/result_table.hpp"
+#include "search/chosen_sheet.hpp"
 #include "search/look.hpp"
 #include "search/nothing_found.hpp"
+#include "search/pattern_check.hpp"
 #include "search/status.hpp"
 #include "search/suggestion.hpp"
 #include "search/terminal.hpp"
@@ -24,7 +26,8 @@ Action add_fold(CLI::App& app) {
   auto* verb = app.add_subcommand("fold", "the folding path of one pattern");
   verb->footer(
       "Each diagonal is drawn from flat to the end of the path, between its least and\n"
-      "its largest length; a bar marks D, the angle that the sheet deploys from.\n"
+      "its largest length; a bar marks D, the angle that the sheet deploys from\n"
+      "(an angle; the paper's D is a ratio).\n"
       "Lengths and elongations are those up to D, or up to the end if it does not\n"
       "deploy.\n"
       "An exported candidate, JSON or FOLD, is sampled as its campaign was; any other\n"
@@ -183,7 +186,8 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
 Action add_query(CLI::App& app) {
   auto* verb = app.add_subcommand("query", "a named query, or any read-only SQL");
   verb->footer("Named queries: " + schema::named_query_list() +
-               ".\nOn a terminal the rows go through $PAGER [less].\n\n"
+               ".\nElongations and strokes are shares of a length: stroke_max < 0.08 is 8 %.\n"
+               "On a terminal the rows go through $PAGER [less].\n\n"
                "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
                "  misalign query results/miura-6x6-1a2b3c4d.db --csv \\\n"
                "    \"SELECT draw FROM candidates WHERE stroke_max < 0.08\"");
@@ -213,7 +217,8 @@ Action add_query(CLI::App& app) {
 }
 
 Action add_verify(CLI::App& app) {
-  auto* verb = app.add_subcommand("verify", "a catalogue's ledger, and its candidates once more");
+  auto* verb = app.add_subcommand(
+      "verify", "a catalogue's ledger and its candidates once more, or a pattern");
   verb->footer(
       "Checks the file, every unit's candidates and sums, what runs say of themselves,\n"
       "the goal's end, the diagonals and the digest, all of one moment; follows the\n"
@@ -223,16 +228,19 @@ Action add_verify(CLI::App& app) {
       "was removed together with its sums is seen by nothing else. Panels that cross are\n"
       "reported (they are assumed not to), and no fault; so are metrics that an older\n"
       "build measured by another definition.\n"
+      "A pattern file is one sheet: its path by two solvers, its folded shapes, and what\n"
+      "an exported candidate says of itself.\n"
       "Exit code 6 if anything differs.\n\n"
       "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"
       "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json\n"
-      "  misalign verify results/miura-6x6-1a2b3c4d.db --units 20");
+      "  misalign verify results/miura-6x6-1a2b3c4d.db --units 20\n"
+      "  misalign verify search/patterns/table1.json");
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<VerifyOptions>();
   auto sample = std::make_shared<std::uint64_t>(*options->sample);
   auto seed = std::make_shared<std::optional<std::uint64_t>>();
   auto all = std::make_shared<bool>(false), json = std::make_shared<bool>(false);
-  verb->add_option("CATALOGUE", *path, "catalogue file")->required();
+  add_catalogue_or_pattern(*verb, *path);
   auto* sample_option = verb->add_option("--sample", *sample,
                                          "so many candidates, spread evenly over them in the order "
                                          "of their draws, and as many fault samples [100]");
@@ -248,6 +256,15 @@ Action add_verify(CLI::App& app) {
       ->type_name("N");
   verb->add_flag("--json", *json, "as JSON");
   return [=] {
+    if (is_pattern_file(*path)) {
+      if (*all) throw only_of_a_catalogue(*path, "--all");
+      if (sample_option->count() > 0) throw only_of_a_catalogue(*path, "--sample");
+      if (units_option->count() > 0) throw only_of_a_catalogue(*path, "--units");
+      const PatternVerification verification = verify_pattern(*path);
+      *json ? put_json(pattern_verification_json(verification))
+            : put(pattern_verification_text(verification));
+      return verification.good() ? 0 : schema::kExitCheckFailed;
+    }
     const auto database = schema::open_for_reading(*path);
     options->sample = *all ? std::nullopt : std::optional(*sample);
     options->seed = seed->value_or(std::random_device()());

@@ -11,6 +11,7 @@
 #include "schema/text_file.hpp"
 #include "search/build_info.hpp"
 #include "search/choice_options.hpp"
+#include "search/chosen_sheet.hpp"
 #include "search/draw.hpp"
 #include "search/shell_word.hpp"
 #include "search/status.hpp"
@@ -88,7 +89,8 @@ Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
 Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism) {
   Json diagonals = Json::array();
   for (const solver::Diagonal& diagonal : mechanism.diagonals) {
-    diagonals.push_back({{"hole", schema::facet_json(pattern, mechanism.loops[diagonal.loop].hole)},
+    diagonals.push_back({{"diagonal", diagonals.size()},
+                         {"hole", schema::facet_json(pattern, mechanism.loops[diagonal.loop].hole)},
                          {"from", solver::vertex_label(diagonal.from)},
                          {"to", solver::vertex_label(diagonal.to)},
                          {"from_vertex", diagonal.from},
@@ -126,7 +128,7 @@ Json commands_json(const ReportOptions& options) {
   }
   if (options.rows != ReportOptions().rows) choice += " --rows " + std::to_string(options.rows);
   return {{"misalign", "misalign"},
-          {"catalogue", shell_word(options.catalogue_path)},
+          {"catalogue", shell_word(options.path)},
           {"choice", choice},
           {"springs", options_of(options.actuators)},
           {"output", shell_word(options.output)}};
@@ -147,50 +149,75 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 }
 
 // What is folded, and by what.
-Json folding_json(const schema::Campaign& campaign, const SheetFolder& folder,
-                  const DrawsToLookAt& look) {
-  const auto& limit = campaign.actuators.stroke_limit;
-  return {{"sheet", schema::sheet_json(campaign.pattern, folder.mechanism())},
-          {"diagonals", diagonals_json(campaign.pattern, folder.mechanism())},
+Json folding_json(const SheetFolder& folder) {
+  const auto& limit = folder.actuators().stroke_limit;
+  return {{"sheet", schema::sheet_json(folder.base(), folder.mechanism())},
+          {"diagonals", diagonals_json(folder.base(), folder.mechanism())},
           {"actuators",
-           {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
-            {"stroke_limit", limit ? Json(*limit) : Json()}}},
-          {"details", details_json(campaign, folder, look)}};
+           {{"stiffness_n_per_mm", folder.actuators().stiffness_n_per_mm},
+            {"stroke_limit", limit ? Json(*limit) : Json()}}}};
 }
 
 // Who wrote the page, of what, and how it can be written again.
-Json origin_json(const schema::Campaign& campaign, const ReportOptions& options) {
+Json origin_json(const ReportOptions& options) {
   return {{"format", 1},
           {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
           {"written_at", now()},
-          {"catalogue", options.catalogue_path},
+          {"catalogue", options.path},
           {"chosen", chosen_json(options)},
-          {"commands", commands_json(options)},
-          {"campaign",
-           {{"name", campaign.name},
-            {"identity", schema::identity(campaign)},
-            {"configuration", schema::campaign_json(campaign)}}}};
+          {"commands", commands_json(options)}};
+}
+
+void refuse_own_input(const ReportOptions& options) {
+  std::error_code error;
+  if (!std::filesystem::equivalent(options.output, options.path, error)) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--output " + options.output + ": is the file itself that is shown; name another file");
+}
+
+void write_page(const ReportOptions& options, const Json& data) {
+  schema::write_text_file(options.output, schema::report_page(data));
+  put(schema::printable(options.output) + "\n");
 }
 
 }  // namespace
 
 void write_report(const ReportOptions& options) {
-  std::error_code error;
-  if (std::filesystem::equivalent(options.output, options.catalogue_path, error)) {
-    throw schema::UserError(schema::kExitUsage, "--output " + options.output +
-                                                    ": is the catalogue itself; name another file");
-  }
-  const auto database = schema::open_for_reading(options.catalogue_path);
-  schema::Campaign campaign = schema::read_campaign_of(*database, options.catalogue_path);
+  refuse_own_input(options);
+  const auto database = schema::open_for_reading(options.path);
+  schema::Campaign campaign = schema::read_campaign_of(*database, options.path);
   campaign.actuators = options.actuators.instead_of(campaign.actuators);
   DrawsToLookAt look;
   const Json catalogue = catalogue_json(*database, campaign, options, look);
   const SheetFolder folder(campaign);
-  Json data = origin_json(campaign, options);
+  Json data = origin_json(options);
+  data["campaign"] = {{"name", campaign.name},
+                      {"identity", schema::identity(campaign)},
+                      {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
-  data.update(folding_json(campaign, folder, look));
-  schema::write_text_file(options.output, schema::report_page(data));
-  put(schema::printable(options.output) + "\n");
+  data.update(folding_json(folder));
+  data["details"] = details_json(campaign, folder, look);
+  write_page(options, data);
+}
+
+void write_report_of_pattern(const ReportOptions& options) {
+  refuse_own_input(options);
+  const ChosenSheet sheet = sheet_of_pattern_file(options.path);
+  const SheetFolder folder(sheet.base, sheet.sampling,
+                           options.actuators.instead_of(sheet.actuators));
+  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
+  Json detail = schema::detail_json(folder.view(folded), 0, false, folded.path, folded.actuation,
+                                    folded.metrics);
+  detail["draw"] = sheet.pattern;  // by which the page knows it
+  detail["accepted"] = nullptr;    // by nobody
+  Json data = origin_json(options);
+  data["pattern"] = {{"name", sheet.pattern},
+                     {"sampling", schema::sampling_json(sheet.sampling)}};
+  data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
+  data.update(folding_json(folder));
+  data["details"] = Json::array({detail});
+  write_page(options, data);
 }
 
 }  // namespace misalign::search

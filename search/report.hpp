@@ -1,4 +1,4 @@
-// `misalign report`: one page about a catalogue.
+// `misalign report`: one page about a catalogue, or a pattern.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ namespace misalign::search {
 inline constexpr std::uint64_t kMostDetails = 1000;
 
 struct ReportOptions {
-  std::string catalogue_path, output;
+  std::string path;  ///< a catalogue or a pattern file
+  std::string output;
   std::vector<std::uint64_t> draws;  ///< to look at, beside the best; any draws of the campaign
   std::uint64_t rows = 10000;        ///< at most so many candidates in the table
   std::uint64_t details = 36;        ///< so many of the best ones can be looked at
@@ -22,5 +23,7 @@ struct ReportOptions {
 };
 
 void write_report(const ReportOptions& options);
+/// The same of a pattern file: one sheet, no campaign and nothing to choose.
+void write_report_of_pattern(const ReportOptions& options);
 
 }  // namespace misalign::search

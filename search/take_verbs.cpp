@@ -80,15 +80,21 @@ Action add_actuators(CLI::App& app) {
 Action add_export(CLI::App& app) {
   auto* verb = app.add_subcommand("export", "chosen candidates, or a pattern, as files");
   verb->footer(
-      "Formats: json (pattern, verdict, metrics, springs), csv (histories), fold\n"
-      "(crease pattern and folded states, for Origami Simulator and the like), svg\n"
+      "Formats: json (pattern, verdict, metrics, springs), csv (one long table, below),\n"
+      "fold (crease pattern and folded states, for Origami Simulator and the like), svg\n"
       "(true scale, layers for a cutter, hidden ones for springs and labels), obj (one\n"
       "file per state). Where two holes meet, the panels between them touch in a\n"
-      "point: a ball joint that the drawing does not make.\n\n"
+      "point: a ball joint that the drawing does not make. Files are named after the\n"
+      "campaign and the draw, or after the pattern file.\n"
+      "csv: a row for each draw, degree and diagonal, all draws in one file: length,\n"
+      "elongation (a share: 0.02 = 2 %), its spring's force, energy and moment (they add\n"
+      "up to the sheet's), and the sheet's mechanical advantage. Diagonals are numbered\n"
+      "from 0, as in the view diagonals. --creases adds a second table, of fold angles.\n\n"
       "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
       "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
+      "  misalign export results/miura-6x6-1a2b3c4d.db --best 1000 --format csv --output out\n"
       "  misalign export search/patterns/table1.json --format svg --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
   auto options = std::make_shared<ExportOptions>();
@@ -116,6 +122,7 @@ Action add_export(CLI::App& app) {
                    "degrees of the pilot between two states of fold and obj [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
+  verb->add_flag("--creases", options->creases, "with csv: also NAME-creases.csv, of fold angles");
   add_other_actuators(*verb, options->actuators);
   verb->add_option("--output", options->output,
                    "directory, made if it is not there; with --sqlite-compat a new file")
@@ -131,6 +138,7 @@ Action add_export(CLI::App& app) {
         options->format == ExportFormat::fold || options->format == ExportFormat::obj;
     only_with("--by", options->choice.best || options->choice.diverse, "--best or --diverse");
     only_with("--step", in_states, "--format fold or obj");
+    only_with("--creases", options->format == ExportFormat::csv, "--format csv");
     const std::string chosen_by = first_given(*group);
     if (is_pattern_file(options->path)) {
       if (!chosen_by.empty()) throw only_of_a_catalogue(options->path, chosen_by);
@@ -155,13 +163,15 @@ Action add_report(CLI::App& app) {
   verb->footer(
       "The page needs no network. Its table holds the best candidates; 36 of them, the\n"
       "best ones or those that are chosen, and the draws that are asked for, can be\n"
-      "looked at: crease pattern, folding, histories, springs.\n\n"
+      "looked at: crease pattern, folding, histories, springs. The page of a pattern file\n"
+      "shows that one sheet.\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --diverse 12 \\\n"
-      "    --where \"stroke_max < 0.08\" --output report.html");
+      "    --where \"stroke_max < 0.08\" --output report.html\n"
+      "  misalign report search/patterns/table1.json --output table1.html");
   auto options = std::make_shared<ReportOptions>();
-  verb->add_option("CATALOGUE", options->catalogue_path, "catalogue file")->required();
+  add_catalogue_or_pattern(*verb, options->path);
   verb->add_option("--output", options->output, "HTML file to write")
       ->required()
       ->type_name("FILE");
@@ -180,7 +190,16 @@ Action add_report(CLI::App& app) {
     many->check(counted(1, kMostDetails))->excludes(details);
   }
   add_other_actuators(*verb, options->actuators);
-  return [options, verb] {
+  return [options, verb, group] {
+    if (is_pattern_file(options->path)) {
+      std::string chosen_by = first_given(*group);
+      for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
+        if (verb->count(option) > 0) chosen_by = option;
+      }
+      if (!chosen_by.empty()) throw only_of_a_catalogue(options->path, chosen_by);
+      write_report_of_pattern(*options);
+      return 0;
+    }
     if (verb->count("--by") > 0 && !options->choice.chooses()) {
       throw schema::UserError(schema::kExitUsage,
                               "--by has no meaning without --best, --diverse or --where; take it "

@@ -106,7 +106,7 @@ class SequentialMethod {
         if (v.way != 0 || !is_known(v)) continue;
         const auto same = signs_of(v, 1), other = signs_of(v, -1);
         if (!same && !other) {
-          fail({NoBaseFolding::Cause::assignment, v.vertex});
+          if (!failure_) fail(misassigned(v));
           return;
         }
         if (same && other) continue;
@@ -130,6 +130,42 @@ class SequentialMethod {
       vertices_ = vertices;
       signs_ = signs;
     }
+  }
+
+  NoBaseFolding misassigned(const Vertex& v) {
+    NoBaseFolding failure{NoBaseFolding::Cause::assignment, v.vertex};
+    NoBaseFolding::Creases creases{v.edges, {}, {}, -1};
+    for (int k = 0; k < 4; ++k) creases.signs[k] = side_ * signs_[v.edges[k]];
+    for (const int way : {1, -1}) {
+      const auto others = from(v, 0, way).signs();
+      if (!others) continue;
+      const std::array<int, 4> signs = {1, (*others)[0], (*others)[1], (*others)[2]};
+      const int sum = signs[0] + signs[1] + signs[2] + signs[3];
+      for (int k = 0; k < 4; ++k) {
+        if (signs[k] * sum < 0) creases.odd.push_back(v.edges[k]);
+      }
+    }
+    std::vector<int> wrong;
+    for (const int e : v.edges) {
+      signs_[e] = -signs_[e];
+      if (signs_[e] != 0 && folds_with_neighbours(v)) wrong.push_back(e);
+      signs_[e] = -signs_[e];
+    }
+    if (wrong.size() == 1) creases.wrong = wrong.front();
+    failure.creases = creases;
+    return failure;
+  }
+
+  // Whether a vertex and those next to it fold, each by itself.
+  bool folds_with_neighbours(const Vertex& v) const {
+    for (const int edge : v.edges) {
+      for (const int end : {sheet_.edges[edge].a, sheet_.edges[edge].b}) {
+        if (vertex_at_[end] < 0) continue;
+        const Vertex& one = vertices_[vertex_at_[end]];
+        if (is_known(one) && !signs_of(one, 1) && !signs_of(one, -1)) return false;
+      }
+    }
+    return true;
   }
 
   bool is_known(const Vertex& v) const {

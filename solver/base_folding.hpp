@@ -58,6 +58,18 @@ struct NoBaseFolding {
   } cause;
   int vertex, edge = -1;
   double pilot_deg = 0, angle_deg = 0, other_angle_deg = 0;
+
+  /// Of `assignment`: the vertex' creases counter-clockwise with their signs as seen from +z, 0
+  /// where not known; some may follow from what its neighbours need.
+  struct Creases {
+    std::array<int, 4> edges, signs;
+    /// The ones of the four that can differ in sign from the other three; all of them have one such
+    /// crease. None: no assignment folds a vertex with these sector angles.
+    std::vector<int> odd;
+    /// The one whose other sign alone would let the vertex and those next to it fold; or -1.
+    int wrong;
+  };
+  std::optional<Creases> creases{};
 };
 
 /// Follows the folding from the pilot over all interior vertices (of degree four each) and checks

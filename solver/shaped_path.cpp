@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace misalign::solver {
 namespace {
@@ -24,6 +25,18 @@ Eigen::Index ShapedPath::rows_up_to_d() const {
     }
   }
   return rows;
+}
+
+Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history) {
+  const Eigen::MatrixXd& angle_deg = history.fold_angle_deg;
+  for (Eigen::Index row = 0; row < angle_deg.rows(); ++row) {
+    for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+      const double angle = angle_deg(row, static_cast<Eigen::Index>(i));
+      const bool valley = mechanism.is_valley(mechanism.creases[i]);
+      if ((angle > 0) != valley || std::abs(angle) > 180 + kOverFoldBand_deg) return row;
+    }
+  }
+  return angle_deg.rows();
 }
 
 ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,

@@ -213,7 +213,7 @@ function fewest_words({ few, weakest }, report) {
 function stroke_words({ over_stroke }, report) {
   const { stroke_limit } = report.actuators;
   if (!stroke_limit)
-    return "No stroke limit was given; “actuators.stroke_limit” in the campaign file sets one.";
+    return "No stroke limit was given; “actuators.stroke_limit” in the campaign file, or --stroke-limit, sets one.";
   const limit = `±${percent(stroke_limit, 2)}`;
   if (!over_stroke) return `Stroke limit of ${limit}: kept by every diagonal.`;
   return bold(

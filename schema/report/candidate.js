@@ -2,6 +2,7 @@
 import { ends_of } from "./data.js";
 import { count, dashed, degrees, fault_words, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
+import { is_pattern, pattern_commands } from "./whose.js";
 
 async function copy(text, button, state) {
   try {
@@ -42,6 +43,12 @@ export function report_command({ commands }, draw) {
 }
 
 export function show_commands(box, report, draw, state) {
+  if (is_pattern(report)) {
+    box.replaceChildren(
+      ...pattern_commands(report).map(([about, text, id]) => command(about, text, state, id)),
+    );
+    return;
+  }
   const { misalign, catalogue, springs } = report.commands;
   const accepted =
     report.candidates.columns.draw?.includes(draw) ||
@@ -121,7 +128,7 @@ export function verdict_words({ verdict, accepted, fold_limit_deg }) {
       ? "No fault up to the end of the path."
       : `First fault${verdict.fault_deg === null ? "" : ` at ${degrees(verdict.fault_deg)}`}: ${fault_words(verdict.first_fault)}${verdict.where ? ` (${dashed(verdict.where)})` : ""}.`;
   return (
-    `${accepted ? "Accepted. " : "Not accepted. "}${from} ${fault}` +
+    `${accepted === null ? "" : accepted ? "Accepted. " : "Not accepted. "}${from} ${fault}` +
     (fold_limit_deg !== null && fold_limit_deg !== undefined && fold_limit_deg < 180
       ? ` The pilot turns at its fold limit, ${degrees(fold_limit_deg)}.`
       : "")
@@ -161,7 +168,7 @@ export function show_metrics(box, values, candidates) {
       h(
         "p",
         { class: "note" },
-        "No metrics: they are taken up to D, and this draw deploys from nowhere.",
+        "No metrics: they are taken up to D, and this sheet deploys from nowhere.",
       ),
     );
     return;
@@ -212,7 +219,7 @@ export function show_shifts(box, detail, state) {
   save.addEventListener("click", () => {
     const link = h("a", {
       href: URL.createObjectURL(new Blob([json], { type: "application/json" })),
-      download: `draw-${detail.draw}-displacements.json`,
+      download: `${detail.accepted === null ? "" : "draw-"}${detail.draw}-displacements.json`,
     });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);

@@ -3,6 +3,7 @@ import { actuation_rows } from "./actuation.js";
 import { label_of } from "./data.js";
 import { history_rows } from "./histories.js";
 import { add_saving, single } from "./save.js";
+import { file_stem } from "./whose.js";
 
 /** Vertices of the flat sheet in mm, and what each is shifted by. */
 function flat_rows({ sheet }, { displacements_mm }) {
@@ -30,7 +31,7 @@ function folded_rows(decoded, sample) {
 
 /** Buttons on every card of a picked draw that holds a picture. */
 export function save_details(report, detail, decoded, state, crease_drawing) {
-  const stem = `${report.campaign.name}-${detail.draw}`;
+  const stem = file_stem(report, detail.draw);
   const box_of = (id) => document.getElementById(id),
     card_of = (id) => box_of(id).closest(".card"),
     plot_of = (id) => () => box_of(id).querySelector("svg.plot");

@@ -17,6 +17,7 @@ import { count, degrees } from "./format.js";
 import { make_diagonal_list, make_histories } from "./histories.js";
 import { metric_of, with_unit } from "./metrics.js";
 import { make_pilot } from "./pilot.js";
+import { end_of_path, heading } from "./whose.js";
 
 const by_id = (id) => document.getElementById(id);
 const kFirstPilot_deg = 80; // a pose that shows the fold well
@@ -38,7 +39,7 @@ export class Inspector {
 
   constructor(report, candidates, state) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
-    this.#end_deg = report.campaign.configuration.path.end_deg;
+    this.#end_deg = end_of_path(report);
     state.on("sample", () => this.#parts.forEach((part) => part.move?.()));
     state.on("diagonal", (d) => this.#parts.forEach((part) => part.mark?.(d)));
   }
@@ -49,7 +50,7 @@ export class Inspector {
       row = this.#candidates.row_of.get(draw),
       values = detail ? detail.metrics : this.#row_values(row);
     by_id("picked-title").textContent =
-      `Draw ${draw}` + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
+      heading(report, draw) + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
     by_id("picked-words").textContent = detail
       ? verdict_words(detail)
       : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${margin_words(values)}.`;

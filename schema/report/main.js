@@ -9,6 +9,7 @@ import { first_axes, make_scatter, metrics_of } from "./scatter.js";
 import { make_state } from "./state.js";
 import { is_order, make_table, save_rows } from "./table.js";
 import { set_up_theme } from "./theme.js";
+import { is_pattern, show_pattern } from "./whose.js";
 
 const by_id = (id) => document.getElementById(id);
 
@@ -129,7 +130,7 @@ function report_or_words() {
 
 function show_foot({ program, written_at, catalogue, campaign }) {
   by_id("foot").append(
-    `Written by misalign ${program.version} (${program.commit}) on ${written_at} from ${catalogue}; campaign ${campaign.identity}. `,
+    `Written by misalign ${program.version} (${program.commit}) on ${written_at} from ${catalogue}${campaign ? `; campaign ${campaign.identity}` : ""}. `,
     "Paper: Saito, Tsukahara & Okabe, Proc. R. Soc. A 472 (2016) 20150235. Drawn with three.js, Observable Plot and D3.",
   );
 }
@@ -178,9 +179,12 @@ function main() {
     said: "",
   });
   answer_questions(state);
-  show_acceptance(report);
-  show_candidates(report, candidates, state);
-  show_detailed(report, candidates, state);
+  if (is_pattern(report)) show_pattern(report);
+  else {
+    show_acceptance(report);
+    show_candidates(report, candidates, state);
+    show_detailed(report, candidates, state);
+  }
   const inspector = new Inspector(report, candidates, state);
   state.on("picked", (draw) => inspector.show(draw));
   state.on("said", (words) => (by_id("said").textContent = words));

@@ -40,7 +40,9 @@ const seen = await page.evaluate(() => {
     const layer = document.getElementById(id);
     hidden[id] = layer !== null && getComputedStyle(layer).display === "none";
   }
-  return { hidden, labels: document.querySelectorAll("#labels text").length, width_mm: corner.width * mm, height_mm: corner.height * mm, layers };
+  const labels = [...document.querySelectorAll("#labels text")].map((text) =>
+    ({ words: text.textContent, at: [Number(text.getAttribute("x")), Number(text.getAttribute("y"))] }));
+  return { hidden, labels, width_mm: corner.width * mm, height_mm: corner.height * mm, layers };
 });
 await browser.close();
 
@@ -84,7 +86,23 @@ check(seen.layers.cut.paths.every((path) => path.closed), "cuts are closed outli
 for (const id of ["springs", "labels"]) {
   check(seen.hidden[id], `${id} are not hidden`);
 }
-check(seen.labels === fold.vertices_coords.length, `${seen.labels} labels`);
+// A label at each vertex, and the diagonals' numbers of the file, each on its diagonal.
+const label_at = new Map(seen.labels.map(({ words, at }) => [words, to_sheet(at)]));
+const diagonals = fold["misalign:data"].diagonals;
+const vertex_named = (label) => fold.vertices_coords[Number(label.slice(1)) - 1];
+check(seen.labels.length === fold.vertices_coords.length + diagonals.length, `${seen.labels.length} labels`);
+fold.vertices_coords.forEach((point, v) => {
+  const at = label_at.get(`A${v + 1}`) ?? [NaN, NaN];
+  check(near(at[0], point[0]) && near(at[1], point[1]), `label A${v + 1} is elsewhere`);
+});
+for (const { diagonal, from, to } of diagonals) {
+  const at = label_at.get(String(diagonal)) ?? [NaN, NaN];
+  const [p, q] = [vertex_named(from), vertex_named(to)];
+  const length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+  const beside = ((q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0])) / length;
+  const along = ((q[0] - p[0]) * (at[0] - p[0]) + (q[1] - p[1]) * (at[1] - p[1])) / length ** 2;
+  check(near(beside, 0) && along > 0 && along < 0.5, `number ${diagonal} is not on its diagonal, by its beginning`);
+}
 
 // One length, as the browser measures the drawn line.
 const [a, b] = fold.edges_vertices[fold.edges_assignment.indexOf("M")].map((v) => fold.vertices_coords[v]);

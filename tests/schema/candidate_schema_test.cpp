@@ -111,6 +111,26 @@ TEST(CandidateSchema, RefusesWrongValues) {
   EXPECT_EQ(complaint(schema, without(candidate, Pointer("/pattern/displacements_mm"))), "");
 }
 
+// A pattern file that was exported: nobody drew it, and it may deploy from nothing.
+TEST(CandidateSchema, TakesAPatternThatNobodyDrew) {
+  const Json schema = candidate_schema();
+  Json pattern = table1_candidate();
+  pattern.erase("campaign");
+  EXPECT_NE(complaint(schema, pattern), "") << "a draw of no campaign";
+  for (const char* key : {"draw", "yields"}) pattern.erase(key);
+  EXPECT_EQ(complaint(schema, pattern), "");
+  pattern["metrics"] = nullptr;
+  pattern["verdict"]["deploys_from_deg"] = 0;
+  pattern["verdict"]["first_fault"] = "inactive_diagonal";
+  for (Json& diagonal : pattern["diagonals"]) diagonal["elongation"] = nullptr;
+  EXPECT_EQ(complaint(schema, pattern), "");
+  pattern["verdict"]["first_fault"] = "undecided";
+  pattern["verdict"]["cause"] = "stalled";
+  EXPECT_EQ(complaint(schema, pattern), "");
+  for (const char* key : {"campaign", "draw", "yields"}) pattern[key] = table1_candidate()[key];
+  EXPECT_NE(complaint(schema, pattern), "") << "a candidate that deploys from nothing";
+}
+
 TEST(CandidateSchema, PatternHasTheRangesOfTheCampaign) {
   const auto candidate = properties_of(candidate_schema());
   for (const auto& [at, property] : properties_of(campaign_schema()["properties"]["pattern"])) {

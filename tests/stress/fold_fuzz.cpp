@@ -106,6 +106,7 @@ class Mutator {
         change_something(mesh, dice, some_point);
       }
     }
+    if (dice.below(4) == 0) mesh.erase("faces_vertices");  // then they follow from the edges
     std::string bytes = mesh.dump();
     if (kind >= 8) {
       for (std::size_t times = 1 + dice.below(4); times > 0; --times) change_bytes(bytes, dice);

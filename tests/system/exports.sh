@@ -77,10 +77,43 @@ for key in energy_n_mm weakest.moment_n_mm 'forces[2].force_n'; do
 done
 [ "$(field stiff.json 'over_stroke.diagonals[0]')" ] || fail "actuators: over_stroke"
 [ "$(field soft.json over_stroke)" = "" ] || fail "actuators: over_stroke without a limit"
-"$program" export "$file" --draw "$best" --format csv --stiffness 100 --output out > /dev/null
-[ "$(head -1 "out/miura-4x4-$best.csv" | tr , '\n' | tail -3 | tr '\n' ' ')" = \
-  "energy_n_mm moment_n_mm mechanical_advantage " ] || fail "csv: springs"
-[ "$(tail -n +2 "out/miura-4x4-$best.csv" | tail -1 | tr , '\n' | wc -l)" = 8 ] || fail "csv: columns"
+
+# One long table of many draws, as SQLite itself reads CSV: the diagonals' numbers and elongations at
+# D are those of the view, springs twice as stiff store twice as much.
+"$program" export "$file" --where "stroke_max > 0.01" --format csv --creases --output table > names || fail "export csv"
+[ "$(tr '\n' ' ' < names)" = "table/miura-4x4.csv table/miura-4x4-creases.csv " ] || fail "csv: $(cat names)"
+"$program" export "$file" --draw "$best" --format csv --stiffness 100 --output table > names || fail "export csv"
+[ "$(cat names)" = "table/miura-4x4-$best.csv" ] || fail "csv of one draw: $(cat names)"
+cp "$file" joined.db
+sqlite3 joined.db '.mode csv' '.import table/miura-4x4.csv long' '.import table/miura-4x4-creases.csv creases' \
+  ".import table/miura-4x4-$best.csv stiff" || fail "csv: sqlite3 cannot read it"
+holds() { [ "$(sqlite3 joined.db "SELECT $2")" = 1 ] || fail "csv: $1"; }
+holds "whose rows" "(SELECT group_concat(draw) FROM (SELECT DISTINCT CAST(draw AS INTEGER) AS draw FROM long ORDER BY 1)) =
+  (SELECT group_concat(draw) FROM (SELECT draw FROM candidate WHERE stroke_max > 0.01 ORDER BY 1))"
+holds "elongations at D" "(SELECT count(*) FROM diagonals JOIN candidate USING (draw) WHERE stroke_max > 0.01) =
+  (SELECT count(*) FROM long JOIN diagonals AS d ON d.draw = long.draw AND d.diagonal = CAST(long.diagonal AS INTEGER)
+   JOIN candidate AS c ON c.draw = d.draw AND long.pilot_deg = c.deploys_from_deg
+   WHERE abs(long.elongation - d.elongation) < 2e-9 AND long.from_vertex = d.from_vertex AND
+     long.to_vertex = d.to_vertex AND CAST(long.hole_row AS INTEGER) = d.hole_row AND
+     CAST(long.hole_column AS INTEGER) = d.hole_column)"
+holds "stiffer springs" "(SELECT count(*) > 100 AND max(abs(stiff.energy_n_mm - 2 * long.energy_n_mm)) <= 1e-6 * max(stiff.energy_n_mm)
+  FROM stiff JOIN long USING (draw, pilot_deg, diagonal))"
+holds "creases" "(SELECT count(DISTINCT crease) = 16 AND min(CAST(crease AS INTEGER)) = 0 AND
+  count(*) = 4 * (SELECT count(*) FROM long) FROM creases)"
+"$program" replay "$file" "$best" --json > replay.json
+holds "fold angles" "(SELECT count(*) = 16 FROM json_each(readfile('replay.json'), '\$.creases') AS c JOIN creases AS t
+  ON t.crease = c.value ->> 'crease' WHERE t.draw = $best AND t.pilot_deg = '90' AND
+  abs(t.fold_angle_deg - (c.value ->> '\$.fold_angle_deg[89]')) < 1e-8)"
+# All ways of writing a candidate number its diagonals as the view does.
+for text in "out/miura-4x4-$best.json" soft.json; do
+  [ -e "$text" ] || "$program" export "$file" --draw "$best" --output out > /dev/null
+  case $text in soft.json) list='$.forces' ;; *) list='$.diagonals' ;; esac
+  holds "numbers in $text" "(SELECT count(*) = 4 FROM json_each(readfile('$text'), '$list') AS j JOIN diagonals AS d
+    ON d.diagonal = CAST(j.value ->> 'diagonal' AS INTEGER) WHERE d.draw = $best AND d.from_vertex = j.value ->> 'from' AND d.to_vertex = j.value ->> 'to')"
+done
+"$program" export "$file" --draw "$best" --format csv --output /dev/full > /dev/null 2>&1 && fail "csv into no directory"
+"$program" export "$file" --draw "$best" --creases --output none > /dev/null 2> err
+[ $? = 2 ] || fail "--creases without csv: $(cat err)"
 
 # Near twins of the best one, in the rows of two other candidates: --best takes them, --diverse not.
 cp "$file" twins.db

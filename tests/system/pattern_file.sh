@@ -56,6 +56,25 @@ echo '{ "family": "miura", "rows": 4, "columns": 4 }' > plain.json
 [ "$(field out/plain.json metrics)" = "" ] || fail "metrics of a sheet that deploys from nothing"
 "$program" fold out/plain.json > /dev/null || fail "fold of that"
 
+# Verified: by two solvers, its shapes, and what an export says of itself. What is altered is named.
+"$program" verify "$table1" > text || fail "verify table1: $(cat text)"
+grep -q "^pattern      table1, deploys from 156 deg; first fault: fold_limit$" text || fail "verify table1: $(cat text)"
+for file in $exported; do
+  "$program" verify "$file" --json > verified.json || fail "verify $file: $(cat verified.json)"
+  [ "$(field verified.json good)$(field verified.json compared_with_file)" = 11 ] || fail "verify $file"
+  for change in 's/"stroke_max": *[0-9.e-]*/"stroke_max":0.5/=metrics.stroke_max' \
+    's/"deploys_from_deg": *[0-9.]*/"deploys_from_deg":170.0/g=verdict.deploys_from_deg' \
+    's/"elongation": *[0-9.e-]*/"elongation":0.1/=metrics.elongation' \
+    's/"first_fault": *"[a-z_]*"/"first_fault":"not_monotone"/=verdict.first_fault'; do
+    sed "${change%=*}" "$file" > "altered.${file##*.}"
+    "$program" verify "altered.${file##*.}" > text
+    [ $? = 6 ] || fail "verify of $file, altered by $change"
+    grep -q "the file: ${change##*=}" text || fail "verify of $file, altered by $change: $(cat text)"
+  done
+done
+"$program" verify plain.json > text || fail "verify of an unshifted sheet: $(cat text)"
+"$program" verify "$mesh" > text || fail "verify of a mesh: $(cat text)"
+
 # refused CODE WORDS ARGS...: one sentence, and nothing written.
 refused() {
   local code=$1 words=$2
@@ -73,6 +92,8 @@ refused 2 "nothing is chosen" export a.db --output none
 refused 2 "--best can only be chosen" export "$table1" --best 3 --output none
 refused 2 "--sqlite-compat can only" export "$table1" --sqlite-compat --output none
 refused 2 "replace the one that is read" export out/table1.json --output out
+refused 2 "--all can only" verify "$table1" --all
+refused 2 "--sample can only" verify "$table1" --sample 5
 refused 3 "no such file" actuators nothing.json
 refused 3 "is a campaign" export "$source_dir/search/campaigns/miura-4x4.json" --output none
 echo 'neither' > neither.txt

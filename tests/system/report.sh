@@ -95,6 +95,25 @@ refuse 2 "excludes" --best 2 --diverse 2
 
 "$program" query many.db "SELECT first_fault, fault_deg, stands_for FROM fault_sample" --json > rows.json
 node "$web/shares_test.mjs" "$source_dir/schema/report/shares.js" many.html rows.json || fail "shares by weight"
+
+# A pattern file is one sheet: no campaign, nothing to choose.
+"$program" report "$source_dir/search/patterns/table1.json" --stroke-limit 0.03 --output table1.html > names || fail "report table1"
+[ "$(cat names)" = table1.html ] || fail "report of a pattern prints its file's name"
+[ "$(data table1.html pattern.name)$(data table1.html campaign)" = table1 ] || fail "report of a pattern: whose it is"
+[ "$(data table1.html 'details[0].verdict.deploys_from_deg')" = 156.0 ] || fail "report of a pattern: D"
+[ "$(data few.html 'diagonals[3].diagonal')$(data table1.html 'diagonals[3].diagonal')" = 33 ] || fail "numbers of diagonals"
+echo '{ "family": "miura", "rows": 4, "columns": 4 }' > plain.json
+"$program" report plain.json --output plain.html > /dev/null || fail "report of an unshifted sheet"
+for option in "--draw 5" "--best 3" "--rows 5" "--details 2"; do
+  # shellcheck disable=SC2086
+  "$program" report plain.json $option --output refused.html > /dev/null 2> err
+  [ $? = 2 ] && grep -q -- "${option% *} can only be chosen from a catalogue" err || fail "report of a pattern with $option: $(cat err)"
+  [ -e refused.html ] && fail "report of a pattern with $option leaves a file"
+done
+"$program" report plain.json --output plain.json > /dev/null 2> err
+[ $? = 2 ] || fail "report over the pattern itself: $(cat err)"
+node "$web/pattern_test.mjs" table1.html plain.html || fail "the pages of patterns in a browser"
+
 node "$web/page_test.mjs" few.html none.html many.html || fail "the pages in a browser"
 
 "$program" report few.db --output nowhere/few.html > /dev/null 2> err

@@ -37,7 +37,7 @@ sqlite3 :memory: "SELECT json_extract(readfile('$(cat exported)'), '\$.pattern')
 [ "$(field fold.json 'diagonals[0].length_mm[99]')" = \
   "$(field replay.json 'diagonals[0].length_mm[99]')" ] || fail "fold and replay differ"
 "$program" export "$file" --draw "$draw" --format csv --output out > /dev/null || fail "export csv"
-head -1 "out/miura-4x4-$draw.csv" | grep -q "^pilot_deg,A9-A13_mm" || fail "csv header"
+head -1 "out/miura-4x4-$draw.csv" | grep -q "^draw,pilot_deg,diagonal," || fail "csv header"
 "$program" export "$file" --where "stroke_max > 0.01" --output out > exported || fail "export --where"
 [ "$(wc -l < exported)" = "$(sql "$file" 'SELECT count(*) FROM candidate WHERE stroke_max > 0.01')" ] ||
   fail "export --where: count"

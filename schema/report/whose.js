@@ -1,0 +1,68 @@
+// Whose folding is looked at: a campaign's draws, or the one sheet of a pattern file.
+import { degrees, plural } from "./format.js";
+
+const by_id = (id) => document.getElementById(id);
+
+/** Whether the page is about a pattern file: no campaign, nothing to choose. */
+export const is_pattern = (report) => Boolean(report.pattern);
+
+/** "Draw 7", or the pattern's name. */
+export const heading = (report, draw) =>
+  is_pattern(report) ? report.pattern.name : `Draw ${draw}`;
+
+/** What names of saved files begin with. */
+export const file_stem = (report, draw) =>
+  is_pattern(report) ? report.pattern.name : `${report.campaign.name}-${draw}`;
+
+/** Where paths end, degrees. */
+export const end_of_path = (report) =>
+  is_pattern(report) ? report.pattern.sampling.end_deg : report.campaign.configuration.path.end_deg;
+
+/** In the place of what a campaign asked and found: which sheet this is. */
+export function show_pattern(report) {
+  const { name, sampling } = report.pattern,
+    { panels, holes, creases, ball_joints } = report.sheet,
+    shifts = Object.keys(report.details[0].displacements_mm).length;
+  document.querySelector("#overview .eyebrow").textContent = "Pattern";
+  by_id("campaign-name").textContent = name;
+  by_id("asked").textContent =
+    `${plural(panels.length, "panel")}, ${plural(holes.length, "hole")}, ${plural(creases.length, "crease")} and ${plural(ball_joints.length, "ball joint")}; ` +
+    `${shifts ? `${plural(shifts, "vertex", "vertices")} shifted` : "no vertex is shifted"}. ` +
+    `Followed from flat on, with samples every ${degrees(sampling.sample_deg)} up to ${degrees(sampling.end_deg)}` +
+    `${sampling.between_samples ? ", and looked at between them" : ""}. One sheet, drawn by no campaign.`;
+  let past_words = false;
+  for (const part of by_id("overview").children) {
+    if (past_words) part.hidden = true;
+    past_words ||= part.id === "asked";
+  }
+  by_id("candidates").hidden = true;
+  document.querySelector('nav a[href="#candidates"]').hidden = true;
+  const skip = document.querySelector("a.skip");
+  skip.href = "#inspect";
+  skip.textContent = "Skip to the folding";
+  document.title = `${name} · misalign`;
+}
+
+/** What can be done with a pattern file: [a sentence, the command, the name it is tested by]. */
+export function pattern_commands({ commands }) {
+  const { misalign, catalogue, springs } = commands;
+  const verb = (name, more = "") => `${misalign} ${name} ${catalogue}${more}`,
+    to = (format) => verb("export", ` --format ${format}${springs} --output exported`);
+  return [
+    ["The path of this sheet again, degree by degree:", verb("fold"), "command-fold"],
+    [
+      "Its path by two solvers, and its folded shapes by their coordinates:",
+      verb("verify"),
+      "command-verify",
+    ],
+    ["Pattern, verdict, metrics and springs as JSON:", to("json"), "command-json"],
+    ["Histories of the diagonals as CSV:", to("csv"), "command-csv"],
+    ["Crease pattern at true scale as SVG, in layers for a cutter:", to("svg"), "command-svg"],
+    [
+      "Crease pattern and folded states as FOLD, for Origami Simulator and the like:",
+      to("fold"),
+      "command-folded",
+    ],
+    ["Springs on its diagonals, in numbers:", verb("actuators", springs), "command-actuators"],
+  ];
+}

@@ -1,0 +1,57 @@
+// The page of a pattern file: one sheet, no campaign.
+//   node pattern_test.mjs REPORT.html...
+import assert from "node:assert/strict";
+import { open_browser, open_page } from "./browser.mjs";
+import { by, check, data_of, state, summary } from "./reading.mjs";
+
+const reports = process.argv.slice(2);
+const browser = await open_browser();
+for (const report of reports) {
+  const data = data_of(report),
+    [detail] = data.details;
+  console.log(`\n${report}: ${data.pattern.name}`);
+  const { page, context, problems } = await open_page(browser, report, {
+    viewport: { width: 1400, height: 900 },
+  });
+  await check("the pattern is named, and what only a campaign has is not there", async () => {
+    assert.equal(await by(page, "campaign").textContent(), data.pattern.name);
+    assert.equal(await by(page, "picked").textContent(), data.pattern.name);
+    const shifted = Object.keys(detail.displacements_mm).length;
+    const asked = await by(page, "asked").textContent();
+    assert.ok(asked.includes(`${data.sheet.panels.length} panels`), asked);
+    assert.ok(asked.includes(shifted ? `${shifted} vertices shifted` : "no vertex is shifted"), asked);
+    for (const id of ["figures", "faults", "survival", "where", "map", "table", "scatter", "filter"]) {
+      assert.equal(await by(page, id).isVisible(), false, `${id} is shown`);
+    }
+    assert.equal(await page.locator('nav a[href="#candidates"]').isVisible(), false);
+  });
+  await check("the verdict says nothing of acceptance", async () => {
+    const words = await by(page, "picked-words").textContent();
+    const { deploys_from_deg } = detail.verdict;
+    assert.ok(words.includes(deploys_from_deg > 0 ? `${deploys_from_deg}°` : "nowhere"), words);
+    assert.doesNotMatch(words, /accepted/i);
+  });
+  await check("crease pattern, folding, histories and springs are there", async () => {
+    for (const id of ["crease-pattern", "folding", "histories", "energy", "moment", "advantage"]) {
+      assert.ok(await by(page, id).isVisible(), `${id} is hidden`);
+      assert.ok(await by(page, id).locator("svg, canvas").count(), `${id} is empty`);
+    }
+    assert.equal((await state(page)).picked, data.pattern.name);
+  });
+  await check("commands are about the file", async () => {
+    const commands = await by(page, "commands").locator("code").allTextContents();
+    assert.ok(commands.length >= 7, `${commands.length} commands`);
+    for (const command of commands) {
+      assert.ok(command.includes(` ${data.commands.catalogue}`), command);
+      assert.doesNotMatch(command, /--draw|replay/);
+    }
+  });
+  await check("no word is missing a value, and nothing went wrong", async () => {
+    const text = await page.locator("body").innerText();
+    assert.doesNotMatch(text, /undefined|NaN|\bnull\b|\bdraw\b/i);
+    assert.deepEqual(problems, []);
+  });
+  await context.close();
+}
+await browser.close();
+process.exit(summary() && reports.length ? 0 : 1);
