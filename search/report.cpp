@@ -212,8 +212,7 @@ void write_report_of_pattern(const ReportOptions& options) {
   detail["draw"] = sheet.pattern;  // by which the page knows it
   detail["accepted"] = nullptr;    // by nobody
   Json data = origin_json(options);
-  data["pattern"] = {{"name", sheet.pattern},
-                     {"sampling", schema::sampling_json(sheet.sampling)}};
+  data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
   data.update(folding_json(folder));
   data["details"] = Json::array({detail});

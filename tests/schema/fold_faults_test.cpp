@@ -254,8 +254,8 @@ void flip(Json& mesh, int a, int b) {
   letter = letter == "M" ? "V" : "M";
 }
 
-// One letter that is wrong is named, whichever it is, with what it must be. Where a crease that ends
-// on the perimeter could as well be the wrong one, the vertex' creases are named instead.
+// One letter that is wrong is named, whichever it is, with what it must be. Where a crease that
+// ends on the perimeter could as well be the wrong one, the vertex' creases are named instead.
 TEST(FoldFaults, TheOneWrongCreaseIsNamed) {
   for (const Json& mesh : {miura_mesh(4, 4), turned_quads()}) {
     const bool has_straight_creases = mesh["vertices_coords"].size() == 25;

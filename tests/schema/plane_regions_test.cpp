@@ -48,7 +48,8 @@ std::string pattern_path(const std::string& name) {
 TEST(FacesOfEdges, AreThoseThatTheFileHad) {
   for (const char* name : kMeshNames) {
     const Json mesh = read_json_file(pattern_path(name) + ".fold");
-    EXPECT_EQ(layout_of(mesh_read_from(without_faces(mesh))), layout_of(mesh_read_from(mesh))) << name;
+    EXPECT_EQ(layout_of(mesh_read_from(without_faces(mesh))), layout_of(mesh_read_from(mesh)))
+        << name;
   }
   const Json miura = miura_mesh(6, 4);
   const FoldMesh read = mesh_read_from(without_faces(miura));

@@ -11,7 +11,7 @@ struct LedgerSize {
   std::uint64_t draws;       ///< of the campaign
   std::uint64_t unit_draws;  ///< of a unit
   double missing;            ///< this share of the units is not there, at random
-  std::uint64_t sampled;     ///< rows of fault_sample, from draw 0 on every 1024, as before schema 4
+  std::uint64_t sampled;  ///< rows of fault_sample, from draw 0 on every 1024, as before schema 4
 };
 
 struct LedgerTimes {
