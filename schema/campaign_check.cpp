@@ -39,7 +39,8 @@ void check_goal(SQLite::Database& database, std::vector<Finding>& findings) {
   CatalogueState state;
   try {
     state = read_state(database);
-  } catch (const UserError&) {  // which was found before
+  } catch (const UserError& error) {  // which was found before
+    if (error.exit_code() != kExitBadInput) throw;
     return;
   }
   const std::uint64_t end = goal_end_of_rows(database, state.goal).value();

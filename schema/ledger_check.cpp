@@ -245,6 +245,7 @@ class LedgerCheck {
     try {
       state = read_state(database_);
     } catch (const UserError& error) {
+      if (error.exit_code() != kExitBadInput) throw;  // the disk's fault, not the file's
       const Json details = {{"where", "catalogue"}, {"column", "digest"}};
       if (findings_.empty()) findings_.push_back({error.what(), details});
       return;
