@@ -183,7 +183,7 @@ bool Campaign::accepts(const solver::Verdict& verdict) const {
 }
 
 Campaign read_campaign(const Json& value, const std::string& source,
-                       const std::filesystem::path& directory) {
+                       const std::optional<std::filesystem::path>& directory) {
   static const Json kEmpty = Json::object();
   InputFaults faults;
   Campaign campaign;

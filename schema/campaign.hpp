@@ -54,9 +54,9 @@ struct Campaign {
 };
 
 /// Reads and checks a campaign; UserError (3) naming `source` with every fault. A FOLD file that
-/// its pattern names is looked for in `directory`.
+/// its pattern names is looked for in `directory`; without one none may be named.
 Campaign read_campaign(const Json& value, const std::string& source,
-                       const std::filesystem::path& directory = {});
+                       const std::optional<std::filesystem::path>& directory = {});
 Campaign read_campaign_file(const std::string& path);
 
 /// The bounds of a stiffness and of a stroke limit, here and on the command line.

@@ -1,11 +1,14 @@
 #include "schema/catalogue.hpp"
 
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 
 #include "schema/carried_files.hpp"
 #include "schema/catalogue_state.hpp"
+#include "schema/connection.hpp"
 #include "schema/file_name.hpp"
 #include "schema/folding_json.hpp"
 #include "schema/output_file.hpp"
@@ -74,6 +77,7 @@ void Catalogue::open() {
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
   if (!is_new) {
     check_same_campaign();
+    fold_log_in();
     migrate();
   }
   database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
@@ -106,7 +110,7 @@ void Catalogue::migrate() {
   if (!is_taken(backup)) {
     OutputFile file = OutputFile::database(backup, {path_});
     SQLite::Statement copy(*database_, "VACUUM INTO ?");
-    copy.bind(1, file.path());
+    copy.bind(1, plain_file_name(file.path()));
     copy.exec();
     file.publish();
   }
@@ -223,6 +227,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   guarded(path_, [&] {
     GoalEnd end = *goal_end_;
     transact([&] {
+      end = *goal_end_;  // it may be the second time
       writer_->write(units, run_);
       for (const UnitRecord& unit : units) {
         end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
@@ -266,14 +271,36 @@ void Catalogue::settle(const UnitRecord& decided) {
   });
 }
 
-// One transaction on the file that still lies where it was opened.
+// One transaction on the file that still lies where it was opened. On a disk that is full the log
+// is folded into the file, which gives room to a log that begins anew; then it is tried once more.
 template <class Work>
 void Catalogue::transact(const Work& work) {
   lock_.check_file_is_there();
-  SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-  work();
-  transaction.commit();
+  const auto once = [&] {
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    work();
+    transaction.commit();
+  };
+  try {
+    once();
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_FULL || storage_ == Storage::network) throw;
+    fold_log_in();
+    once();
+  }
   lock_.check_file_is_there();
+}
+
+// Before new work: what a full disk kept in the log takes twice its room for as long as it is
+// there, and every start would add to it. Readers may keep it, which does no harm.
+void Catalogue::fold_log_in() {
+  if (storage_ == Storage::network) return;
+  database_->setBusyTimeout(kWaitForReaders_ms);
+  const int result = database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+  database_->setBusyTimeout(kWaitForWriters_ms);
+  if (result != SQLITE_OK && result != SQLITE_BUSY && result != SQLITE_LOCKED) {
+    throw SQLite::Exception(database_->getHandle(), result);
+  }
 }
 
 void Catalogue::store_goal_end(const GoalEnd& end) {

@@ -9,6 +9,7 @@
 #include "schema/database.hpp"
 #include "schema/goal.hpp"
 #include "schema/unit_writer.hpp"
+#include "schema/writer_lock.hpp"
 #include "schema/yield.hpp"
 
 namespace misalign::schema {
@@ -92,6 +93,7 @@ class Catalogue {
   void create();
   void store_goal_end(const GoalEnd& end);
   void keep_log_small();
+  void fold_log_in();
   template <class Work>
   void transact(const Work& work);
 

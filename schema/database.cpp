@@ -1,20 +1,15 @@
 #include "schema/database.hpp"
 
-#include <fcntl.h>
 #include <sqlite3.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
+#include "schema/catalogue_layout.hpp"
+#include "schema/connection.hpp"
 #include "schema/older_schema.hpp"
 
 namespace misalign::schema {
 namespace {
-
-constexpr int kBusyTimeout_ms = 10000;
 
 // The writer's. Its indexes are touched everywhere at once: pages that stay in memory, and are
 // copied from the log to the file after many commits instead of after each, make a candidate of a
@@ -27,15 +22,8 @@ UserError not_a_catalogue(const std::string& path) {
                                       "name one that `misalign search` wrote");
 }
 
-// A file may be damaged, or come from anywhere: nothing may write into its schema behind SQLite's
-// back, and damaged pages are noticed when they are read. (trusted_schema cannot be off:
-// SQLite 3.40 takes json_valid in a check for unsafe.)
-void distrust(SQLite::Database& database) {
-  sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  database.exec("PRAGMA cell_size_check = ON");
-}
-
-// Throws unless this is a catalogue that this program can read; false if it is an empty database.
+// Throws unless this is a catalogue that this program can read, laid out as one, which then may be
+// trusted; false if it is an empty database.
 bool check_kind(SQLite::Database& database, const std::string& path) {
   try {
     const int id = database.execAndGet("PRAGMA application_id").getInt();
@@ -51,33 +39,12 @@ bool check_kind(SQLite::Database& database, const std::string& path) {
                                               std::to_string(kSchemaVersion) +
                                               "); use the program that wrote it, or a newer one");
     }
+    check_layout(database, version, path);
+    trust_schema(database);
     return true;
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() == SQLITE_NOTADB) throw not_a_catalogue(path);
     throw;
-  }
-}
-
-// Reading is allowed, and nothing that could touch another file.
-int authorize_reading(void*, int action, const char* name, const char*, const char*, const char*) {
-  switch (action) {
-    case SQLITE_SELECT:
-    case SQLITE_READ:
-    case SQLITE_RECURSIVE:
-    case SQLITE_TRANSACTION:
-      return SQLITE_OK;
-    case SQLITE_FUNCTION:  // two arguments: a null and the function's name
-      return SQLITE_OK;
-    case SQLITE_PRAGMA:
-      return name && (std::strcmp(name, "table_info") == 0 ||
-                      std::strcmp(name, "table_list") == 0 ||
-                      std::strcmp(name, "user_version") == 0 ||
-                      std::strcmp(name, "foreign_key_check") == 0 ||
-                      std::strcmp(name, "integrity_check") == 0)
-                 ? SQLITE_OK
-                 : SQLITE_DENY;
-    default:
-      return SQLITE_DENY;
   }
 }
 
@@ -101,12 +68,11 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
         path + ": there is no such file; name a catalogue that `misalign search` wrote");
   }
   try {
-    auto database =
-        std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY, kBusyTimeout_ms);
-    distrust(*database);
+    auto database = connect(path, Access::read);
     if (!check_kind(*database, path)) throw not_a_catalogue(path);
-    show_as_of_today(*database, database->execAndGet("PRAGMA user_version").getInt());
-    sqlite3_set_authorizer(database->getHandle(), authorize_reading, nullptr);
+    as_our_own(*database, [&] {
+      show_as_of_today(*database, database->execAndGet("PRAGMA user_version").getInt());
+    });
     return database;
   } catch (const SQLite::Exception& error) {
     throw storage_failure(path, error);
@@ -115,9 +81,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
 
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage) {
   return guarded(path, [&] {
-    auto database = std::make_unique<SQLite::Database>(
-        path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout_ms);
-    distrust(*database);
+    auto database = connect(path, Access::write);
     // Before the first look at the file: a log that was left behind needs no shared memory then.
     if (storage == Storage::network) database->exec("PRAGMA locking_mode = EXCLUSIVE");
     check_kind(*database, path);
@@ -160,49 +124,6 @@ void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& v
     default:
       return statement.bind(index);
   }
-}
-
-WriterLock::WriterLock(const std::string& path)
-    : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
-  if (descriptor_ < 0 && errno == ENOENT) {
-    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    made_the_file_ = descriptor_ >= 0;
-  }
-  if (descriptor_ < 0) {
-    throw UserError(kExitFailure, path + ": cannot be written (" + std::strerror(errno) +
-                                      "); choose a writable place with --catalogue");
-  }
-  struct flock byte {};
-  byte.l_type = F_WRLCK;
-  byte.l_whence = SEEK_SET;
-  byte.l_start = 1LL << 62;
-  byte.l_len = 1;
-  if (::fcntl(descriptor_, F_OFD_SETLK, &byte) != 0) {
-    const int error = errno;
-    ::close(descriptor_);
-    if (error == EAGAIN || error == EACCES) {
-      throw UserError(kExitInUse, path +
-                                      ": another search is writing this catalogue; wait for it, or "
-                                      "give this one a file of its own with --catalogue");
-    }
-    throw UserError(kExitFailure, path + ": cannot be locked (" + std::strerror(error) +
-                                      "); choose a place whose file system has locks");
-  }
-}
-
-WriterLock::~WriterLock() { ::close(descriptor_); }
-
-void WriterLock::check_file_is_there() const {
-  struct stat opened {
-  }, named{};
-  if (::fstat(descriptor_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 &&
-      opened.st_dev == named.st_dev && opened.st_ino == named.st_ino) {
-    return;
-  }
-  throw UserError(kExitFailure, path_ +
-                                    ": was removed or replaced while this campaign was writing it; "
-                                    "put it back (its last copy holds what was committed until "
-                                    "then), and the same command goes on from there");
 }
 
 }  // namespace misalign::schema

@@ -36,13 +36,14 @@ auto reading(const SQLite::Database& database, const Work& work) {
   return guarded(database.getFilename(), work);
 }
 
-/// A catalogue opened for reading: it cannot write, attach other files or load extensions.
-/// UserError: 3 no such file or no catalogue, 5 a newer schema; see storage_failure.
+/// A catalogue opened for reading: it cannot write or touch other files, see connect().
+/// UserError: 3 no such file, no catalogue, or not laid out as one (check_layout); 5 a newer
+/// schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
 /// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
 /// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
-/// UserError: 3 no catalogue, 5 a newer schema; see storage_failure.
+/// UserError: 3 no catalogue, or not laid out as one; 5 a newer schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage);
 
 /// A statement that reads; UserError as from reading().
@@ -55,30 +56,5 @@ void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& v
 /// `from` if it cannot be read, or holds rows that checks and keys of the target forbid.
 void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
                const std::function<void()>& bind_row);
-
-/// An exclusive advisory lock on the catalogue's file that dies with the process: an open-file lock
-/// of one byte far behind those that SQLite locks.
-class WriterLock {
- public:
-  /// Creates an empty file if there is none. UserError: 1 cannot be opened, 4 held by another
-  /// process.
-  explicit WriterLock(const std::string& path);
-  /// Closing any descriptor of the file drops SQLite's own locks in this process: so this object
-  /// must outlive the connection.
-  ~WriterLock();
-  WriterLock(const WriterLock&) = delete;
-  WriterLock& operator=(const WriterLock&) = delete;
-
-  /// Whether there was no file before.
-  bool made_the_file() const { return made_the_file_; }
-  /// UserError (1) if the path leads to another file now, or to none: SQLite would go on writing to
-  /// a file that nobody can find.
-  void check_file_is_there() const;
-
- private:
-  const std::string path_;
-  bool made_the_file_ = false;
-  int descriptor_;
-};
 
 }  // namespace misalign::schema

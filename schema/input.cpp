@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <set>
 
 namespace misalign::schema {
@@ -168,23 +167,8 @@ std::string ObjectReader::shown(const std::string& key) const {
   return name(key) + " = " + value;
 }
 
-Json read_json_file(const std::string& path) {
-  // A name that a file gives may hold what ends a name for the system.
-  std::ifstream file(path);
-  if (!file || path.find('\0') != std::string::npos) {
-    throw UserError(kExitBadInput, printable(path) +
-                                       ": cannot be opened (no such file, or no permission); "
-                                       "check the path");
-  }
-  std::string text;
-  for (char part[1 << 16]; file.read(part, sizeof part), file.gcount() > 0;) {
-    text.append(part, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kLargest_bytes) {
-      throw UserError(kExitBadInput, path + ": is larger than " +
-                                         std::to_string(kLargest_bytes >> 20) +
-                                         " MB (no file of ours is); check the path");
-    }
-  }
+Json read_json_file(const std::string& path, FileKind kind) {
+  const std::string text = read_file(path, kLargest_bytes, kind);
   if (text.starts_with("SQLite format 3")) {
     throw UserError(kExitBadInput, path +
                                        ": is a catalogue, not JSON; `misalign status` and "

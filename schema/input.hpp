@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "schema/file_bytes.hpp"
 #include "schema/printable.hpp"
 
 namespace misalign::schema {
@@ -87,8 +88,9 @@ class ObjectReader {
   std::vector<std::string> known_;
 };
 
-/// The JSON in a file; UserError (3) if it is missing, unreadable or not JSON.
-Json read_json_file(const std::string& path);
+/// The JSON in a file; UserError (3) if it is missing, unreadable, of another kind, too large or
+/// not JSON, (1) if the disk fails.
+Json read_json_file(const std::string& path, FileKind kind = FileKind::any);
 
 /// The JSON in a text that came from `source`; UserError (3) if it is none.
 Json parse_json(const std::string& text, const std::string& source);

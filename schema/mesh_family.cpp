@@ -86,7 +86,8 @@ FamilyMesh read_miura(ObjectReader& reader) {
 }
 
 // A FOLD file, or its contents as "mesh": what a catalogue keeps.
-FamilyMesh read_fold_mesh(ObjectReader& reader, const std::filesystem::path& directory) {
+FamilyMesh read_fold_mesh(ObjectReader& reader,
+                          const std::optional<std::filesystem::path>& directory) {
   const Json* file = reader.find("file");
   const Json* inline_mesh = reader.find("mesh");
   double mm_per_unit = 1;
@@ -101,9 +102,17 @@ FamilyMesh read_fold_mesh(ObjectReader& reader, const std::filesystem::path& dir
     reader.faults().add(reader.shown("file"), "must be a text", "name a FOLD file");
     return {};
   }
+  if (file && !directory) {
+    reader.faults().add(reader.shown("file"),
+                        "what is kept or exported carries its mesh, and no "
+                        "other file is opened for it",
+                        "export it again, or put a backup in its place");
+    return {};
+  }
   const std::size_t before = reader.faults().count();
   const std::string name = file ? file->get<std::string>() : "";
-  const Json document = file ? read_json_file((directory / name).string()) : *inline_mesh;
+  const Json document =
+      file ? read_json_file((*directory / name).string(), FileKind::regular) : *inline_mesh;
   const std::string at = reader.name("mesh");
   const std::string place = file ? name : at == "mesh" ? "" : at;
   FoldMesh fold = read_fold(document, place, mm_per_unit, reader.faults());
@@ -117,7 +126,8 @@ FamilyMesh read_fold_mesh(ObjectReader& reader, const std::filesystem::path& dir
 
 }  // namespace
 
-FamilyMesh read_family(ObjectReader& reader, const std::filesystem::path& directory) {
+FamilyMesh read_family(ObjectReader& reader,
+                       const std::optional<std::filesystem::path>& directory) {
   const char* const kForms = "write \"miura\" or \"fold\"";
   std::string family = "miura";
   reader.require("family", kForms);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct FamilyMesh {
 };
 
 /// The sheet that a pattern object names. Only when it added no fault is the result usable. A FOLD
-/// file is looked for in `directory`.
-FamilyMesh read_family(ObjectReader& reader, const std::filesystem::path& directory);
+/// file is looked for in `directory`; without one none may be named.
+FamilyMesh read_family(ObjectReader& reader, const std::optional<std::filesystem::path>& directory);
 
 }  // namespace misalign::schema

@@ -188,7 +188,7 @@ Sampling read_sampling(const Json& candidate, InputFaults& faults) {
 }  // namespace
 
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
-                     const std::filesystem::path& directory, InputFaults& faults,
+                     const std::optional<std::filesystem::path>& directory, InputFaults& faults,
                      Perforations perforations) {
   Pattern pattern;
   const std::size_t before = faults.count();
@@ -255,8 +255,8 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
     read.exported = document.value("misalign:data", Json::object());
     read.sampling = read_sampling(read.exported, faults);
   } else if (exported) {
-    read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed,
-                                file.parent_path(), faults, perforations);
+    read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
+                                perforations);
     read.exported = document;
     read.sampling = read_sampling(document, faults);
   } else {

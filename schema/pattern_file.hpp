@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "schema/input.hpp"
@@ -23,9 +24,10 @@ enum class Displacements { allowed, refused };
 enum class Perforations { of_one_freedom, any };
 
 /// Reads and checks a pattern object at `where`. Only when it added no fault is the result usable.
-/// A FOLD file that it names is looked for in `directory`.
+/// A FOLD file that it names is looked for in `directory`; what a catalogue or an exported
+/// candidate holds comes without one, and may name none: its mesh is with it.
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
-                     const std::filesystem::path& directory, InputFaults& faults,
+                     const std::optional<std::filesystem::path>& directory, InputFaults& faults,
                      Perforations perforations = Perforations::of_one_freedom);
 
 /// Where a path is looked at, and what counts as a fault between.

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include "schema/connection.hpp"
 #include "schema/database.hpp"
 #include "schema/output_file.hpp"
 #include "schema/yield.hpp"
@@ -55,7 +56,8 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
   OutputFile file = OutputFile::database(output, {catalogue.getFilename()});
   const auto write = [&] {
     SQLite::Transaction snapshot(catalogue);
-    SQLite::Database plain(file.path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    const auto opened = connect(file.path(), Access::write);
+    SQLite::Database& plain = *opened;
     SQLite::Transaction transaction(plain);
     for (const char* table : kTables) {
       if (table != std::string("yield") || has_yields(catalogue))

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <utility>
 
 #include "schema/carried_files.hpp"
 #include "schema/storage.hpp"
@@ -52,59 +54,138 @@ Row distinct(const Row& names) {
   return keys;
 }
 
+// SQLite prepares the first statement only: a second one would be ignored in silence.
+void check_single(SQLite::Database& database, const std::string& sql) {
+  sqlite3_stmt* first = nullptr;
+  const char* rest = nullptr;
+  const int code = sqlite3_prepare_v2(database.getHandle(), sql.c_str(), -1, &first, &rest);
+  const bool empty = first == nullptr;
+  sqlite3_finalize(first);
+  if (code != SQLITE_OK) throw SQLite::Exception(database.getHandle(), code);
+  if (empty) throw bad_sql("it is empty");
+  sqlite3_stmt* second = nullptr;
+  const int second_code = sqlite3_prepare_v2(database.getHandle(), rest, -1, &second, nullptr);
+  const bool more = second != nullptr;
+  sqlite3_finalize(second);
+  if (more || second_code != SQLITE_OK) throw bad_sql("more follows after the first statement");
+}
+
+/// The rows of a statement, written in one of the styles.
+class TableWriter {
+ public:
+  TableWriter(SQLite::Statement& statement, const TextSink& sink)
+      : statement_(statement), sink_(sink) {
+    if (columns() == 0) throw bad_sql("it gives no rows");
+    for (int k = 0; k < columns(); ++k) names_.emplace_back(statement_.getColumnName(k));
+  }
+
+  std::uint64_t write(TableStyle style) {
+    switch (style) {
+      case TableStyle::json:
+        write_json();
+        break;
+      case TableStyle::csv:
+        write_csv();
+        break;
+      case TableStyle::aligned:
+        write_aligned();
+    }
+    return rows_;
+  }
+
+ private:
+  int columns() const { return statement_.getColumnCount(); }
+  // Whether there is another row, and somebody who reads it.
+  bool next() {
+    if (!wanted_ || !statement_.executeStep()) return false;
+    ++rows_;
+    return true;
+  }
+  void give(const std::string& piece) { wanted_ = wanted_ && sink_(piece); }
+
+  void write_json() {
+    const Row keys = distinct(names_);
+    while (next()) {
+      nlohmann::ordered_json object = nlohmann::ordered_json::object();  // columns in their order
+      for (int k = 0; k < columns(); ++k) object[keys[k]] = cell_json(statement_.getColumn(k));
+      const std::string text =
+          object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      std::string piece = rows_ == 1 ? "[\n " : ",\n ";
+      for (const char c : text) piece += c == '\n' ? "\n " : std::string(1, c);
+      give(piece);
+    }
+    give(rows_ == 0 ? "[]\n" : "\n]\n");
+  }
+
+  void write_csv() {
+    const auto line = [](const Row& row) {
+      std::string text;
+      for (std::size_t k = 0; k < row.size(); ++k) text += (k ? "," : "") + csv_cell(row[k]);
+      return text + "\n";
+    };
+    give(line(names_));
+    while (next()) {
+      Row row;
+      for (int k = 0; k < columns(); ++k) {
+        const SQLite::Column cell = statement_.getColumn(k);
+        row.push_back(cell.isFloat() ? Json(cell.getDouble()).dump() : cell_text(cell));
+      }
+      give(line(row));
+    }
+  }
+
+  Row aligned_row() const {
+    Row row;
+    for (int k = 0; k < columns(); ++k) row.push_back(cell_text(statement_.getColumn(k)));
+    return printable_row(std::move(row));
+  }
+
+  // Rows are kept while they are few; if they become many, they are made once more when all widths
+  // are known.
+  void write_aligned() {
+    constexpr std::size_t kKept_bytes = 4 << 20;
+    Columns table(std::vector<bool>(names_.size(), true));
+    const Row header = printable_row(names_);
+    table.widen(header);
+    std::vector<Row> kept;
+    std::size_t bytes = 0;
+    while (next()) {
+      for (int k = 0; k < columns(); ++k) {
+        if (statement_.getColumn(k).isText()) table.set_text(static_cast<std::size_t>(k));
+      }
+      Row row = aligned_row();
+      table.widen(row);
+      if (bytes > kKept_bytes) continue;
+      for (const std::string& cell : row) bytes += cell.size() + sizeof cell;
+      kept.push_back(std::move(row));
+    }
+    give(table.line(header));
+    if (bytes <= kKept_bytes) {
+      for (const Row& row : kept) give(table.line(row));
+      return;
+    }
+    kept.clear();
+    statement_.reset();
+    for (rows_ = 0; next();) give(table.line(aligned_row()));
+  }
+
+  SQLite::Statement& statement_;
+  const TextSink& sink_;
+  Row names_;
+  std::uint64_t rows_ = 0;
+  bool wanted_ = true;
+};
+
 }  // namespace
 
-std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style) {
+std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
+                          const TextSink& sink) {
   try {
-    // SQLite prepares the first statement only: a second one would be ignored in silence.
-    sqlite3_stmt* first = nullptr;
-    const char* rest = nullptr;
-    const int code = sqlite3_prepare_v2(database.getHandle(), sql.c_str(), -1, &first, &rest);
-    const bool empty = first == nullptr;
-    sqlite3_finalize(first);
-    if (code != SQLITE_OK) throw SQLite::Exception(database.getHandle(), code);
-    if (empty) throw bad_sql("it is empty");
-    sqlite3_stmt* second = nullptr;
-    const int second_code = sqlite3_prepare_v2(database.getHandle(), rest, -1, &second, nullptr);
-    const bool more = second != nullptr;
-    sqlite3_finalize(second);
-    if (more || second_code != SQLITE_OK) throw bad_sql("more follows after the first statement");
-
+    check_single(database, sql);
+    std::optional<SQLite::Transaction> snapshot;  // or the caller's
+    if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);
     SQLite::Statement statement(database, sql);
-    const int columns = statement.getColumnCount();
-    if (columns == 0) throw bad_sql("it gives no rows");
-    Row names;
-    for (int k = 0; k < columns; ++k) names.emplace_back(statement.getColumnName(k));
-    const Row keys = distinct(names);
-    std::vector<bool> numeric(columns, true);
-    std::vector<Row> rows{names};
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();  // columns in their order
-    while (statement.executeStep()) {
-      Row row;
-      nlohmann::ordered_json object = nlohmann::ordered_json::object();
-      for (int k = 0; k < columns; ++k) {
-        const SQLite::Column cell = statement.getColumn(k);
-        if (style == TableStyle::json) {
-          object[keys[k]] = cell_json(cell);
-          continue;
-        }
-        numeric[k] = numeric[k] && !cell.isText();
-        const bool all_digits = style == TableStyle::csv && cell.isFloat();
-        row.push_back(all_digits ? Json(cell.getDouble()).dump() : cell_text(cell));
-      }
-      style == TableStyle::json ? list.push_back(std::move(object))
-                                : rows.push_back(std::move(row));
-    }
-    if (style == TableStyle::json) {
-      return list.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-    }
-    if (style == TableStyle::aligned) return aligned(rows, numeric);
-    std::string text;
-    for (const Row& row : rows) {
-      for (std::size_t k = 0; k < row.size(); ++k) text += (k ? "," : "") + csv_cell(row[k]);
-      text += "\n";
-    }
-    return text;
+    return TableWriter(statement, sink).write(style);
   } catch (const SQLite::Exception& error) {
     switch (error.getErrorCode()) {
       case SQLITE_BUSY:
@@ -118,6 +199,15 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
         throw bad_sql(error.what());
     }
   }
+}
+
+std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style) {
+  std::string text;
+  write_query(database, sql, style, [&](const std::string& piece) {
+    text += piece;
+    return true;
+  });
+  return text;
 }
 
 std::string named_query(const std::string& name) {

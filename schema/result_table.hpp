@@ -3,6 +3,8 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,18 @@ namespace misalign::schema {
 
 enum class TableStyle { aligned, json, csv };
 
-/// The first line of an aligned table, and of CSV, names the columns.
-/// Runs one read-only statement to its end. UserError (2) if it is no SQL, not a single statement,
-/// or more than a query; see storage_failure for what can happen to the file.
+/// Takes a table's text piece by piece; false if no more is wanted.
+using TextSink = std::function<bool(const std::string& piece)>;
+
+/// Runs one read-only statement and gives its rows on as they come, with bounded memory; how many
+/// there were. The first line of an aligned table, and of CSV, names the columns, and is a piece of
+/// its own. The columns of an aligned table are as wide as all of its rows need: where those are
+/// many, the statement runs twice in one snapshot. UserError (2) if it is no SQL, not a single
+/// statement, or more than a query; see storage_failure for what can happen to the file.
+std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
+                          const TextSink& sink);
+
+/// The whole of a small table.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
 
 /// The SQL of a named query; empty if there is no such name.

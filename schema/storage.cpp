@@ -66,12 +66,20 @@ void sync_directory_of(const std::string& path) {
 UserError storage_failure(const std::string& path, const SQLite::Exception& error) {
   static const std::string kKept = "; what was committed is good: ";
   static const std::string kAgain = ", then the same command goes on from there";
-  const std::string what = " (" + printable(utf8(error.what())) + ")";
+  // The number tells reading from writing, locking and so forth.
+  const std::string number = error.getErrorCode() == SQLITE_IOERR
+                                 ? ", " + std::to_string(error.getExtendedErrorCode())
+                                 : "";
+  const std::string what = " (" + printable(utf8(error.what())) + number + ")";
   switch (error.getErrorCode()) {
     case SQLITE_FULL:
       return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kKept +
                                 "make room" + kAgain};
     case SQLITE_IOERR:
+      if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) {
+        return {kExitFailure, path + ": no room for the index of its log" + what + kKept +
+                                  "make room on the disk" + kAgain};
+      }
       return {kExitFailure, path + ": reading or writing failed" + what + kKept +
                                 "see to the disk and to limits of a file's size (ulimit -f)" +
                                 kAgain};

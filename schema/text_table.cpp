@@ -50,28 +50,35 @@ std::size_t display_width(const std::string& text) {
   return width;
 }
 
+void Columns::widen(const Row& row) {
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    width_[k] = std::max(width_[k], display_width(row[k]));
+  }
+}
+
+std::string Columns::line(const Row& row) const {
+  std::string line;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const std::size_t own = display_width(row[k]);
+    const std::string pad(width_[k] - std::min(width_[k], own), ' ');
+    line += (k ? "  " : "") + (numeric_[k] ? pad + row[k] : row[k] + pad);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+Row printable_row(Row row) {
+  for (std::string& cell : row) cell = printable(cell);
+  return row;
+}
+
 std::string aligned(const std::vector<Row>& cells, const std::vector<bool>& numeric) {
-  std::vector<Row> rows = cells;
-  for (Row& row : rows) {
-    std::transform(row.begin(), row.end(), row.begin(),
-                   [](const std::string& cell) { return printable(cell); });
-  }
-  std::vector<std::size_t> width(numeric.size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      width[k] = std::max(width[k], display_width(row[k]));
-    }
-  }
+  std::vector<Row> rows;
+  for (const Row& row : cells) rows.push_back(printable_row(row));
+  Columns columns(numeric);
+  for (const Row& row : rows) columns.widen(row);
   std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string pad(width[k] - display_width(row[k]), ' ');
-      line += (k ? "  " : "") + (numeric[k] ? pad + row[k] : row[k] + pad);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
+  for (const Row& row : rows) text += columns.line(row);
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "schema/result_table.hpp"
+#include "schema/sql_tokens.hpp"
 #include "solver/spread.hpp"
 
 namespace misalign::search {
@@ -117,16 +118,24 @@ Eigen::MatrixXd places_of(const SQLite::Database& database, const Json& rows) {
   return places;
 }
 
-// So that what is wrong with it is said of the condition, not of a query around it.
+// That it is an expression by itself, so that what it says is about the rows of candidates, and
+// what is wrong with it is said of the condition, not of a query around it.
 void check_condition(SQLite::Database& database, const std::string& where) {
+  const auto refuse = [&](const std::string& why) {
+    throw schema::UserError(schema::kExitUsage, "--where " + schema::printable(where) +
+                                                    ": is no condition on the columns " +
+                                                    joined(columns_of_candidates(database)) + why +
+                                                    "; try \"stroke_max < 0.08\"");
+  };
+  const std::string reason = schema::reason_not_to_enclose(where);
+  if (!reason.empty()) refuse(" (" + reason + ")");
   try {
+    // In brackets it must end, behind an operator it must begin as an expression.
     rows_of(database, "SELECT 1 FROM candidates WHERE (" + where + "\n) LIMIT 0");
+    rows_of(database, "SELECT 1 FROM candidates WHERE 0 OR " + where + "\nLIMIT 0");
   } catch (const schema::UserError& error) {
     if (error.exit_code() != schema::kExitUsage) throw;
-    throw schema::UserError(schema::kExitUsage, "--where " + where +
-                                                    ": is no condition on the columns " +
-                                                    joined(columns_of_candidates(database)) +
-                                                    "; try \"stroke_max < 0.08\"");
+    refuse("");
   }
 }
 

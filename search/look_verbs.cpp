@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <random>
 
 #include "schema/result_table.hpp"
@@ -145,7 +146,7 @@ UserError no_such_query(const std::string& name) {
 }
 
 // Whether a named query's LIMIT left rows out: it is the last thing such a query says.
-bool was_cut_off(SQLite::Database& database, const std::string& sql, std::size_t rows) {
+bool was_cut_off(SQLite::Database& database, const std::string& sql, std::uint64_t rows) {
   const std::size_t limit = sql.rfind("LIMIT ");
   if (limit == std::string::npos || std::stoull(sql.substr(limit + 6)) != rows) return false;
   const std::string next = "SELECT 1 FROM (" + sql.substr(0, limit) + ") LIMIT 1 OFFSET ";
@@ -166,12 +167,23 @@ bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
 
 void show_rows(SQLite::Database& database, const std::string& name, const std::string& sql,
                bool paged) {
-  const std::string table = schema::query_table(database, sql, schema::TableStyle::aligned);
-  const std::size_t header = table.find('\n');
-  const bool is_empty = header + 1 == table.size();
-  if (is_empty && !name.empty() && show_nothing_found(database, sql)) return;
-  show(paint_for(STDOUT_FILENO).bold(table.substr(0, header)) + table.substr(header), paged);
-  const auto rows = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) - 1;
+  std::optional<Show> out;  // once there is something to show
+  std::optional<std::string> header;
+  const auto show_header = [&] {
+    out.emplace(paged);
+    return out->write(paint_for(STDOUT_FILENO).bold(*header) + "\n");
+  };
+  const std::uint64_t rows =
+      schema::write_query(database, sql, schema::TableStyle::aligned, [&](const std::string& line) {
+        if (header) return (out || show_header()) && out->write(line);
+        header = line.substr(0, line.size() - 1);
+        return true;
+      });
+  if (!out) {
+    if (!name.empty() && show_nothing_found(database, sql)) return;
+    show_header();
+  }
+  out.reset();
   std::fflush(stdout);
   if (!name.empty() && was_cut_off(database, sql, rows)) {
     spdlog::info(
@@ -209,8 +221,10 @@ Action add_query(CLI::App& app) {
       show_rows(*database, named.empty() ? "" : *sql, text, !*unpaged);
     } else {
       const auto style = *json ? schema::TableStyle::json : schema::TableStyle::csv;
-      const std::string rows = schema::query_table(*database, text, style);
-      *json ? put_json(rows) : put_csv(rows);
+      schema::write_query(*database, text, style, [&](const std::string& piece) {
+        *json ? put_json(piece) : put_csv(piece);
+        return std::ferror(stdout) == 0;
+      });
     }
     return 0;
   };

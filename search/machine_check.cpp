@@ -8,6 +8,7 @@
 #include <set>
 
 #include "schema/database.hpp"
+#include "schema/writer_lock.hpp"
 #include "search/draw.hpp"
 #include "search/stopwatch.hpp"
 #include "search/trial.hpp"

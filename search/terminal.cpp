@@ -11,6 +11,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace misalign::search {
 namespace {
@@ -48,24 +49,6 @@ std::string for_people(std::string_view text) {
 }
 
 void write_out(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
-// False if there is no such pager: then nothing was shown.
-bool show_in_pager(const std::string& command, const std::string& text) {
-  // As git does: end at once if all fits, colors, long lines cut, the screen left as it is.
-  setenv("LESS", "FRSX", /*overwrite=*/0);
-  std::FILE* pager = popen(command.c_str(), "w");
-  if (!pager) return false;
-  // Ctrl-C is the pager's, and it may be left before it has read everything. Only now: the pager
-  // would inherit it.
-  const auto on_interrupt = std::signal(SIGINT, SIG_IGN), on_pipe = std::signal(SIGPIPE, SIG_IGN);
-  std::fputs(text.c_str(), pager);
-  const int status = pclose(pager);
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGPIPE, on_pipe);
-  const bool missing =
-      WIFEXITED(status) && (WEXITSTATUS(status) == 126 || WEXITSTATUS(status) == 127);
-  return !missing;
-}
 
 }  // namespace
 
@@ -144,10 +127,45 @@ void put_csv(const std::string& rows) {
   write_out(is_terminal(STDOUT_FILENO) ? schema::printable_csv(rows) : rows);
 }
 
-void show(const std::string& text, bool paged) {
+Show::Show(bool paged) {
   const std::string command = paged && is_terminal(STDOUT_FILENO) ? pager_command() : "";
   std::fflush(stdout);
-  if (command.empty() || !show_in_pager(command, for_people(text))) put(text);
+  if (command.empty()) return;
+  // As git does: end at once if all fits, colors, long lines cut, the screen left as it is.
+  setenv("LESS", "FRSX", /*overwrite=*/0);
+  pager_ = popen(command.c_str(), "w");
+  if (!pager_) return;
+  // Ctrl-C is the pager's, and it may be left before it has read everything. Only now: the pager
+  // would inherit it.
+  on_interrupt_ = std::signal(SIGINT, SIG_IGN);
+  on_pipe_ = std::signal(SIGPIPE, SIG_IGN);
+}
+
+Show::~Show() {
+  if (pager_ && close_pager()) write_out(begin_);
+}
+
+// Whether there was no such pager: then nothing was shown.
+bool Show::close_pager() {
+  const int status = pclose(pager_);
+  pager_ = nullptr;
+  std::signal(SIGINT, on_interrupt_);
+  std::signal(SIGPIPE, on_pipe_);
+  return WIFEXITED(status) && (WEXITSTATUS(status) == 126 || WEXITSTATUS(status) == 127);
+}
+
+bool Show::write(const std::string& text) {
+  constexpr std::size_t kMoreThanAPipeHolds = 1 << 20;
+  if (was_left_) return false;
+  const std::string shown = for_people(text);
+  if (pager_) {
+    if (begin_.size() < kMoreThanAPipeHolds) begin_ += shown;
+    if (std::fputs(shown.c_str(), pager_) >= 0 && std::fflush(pager_) == 0) return true;
+    was_left_ = !close_pager();
+    if (was_left_) return false;
+  }
+  write_out(pager_ || begin_.empty() ? shown : std::exchange(begin_, ""));
+  return std::ferror(stdout) == 0;
 }
 
 bool reader_has_gone() {

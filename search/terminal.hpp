@@ -1,6 +1,7 @@
 // What is known of the terminal, and what may be shown there.
 #pragma once
 
+#include <cstdio>
 #include <string>
 
 #include "schema/input.hpp"
@@ -58,7 +59,25 @@ void put_json(const std::string& json);
 void put_csv(const std::string& rows);
 
 /// As put, through the pager if standard output is a terminal and `paged`.
-void show(const std::string& text, bool paged);
+class Show {
+ public:
+  explicit Show(bool paged);
+  /// Waits for whoever reads in the pager.
+  ~Show();
+  Show(const Show&) = delete;
+  Show& operator=(const Show&) = delete;
+  /// False if the pager was left: then nobody reads what may follow.
+  bool write(const std::string& text);
+
+ private:
+  bool close_pager();
+
+  std::FILE* pager_ = nullptr;
+  void (*on_interrupt_)(int) = nullptr;
+  void (*on_pipe_)(int) = nullptr;
+  std::string begin_;  // for a pager that is not there, which is known when it has ended
+  bool was_left_ = false;
+};
 
 /// Whether nobody reads standard output any more: a pager that was left, a head that has enough.
 bool reader_has_gone();

@@ -76,6 +76,21 @@ inline CandidateSum as_sum(Wide value) {
 
 inline const RunInfo kRun{"host", "0", "none", "g++", "-O2", "golden", 2};
 
+/// Does this to a catalogue's rows past keys, checks and triggers, which are there again
+/// afterwards.
+inline void change_rows(const std::string& path, const std::string& sql) {
+  SQLite::Database database(path, SQLite::OPEN_READWRITE);
+  std::string without, again;
+  SQLite::Statement triggers(database,
+                             "SELECT name, sql FROM sqlite_schema WHERE type = 'trigger'");
+  while (triggers.executeStep()) {
+    without += "DROP TRIGGER " + triggers.getColumn(0).getString() + ";";
+    again += triggers.getColumn(1).getString() + ";";
+  }
+  database.exec("PRAGMA foreign_keys = OFF; PRAGMA ignore_check_constraints = ON; " + without +
+                sql + ";" + again);
+}
+
 class CatalogueTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -3,7 +3,10 @@
 
 #include <sqlite3.h>
 
+#include <cerrno>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <string>
 
 namespace misalign::schema {
@@ -45,6 +48,7 @@ class FaultyVfs {
     sqlite3_vfs_register(&vfs_, 1);
   }
   ~FaultyVfs() {
+    disk() = {};
     sqlite3_vfs_register(real(), 1);
     sqlite3_vfs_unregister(&vfs_);
   }
@@ -57,6 +61,15 @@ class FaultyVfs {
     seen() = 0;
   }
   void disarm() { arm({}); }
+  /// From now on the files of a folder, without what is memory, hold so many bytes together.
+  void limit_room(const std::string& folder, std::uint64_t bytes) { disk() = {folder, bytes}; }
+  static std::uint64_t used(const std::string& folder) {
+    std::uint64_t bytes = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+      if (!file.path().string().ends_with("-shm")) bytes += file.file_size();
+    }
+    return bytes;
+  }
   /// Operations of the armed kind since then.
   int count() const { return seen(); }
 
@@ -79,13 +92,28 @@ class FaultyVfs {
     return count;
   }
 
+  struct Disk {
+    std::string folder;  // empty: there is room enough
+    std::uint64_t bytes = 0;
+  };
+  static Disk& disk() {
+    static Disk small;
+    return small;
+  }
+  static sqlite3_file* of(sqlite3_file* file) { return reinterpret_cast<File*>(file)->wrapped(); }
+  static bool has_room(sqlite3_file* file, int size, sqlite3_int64 at) {
+    if (disk().folder.empty()) return true;
+    sqlite3_int64 now = 0;
+    of(file)->pMethods->xFileSize(of(file), &now);
+    return at + size <= now ||
+           used(disk().folder) + static_cast<std::uint64_t>(at + size - now) <= disk().bytes;
+  }
+
   static bool fails(DiskOperation operation) {
     if (operation != fault().operation) return false;
     ++seen();
     return fault().nth > 0 && (fault().lasting ? seen() >= fault().nth : seen() == fault().nth);
   }
-
-  static sqlite3_file* of(sqlite3_file* file) { return reinterpret_cast<File*>(file)->wrapped(); }
 
   // Calls the method of the wrapped file, unless it is the operation's turn to fail.
   template <auto method, DiskOperation operation, class... Arguments>
@@ -100,6 +128,7 @@ class FaultyVfs {
 
   // Half of it is written, as when a disk fills up.
   static int write(sqlite3_file* file, const void* bytes, int size, sqlite3_int64 at) {
+    if (!has_room(file, size, at)) return SQLITE_FULL;
     if (!fails(DiskOperation::write))
       return pass<&sqlite3_io_methods::xWrite>(file, bytes, size, at);
     pass<&sqlite3_io_methods::xWrite>(file, bytes, size / 2, at);

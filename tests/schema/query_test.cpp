@@ -207,5 +207,41 @@ TEST_F(CatalogueTest, CellsStayWithinTheirRowsAndColumns) {
   EXPECT_EQ(last.size(), text.find('\n') + 2) << text;  // one letter of two bytes, and \n
 }
 
+// A million rows, none of which is kept; of an aligned table either, which is as wide as its
+// widest.
+TEST_F(CatalogueTest, RowsAreGivenOnAsTheyCome) {
+  open();
+  const auto database = open_for_reading(path());
+  const std::string sql =
+      "WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 FROM n WHERE k < 300000) SELECT "
+      "k, "
+      "'a text of some length' AS t FROM n";
+  for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
+    std::size_t longest = 0, bytes = 0, lines = 0;
+    std::string last;
+    const std::uint64_t rows = write_query(*database, sql, style, [&](const std::string& piece) {
+      longest = std::max(longest, piece.size());
+      bytes += piece.size();
+      lines += static_cast<std::size_t>(std::count(piece.begin(), piece.end(), '\n'));
+      last = piece;
+      return true;
+    });
+    EXPECT_EQ(rows, 300000u);
+    EXPECT_LT(longest, 200u);
+    EXPECT_GT(bytes, 300000u * 25);
+    if (style == TableStyle::aligned) {
+      EXPECT_EQ(last, "300000  a text of some length\n");
+    }
+    if (style != TableStyle::json) {
+      EXPECT_EQ(lines, 300001u);
+    }
+  }
+  // Whoever has read enough stops it.
+  int pieces = 0;
+  const auto enough = [&](const std::string&) { return ++pieces < 10; };
+  EXPECT_EQ(write_query(*database, sql, TableStyle::csv, enough), 9u);
+  EXPECT_EQ(pieces, 10);
+}
+
 }  // namespace
 }  // namespace misalign::schema

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "catalogue_fixture.hpp"
+#include "faulty_calls.hpp"
 #include "faulty_vfs.hpp"
 #include "schema/ledger_check.hpp"
 
@@ -195,6 +196,83 @@ TEST_F(StorageTest, OnSharedStorageTheWriterIsAlone) {
   // A write-ahead log that was left behind on a local disk is taken in.
   run(Storage::network, committed);
   EXPECT_EQ(state().digest, expected({{0, kUnits * kUnitDraws}}));
+}
+
+// A disk that cannot be read is no damaged catalogue: to put a backup in its place would be wrong.
+TEST_F(StorageTest, ReadErrorsAreNoDamage) {
+  std::uint64_t committed = 0;
+  run(Storage::local, committed);
+  const auto look = [&] {
+    const auto database = open_for_reading(path());
+    read_state(*database);
+    query_table(*database, "SELECT * FROM candidate", TableStyle::csv);
+  };
+  FaultyCalls calls;
+  calls.arm(FaultyCalls::Kind::read, 0, 0);
+  look();
+  const int reads = calls.count();
+  ASSERT_GT(reads, 5);
+  for (const int error : {EIO, ENXIO, ESTALE}) {
+    for (int nth = 1; nth <= reads; nth += 1 + nth / 10) {
+      calls.arm(FaultyCalls::Kind::read, nth, error);
+      const Refusal r = refusal(look);
+      EXPECT_EQ(r.exit_code, kExitFailure) << nth << ": " << r.sentence;
+      EXPECT_EQ(r.sentence.find("damaged"), std::string::npos) << nth << ": " << r.sentence;
+      EXPECT_NE(r.sentence.find("see to the disk"), std::string::npos) << nth << ": " << r.sentence;
+    }
+  }
+  calls.arm(FaultyCalls::Kind::read, 0, 0);
+  look();
+}
+
+// A file system that interrupts every call for ever.
+TEST_F(StorageTest, InterruptionsEnd) {
+  std::uint64_t committed = 0;
+  run(Storage::local, committed);
+  FaultyCalls calls;
+  calls.arm(FaultyCalls::Kind::read, 3, EINTR);
+  EXPECT_EQ(refusal([&] { read_state(*open_for_reading(path())); }).exit_code, kExitFailure);
+  calls.arm(FaultyCalls::Kind::write, 1, EINTR);
+  const Refusal r = refusal([&] {
+    Catalogue catalogue = open();
+    catalogue.begin_run(kRun, {});
+  });
+  EXPECT_EQ(r.exit_code, kExitFailure) << r.sentence;
+  calls.arm(FaultyCalls::Kind::write, 0, 0);
+  EXPECT_EQ(state().draws, kUnits * kUnitDraws);
+}
+
+// A disk that is full, and a little less so at every start.
+TEST_F(StorageTest, ALittleMoreRoomEachTimeIsProgress) {
+  constexpr int kUnitsHere = 40;
+  FaultyVfs vfs;
+  const auto go_on = [&] {
+    Catalogue catalogue(path(), campaign_, mechanism_, Storage::local);
+    catalogue.begin_run(kRun, {{0, kEndOfDraws}, kUnitsHere * kUnitDraws, {}});
+    const auto done = catalogue.done();
+    for (int k = static_cast<int>(done.size()); k < kUnitsHere; ++k) catalogue.commit({unit_at(k)});
+    catalogue.end_run("complete");
+  };
+  go_on();
+  const std::uint64_t whole = FaultyVfs::used(folder_);
+  const std::string digest = state().digest;
+  std::filesystem::remove(path());
+  { Catalogue catalogue(path(), campaign_, mechanism_, Storage::local); }
+  std::uint64_t room = FaultyVfs::used(folder_), starts = 0;
+  // Twice the whole and a log of the least that a start needs is room enough.
+  for (int code = kExitFailure; code != 0 && room < 2 * whole + (200 << 10); ++starts) {
+    room += 8 << 10;
+    vfs.limit_room(folder_, room);
+    const Refusal r = refusal(go_on);
+    code = r.exit_code;
+    if (code != 0) {
+      EXPECT_EQ(r.exit_code, kExitFailure) << r.sentence;
+      EXPECT_NE(r.sentence.find("full"), std::string::npos) << r.sentence;
+    }
+  }
+  EXPECT_EQ(state().draws, kUnitsHere * kUnitDraws) << "after " << starts << " starts";
+  EXPECT_EQ(state().digest, digest);
+  std::cout << starts << " starts, " << room << " bytes of room for " << whole << "\n";
 }
 
 }  // namespace

@@ -158,22 +158,31 @@ class CatalogueMutator {
 
   // What the rows say, past all checks.
   static void change_rows(std::string& bytes, Dice& dice) {
-    if (dice.below(3) == 0) {  // no checks and types any more, in this and the next connection
+    const bool typeless = dice.below(3) == 0;  // no types any more, in the next connection
+    const auto replace_in_schema = [&](const std::string& what, const std::string& by) {
       MemoryDatabase database(bytes);
-      database.run(
-          "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, ') STRICT', "
-          "')')");
+      database.run("PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, '" +
+                   what + "', '" + by + "') WHERE type = 'table'");
       bytes = database.bytes();
-    }
+    };
+    if (typeless) replace_in_schema(") STRICT", ") /*STRICT*/");
     MemoryDatabase database(bytes);
     database.run(
         "PRAGMA writable_schema = ON; PRAGMA ignore_check_constraints = ON; PRAGMA foreign_keys = "
         "OFF");
-    if (dice.below(2)) database.run("DROP TRIGGER unit_moves; DROP TRIGGER unit_overlaps");
+    const auto triggers = database.texts("SELECT sql FROM sqlite_schema WHERE type = 'trigger'");
+    const bool past_triggers = dice.below(2);
+    if (past_triggers) database.run("DROP TRIGGER unit_moves; DROP TRIGGER unit_overlaps");
     for (std::size_t times = 1 + dice.below(3); times > 0; --times) {
       database.run(some_sql(database, dice));
     }
+    // As an attacker would: a catalogue that is not laid out as one is refused at the door.
+    const bool laid_out = dice.below(8) != 0;
+    if (past_triggers && laid_out) {
+      for (const std::string& trigger : triggers) database.run(trigger);
+    }
     bytes = database.bytes();
+    if (typeless && laid_out) replace_in_schema(") /*STRICT*/", ") STRICT");
   }
 
   static std::string some_value(const std::string& column, Dice& dice) {

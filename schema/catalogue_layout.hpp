@@ -1,0 +1,22 @@
+// The tables, views, triggers and indexes of a catalogue, as this program and its forebears make
+// them: a file that has others is not what its rows say.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <functional>
+#include <set>
+#include <string>
+
+namespace misalign::schema {
+
+/// Compares the file's schema with what the program writes in that version, in a new catalogue or
+/// one that was brought up from an older version; comments and blanks do not count, and statistics
+/// that ANALYZE left may be there. Nothing of the file's schema is run. UserError (3) that names
+/// what is foreign, other or missing; 5 is the caller's, who knows the version.
+void check_layout(SQLite::Database& database, int version, const std::string& path);
+
+/// The names of tables and views of catalogues of any version.
+const std::set<std::string, std::less<>>& relations_of_catalogues();
+
+}  // namespace misalign::schema

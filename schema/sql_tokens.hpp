@@ -1,0 +1,23 @@
+// SQL as SQLite divides it into words, so that two texts can be compared, and one can be put into
+// another without ending what is round it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace misalign::schema {
+
+struct SqlTokens {
+  std::vector<std::string> tokens;  ///< without blanks and comments
+  /// Whether the text ends a string, a quoted name or a comment that it does not close: then it
+  /// means something else where more follows.
+  bool is_open = false;
+};
+
+SqlTokens sql_tokens(const std::string& sql);
+
+/// Why `sql` cannot stand between two brackets as one expression: "ends a bracket that it did not
+/// open". Empty if it can, as far as its tokens tell.
+std::string reason_not_to_enclose(const std::string& sql);
+
+}  // namespace misalign::schema

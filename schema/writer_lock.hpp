@@ -1,0 +1,37 @@
+// Who may write a catalogue: one process at a time.
+#pragma once
+
+#include <string>
+
+namespace misalign::schema {
+
+/// An exclusive advisory lock on the catalogue's file that dies with the process: an open-file lock
+/// of one byte far behind those that SQLite locks.
+class WriterLock {
+ public:
+  /// Creates an empty file if there is none. UserError: 1 cannot be opened, or has a second name
+  /// (a hard link: SQLite's journals go by the name, and whoever opens the other name would not
+  /// find them); 3 is no regular file; 4 held by another process.
+  explicit WriterLock(const std::string& path);
+  /// Closing any descriptor of the file drops SQLite's own locks in this process: so this object
+  /// must outlive the connection.
+  ~WriterLock();
+  WriterLock(const WriterLock&) = delete;
+  WriterLock& operator=(const WriterLock&) = delete;
+
+  /// Whether there was no file before.
+  bool made_the_file() const { return made_the_file_; }
+  /// UserError (1) if the path leads to another file now, or to none: SQLite would go on writing to
+  /// a file that nobody can find.
+  void check_file_is_there() const;
+
+ private:
+  void check_kind() const;
+  void lock() const;
+
+  const std::string path_;
+  bool made_the_file_ = false;
+  int descriptor_;
+};
+
+}  // namespace misalign::schema
