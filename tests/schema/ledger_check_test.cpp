@@ -76,7 +76,7 @@ TEST_F(LedgerCheckTest, WhatIsAlteredIsNamed) {
       finds("UPDATE campaign SET identity = replace(hex(zeroblob(16)), '0', 'a')", "identity"));
   EXPECT_TRUE(
       finds("INSERT INTO candidate SELECT 11, unit, 171, 171, 180, 0, 0, 0, 0, 0, 0, 0, 0, "
-            "0, 0, 1, 1, 0, '{}', '[]', 0, NULL FROM candidate LIMIT 1",
+            "0, 0, 1, 1, 0, '{}', '[]', 0, NULL, NULL FROM candidate LIMIT 1",
             "accepted"));
 }
 

@@ -96,7 +96,7 @@ TEST(FacesOfEdges, AreRefusedWhereTheyDoNotFollow) {
   mesh["edges_assignment"].push_back("V");
   expect_fault(mesh, {"cross or touch"});
   mesh = whole;  // an edge that ends within a region
-  mesh["vertices_coords"].push_back({100, 120});
+  mesh["vertices_coords"].push_back({140, 120});
   mesh["edges_vertices"].push_back({6, 25});
   mesh["edges_assignment"].push_back("V");
   expect_fault(mesh, {"has 6 sides"});

@@ -54,7 +54,7 @@ TEST_F(YieldTest, MoreTrialsReplaceFewer) {
 // In one file, which a directory that nobody may write to can hold.
 TEST_F(YieldTest, TheFileIsOneAgain) {
   keep({{5, 0.05, 100, 90, 0}});
-  EXPECT_EQ(open_for_reading(path())->execAndGet("PRAGMA journal_mode").getString(), "delete");
+  EXPECT_EQ(SQLite::Database(path()).execAndGet("PRAGMA journal_mode").getString(), "delete");
   EXPECT_FALSE(std::filesystem::exists(path() + "-wal"));
 }
 

@@ -223,8 +223,9 @@ TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
 // Rows that a catalogue's checks forbid, and that its ledger does not show: the sentence is about
 // the input, not about the output that is not there.
 TEST_F(MergeTest, RowsThatNoCatalogueMayHoldAreRefused) {
-  for (const char* sql : {"UPDATE candidate SET displacements_mm = 'nonsense'",
-                          "UPDATE run SET ranks = 0", "INSERT INTO screened VALUES ('x', 1, -1)"}) {
+  for (const char* sql :
+       {"UPDATE candidate SET displacements_mm = 'nonsense'",
+        "UPDATE run SET configuration = 'nonsense'", "INSERT INTO screened VALUES ('x', 1, -1)"}) {
     std::filesystem::remove(path("a.db"));
     make("a.db", {{0, 100}});
     change("a.db", std::string("PRAGMA ignore_check_constraints = ON; ") + sql);
