@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <set>
 #include <string_view>
 
@@ -60,17 +61,34 @@ bool is_among(const std::array<std::string_view, count>& names, const char* name
 
 bool may_call(const char* function) { return function && known_functions().contains(function); }
 
-// What a catalogue has, and tables made of a JSON text or of what a pragma tells.
+// Virtual tables that SQLite has without being asked for them, such as dbstat and fts3tokenize.
+const std::set<std::string, std::less<>>& modules() {
+  static const auto names = [] {
+    std::set<std::string, std::less<>> found;
+    SQLite::Database memory(":memory:");
+    SQLite::Statement rows(memory, "SELECT lower(name) FROM pragma_module_list");
+    while (rows.executeStep()) found.insert(rows.getColumn(0).getString());
+    return found;
+  }();
+  return names;
+}
+
+// What a catalogue has, tables made of a JSON text or of what a pragma tells, and what a query
+// itself names (WITH): the file's own layout was compared before.
 bool may_read(const char* table) {
-  const std::string_view name = table ? table : "";
+  std::string name = table ? table : "";
+  for (char& letter : name) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
   constexpr std::string_view kPragma = "pragma_";
   if (name.starts_with(kPragma)) {
-    const std::string pragma(name.substr(kPragma.size()));
+    const std::string pragma = name.substr(kPragma.size());
     return is_among(kLookingPragmas, pragma.c_str()) || is_among(kAskedPragmas, pragma.c_str());
   }
   constexpr std::array<std::string_view, 6> kOthers = {
       "sqlite_schema", "sqlite_master", "sqlite_stat1", "sqlite_stat4", "json_each", "json_tree"};
-  return is_among(kOthers, table) || relations_of_catalogues().contains(name);
+  if (is_among(kOthers, name.c_str()) || relations_of_catalogues().contains(name)) return true;
+  return !name.starts_with("sqlite_") && !modules().contains(name);
 }
 
 // Reading is allowed, and nothing that could touch another file.

@@ -108,7 +108,8 @@ std::vector<std::string> arguments_of(const CLI::App& verb, const std::vector<st
 // would give the second one to the next argument. Empty if there is nothing to say.
 std::string too_many_files(const CLI::App& verb, const std::vector<std::string>& words) {
   for (const CLI::Option* argument : positionals_of(verb)) {
-    if (takes_many(*argument)) return "";
+    const bool takes_draws = argument->get_name(/*positional=*/true) == "DRAW";
+    if (takes_many(*argument) && !takes_draws) return "";
   }
   const std::vector<std::string> arguments = arguments_of(verb, words);
   const auto is_like_first = [&](const std::string& word) {

@@ -119,6 +119,7 @@ TEST_F(HostileTest, StatementsCallKnownFunctionsOnly) {
         "SELECT upper('a') || 'b' LIKE 'A%', 'a' GLOB '*', substr('abc', 2), printf('%d', 1)",
         "SELECT json_extract('[1]', '$[0]'), '[1]' ->> 0, json_group_array(draw) FROM candidate",
         "SELECT key, value FROM json_each('[1, 2]')", "SELECT * FROM sqlite_schema",
+        "WITH best AS (SELECT 1 AS x) SELECT count(*) FROM best",
         "SELECT name FROM pragma_table_info('unit')", "PRAGMA user_version",
         "SELECT * FROM displacements", "SELECT * FROM diagonals",
         "WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 FROM n WHERE k < 9) SELECT k "

@@ -120,9 +120,10 @@ cp "$file" twins.db
 twins=$(sqlite3 -separator ' ' twins.db "SELECT min(draw), max(draw) FROM candidate WHERE draw != $best")
 read -r one other <<< "$twins"
 for twin in $one $other; do
-  sqlite3 twins.db "UPDATE candidate SET (deploys_from_sample, deploys_from_deg, slope_min_mm_per_deg,
-    displacements_mm, elongation) = (SELECT deploys_from_sample, deploys_from_deg,
-    slope_min_mm_per_deg * 0.999, displacements_mm, elongation FROM candidate WHERE draw = $best)
+  sqlite3 twins.db "UPDATE candidate SET (deploys_from_sample, deploys_from_deg, miscut_margin_mm,
+    slope_between_min_mm_per_deg, bump_deg, displacements_mm, elongation) = (SELECT deploys_from_sample,
+    deploys_from_deg, miscut_margin_mm * 0.999, slope_between_min_mm_per_deg, bump_deg,
+    displacements_mm, elongation FROM candidate WHERE draw = $best)
     WHERE draw = $twin"
 done
 sorted=$(printf '%s\n' "$best" "$one" "$other" | sort -n | tr '\n' ' ')
