@@ -21,7 +21,8 @@ struct CopiesDone {
 
 struct ToleranceOptions {
   double amplitude_mm = 0;
-  std::uint64_t trials = 1000;   ///< copies with every vertex off its place: trials 0 to this
+  std::uint64_t trials = 1000;   ///< copies with every vertex off its place: trials 0 to this; none
+                                 ///< for the sheet's own D alone
   bool vertices = false;         ///< copies with one vertex alone, too
   int jobs = 1;                  ///< threads; the answer does not depend on them
   solver::InstructionSet set{};  ///< nor on this

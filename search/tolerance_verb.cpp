@@ -8,9 +8,11 @@
 #include "schema/catalogue_state.hpp"
 #include "search/build_info.hpp"
 #include "search/choice_options.hpp"
+#include "search/chosen_sheet.hpp"
 #include "search/draw.hpp"
 #include "search/progress.hpp"
 #include "search/run_info.hpp"
+#include "search/shell_word.hpp"
 #include "search/terminal.hpp"
 #include "search/tolerance_text.hpp"
 #include "search/verbs.hpp"
@@ -22,12 +24,69 @@ using schema::Json;
 using schema::UserError;
 
 struct ToleranceCall {
-  std::string catalogue_path;
+  std::string path;
   Choice choice;
   ToleranceOptions study;
   std::optional<int> jobs;
   bool keep = true, json = false;
 };
+
+// The candidates that are chosen of a catalogue, or the one sheet of a pattern file.
+struct ChosenSheets {
+  schema::Campaign campaign;
+  std::vector<Eigen::Matrix2Xd> shifts_mm;
+  std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
+  std::string pattern;               // its name
+
+  std::string name(std::size_t k) const {
+    return draws.empty() ? schema::printable(pattern) : "draw " + std::to_string(draws[k]);
+  }
+  Json key_json(std::size_t k) const {
+    return draws.empty() ? Json{{"pattern", pattern}} : Json{{"draw", draws[k]}};
+  }
+};
+
+ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
+  const auto database = schema::open_for_reading(call.path);
+  if (!call.choice.chooses()) {
+    throw UserError(schema::kExitUsage,
+                    "tolerance: of which candidates? (none is named); add the number of a draw, "
+                    "--best K, --diverse K or --where SQL");
+  }
+  ChosenSheets sheets{schema::read_campaign_of(*database, call.path), {}, {}, ""};
+  sheets.draws = chosen_draws(*database, call.choice);
+  for (const std::uint64_t draw : sheets.draws) {
+    sheets.shifts_mm.push_back(shifts_of_draw(sheets.campaign, draw));
+  }
+  return sheets;
+}
+
+// As a campaign of its own, from whose threshold the sheet itself just deploys. The seed is the
+// default one: an exported candidate does not say its campaign's.
+ChosenSheets sheet_of_file(const ToleranceCall& call) {
+  const ChosenSheet chosen = sheet_of_pattern_file(call.path);
+  ChosenSheets sheets{{}, {chosen.shifts_mm}, {}, chosen.pattern};
+  schema::Campaign& campaign = sheets.campaign;
+  campaign.pattern = chosen.base;
+  campaign.sample_deg = chosen.sampling.sample_deg;
+  campaign.end_deg = chosen.sampling.end_deg;
+  campaign.between_samples = chosen.sampling.between_samples;
+  campaign.threshold_deg = campaign.sample_deg;
+  ToleranceOptions itself = call.study;
+  itself.trials = 0;
+  itself.vertices = false;
+  const int own_sample = study_tolerance(campaign, sheets.shifts_mm, itself).front().own_sample;
+  if (own_sample == 0) {
+    throw UserError(schema::kExitBadInput,
+                    call.path +
+                        ": the sheet deploys from nothing (its D is 0), so that there is nothing "
+                        "that miscut copies could lose; shift its vertices by displacements_mm, "
+                        "or see what is in the way: misalign fold " +
+                        shell_word(call.path));
+  }
+  campaign.threshold_deg = own_sample * campaign.sample_deg;
+  return sheets;
+}
 
 // Copies judged so far: a live line on a terminal, elsewhere a line now and then.
 class CopiesProgress {
@@ -58,7 +117,7 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
                  const std::vector<schema::Yield>& yields) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
   try {
-    schema::Catalogue catalogue(call.catalogue_path, campaign,
+    schema::Catalogue catalogue(call.path, campaign,
                                 solver::build_mechanism(base.sheet, base.holes, base.folding));
     catalogue.keep(yields, build_info().commit);
     catalogue.close();
@@ -73,24 +132,22 @@ schema::Yield yield_of(std::uint64_t draw, const Tolerance& tolerance) {
           tolerance.copies.undecided};
 }
 
-std::string name_of(std::uint64_t draw) { return "draw " + std::to_string(draw); }
-
-void print(const ToleranceCall& call, const std::vector<std::uint64_t>& draws,
+void print(const ToleranceCall& call, const ChosenSheets& sheets,
            const std::vector<Tolerance>& tolerances) {
   // One that was named is an answer of its own; what a choice finds is a list.
-  const bool single = call.choice.draws.size() == 1;
+  const bool single = sheets.draws.empty() || call.choice.draws.size() == 1;
   std::string text;
   if (call.json) {
     Json list = Json::array();
-    for (std::size_t k = 0; k < draws.size(); ++k) {
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
       list.push_back(tolerance_json(tolerances[k]));
-      list.back()["draw"] = draws[k];
+      list.back().update(sheets.key_json(k));
     }
     text = (single ? list.front() : list).dump(1) + "\n";
   } else {
     std::vector<NamedTolerance> named;
-    for (std::size_t k = 0; k < draws.size(); ++k) {
-      named.push_back({name_of(draws[k]), tolerances[k]});
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
+      named.push_back({sheets.name(k), tolerances[k]});
     }
     if (named.size() > 1 && call.study.vertices) {
       for (const NamedTolerance& one : named) text += tolerance_text(one) + "\n";
@@ -101,40 +158,33 @@ void print(const ToleranceCall& call, const std::vector<std::uint64_t>& draws,
 }
 
 int run(ToleranceCall call) {
-  auto database = schema::open_for_reading(call.catalogue_path);
-  const schema::Campaign campaign = schema::read_campaign_of(*database, call.catalogue_path);
-  const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
-  database.reset();  // before the writer's lock: see WriterLock
-  std::vector<Eigen::Matrix2Xd> shifts_mm;
-  for (const std::uint64_t draw : draws) {
-    shifts_mm.push_back(Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count()));
-    draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm.back());
-  }
   call.study.set = solver::available_instruction_sets().back();
   call.study.jobs = call.jobs.value_or(usable_threads());
+  // Closes the catalogue again, before the writer's lock: see WriterLock.
+  const ChosenSheets sheets =
+      is_pattern_file(call.path) ? sheet_of_file(call) : sheets_of_catalogue(call);
   std::vector<Tolerance> tolerances;
   {
     CopiesProgress progress;
     call.study.progress = [&](const CopiesDone& copies) { progress.see(copies); };
-    tolerances = study_tolerance(campaign, shifts_mm, call.study);
+    tolerances = study_tolerance(sheets.campaign, sheets.shifts_mm, call.study);
   }
-  if (call.keep) {
+  if (call.keep && !sheets.draws.empty()) {
     std::vector<schema::Yield> yields;
-    for (std::size_t k = 0; k < draws.size(); ++k) {
-      yields.push_back(yield_of(draws[k], tolerances[k]));
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
+      yields.push_back(yield_of(sheets.draws[k], tolerances[k]));
     }
-    const std::string why_not = keep(call, campaign, yields);
+    const std::string why_not = keep(call, sheets.campaign, yields);
     if (!why_not.empty()) spdlog::warn("this is not kept in the catalogue: {}", why_not);
   }
-  print(call, draws, tolerances);
+  print(call, sheets, tolerances);
   return 0;
 }
 
 }  // namespace
 
 Action add_tolerance(CLI::App& app) {
-  auto* verb =
-      app.add_subcommand("tolerance", "how many miscut copies of a candidate still deploy");
+  auto* verb = app.add_subcommand("tolerance", "how many miscut copies of a sheet still deploy");
   verb->footer(
       "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
       "[-MM, MM] in x and in y; with --vertices each vertex alone, too. Trial t makes\n"
@@ -142,18 +192,23 @@ Action add_tolerance(CLI::App& app) {
       "campaign's seed and of t. The intervals are exact ones of 95 %.\n"
       "What is found is kept in the catalogue, unless more trials with this amplitude\n"
       "are: `misalign query FILE yields`, column yield of `export --by` and `--where`.\n"
-      "Whom to ask about: query `tolerant` foretells it.\n\n"
+      "Whom to ask about: query `tolerant` foretells it.\n"
+      "Copies of a candidate count from its campaign's threshold on. A pattern file has\n"
+      "none: those of its sheet count from the sheet's own D on, with the errors of\n"
+      "seed 1, and nothing is kept. So do those of an exported candidate, which names\n"
+      "neither its campaign's threshold nor its seed.\n\n"
       "Examples:\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
-      "    --amplitude 0.05");
+      "    --amplitude 0.05\n"
+      "  misalign tolerance search/patterns/table1.json --amplitude 0.05");
   auto call = std::make_shared<ToleranceCall>();
   ToleranceOptions& study = call->study;
-  verb->add_option("CATALOGUE", call->catalogue_path, "catalogue file")->required();
-  auto* draws =
-      verb->add_option("DRAW", call->choice.draws, "numbers of candidates' draws, or choose some:")
-          ->check(a_draw());
-  auto* group = verb->add_option_group("choice", "which candidates");
+  add_catalogue_or_pattern(*verb, call->path);
+  auto* draws = verb->add_option("DRAW", call->choice.draws,
+                                 "numbers of candidates' draws, of a catalogue; or choose some:")
+                    ->check(a_draw());
+  auto* group = verb->add_option_group("choice", "which candidates of a catalogue");
   const ChoiceOptions chosen = add_choice(*verb, *group, call->choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
   verb->add_option("--amplitude", study.amplitude_mm, "largest error, mm")
@@ -170,12 +225,14 @@ Action add_tolerance(CLI::App& app) {
       ->check(counted(1, 4096))
       ->type_name("N");
   verb->add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
-  verb->add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named");
-  return [call, verb] {
-    if (call->choice.draws.empty() && !call->choice.chooses()) {
-      throw UserError(schema::kExitUsage,
-                      "tolerance: of which candidates? (none is named); add the number of a draw, "
-                      "--best K, --diverse K or --where SQL");
+  verb->add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
+  return [call, verb, draws, chosen] {
+    if (is_pattern_file(call->path)) {
+      for (const CLI::Option* option :
+           {draws, chosen.best, chosen.diverse, chosen.where, chosen.by}) {
+        if (option->count() == 0) continue;
+        throw only_of_a_catalogue(call->path, option == draws ? "a draw" : option->get_name());
+      }
     }
     if (verb->count("--by") > 0 && !call->choice.best && !call->choice.diverse) {
       throw UserError(schema::kExitUsage,

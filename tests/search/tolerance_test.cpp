@@ -132,6 +132,18 @@ TEST_F(ToleranceTest, TrialsAreTheReferences) {
   EXPECT_EQ(tolerance.copies.quantile(1), samples.back());
 }
 
+// How a sheet is asked for its own D, before there is a threshold: by none of its copies.
+TEST_F(ToleranceTest, OwnAngleNeedsNoCopies) {
+  ToleranceOptions none = options(kAmplitude_mm, 0);
+  none.vertices = false;
+  schema::Campaign low = campaign_;
+  low.threshold_deg = low.sample_deg;
+  const Tolerance itself = study_tolerance(low, {shifts_mm(draw_)}, none).front();
+  EXPECT_EQ(itself.own_sample, study(kAmplitude_mm, 5).own_sample);
+  EXPECT_GE(itself.own_sample, campaign_.threshold_sample());
+  EXPECT_EQ(itself.copies.trials, 0u);
+}
+
 TEST_F(ToleranceTest, MostHarmfulVerticesFirst) {
   const Tolerance tolerance = study(kAmplitude_mm, kTrials);
   for (std::size_t k = 1; k < tolerance.vertices.size(); ++k) {

@@ -75,6 +75,38 @@ done
 "$program" verify plain.json > text || fail "verify of an unshifted sheet: $(cat text)"
 "$program" verify "$mesh" > text || fail "verify of a mesh: $(cat text)"
 
+# Miscut copies. A pattern's count from its own D on; an exported candidate's are those of the draw
+# in a catalogue whose threshold that is (seed 1 both), and nothing is kept of them.
+own_deg=$(sql a.db "SELECT deploys_from_deg FROM candidates WHERE draw = $draw")
+sed "s/\"accept\".*/\"accept\": { \"deploys_from_deg\": $own_deg },/" \
+  "$source_dir/search/campaigns/miura-4x4.json" > own.json
+"$program" search own.json --draws $((draw + 1)) --catalogue own.db --progress none > /dev/null 2>&1 ||
+  fail "search from $own_deg deg"
+copies="--amplitude 0.1 --trials 200 --vertices"
+# shellcheck disable=SC2086
+"$program" tolerance own.db "$draw" $copies --no-keep --json | sed '/"draw":/d' > of_draw.json
+[ "$(field of_draw.json threshold_deg)" = "$own_deg" ] || fail "the threshold of own.db"
+[ "$(sqlite3 :memory: "SELECT $(field of_draw.json from_threshold.copies) BETWEEN 1 AND 199")" = 1 ] ||
+  fail "copies that cannot tell one yield from another"
+before=$(cksum $exported)
+ls > files
+for file in $exported; do
+  # shellcheck disable=SC2086
+  "$program" tolerance "$file" $copies --json > of_file.json || fail "tolerance $file"
+  [ "$(field of_file.json pattern)" = "miura-4x4-$draw" ] || fail "tolerance $file: whose it is"
+  sed '/"pattern":/d' of_file.json | cmp -s - of_draw.json || fail "tolerance $file: another yield"
+done
+"$program" tolerance "$table1" --amplitude 0.05 --trials 40 > text || fail "tolerance table1"
+grep -q "^table1, deploys from 156 deg; 40 copies" text || fail "tolerance table1: $(cat text)"
+tail -1 text | grep -q "^still from 156 " || fail "tolerance table1: $(tail -1 text)"
+"$program" tolerance <(cat "$table1") --amplitude 0.05 --trials 40 | tail -n +2 | cmp -s - <(tail -n +2 text) ||
+  fail "tolerance of a pipe"
+"$program" tolerance "$table1" --amplitude 0 --trials 5 --json > text || fail "tolerance without errors"
+[ "$(field text from_threshold.share)" = 1.0 ] || fail "no error, no loss"
+rm -f of_file.json text
+ls | diff - <(grep -vx -e of_file.json -e text files) || fail "tolerance of a pattern writes files"
+[ "$(cksum $exported)" = "$before" ] || fail "tolerance of a pattern changes it"
+
 # refused CODE WORDS ARGS...: one sentence, and nothing written.
 refused() {
   local code=$1 words=$2
@@ -94,6 +126,18 @@ refused 2 "--sqlite-compat can only" export "$table1" --sqlite-compat --output n
 refused 2 "replace the one that is read" export out/table1.json --output out
 refused 2 "--all can only" verify "$table1" --all
 refused 2 "--sample can only" verify "$table1" --sample 5
+refused 2 "a draw can only be chosen" tolerance "$table1" 7 --amplitude 0.05
+for option in "--best 3" "--diverse 3" "--by stroke_min" "--where stroke_min>0"; do
+  # shellcheck disable=SC2086
+  refused 2 "${option% *} can only be chosen" \
+    tolerance "$table1" $option --amplitude 0.05
+done
+refused 2 "of which candidates" tolerance a.db --amplitude 0.05
+refused 2 "must be below" tolerance "$table1" --amplitude 45
+refused 3 "deploys from nothing (its D is 0).*shift its vertices" tolerance plain.json --amplitude 0.05
+refused 3 "deploys from nothing" tolerance "$mesh" --amplitude 0.05
+refused 3 "is a campaign" tolerance "$source_dir/search/campaigns/miura-4x4.json" --amplitude 0.05
+refused 3 "no such file" tolerance nothing.json --amplitude 0.05
 refused 3 "no such file" actuators nothing.json
 refused 3 "is a campaign" export "$source_dir/search/campaigns/miura-4x4.json" --output none
 echo 'neither' > neither.txt
