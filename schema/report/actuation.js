@@ -4,6 +4,7 @@ import * as Plot from "@observablehq/plot";
 import { folding_chart, deployment, path_of, range } from "./chart.js";
 import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";
 import { single } from "./save.js";
+import { is_pattern } from "./whose.js";
 
 const kHeight = 270;
 
@@ -212,8 +213,12 @@ function fewest_words({ few, weakest }, report) {
 
 function stroke_words({ over_stroke }, report) {
   const { stroke_limit } = report.actuators;
-  if (!stroke_limit)
-    return "No stroke limit was given; “actuators.stroke_limit” in the campaign file, or --stroke-limit, sets one.";
+  if (!stroke_limit) {
+    const ways = is_pattern(report)
+      ? "--stroke-limit sets one."
+      : "“actuators.stroke_limit” in the campaign file, or --stroke-limit, sets one.";
+    return `No stroke limit was given; ${ways}`;
+  }
   const limit = `±${percent(stroke_limit, 2)}`;
   if (!over_stroke) return `Stroke limit of ${limit}: kept by every diagonal.`;
   return bold(

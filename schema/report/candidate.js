@@ -28,12 +28,16 @@ const copy_button = (text, state, words = "Copy") => {
   return button;
 };
 
+/** Lines break between words only, and not behind a hyphen, which would read as the end of a word. */
+const unbroken = (text) =>
+  text.split(" ").flatMap((word, i) => [i > 0 ? " " : null, h("span", {}, word)]);
+
 function command(about, text, state, id) {
   return h(
     "div",
     { class: "command" },
     h("p", {}, about),
-    h("div", { class: "row" }, h("code", { "data-testid": id }, text), copy_button(text, state)),
+    h("div", { class: "row" }, h("code", { "data-testid": id }, unbroken(text)), copy_button(text, state)),
   );
 }
 
@@ -162,7 +166,7 @@ function place_among(column, value) {
       });
 }
 
-export function show_metrics(box, values, candidates) {
+export function show_metrics(box, values, candidates, report) {
   if (!values) {
     box.replaceChildren(
       h(
@@ -176,9 +180,10 @@ export function show_metrics(box, values, candidates) {
   box.replaceChildren(
     h(
       "dl",
-      { class: "metrics" },
+      { class: candidates.count > 1 ? "metrics" : "metrics alone" },
       metrics
-        .filter(({ name }) => values[name] !== undefined)
+        .filter((metric) => values[metric.name] !== undefined)
+        .filter((metric) => !(metric.of_campaign && is_pattern(report)))
         .map((metric) =>
           h(
             "div",

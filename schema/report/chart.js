@@ -9,7 +9,8 @@ const kLetter_px = 12, // of .plot in page.css
   kTick_px = 12,
   kTitle_px = 20,
   kLeft_px = 66,
-  kRight_px = 14;
+  kRight_px = 14,
+  kBeside_px = 22; // of a word that is turned upright
 
 /** Calls draw(width) whenever the box gets another width, on paper too; the answer draws it anew. */
 export function when_wide(box, draw) {
@@ -70,13 +71,31 @@ function word(angle_deg, words, line) {
 
 const rule_at = (angle_deg, style) => Plot.ruleX([deployment(angle_deg)], style);
 
-/** D, the fold limit and the stroke limit along the way, and what lies beyond them, below the lines. */
-function limit_marks(detail, end_deg, room) {
+/** Words along the left edge of what lies beyond the fold limit: there no line is hidden. */
+const word_beyond = (words, edge) =>
+  Plot.text([words], {
+    x: () => edge,
+    frameAnchor: "middle",
+    dx: 11,
+    rotate: -90,
+    textAnchor: "middle",
+    fill: "var(--ink)",
+    stroke: "var(--nothing)",
+    strokeWidth: 4,
+  });
+
+/**
+ * D, the fold limit and the stroke limit along the way, and what lies beyond them, below the lines.
+ * `room` is kept left of the last sample; a word beside it needs `letter` more, parts of the axis.
+ */
+function limit_marks(detail, end_deg, room, letter) {
   const D = detail.verdict.deploys_from_deg,
     limit_deg = detail.fold_limit_deg,
     over_deg = detail.over_stroke?.from_deg,
     last_deg = Math.min(limit_deg ?? end_deg, end_deg),
-    limited = limit_deg && limit_deg < end_deg;
+    limited = limit_deg && limit_deg < end_deg,
+    aside = limited && deployment(limit_deg) - deployment(end_deg) >= letter,
+    limit_words = limited ? `fold limit ${degrees(limit_deg)}` : "";
   return {
     // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
     below: [
@@ -87,7 +106,8 @@ function limit_marks(detail, end_deg, room) {
       rule_at(D, { stroke: "var(--ink)", strokeDasharray: "2 3" }),
       word(D, `D = ${degrees(D)}`, 0),
       limited ? rule_at(limit_deg, { stroke: "var(--mountain)", strokeDasharray: "6 2" }) : null,
-      limited ? word(limit_deg, `fold limit ${degrees(limit_deg)}`, 1) : null,
+      limited && !aside ? word(limit_deg, limit_words, 1) : null,
+      aside ? word_beyond(limit_words, deployment(end_deg) - room) : null,
       over_deg
         ? rule_at(over_deg, {
             stroke: "var(--over-folded)",
@@ -95,7 +115,7 @@ function limit_marks(detail, end_deg, room) {
             strokeWidth: 1.5,
           })
         : null,
-      over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, 2) : null,
+      over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, aside ? 1 : 2) : null,
     ],
   };
 }
@@ -171,8 +191,9 @@ export function folding_chart({
   };
   const draw = (width) => {
     // Room left of the last sample, as a part of the axis.
-    const room = (room_px * (1 - deployment(end_deg))) / (width - kLeft_px - kRight_px - room_px);
-    const limits = limit_marks(detail, end_deg, room);
+    const px = (1 - deployment(end_deg)) / (width - kLeft_px - kRight_px - room_px),
+      room = room_px * px;
+    const limits = limit_marks(detail, end_deg, room, kBeside_px * px);
     const plot = plot_with_room({
       width,
       height,

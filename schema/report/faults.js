@@ -139,6 +139,7 @@ export function survival_chart(points, total, report, width) {
   return plot_with_room({
     width,
     height: 280,
+    marginTop: 30, // the uppermost tick is at the very top, the title above it
     marginLeft: 62,
     marginBottom: 42,
     className: "plot",

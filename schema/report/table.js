@@ -261,7 +261,11 @@ class Table {
   }
 
   #scrolled() {
-    const { scrollLeft, scrollWidth, clientWidth } = this.#grid;
+    const { scrollLeft, scrollWidth, clientWidth, clientHeight, offsetWidth, offsetHeight } =
+      this.#grid;
+    // Scroll bars are as wide as a system makes them, or not there: the shade ends where rows do.
+    this.#box.style.setProperty("--bar-right", `${offsetWidth - clientWidth - 1}px`);
+    this.#box.style.setProperty("--bar-below", `${offsetHeight - clientHeight - 1}px`);
     this.#box.classList.toggle("more-left", scrollLeft > 1);
     this.#box.classList.toggle("more-right", scrollLeft + clientWidth < scrollWidth - 1);
     this.#draw();

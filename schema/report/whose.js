@@ -29,7 +29,7 @@ export function show_pattern(report) {
     `${plural(panels.length, "panel")}, ${plural(holes.length, "hole")}, ${plural(creases.length, "crease")} and ${plural(ball_joints.length, "ball joint")}; ` +
     `${shifts ? `${plural(shifts, "vertex", "vertices")} shifted` : "no vertex is shifted"}. ` +
     `Followed from flat on, with samples every ${degrees(sampling.sample_deg)} up to ${degrees(sampling.end_deg)}` +
-    `${sampling.between_samples ? ", and looked at between them" : ""}. One sheet, drawn by no campaign.`;
+    `${sampling.between_samples ? ", and looked at between them" : ""}. One sheet, of no campaign.`;
   let past_words = false;
   for (const part of by_id("overview").children) {
     if (past_words) part.hidden = true;

@@ -46,6 +46,46 @@ for (const report of reports) {
       assert.doesNotMatch(command, /--draw|replay/);
     }
   });
+  await check("nothing speaks of what only a campaign has", async () => {
+    assert.doesNotMatch(await by(page, "actuation").textContent(), /campaign/);
+    assert.doesNotMatch(await by(page, "metrics").textContent(), /miscut/);
+  });
+  await check("the fold limit is named where no line is", async () => {
+    const { fold_limit_deg, verdict } = detail;
+    if (!(fold_limit_deg < 165)) return; // else there is no room
+    for (const id of ["histories", "energy", "moment", "advantage"]) {
+      const [words, depth] = await Promise.all(
+        [/^fold limit/, `D = ${verdict.deploys_from_deg}°`].map((text) =>
+          by(page, id).locator("svg text", { hasText: text }).boundingBox(),
+        ),
+      );
+      assert.ok(words.x + words.width < depth.x - 5, `${id}: the fold limit's words lie on the lines`);
+    }
+  });
+  await check("commands break between words, and lists show all of a small sheet", async () => {
+    for (const width of [500, 800, 1000, 1250, 1500]) {
+      await page.setViewportSize({ width, height: 900 });
+      const broken = await by(page, "commands").evaluate((box) =>
+        [...box.querySelectorAll("code")].flatMap((code) => {
+          const walker = document.createTreeWalker(code, NodeFilter.SHOW_TEXT),
+            words = [];
+          while (walker.nextNode()) {
+            for (const { index, 0: word } of walker.currentNode.data.matchAll(/(?<!\S)\S{1,40}(?!\S)/g)) {
+              const range = new Range();
+              range.setStart(walker.currentNode, index);
+              range.setEnd(walker.currentNode, index + word.length);
+              const tops = [...range.getClientRects()].map(({ top }) => Math.round(top));
+              if (new Set(tops).size > 1) words.push(word);
+            }
+          }
+          return words;
+        }),
+      );
+      assert.deepEqual(broken, [], `${width} px`);
+      const cut = await by(page, "diagonals").evaluate((box) => box.scrollHeight - box.clientHeight);
+      assert.ok(cut <= 0, `${width} px: ${cut} px of the diagonals' list are out of sight`);
+    }
+  });
   await check("no word is missing a value, and nothing went wrong", async () => {
     const text = await page.locator("body").innerText();
     assert.doesNotMatch(text, /undefined|NaN|\bnull\b|\bdraw\b/i);
