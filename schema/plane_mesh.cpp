@@ -13,8 +13,6 @@ constexpr double kSamePoint = 1e-7;
 using Quad = std::array<int, 4>;
 using Point = Eigen::Vector2d;
 
-double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // Looks in stages; a stage that finds faults is the last.
 class SheetBuilder {
  public:

@@ -8,10 +8,6 @@ namespace {
 
 using Side = std::pair<int, int>;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 // Neighbours of each vertex, counter-clockwise.
 std::vector<std::vector<int>> rings_of(const PlanePoints& points, const PlaneEdges& edges) {
   std::vector<std::vector<int>> around(points.size());

@@ -15,6 +15,11 @@ using PlanePoints = std::vector<Eigen::Vector2d>;
 /// Ends in order -> assignment.
 using PlaneEdges = std::map<std::pair<int, int>, std::string>;
 
+/// The z component of the cross product of two vectors in the plane.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// Vertices round a region, which lies on the left of the way from each to the next.
 struct PlaneRegion {
   std::vector<int> loop;

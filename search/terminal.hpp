@@ -1,6 +1,7 @@
 // What is known of the terminal, and what may be shown there.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -46,6 +47,9 @@ std::string pager_command();
 // Everything that goes to standard output, in four ways; nothing else writes there
 // (scripts/check.sh looks). Names and cells of a file may hold whatever moves a cursor, erases or
 // colors: it is escaped, also in a pipe, which a terminal may be the end of.
+
+/// For printf's %llu.
+inline unsigned long long number(std::uint64_t n) { return n; }
 
 /// Text for people. Colors of Paint stay where they are wanted. Whoever puts text of a file in says
 /// schema::printable to it: a line feed stays here.

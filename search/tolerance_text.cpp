@@ -5,6 +5,7 @@
 
 #include "search/duration.hpp"
 #include "search/progress_text.hpp"
+#include "search/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 using schema::Json;
 
 constexpr double kQuantiles[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
-
-unsigned long long number(std::uint64_t n) { return n; }
 
 Json share_json(std::uint64_t hits, const MiscutCopies& copies) {
   const ShareOfTrials share = share_of(hits, copies);

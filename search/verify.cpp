@@ -5,6 +5,7 @@
 #include <random>
 
 #include "search/draws_again.hpp"
+#include "search/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -96,8 +97,6 @@ class Verifier {
   std::vector<std::uint64_t> candidates_, fault_samples_;
   std::vector<schema::DrawRange> units_;
 };
-
-unsigned long long number(std::uint64_t n) { return n; }
 
 std::string units_text(const Verification& v) {
   char line[300];
