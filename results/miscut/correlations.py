@@ -16,8 +16,8 @@ from html import escape
 HERE = os.path.dirname(os.path.abspath(__file__))
 SAMPLES = 300
 # What was measured of the copies, and what names a row.
-OUTCOMES = {"campaign", "from_deg", "amplitude_mm", "copies", "draw", "share",
-            "lost_to_fold_limit", "lost_to_over_folded", "lost_to_not_monotone", "lost_to_undecided"}
+OUTCOMES = {"campaign", "from_deg", "amplitude_mm", "copies", "draw", "share"}
+LOST = "lost_to_"  # and these: copies by what was the matter with them
 # Nearly all rows are empty, or all are equal.
 EMPTY = {"bump_deg", "increasing", "decreasing", "deploys_from_sample"}
 # Not kept in a catalogue: measured here for comparison.
@@ -51,6 +51,11 @@ def read_campaigns():
     campaigns = {}
     with open(os.path.join(HERE, "candidates.csv"), encoding="utf-8") as file:
         for row in csv.DictReader(file):
+            if None in row or None in row.values():
+                raise SystemExit(f"draw {row['draw']}: not one value a column; make candidates.csv again")
+            lost = sum(float(row[c]) for c in row if c.startswith(LOST))
+            if abs(float(row["share"]) * float(row["copies"]) + lost - float(row["copies"])) > 0.5:
+                raise SystemExit(f"draw {row['draw']}: copies that deploy and those lost are not all")
             name = f"{row['campaign']} from {row['from_deg']}°"
             campaigns.setdefault(name, []).append(row)
     return campaigns
@@ -62,7 +67,8 @@ def numbers(rows, column):
 
 def study(campaigns):
     """[(column, mean, low, high, [each campaign's])], the best first."""
-    columns = [c for c in next(iter(campaigns.values()))[0] if c not in OUTCOMES | EMPTY]
+    columns = [c for c in next(iter(campaigns.values()))[0]
+               if c not in OUTCOMES | EMPTY and not c.startswith(LOST)]
     data = [{c: numbers(rows, c) for c in columns + ["share"]} for rows in campaigns.values()]
     chance = random.Random(1)
     means = {c: [] for c in columns}
@@ -95,7 +101,7 @@ def write_table(campaigns, table):
         file.write("\n".join(lines) + "\n")
     for name, rows in campaigns.items():
         share = sum(float(row["share"]) for row in rows) / len(rows)
-        lost = {c[8:]: sum(float(row[c]) for row in rows) for c in OUTCOMES if c.startswith("lost")}
+        lost = {c[len(LOST):]: sum(float(row[c]) for row in rows) for c in rows[0] if c.startswith(LOST)}
         print(f"{name}: {len(rows)} candidates, mean share {share:.3f}, lost to",
               ", ".join(f"{cause} {count:.0f}" for cause, count in sorted(lost.items())))
 
@@ -168,9 +174,9 @@ def draw(campaigns, table):
         out += scatter(campaigns, column, 750, 60 + 270 * k, 290, 200)
     colours = ["#0072B2", "#E69F00", "#009E73", "#CC79A7"]
     for k, (name, rows) in enumerate(campaigns.items()):
-        y = height - 28 - 16 * (len(campaigns) - 1 - k)
-        out.append(f'<circle cx="756" cy="{y - 4}" r="4" fill="{colours[k]}"/>')
-        out.append(text(766, y, f"{name}: {len(rows)} candidates", size=11))
+        y = height - 60 - 16 * (len(campaigns) - 1 - k)
+        out.append(f'<circle cx="26" cy="{y - 4}" r="4" fill="{colours[k]}"/>')
+        out.append(text(36, y, f"{name}: {len(rows)} candidates", size=11))
     with open(os.path.join(HERE, "correlations.svg"), "w", encoding="utf-8") as file:
         file.write("\n".join(out) + "\n</svg>\n")
 

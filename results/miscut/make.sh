@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes candidates.csv again (some two minutes of one core), then the tables and the figure from it.
+# Makes candidates.csv again (about a minute of one core), then the tables and the figure from it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 study=${1:-build/release/tests/miscut_study}

@@ -88,6 +88,17 @@ TEST_F(CandidateRows, EveryAlteredColumnIsNamed) {
   }
 }
 
+// Its limit, 2e-12 of a panel's width, from both sides.
+TEST_F(CandidateRows, AMarginIsKnownToRounding) {
+  const Json row = rows().front();
+  const double width_mm = campaign_.pattern.base.sheet.panel_width_mm;
+  for (const double widths : {-4e-12, -1e-12, 1e-12, 4e-12}) {
+    Json altered = row;
+    altered["miscut_margin_mm"] = row.at("miscut_margin_mm").get<double>() + widths * width_mm;
+    EXPECT_EQ(check_.check(altered).findings.size(), std::abs(widths) > 2e-12 ? 1u : 0u) << widths;
+  }
+}
+
 TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   const Json row = rows().front();
   for (const auto& [column, value] : {std::pair("slope_min_mm_per_deg", Json()),

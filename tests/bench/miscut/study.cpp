@@ -197,15 +197,16 @@ class Study {
                               errors_mm.data() + errors_mm.size());
     }
     double deploy = 0;
-    std::map<solver::Fault, double> faults{{solver::Fault::not_monotone, 0},
-                                           {solver::Fault::fold_limit, 0},
-                                           {solver::Fault::over_folded, 0},
-                                           {solver::Fault::undecided, 0}};
+    std::map<solver::Fault, double> faults;  // every kind: a column each, in every row
+    for (int kind = static_cast<int>(solver::Fault::fold_limit);
+         kind <= static_cast<int>(solver::Fault::undecided); ++kind) {
+      faults[static_cast<solver::Fault>(kind)] = 0;
+    }
     for (const solver::Verdict& verdict : judge_to_the_end(family_, *batch_, block_)) {
       if (verdict.deploys_from_sample >= campaign_.threshold_sample()) {
         ++deploy;
       } else {
-        ++faults[verdict.first_fault];
+        ++faults.at(verdict.first_fault);
       }
     }
     for (const auto& [fault, count] : faults) {
