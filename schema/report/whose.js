@@ -44,10 +44,15 @@ export function show_pattern(report) {
 }
 
 /** What can be done with a pattern file: [a sentence, the command, the name it is tested by]. */
-export function pattern_commands({ commands }) {
+export function pattern_commands({ commands, details }) {
   const { misalign, catalogue, springs } = commands;
   const verb = (name, more = "") => `${misalign} ${name} ${catalogue}${more}`,
-    to = (format) => verb("export", ` --format ${format}${springs} --output exported`);
+    to = (format) => verb("export", ` --format ${format}${springs} --output exported`),
+    miscut = [
+      "How many copies, cut up to 0.05 mm off, still deploy (with --vertices also: which vertices matter most):",
+      verb("tolerance", " --amplitude 0.05"),
+      "command-tolerance",
+    ];
   return [
     ["The path of this sheet again, degree by degree:", verb("fold"), "command-fold"],
     [
@@ -64,5 +69,6 @@ export function pattern_commands({ commands }) {
       "command-folded",
     ],
     ["Springs on its diagonals, in numbers:", verb("actuators", springs), "command-actuators"],
+    ...(details[0].verdict.deploys_from_deg > 0 ? [miscut] : []),
   ];
 }
