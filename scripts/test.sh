@@ -16,7 +16,8 @@ cmake --build --preset asan --target solver_test schema_test search_test
 # Tests that follow hundreds of paths take minutes under the sanitizers and run no code of their own.
 echo "== sanitizers: unit tests"
 many_paths='IsometryOnEverySample|StepsOfTheSolver|SamplesDoNotMove|LargeShifts|Trial.Instr'
-many_paths+='|ToleranceTest.(Instr|Trials|Most|NoErr)|MergeTest.(Pieces|Overlaps|Disagree)'
+many_paths+='|ToleranceTest.(Instr|Trials|Most|NoErr|Threads)|MergeTest.(Pieces|Overlaps|Disagree)'
+many_paths+='|SnapshotTest|Trial.UnitsThatAreFull|VerifyTest.ARemoved|NothingFound.Guesses'
 ctest --preset asan -E "^system|^stress|NOT_BUILT|$many_paths" -j 2
 echo "== release: every test"
 ctest --preset release -j 3  # many of them wait
