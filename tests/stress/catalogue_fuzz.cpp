@@ -19,6 +19,7 @@
 #include "search/trial.hpp"
 #include "search/verify.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
+#include "tests/stress/folder.hpp"
 
 namespace misalign::stress {
 namespace {
@@ -30,39 +31,6 @@ enum Outcome { unreadable, contradictory, not_joined, joined };
 
 const RunInfo kRun{"host", "0", "none", "g++", "-O2", "golden", 1};
 constexpr DrawRange kUnitToAdd{5000, 5005};
-
-/// A directory of our own, in memory where there is one.
-class Folder {
- public:
-  Folder()
-      : path_((std::filesystem::exists("/dev/shm") ? "/dev/shm"
-                                                   : std::filesystem::temp_directory_path()) /
-              ("catalogue_fuzz_" + std::to_string(::getpid()))) {
-    clear();
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return path_ / name; }
-  std::string file(const std::string& name, const std::string& bytes) const {
-    std::ofstream(file(name), std::ios::binary) << bytes;
-    return file(name);
-  }
-  void clear() const {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-
- private:
-  const std::filesystem::path path_;
-};
-
-std::string bytes_of(const std::string& path) {
-  std::stringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
 
 /// One campaign: intact catalogues of it, of which the first is the one to join others with.
 struct Subject {
@@ -237,7 +205,7 @@ class Reader {
     if (is_written && is_good) require_good(path, "written on");
   }
 
-  const Folder folder_;
+  const Folder folder_{"catalogue_fuzz"};
   Subject old_, new_;
 };
 

@@ -233,6 +233,34 @@ class CatalogueMutator {
     }
   }
 
+  // What no program of ours makes: things that run by themselves, or stand in for a table.
+  static std::string foreign_object(const std::string& table, const std::string& column,
+                                    Dice& dice) {
+    switch (dice.below(9)) {
+      case 0:
+        return "CREATE TRIGGER spy BEFORE INSERT ON " + table + " BEGIN SELECT RAISE(IGNORE); END";
+      case 1:
+        return "CREATE TRIGGER spy AFTER UPDATE ON " + table + " BEGIN DELETE FROM unit; END";
+      case 2:
+        return "CREATE VIEW spy AS SELECT * FROM " + table;
+      case 3:
+        return "CREATE VIRTUAL TABLE spy USING fts3(" + column + ")";
+      case 4:
+        return "DROP VIEW candidates; CREATE VIEW candidates AS SELECT *, load_extension('x') " +
+               column + " FROM " + table;
+      case 5:
+        return "ALTER TABLE " + table + " ADD COLUMN spy AS (hex(zeroblob(1000000)))";
+      case 6:
+        return "CREATE INDEX spy ON " + table + " (abs(" + column + "))";
+      case 7:
+        return "ALTER TABLE " + table + " RENAME TO spy; CREATE VIEW " + table +
+               " AS SELECT * FROM spy";
+      default:
+        return "DROP VIEW faults; CREATE VIEW faults AS WITH RECURSIVE n(first_fault) AS (SELECT 1 "
+               "UNION ALL SELECT first_fault FROM n) SELECT * FROM n";
+    }
+  }
+
   static std::string some_sql(MemoryDatabase& database, Dice& dice) {
     static constexpr const char* kTables[] = {"campaign",     "run",       "unit",     "screened",
                                               "fault_sample", "undecided", "candidate"};
@@ -243,7 +271,7 @@ class CatalogueMutator {
     const std::string some_rows =
         dice.below(3) == 0 ? "" : " WHERE rowid % 3 = " + std::to_string(dice.below(3));
     const std::string number = std::to_string(some_number(dice));
-    switch (dice.below(10)) {
+    switch (dice.below(11)) {
       case 0:
         return "DELETE FROM " + table + some_rows;
       case 1:
@@ -273,6 +301,8 @@ class CatalogueMutator {
                "', '" + dice.one_of(kParts) + "') WHERE name = '" +
                names[dice.below(names.size())] + "'";
       }
+      case 6:
+        return foreign_object(table, column, dice);
       default:
         return "UPDATE OR REPLACE " + table + " SET " + column + " = " + some_value(column, dice) +
                some_rows;

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The long fuzzing of all that is read: meshes, campaign and pattern files, catalogues.
-#   fuzz.sh [--sanitized] [MESHES [CAMPAIGNS [CATALOGUES [SEED]]]]
-# So many inputs each (ten million, ten million, 100,000; 0 leaves a kind out) by the release build on
-# two cores, and then a twentieth as many under the address and undefined-behaviour sanitizers, a tenth of
-# those (but for catalogues) chosen by libFuzzer's coverage; --sanitized: so many of each, under the
-# sanitizers alone. In parts of seeds SEED, SEED + 1, ... (1),
+# The long fuzzing of all that is read: meshes, campaign and pattern files, exported candidates, catalogues.
+#   fuzz.sh [--sanitized] [MESHES [CAMPAIGNS [CANDIDATES [CATALOGUES [SEED]]]]]
+# So many inputs each (ten million, ten million, 1,000,000, 100,000; 0 leaves a kind out) by the release
+# build on two cores, and then a twentieth as many under the address and undefined-behaviour sanitizers, a
+# tenth of those of meshes and campaigns chosen by libFuzzer's coverage; --sanitized: so many of each, under
+# the sanitizers alone. In parts of seeds SEED, SEED + 1, ... (1),
 # whose results are kept in build/fuzz: a part that is there is not run again. Stops at the first crash,
 # leak or hang, and keeps the input as a file there.
 set -euo pipefail
@@ -13,7 +13,7 @@ cd "$(dirname "$0")/../.."
 need_packages $build_packages clang libclang-rt-dev
 sanitized=
 [ "${1:-}" = --sanitized ] && sanitized=yes && shift
-meshes=${1:-10000000} campaigns=${2:-10000000} catalogues=${3:-100000} seed=${4:-1}
+meshes=${1:-10000000} campaigns=${2:-10000000} candidates=${3:-1000000} catalogues=${4:-100000} seed=${5:-1}
 parts=20
 work=build/fuzz
 mkdir -p $work
@@ -42,9 +42,10 @@ run() { # PRESET NAME INPUTS: in parts, half of them on each core
 }
 all() { # PRESET SHARE
   cmake --preset "$1" > /dev/null
-  cmake --build --preset "$1" --target fold_fuzz campaign_fuzz catalogue_fuzz
+  cmake --build --preset "$1" --target fold_fuzz campaign_fuzz candidate_fuzz catalogue_fuzz
   run "$1" fold_fuzz $((meshes / $2))
   run "$1" campaign_fuzz $((campaigns / $2))
+  run "$1" candidate_fuzz $((candidates / $2))
   run "$1" catalogue_fuzz $((catalogues / $2))
 }
 if [ -n "$sanitized" ]; then
