@@ -165,11 +165,4 @@ Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yield
           {"yields", yields}};
 }
 
-Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
-                    const solver::Metrics& metrics, const Json& yields, const Json& actuation) {
-  Json json = folded_pattern_json(campaign.sampling(), view, metrics, actuation);
-  json.update(origin_json(campaign, draw, yields));
-  return json;
-}
-
 }  // namespace misalign::schema

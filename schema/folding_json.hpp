@@ -48,11 +48,8 @@ Json metrics_json(const solver::Metrics& metrics);
 Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
                          const std::optional<solver::Metrics>& metrics, const Json& actuation);
 
-/// {"campaign": {"name", "identity"}, "draw", "yields"}: the last as from yields_json.
+/// What a candidate's export says besides: {"campaign": {"name", "identity"}, "draw", "yields"},
+/// the last as from yields_json.
 Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yields);
-
-/// The same of a candidate, with the campaign that drew it.
-Json candidate_json(const Campaign& campaign, std::uint64_t draw, const FoldingView& view,
-                    const solver::Metrics& metrics, const Json& yields, const Json& actuation);
 
 }  // namespace misalign::schema

@@ -30,7 +30,6 @@ class Survival {
   /// Deepest sample that any deploys from; 0 without draws.
   int deepest() const { return at_.empty() ? 0 : at_.rbegin()->first; }
   double deg(int sample) const { return sample * sample_deg_; }
-  int last_sample() const { return last_sample_; }
   double sample_deg() const { return sample_deg_; }
 
   /// The deepest sample that at least this share of the draws deploys from, as far as it was seen:

@@ -147,13 +147,12 @@ void check_column(SQLite::Database& database, const std::string& by) {
       "--by " + by + ": is no column of a candidate; choose one of " + joined(columns));
 }
 
-// Of those that `all` selects, so many: in the order that "best" means, or if another column than
-// its own is to say what is best, by that, the largest first, and the best first among equals.
+// Of those that `all` selects, so many: in the order that "best" means, or by a column, the largest
+// first, and the best first among equals.
 std::vector<std::uint64_t> best_draws(SQLite::Database& database, const std::string& all,
-                                      const std::string& by, std::uint64_t most) {
+                                      const std::optional<std::string>& by, std::uint64_t most) {
   const std::string best = schema::best_order(), head = "ORDER BY ";
-  const std::string order =
-      by == Choice().by ? best : head + by + " DESC, " + best.substr(head.size());
+  const std::string order = by ? head + *by + " DESC, " + best.substr(head.size()) : best;
   return draws_of_rows(database,
                        rows_of(database, all + " " + order + " LIMIT " + std::to_string(most)));
 }
@@ -196,7 +195,7 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
   if (!choice.best && !choice.diverse) {
     return draws_of_rows(database, rows_of(database, all + " ORDER BY draw"));
   }
-  check_column(database, choice.by);
+  if (choice.by) check_column(database, *choice.by);
   if (choice.best) return best_draws(database, all, choice.by, *choice.best);
   const std::vector<std::uint64_t> among = best_draws(database, all, choice.by, kDiverseAmong);
   const Json rows = in_order_of(database, among,

@@ -13,8 +13,8 @@ struct Choice {
   std::vector<std::uint64_t> draws;  ///< these, if there are any; the rest does not matter then
   std::optional<std::uint64_t> best;
   std::optional<std::uint64_t> diverse;
-  std::string by = "deploys_from_deg";  ///< column that says what is best
-  std::string where;                    ///< SQL condition on the candidates view
+  std::optional<std::string> by;  ///< column that says what is best, before the order of `best`
+  std::string where;              ///< SQL condition on the candidates view
 
   /// Whether anything but --by was said.
   bool chooses() const { return !draws.empty() || best || diverse || !where.empty(); }

@@ -1,5 +1,7 @@
 #include "search/choice_options.hpp"
 
+#include <limits>
+
 #include "search/shell_word.hpp"
 #include "search/verbs.hpp"
 
@@ -19,13 +21,13 @@ CLI::Validator a_condition() {
 ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
   ChoiceOptions options{};
   options.best = group.add_option("--best", choice.best, "so many, the best first")
-                     ->check(a_draw())
+                     ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
                      ->type_name("K");
   options.diverse =
       group
           .add_option("--diverse", choice.diverse,
                       "so many that differ most, among the best " + std::to_string(kDiverseAmong))
-          ->check(a_draw())
+          ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
           ->excludes(options.best)
           ->type_name("K");
   options.where =
@@ -42,11 +44,19 @@ ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
   return options;
 }
 
+void check_by(const Choice& choice) {
+  if (!choice.by || choice.best || choice.diverse) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--by has no meaning without --best or --diverse; take it out, or add one "
+      "of them");
+}
+
 std::string text_of(const Choice& choice) {
   std::string text;
   if (choice.best) text += " --best " + std::to_string(*choice.best);
   if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
-  if (choice.by != Choice().by) text += " --by " + shell_word(choice.by);
+  if (choice.by) text += " --by " + shell_word(*choice.by);
   if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
   return text;
 }

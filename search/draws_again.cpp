@@ -55,15 +55,20 @@ Accepted stored_accepted(SQLite::Database& database, const schema::DrawRange& un
   });
 }
 
-void compare(const Accepted& stored, const Accepted& again,
-             std::vector<schema::Finding>& findings) {
+// Returns how many were not compared, for being decided in one of the two only.
+std::uint64_t compare(const Accepted& stored, const Accepted& again,
+                      std::vector<schema::Finding>& findings) {
+  std::uint64_t in_one_only = 0;
   Accepted all = stored;
   all.insert(again.begin(), again.end());
   for (const auto& [draw, ignored] : all) {
     const auto a = stored.find(draw), b = again.find(draw);
-    const bool is_open = (a != stored.end() && a->second == 0) ||  // another build may know
-                         (b != again.end() && b->second == 0);
-    if (is_open) continue;
+    const bool was_open = a != stored.end() && a->second == 0;
+    const bool is_open = b != again.end() && b->second == 0;
+    if (was_open || is_open) {
+      in_one_only += was_open != is_open;
+      continue;
+    }
     const std::string where = "draw " + std::to_string(draw);
     const auto verdict = [](bool is_accepted) { return is_accepted ? "accepted" : "rejected"; };
     if (a == stored.end() || b == again.end()) {
@@ -73,6 +78,7 @@ void compare(const Accepted& stored, const Accepted& again,
       findings.push_back(schema::differs(where, "deploys_from_sample", a->second, b->second));
     }
   }
+  return in_one_only;
 }
 
 }  // namespace
@@ -105,8 +111,9 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
           findings);
 }
 
-void make_unit_again(SQLite::Database& database, Trial& trial, const schema::DrawRange& unit,
-                     std::vector<schema::Finding>& findings) {
+std::uint64_t make_unit_again(SQLite::Database& database, Trial& trial,
+                              const schema::DrawRange& unit,
+                              std::vector<schema::Finding>& findings) {
   const Accepted stored = stored_accepted(database, unit);
   const std::vector<StoredVerdict> verdicts = stored_verdicts(database, unit);
   const schema::UnitRecord record = work_off(trial, unit);
@@ -115,7 +122,7 @@ void make_unit_again(SQLite::Database& database, Trial& trial, const schema::Dra
     again[c.draw] = c.metrics.deploys_from_sample;
   }
   for (const schema::DrawVerdict& d : record.undecided) again[d.draw] = 0;
-  compare(stored, again, findings);
+  const std::uint64_t in_one_only = compare(stored, again, findings);
   for (const schema::DrawVerdict& sampled : record.fault_sample) {
     const auto row = std::find_if(verdicts.begin(), verdicts.end(),
                                   [&](const StoredVerdict& v) { return v.draw == sampled.draw; });
@@ -123,6 +130,7 @@ void make_unit_again(SQLite::Database& database, Trial& trial, const schema::Dra
     compare(*row, as_stored(sampled.draw, sampled.verdict, trial.campaign(), trial.mechanism()),
             findings);
   }
+  return in_one_only;
 }
 
 }  // namespace misalign::search

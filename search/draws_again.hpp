@@ -26,8 +26,10 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
 
 /// Makes every draw of a unit again, as the search does, and compares which are accepted, from
 /// where they deploy, and their fault samples: it finds a candidate that was removed, or invented,
-/// together with all sums. UserError (3).
-void make_unit_again(SQLite::Database& database, Trial& trial, const schema::DrawRange& unit,
-                     std::vector<schema::Finding>& findings);
+/// together with all sums. Returns how many draws are undecided in the catalogue or here, and
+/// decided in the other: another build may know, so that is no finding. UserError (3).
+std::uint64_t make_unit_again(SQLite::Database& database, Trial& trial,
+                              const schema::DrawRange& unit,
+                              std::vector<schema::Finding>& findings);
 
 }  // namespace misalign::search

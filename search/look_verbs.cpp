@@ -159,7 +159,7 @@ bool was_cut_off(SQLite::Database& database, const std::string& sql, std::uint64
 // none. False if there is nothing to say.
 bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
   if (sql.find("FROM candidate") == std::string::npos) return false;
-  const std::vector<std::string> sentences = nothing_found(database);
+  const std::vector<std::string> sentences = nothing_found(database, schema::read_state(database));
   for (const std::string& sentence : sentences) put(schema::printable(sentence) + "\n");
   std::fflush(stdout);
   return !sentences.empty();

@@ -29,6 +29,11 @@ int threshold_sample(const Survival& survival, const schema::CatalogueState& sta
   return static_cast<int>(std::lround(state.threshold_deg / survival.sample_deg()));
 }
 
+// What counting leaves possible (95 %), should every undecided draw be an accepted one.
+double most_possible(const schema::CatalogueState& state) {
+  return schema::share_interval(0, state.undecided, state.draws).high;
+}
+
 // Where the tail has a guess and no draw was seen; no more than what counting leaves possible.
 std::optional<schema::SurvivalGuess> guess(const Survival& survival,
                                            const schema::CatalogueState& state) {
@@ -36,22 +41,26 @@ std::optional<schema::SurvivalGuess> guess(const Survival& survival,
   if (state.accepted > 0 || survival.from(sample).rows > 0) return std::nullopt;
   auto guess = survival.guess(sample);
   if (guess && state.draws > 0) {
-    const double most = 3 / static_cast<double>(state.draws);
+    const double most = most_possible(state);
     for (double* share : {&guess->low, &guess->rate, &guess->high}) *share = std::min(*share, most);
   }
   return guess;
 }
 
 std::string how_rare(const schema::CatalogueState& state) {
-  const auto draws = static_cast<double>(state.draws);
-  std::string text = "nothing was accepted in " + std::to_string(state.draws) +
-                     " draws: the share that deploys from " + shown_number(state.threshold_deg) +
-                     " deg is below " + two_digits(3 / draws) + " (3/n, 95 %), and more than " +
-                     some_draws(draws / 3) + " draws (n/3) are to be expected for one";
+  const double most = most_possible(state);
+  const std::string draws = std::to_string(state.draws) + (state.draws == 1 ? " draw" : " draws");
+  const std::string head = "nothing was accepted in " + draws + ": the share that deploys from " +
+                           shown_number(state.threshold_deg) + " deg is below " + two_digits(most);
   if (state.undecided > 0) {
-    text += "; " + std::to_string(state.undecided) + " undecided draws are not counted in that";
+    return head + " (95 %, should the " + std::to_string(state.undecided) +
+           " undecided all be accepted ones), and more than " + some_draws(1 / most) +
+           " draws are to be expected for one";
   }
-  return text;
+  constexpr std::uint64_t kRuleOfThree = 30;  // draws, from which on 3/n is 1 - 0.05^(1/n) to 5 %
+  if (state.draws < kRuleOfThree) return head + " (95 %)";
+  return head + " (3/n, 95 %), and more than " + std::to_string(state.draws / 3) +
+         " draws (n/3) are to be expected for one";
 }
 
 std::string who_survives(const Survival& survival) {
@@ -138,8 +147,8 @@ std::vector<std::string> nothing_found(const Survival& survival,
   return sentences;
 }
 
-std::vector<std::string> nothing_found(SQLite::Database& database) {
-  const schema::CatalogueState state = schema::read_state(database);
+std::vector<std::string> nothing_found(SQLite::Database& database,
+                                       const schema::CatalogueState& state) {
   if (state.accepted > 0 || state.draws == 0) return {};
   return nothing_found(schema::read_survival(database), state);
 }

@@ -20,7 +20,8 @@ schema::Json survival_json(const schema::Survival& survival, const schema::Catal
 std::vector<std::string> nothing_found(const schema::Survival& survival,
                                        const schema::CatalogueState& state);
 
-/// The same for an open catalogue.
-std::vector<std::string> nothing_found(SQLite::Database& database);
+/// The same for an open catalogue of this state.
+std::vector<std::string> nothing_found(SQLite::Database& database,
+                                       const schema::CatalogueState& state);
 
 }  // namespace misalign::search

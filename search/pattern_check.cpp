@@ -29,15 +29,20 @@ Json said_of(const ChosenSheet& sheet, const SheetCheck& check,
   return said;
 }
 
-// The same of an exported candidate.
+// The same of an exported candidate, as far as its file says it.
 Json said_by(const Json& exported) {
-  Json said = {{"verdict", exported.value("verdict", Json())},
-               {"metrics", exported.value("metrics", Json())}};
+  Json said = Json::object();
+  for (const char* part : {"verdict", "metrics"}) {
+    if (exported.contains(part)) said[part] = exported[part];
+  }
   const Json diagonals = exported.value("diagonals", Json());
-  if (!said["metrics"].is_object() || !diagonals.is_array()) return said;
+  if (!said.contains("metrics") || !said["metrics"].is_object() || !diagonals.is_array()) {
+    return said;
+  }
   Json elongation = Json::array();
   for (const Json& diagonal : diagonals) {
-    elongation.push_back(diagonal.is_object() ? diagonal.value("elongation", Json()) : Json());
+    if (!diagonal.is_object() || !diagonal.contains("elongation")) return said;
+    elongation.push_back(diagonal["elongation"]);
   }
   said["metrics"]["elongation"] = elongation.dump();
   return said;
@@ -46,8 +51,8 @@ Json said_by(const Json& exported) {
 // What `said` differs in from what was computed, value by value; what it leaves out is not missed.
 void compare(const std::string& where, const Json& said, const Json& computed,
              const ColumnTolerances& tolerances, std::vector<schema::Finding>& findings) {
-  for (const char* part : {"verdict", "metrics"}) {
-    const Json &theirs = said.at(part), &ours = computed.at(part);
+  for (const auto& [part, theirs] : said.items()) {
+    const Json& ours = computed.at(part);
     if (!theirs.is_object() || !ours.is_object()) {
       if (theirs != ours) findings.push_back(schema::differs(where, part, theirs, ours));
       continue;
@@ -57,7 +62,7 @@ void compare(const std::string& where, const Json& said, const Json& computed,
       if (!theirs.contains(key) || key == "miscut_margin_mm") continue;
       const Json& stored = theirs.at(key);
       if (!tolerances.agree(key, stored, value)) {
-        findings.push_back(schema::differs(where, std::string(part) + "." + key, stored, value));
+        findings.push_back(schema::differs(where, part + "." + key, stored, value));
       }
     }
   }
@@ -80,12 +85,13 @@ PatternVerification verify_pattern(const std::string& path) {
   verification.pattern = sheet.pattern;
   verification.verdict = computed["verdict"];
   verification.apart_mm = largest_difference(sparse.history.length_mm, dense.length_mm);
-  verification.has_claims = !sheet.exported.is_null();
   SheetReport& report = verification.report;
   compare("dense matrices", said_of(sheet, check, sparse.vertices_mm, dense), computed,
           check.tolerances(), report.findings);
-  if (verification.has_claims) {
-    compare("the file", said_by(sheet.exported), computed, check.tolerances(), report.findings);
+  if (!sheet.exported.is_null()) {
+    const Json claims = said_by(sheet.exported);
+    verification.has_claims = !claims.empty();
+    compare("the file", claims, computed, check.tolerances(), report.findings);
   }
   const Eigen::Index up_to_d = sparse.history.verdict.deploys_from_sample;
   verification.shapes =
@@ -98,18 +104,15 @@ PatternVerification verify_pattern(const std::string& path) {
 
 std::string pattern_verification_text(const PatternVerification& v) {
   const SheetReport& report = v.report;
-  std::string text;
-  for (const schema::Finding& finding : report.findings) text += finding.sentence + "\n";
-  const auto e = [](double value) { return shown_number("%.1e", value); };
+  std::string text = findings_text(report.findings);
   text += "pattern      " + v.pattern + ", deploys from " +
           shown_number(v.verdict["deploys_from_deg"].get<double>()) +
           " deg; first fault: " + v.verdict["first_fault"].get<std::string>() + "\n";
-  text += "followed     by sparse and by dense matrices: lengths " + e(v.apart_mm) + " mm apart\n";
-  if (v.has_claims) text += "compared     with the verdict and metrics that the file has\n";
-  text += "worst        length " + e(report.shape.length_mm) + " mm, planarity " +
-          e(report.shape.planarity_mm) + " mm, coincidence " + e(report.shape.coincidence_mm) +
-          " mm, diagonal " + e(report.diagonal_mm) + " mm, angle " + e(report.shape.angle_deg) +
-          " deg, in " + std::to_string(v.shapes) + " folded shapes\n";
+  text += "followed     by sparse and by dense matrices: lengths " +
+          shown_number("%.1e", v.apart_mm) + " mm apart\n";
+  if (v.has_claims) text += "compared     with what the file says of itself\n";
+  text += "worst        " + worst_text(report.shape, report.diagonal_mm) + ", in " +
+          std::to_string(v.shapes) + " folded shapes\n";
   text += report.first_contact_deg
               ? "contacts     panels cross first at " + shown_number(*report.first_contact_deg) +
                     " deg (" + report.contact + ")\n"
@@ -119,27 +122,17 @@ std::string pattern_verification_text(const PatternVerification& v) {
 }
 
 Json pattern_verification_json(const PatternVerification& v) {
-  Json findings = Json::array();
-  for (const schema::Finding& finding : v.report.findings) {
-    findings.push_back(finding.details);
-    findings.back()["sentence"] = finding.sentence;
-  }
   const bool crosses = v.report.first_contact_deg.has_value();
   return {{"pattern", v.pattern},
           {"verdict", v.verdict},
           {"good", v.good()},
-          {"findings", findings},
+          {"findings", findings_json(v.report.findings)},
           {"compared_with_file", v.has_claims},
           {"solvers_apart_mm", v.apart_mm},
           {"shapes", v.shapes},
           {"first_contact_deg", crosses ? Json(*v.report.first_contact_deg) : Json()},
           {"panels", crosses ? Json(v.report.contact) : Json()},
-          {"worst",
-           {{"length_mm", v.report.shape.length_mm},
-            {"planarity_mm", v.report.shape.planarity_mm},
-            {"coincidence_mm", v.report.shape.coincidence_mm},
-            {"diagonal_mm", v.report.diagonal_mm},
-            {"angle_deg", v.report.shape.angle_deg}}}};
+          {"worst", worst_json(v.report.shape, v.report.diagonal_mm)}};
 }
 
 }  // namespace misalign::search

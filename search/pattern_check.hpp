@@ -13,7 +13,7 @@ struct PatternVerification {
   schema::Json verdict;     ///< as folding_json.hpp has it
   Eigen::Index shapes = 0;  ///< samples whose folded shapes were looked at
   double apart_mm = 0;      ///< largest difference of any diagonal's length between the two solvers
-  bool has_claims = false;  ///< whether the file says verdict and metrics of itself: an export does
+  bool has_claims = false;  ///< whether the file says verdict or metrics of itself: an export does
   SheetReport report;
 
   bool good() const { return report.findings.empty(); }

@@ -28,6 +28,7 @@ void prepare_process() {
   nothing.sa_handler = [](int) {};
   nothing.sa_flags = SA_RESTART;
   ::sigaction(SIGXFSZ, &nothing, nullptr);
+  std::signal(SIGCHLD, SIG_DFL);  // ignored by a parent, nobody could wait for a child
 }
 
 }  // namespace misalign::search

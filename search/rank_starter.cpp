@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -145,6 +146,13 @@ class Starter {
       case SIGUSR2:
         kill(launcher_, info.si_signo);
         break;
+      case SIGTSTP:
+        std::fputs(
+            "Ctrl-Z: ranks that stand still are taken for lost (so this goes on); Ctrl-C ends it, "
+            "and "
+            "the same command goes on later\n",
+            stderr);
+        break;
       default:  // a child has ended
         break;
     }
@@ -188,7 +196,7 @@ int exit_code(int status, const Starter& starter, int ranks) {
 int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with_bar) {
   sigset_t watched, before;
   sigemptyset(&watched);
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGCHLD, kHereIAm + 0}) {
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGCHLD, SIGTSTP, int{kHereIAm}}) {
     sigaddset(&watched, signal);
   }
   pthread_sigmask(SIG_BLOCK, &watched, &before);

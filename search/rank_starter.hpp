@@ -11,10 +11,9 @@ namespace misalign::search {
 inline constexpr int kLeftWithStarter = 143;
 
 /// Runs the same command under mpirun, on this machine alone, and returns its exit code. `words`
-/// are those that were typed, the program's name first; --ranks among them is left out, or replaced
-/// by
-/// --progress bar where `with_bar`. SIGINT and SIGTERM go to rank 0, SIGUSR1 and SIGUSR2 to all,
-/// and if this process is killed, mpirun is asked to end.
+/// are those that were typed, the program's name first; --ranks among them is left out, or is
+/// --progress bar instead where `with_bar`. SIGINT and SIGTERM go to rank 0, SIGUSR1 and SIGUSR2 to
+/// all, SIGTSTP (Ctrl-Z) to nobody, and if this process is killed, mpirun is asked to end.
 /// @throws UserError  there is no mpirun, or it could start nothing
 int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with_bar);
 

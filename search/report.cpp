@@ -62,7 +62,7 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
   const bool counted = choice.best || choice.diverse;
   if (!choice.chooses()) {
     look.add(first_in_table(candidates, options.details));
-  } else if (candidates["total"] > 0 || !choice.where.empty()) {
+  } else if (options.details > 0 && (candidates["total"] > 0 || !choice.where.empty())) {
     if (!counted) choice.best = options.details;
     look.add(chosen_draws(database, choice));
   }
@@ -117,7 +117,7 @@ Json chosen_json(const ReportOptions& options) {
           {"best", choice.best ? Json(*choice.best) : Json()},
           {"diverse", choice.diverse ? Json(*choice.diverse) : Json()},
           {"where", choice.where.empty() ? Json() : Json(choice.where)},
-          {"by", choice.by}};
+          {"by", choice.by ? Json(*choice.by) : Json()}};
 }
 
 // What the page's commands are made of: it shows how to go on from what it shows.

@@ -164,7 +164,7 @@ class RankZero {
                static_cast<unsigned long long>(state.undecided), state.digest.c_str());
     std::fflush(stdout);
     if (!is_talkative()) return;
-    for (const std::string& sentence : nothing_found(*database)) {
+    for (const std::string& sentence : nothing_found(*database, state)) {
       spdlog::info("{}", sentence);
     }
     spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));

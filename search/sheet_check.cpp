@@ -109,4 +109,40 @@ void SheetCheck::add_shape_findings(const std::string& where, SheetReport& repor
   }
 }
 
+std::string findings_text(const std::vector<schema::Finding>& findings) {
+  std::string text;
+  const std::size_t shown = std::min(findings.size(), schema::kMostListed);
+  for (std::size_t k = 0; k < shown; ++k) {
+    text += schema::printable(findings[k].sentence) + "\n";
+  }
+  if (findings.size() > shown) {
+    text += "and " + std::to_string(findings.size() - shown) + " more; --json has them all\n";
+  }
+  return text;
+}
+
+schema::Json findings_json(const std::vector<schema::Finding>& findings) {
+  schema::Json json = schema::Json::array();
+  for (const schema::Finding& finding : findings) {
+    json.push_back(finding.details);
+    json.back()["sentence"] = finding.sentence;
+  }
+  return json;
+}
+
+std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm) {
+  const auto e = [](double value) { return schema::shown_number("%.1e", value); };
+  return "length " + e(shape.length_mm) + " mm, planarity " + e(shape.planarity_mm) +
+         " mm, coincidence " + e(shape.coincidence_mm) + " mm, diagonal " + e(diagonal_mm) +
+         " mm, angle " + e(shape.angle_deg) + " deg";
+}
+
+schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm) {
+  return {{"length_mm", shape.length_mm},
+          {"planarity_mm", shape.planarity_mm},
+          {"coincidence_mm", shape.coincidence_mm},
+          {"diagonal_mm", diagonal_mm},
+          {"angle_deg", shape.angle_deg}};
+}
+
 }  // namespace misalign::search

@@ -29,6 +29,14 @@ struct FollowedSheet {
   std::vector<solver::FoldState<double>> states;  ///< of the samples in turn
 };
 
+/// A line for each finding, printable; beyond schema::kMostListed their number.
+std::string findings_text(const std::vector<schema::Finding>& findings);
+/// Their details, each with its "sentence".
+schema::Json findings_json(const std::vector<schema::Finding>& findings);
+/// "length 1.2e-13 mm, planarity ..."
+std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm);
+schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm);
+
 class SheetCheck {
  public:
   /// `base` must outlive this object. `margin_samples`: see RecordingOptions; none for a pattern,

@@ -140,9 +140,7 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
            file + " best";
   }
   if (state.accepted == 0) {
-    return "more draws with --draws, or a lower accept.deploys_from_deg in a copy of the campaign; "
-           "misalign report " +
-           file + " shows how deep draws fold";
+    return "misalign report " + file + " --output report.html shows how deep draws fold";
   }
   return "misalign query " + file + " best; misalign export " + file + " --best 3 --output found";
 }

@@ -43,6 +43,36 @@ std::string first_given(const CLI::App& group) {
   return "";
 }
 
+int run_export(const ExportOptions& options, bool compat, const CLI::App& verb,
+               const CLI::App& choice) {
+  const auto only_with = [&](const char* option, bool has_sense, const char* with) {
+    if (verb.count(option) == 0 || has_sense) return;
+    throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
+                                                    with + "; take it out, or add that");
+  };
+  const bool in_states =
+      options.format == ExportFormat::fold || options.format == ExportFormat::obj;
+  only_with("--step", in_states, "--format fold or obj");
+  only_with("--creases", options.format == ExportFormat::csv, "--format csv");
+  const std::string chosen_by = first_given(choice);
+  if (is_pattern_file(options.path)) {
+    if (!chosen_by.empty()) throw only_of_a_catalogue(options.path, chosen_by);
+    export_pattern(options);
+  } else if (chosen_by.empty()) {
+    throw schema::UserError(schema::kExitUsage,
+                            options.path +
+                                ": nothing is chosen of it (a catalogue holds many); say --best, "
+                                "--draw, --where, --diverse or --sqlite-compat");
+  } else if (compat) {
+    schema::export_plain(*schema::open_for_reading(options.path), options.output);
+    put(schema::printable(options.output) + "\n");
+  } else {
+    check_by(options.choice);
+    export_candidates(options);
+  }
+  return 0;
+}
+
 }  // namespace
 
 void add_catalogue_or_pattern(CLI::App& verb, std::string& path) {
@@ -128,34 +158,7 @@ Action add_export(CLI::App& app) {
                    "directory, made if it is not there; with --sqlite-compat a new file")
       ->required()
       ->type_name("PATH");
-  return [options, compat, verb, group] {
-    const auto only_with = [&](const char* option, bool has_sense, const char* with) {
-      if (verb->count(option) == 0 || has_sense) return;
-      throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
-                                                      with + "; take it out, or add that");
-    };
-    const bool in_states =
-        options->format == ExportFormat::fold || options->format == ExportFormat::obj;
-    only_with("--by", options->choice.best || options->choice.diverse, "--best or --diverse");
-    only_with("--step", in_states, "--format fold or obj");
-    only_with("--creases", options->format == ExportFormat::csv, "--format csv");
-    const std::string chosen_by = first_given(*group);
-    if (is_pattern_file(options->path)) {
-      if (!chosen_by.empty()) throw only_of_a_catalogue(options->path, chosen_by);
-      export_pattern(*options);
-    } else if (chosen_by.empty()) {
-      throw schema::UserError(schema::kExitUsage,
-                              options->path +
-                                  ": nothing is chosen of it (a catalogue holds many); say --best, "
-                                  "--draw, --where, --diverse or --sqlite-compat");
-    } else if (*compat) {
-      schema::export_plain(*schema::open_for_reading(options->path), options->output);
-      put(schema::printable(options->output) + "\n");
-    } else {
-      export_candidates(*options);
-    }
-    return 0;
-  };
+  return [options, compat, verb, group] { return run_export(*options, *compat, *verb, *group); };
 }
 
 Action add_report(CLI::App& app) {
@@ -200,11 +203,7 @@ Action add_report(CLI::App& app) {
       write_report_of_pattern(*options);
       return 0;
     }
-    if (verb->count("--by") > 0 && !options->choice.chooses()) {
-      throw schema::UserError(schema::kExitUsage,
-                              "--by has no meaning without --best, --diverse or --where; take it "
-                              "out, or add one of them");
-    }
+    if (options->choice.where.empty()) check_by(options->choice);
     write_report(*options);
     return 0;
   };

@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <numeric>
+#include <system_error>
 #include <thread>
 
 #include "search/draw.hpp"
@@ -59,8 +60,12 @@ class Study {
     judge_the_sheets();
     const auto most = static_cast<std::size_t>(std::max(options_.jobs, 1));
     std::vector<std::thread> others;
-    for (std::size_t k = 1; k < std::min(most, pieces_.size()); ++k) {
-      others.emplace_back([this] { work(); });
+    try {
+      for (std::size_t k = 1; k < std::min(most, pieces_.size()); ++k) {
+        others.emplace_back([this] { work(); });
+      }
+    } catch (const std::system_error&) {
+      // No more threads are to be had: those that there are do it all.
     }
     work();
     for (std::thread& other : others) other.join();
@@ -163,19 +168,13 @@ class Study {
   std::exception_ptr failure_;
 };
 
-void refuse_lost_convexity(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                           double amplitude_mm) {
+}  // namespace
+
+double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm) {
   solver::CreasePattern sheet = base;
   sheet.vertices_mm += shifts_mm;
-  const double safe_mm = solver::largest_safe_amplitude_mm(sheet, all_vertices(sheet));
-  if (amplitude_mm < safe_mm) return;
-  throw schema::UserError(schema::kExitUsage,
-                          "--amplitude " + schema::shown_number(amplitude_mm) + ": must be below " +
-                              schema::shown_number(safe_mm) +
-                              " mm (where a facet of this sheet can lose convexity); try 0.1");
+  return solver::largest_safe_amplitude_mm(sheet, all_vertices(sheet));
 }
-
-}  // namespace
 
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,
                   double* errors_mm) {
@@ -187,9 +186,6 @@ void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::ui
 std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,
                                        const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                        const ToleranceOptions& options) {
-  for (const Eigen::Matrix2Xd& shifts : shifts_mm) {
-    refuse_lost_convexity(campaign.pattern.base.sheet, shifts, options.amplitude_mm);
-  }
   return Study(campaign, shifts_mm, options).run();
 }
 

@@ -52,8 +52,12 @@ struct Tolerance {
 /// Trials with one vertex alone are made no more than this.
 inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
 
-/// One answer for each sheet of the campaign with these shifts (one column per vertex). UserError
-/// (2) if a facet could lose convexity.
+/// Errors must be smaller than this, mm: from there on a facet of the sheet with these shifts (one
+/// column per vertex) can lose its convexity.
+double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm);
+
+/// One answer for each sheet of the campaign with these shifts; the amplitude is below the largest
+/// of each.
 std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,
                                        const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                        const ToleranceOptions& options);

@@ -127,6 +127,19 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
   }
 }
 
+void refuse_lost_convexity(const ChosenSheets& sheets, double amplitude_mm) {
+  for (std::size_t k = 0; k < sheets.shifts_mm.size(); ++k) {
+    const double largest_mm =
+        largest_miscut_mm(sheets.campaign.pattern.base.sheet, sheets.shifts_mm[k]);
+    if (amplitude_mm < largest_mm) continue;
+    throw UserError(schema::kExitUsage, "--amplitude " + schema::shown_number(amplitude_mm) +
+                                            ": must be below " + schema::shown_number(largest_mm) +
+                                            " mm (where a facet of " + sheets.name(k) +
+                                            " can lose convexity); try " +
+                                            schema::shown_number("%.1g", largest_mm / 10));
+  }
+}
+
 schema::Yield yield_of(std::uint64_t draw, const Tolerance& tolerance) {
   return {draw, tolerance.amplitude_mm, tolerance.copies.trials, tolerance.survivors(),
           tolerance.copies.undecided};
@@ -154,7 +167,7 @@ void print(const ToleranceCall& call, const ChosenSheets& sheets,
     }
     text += named.size() == 1 ? tolerance_text(named.front()) : tolerances_text(named);
   }
-  put(text);
+  call.json ? put_json(text) : put(text);
 }
 
 int run(ToleranceCall call) {
@@ -163,6 +176,7 @@ int run(ToleranceCall call) {
   // Closes the catalogue again, before the writer's lock: see WriterLock.
   const ChosenSheets sheets =
       is_pattern_file(call.path) ? sheet_of_file(call) : sheets_of_catalogue(call);
+  refuse_lost_convexity(sheets, call.study.amplitude_mm);
   std::vector<Tolerance> tolerances;
   {
     CopiesProgress progress;
@@ -193,10 +207,10 @@ Action add_tolerance(CLI::App& app) {
       "What is found is kept in the catalogue, unless more trials with this amplitude\n"
       "are: `misalign query FILE yields`, column yield of `export --by` and `--where`.\n"
       "Whom to ask about: query `tolerant` foretells it.\n"
-      "Copies of a candidate count from its campaign's threshold on. A pattern file has\n"
-      "none: those of its sheet count from the sheet's own D on, with the errors of\n"
-      "seed 1, and nothing is kept. So do those of an exported candidate, which names\n"
-      "neither its campaign's threshold nor its seed.\n\n"
+      "A copy of a candidate counts as deploying if it reaches its campaign's threshold.\n"
+      "A pattern file, an exported candidate too, names none, and no seed: a copy counts\n"
+      "if it reaches the sheet's own D, the errors are those of seed 1, and nothing is\n"
+      "kept.\n\n"
       "Examples:\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
@@ -226,7 +240,7 @@ Action add_tolerance(CLI::App& app) {
       ->type_name("N");
   verb->add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
   verb->add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
-  return [call, verb, draws, chosen] {
+  return [call, draws, chosen] {
     if (is_pattern_file(call->path)) {
       for (const CLI::Option* option :
            {draws, chosen.best, chosen.diverse, chosen.where, chosen.by}) {
@@ -234,10 +248,7 @@ Action add_tolerance(CLI::App& app) {
         throw only_of_a_catalogue(call->path, option == draws ? "a draw" : option->get_name());
       }
     }
-    if (verb->count("--by") > 0 && !call->choice.best && !call->choice.diverse) {
-      throw UserError(schema::kExitUsage,
-                      "--by has no meaning without --best or --diverse; take it out, or add that");
-    }
+    check_by(call->choice);
     return run(*call);
   };
 }

@@ -70,7 +70,7 @@ class Verifier {
     if (units_.empty()) return;
     Trial trial(campaign_);
     for (const schema::DrawRange& unit : units_) {
-      make_unit_again(database_, trial, unit, v_.findings);
+      v_.decided_now += make_unit_again(database_, trial, unit, v_.findings);
       ++v_.units.checked;
       v_.draws_again += unit.size();
     }
@@ -113,7 +113,11 @@ std::string units_text(const Verification& v) {
                   number(v.units.checked), number(v.units.of), number(v.draws_again),
                   number(v.seed), v.chance_to_find_one());
   }
-  return line;
+  if (v.decided_now == 0) return line;
+  return line + ("not compared " + std::to_string(v.decided_now)) +
+         (v.decided_now == 1 ? " draw" : " draws") +
+         " of them: undecided in the catalogue or here, and decided in the other (no fault; "
+         "`misalign search --retry-undecided` settles what can be)\n";
 }
 
 std::string other_definitions_text(const Verification& v) {
@@ -168,14 +172,7 @@ Verification verify(SQLite::Database& database, const std::string& path,
 }
 
 std::string verification_text(const Verification& v) {
-  std::string text;
-  const std::size_t shown = std::min(v.findings.size(), schema::kMostListed);
-  for (std::size_t k = 0; k < shown; ++k) {
-    text += schema::printable(v.findings[k].sentence) + "\n";
-  }
-  if (v.findings.size() > shown) {
-    text += "and " + std::to_string(v.findings.size() - shown) + " more; --json has them all\n";
-  }
+  std::string text = findings_text(v.findings);
   char line[200];
   std::snprintf(line, sizeof line, "campaign     %s, digest %s\n", v.campaign.c_str(),
                 v.digest.c_str());
@@ -186,12 +183,7 @@ std::string verification_text(const Verification& v) {
   std::snprintf(line, sizeof line, "fault sample %llu of %llu judged again\n",
                 number(v.fault_samples.checked), number(v.fault_samples.of));
   text += line + units_text(v) + other_definitions_text(v);
-  std::snprintf(line, sizeof line,
-                "worst        length %.1e mm, planarity %.1e mm, coincidence %.1e mm, diagonal "
-                "%.1e mm, angle %.1e deg\n",
-                v.worst.length_mm, v.worst.planarity_mm, v.worst.coincidence_mm, v.diagonal_mm,
-                v.worst.angle_deg);
-  text += line;
+  text += "worst        " + worst_text(v.worst, v.diagonal_mm) + "\n";
   if (const CheckedCandidate* first = v.first_contact()) {
     std::snprintf(line, sizeof line,
                   "contacts     panels cross in %llu of them, first at %g deg (draw %llu, %s)\n",
@@ -205,11 +197,7 @@ std::string verification_text(const Verification& v) {
 }
 
 Json verification_json(const Verification& v) {
-  Json findings = Json::array(), checked = Json::array();
-  for (const schema::Finding& finding : v.findings) {
-    findings.push_back(finding.details);
-    findings.back()["sentence"] = finding.sentence;
-  }
+  Json checked = Json::array();
   for (const CheckedCandidate& candidate : v.checked) {
     const bool crosses = candidate.first_contact_deg.has_value();
     checked.push_back({{"draw", candidate.draw},
@@ -225,18 +213,14 @@ Json verification_json(const Verification& v) {
            {{"checked", v.units.checked},
             {"of", v.units.of},
             {"draws", v.draws_again},
+            {"decided_now", v.decided_now},
             {"seed", v.units.checked > 0 ? Json(v.seed) : Json()},
             {"chance_to_find_one", v.chance_to_find_one()}}},
           {"not_comparable",
            {{"candidates", v.not_comparable}, {"columns", Json(v.other_definitions)}}},
           {"good", v.good()},
-          {"findings", findings},
-          {"worst",
-           {{"length_mm", v.worst.length_mm},
-            {"planarity_mm", v.worst.planarity_mm},
-            {"coincidence_mm", v.worst.coincidence_mm},
-            {"diagonal_mm", v.diagonal_mm},
-            {"angle_deg", v.worst.angle_deg}}}};
+          {"findings", findings_json(v.findings)},
+          {"worst", worst_json(v.worst, v.diagonal_mm)}};
 }
 
 }  // namespace misalign::search

@@ -35,6 +35,7 @@ struct Verification {
   std::vector<CheckedCandidate> checked;
   Sample fault_samples, units;
   std::uint64_t draws_again = 0;  ///< of those units
+  std::uint64_t decided_now = 0;  ///< of those, undecided in the catalogue or here, not in both
   std::uint64_t seed = 0;         ///< that chose them
   std::vector<schema::Finding> findings;
   /// Candidates with metrics of another definition that differ, and those columns: no fault.

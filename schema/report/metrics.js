@@ -32,7 +32,7 @@ export const metrics = [
     text: (v) => number(v),
     of_campaign: true, // it looks up to the campaign's threshold
     about:
-      "How far off the vertices may be cut, to first order, before some diagonal stalls on some stretch of 20° up to the threshold (root of the sum of squares of all errors). Of all that is known without trying it foretells best how many miscut copies deploy.",
+      "The least distance, to first order, to a sheet of which some diagonal stalls on some stretch of 20° up to the threshold (root of the sum of squares of all vertices' errors). Of all that is known without trying it foretells best how many miscut copies deploy.",
   },
   {
     name: "yield",

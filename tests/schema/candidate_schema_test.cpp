@@ -29,9 +29,12 @@ Json table1_candidate() {
     const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
                            campaign.sample_deg};
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
-    return candidate_json(campaign, 7, view, metrics,
-                          yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}}),
-                          actuation_json(view, path, solver::actuate(wires, path, vertices_mm)));
+    Json exported =
+        folded_pattern_json(campaign.sampling(), view, metrics,
+                            actuation_json(view, path, solver::actuate(wires, path, vertices_mm)));
+    exported.update(
+        origin_json(campaign, 7, yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}})));
+    return exported;
   }();
   return candidate;
 }

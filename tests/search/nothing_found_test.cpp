@@ -67,6 +67,27 @@ TEST(NothingFound, WithoutASample) {
   EXPECT_EQ(text.find("guess"), std::string::npos) << text;
 }
 
+// The rule of three is none for a few draws: 0.95 of one draw, 1 - 0.05^(1/2) of two.
+TEST(NothingFound, OfAFewDraws) {
+  const std::string one = all_of(nothing_found(Survival(1, 180), nothing_in(1)));
+  EXPECT_NE(one.find("in 1 draw: the share that deploys from 175 deg is below 0.95 (95 %)"),
+            std::string::npos)
+      << one;
+  EXPECT_EQ(one.find("n/3"), std::string::npos) << one;
+  const std::string two = all_of(nothing_found(Survival(1, 180), nothing_in(2)));
+  EXPECT_NE(two.find("is below 0.78 (95 %)"), std::string::npos) << two;
+}
+
+// Ten undecided draws may all be accepted ones: up to 1.8 % of a thousand (Clopper and Pearson's
+// table for 10 of 1,000: 0.48 % to 1.83 %).
+TEST(NothingFound, UndecidedDrawsMayBeAcceptedOnes) {
+  schema::CatalogueState state = nothing_in(1000);
+  state.undecided = 10;
+  const std::string text = all_of(nothing_found(Survival(1, 180), state));
+  EXPECT_NE(text.find("is below 0.018 (95 %, should the 10 undecided"), std::string::npos) << text;
+  EXPECT_NE(text.find("more than 54 draws"), std::string::npos) << text;
+}
+
 // What was counted bounds what is guessed: nothing in a million draws is no share of 1e-4.
 TEST(NothingFound, GuessesNoMoreThanCountingLeaves) {
   Survival shallow(1, 180);

@@ -228,15 +228,5 @@ TEST(MiscutCopies, UndecidedOnesBoundBothWays) {
   EXPECT_DOUBLE_EQ(copies.mean_sample(), 136);
 }
 
-TEST_F(ToleranceTest, ErrorsThatCanBendFacetsInAreRefused) {
-  try {
-    study(45, 10);
-    FAIL() << "not refused";
-  } catch (const schema::UserError& error) {
-    EXPECT_EQ(error.exit_code(), 2);
-    EXPECT_NE(std::string(error.what()).find("--amplitude 45: must be below"), std::string::npos);
-  }
-}
-
 }  // namespace
 }  // namespace misalign::search

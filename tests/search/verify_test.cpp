@@ -131,6 +131,21 @@ TEST_F(VerifyTest, ARemovedCandidateWithItsSumsIsFoundByMakingUnitsAgain) {
   EXPECT_NEAR(found, 20, 11);  // three standard deviations of a binomial
 }
 
+// Somebody else may have known no answer: no finding, but counted and said.
+TEST_F(VerifyTest, ACandidateMadeUndecidedIsSaid) {
+  const std::string draw = std::to_string(number("SELECT max(draw) FROM candidate"));
+  const std::int64_t unit = number("SELECT unit FROM candidate WHERE draw = " + draw);
+  const std::string at = std::to_string(unit);
+  change("DELETE FROM candidate WHERE draw = " + draw + "; INSERT INTO undecided VALUES (" + draw +
+         ", " + at + ", 'stalled', 1); UPDATE unit SET undecided = 1, accepted = accepted - 1 " +
+         "WHERE lo = " + at);
+  mend(unit);
+  const Verification v = look({.sample = 0, .units = kUnits});
+  for (const auto& finding : v.findings) ADD_FAILURE() << finding.sentence;
+  EXPECT_EQ(v.decided_now, 1u);
+  EXPECT_NE(verification_text(v).find("not compared 1 draw of them: undecided"), std::string::npos);
+}
+
 TEST_F(VerifyTest, AnInventedCandidateIsFoundByMakingUnitsAgain) {
   const std::string draw = std::to_string(number(
       "WITH RECURSIVE d(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM d WHERE x < 71) SELECT min(x) "

@@ -135,8 +135,12 @@ done
 case " $(chosen --diverse 3)" in *" $best "*) ;; *) fail "--diverse leaves the best one out" ;; esac
 [ "$(chosen --draw "$one" --draw "$best" | wc -w)" = 2 ] || fail "--draw twice"
 [ "$(chosen --best 1 --where "draw = $other -- a comment")" = "$other " ] || fail "--best with --where"
+# The deepest, said to go back on its last degree: the best by that column, if that is asked for, and no other.
+sqlite3 twins.db "UPDATE candidate SET slope_between_min_mm_per_deg = -1, deploys_from_deg = 179 WHERE draw = $one"
+[ "$(chosen --best 1)" != "$one " ] || fail "the best goes back"
+[ "$(chosen --best 1 --by deploys_from_deg)" = "$one " ] || fail "--by deploys_from_deg is another column"
 for wrong in "--best 1 --diverse 2" "--draw 1 --best 2" "" "--draw 999999" "--best 1 --by nothing" \
-  "--where nonsense" "--where 1)--" "--draw $best --by draw" "--best 1 --step 5"; do
+  "--where nonsense" "--where 1)--" "--draw $best --by draw" "--best 1 --step 5" "--best 0" "--diverse 0"; do
   # shellcheck disable=SC2086
   "$program" export "$file" $wrong --output none > /dev/null 2> err
   [ $? = 2 ] || fail "export $wrong: exit code, $(cat err)"

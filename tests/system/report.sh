@@ -75,6 +75,10 @@ late=$(sql many.db "SELECT draw FROM candidates $order LIMIT 1 OFFSET 5000")
 chosen "SELECT $late" --where "draw = $late"
 chosen "SELECT draw FROM candidates WHERE $where $order LIMIT 5" --where "$where" --details 5 --rows 700
 [ "$(data chosen.html candidates.shown)" = 700 ] || fail "report --rows 700"
+# No folding at all, and no complaint that there is none of the kind.
+"$program" report many.db --where "stroke_max < 0.02" --details 0 --output chosen.html > /dev/null || fail "--details 0"
+[ -z "$(drawn chosen.html)" ] || fail "--details 0 carries foldings"
+"$program" report many.db --details 5 --rows 700 --where "$where" --output chosen.html > /dev/null || fail "report again"
 eval "set -- $(data chosen.html commands.choice)"  # as a shell takes them
 [ "$1=$2" = "--where=$where" ] || fail "the page's condition is another one: $*"
 

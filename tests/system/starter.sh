@@ -18,6 +18,10 @@ done
   fail "--ranks=2"
 [ "$(sql ranks-2.db 'SELECT count(*) FROM run WHERE ranks = 2')" = 2 ] || fail "--ranks=2: not resumed"
 
+# A parent that ignores its children's ends hands that on; the program waits for mpirun all the same.
+timeout 60 perl -e '$SIG{CHLD} = "IGNORE"; exec @ARGV' "$program" search $campaign --ranks 2 \
+  --catalogue ranks-2.db --draws 1700 --progress none > /dev/null 2>&1 < /dev/null || fail "children ignored: exit code $?"
+
 # What is in standard input is for others.
 printf 'one\ntwo\n' | { "$program" search $campaign --ranks 2 --catalogue ranks-2.db --draws 1600 > /dev/null 2>&1; cat; } > left
 [ "$(wc -l < left)" = 2 ] || fail "standard input was read: $(cat left)"
