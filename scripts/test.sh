@@ -10,14 +10,31 @@ scripts/check.sh
 
 cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON > /dev/null
 cmake --build --preset release
-cmake --preset asan -DMISALIGN_WERROR=ON > /dev/null
-cmake --build --preset asan --target solver_test schema_test search_test
 
-# Tests that follow hundreds of paths take minutes under the sanitizers and run no code of their own.
-echo "== sanitizers: unit tests"
-many_paths='IsometryOnEverySample|StepsOfTheSolver|SamplesDoNotMove|LargeShifts|Trial.Instr'
-many_paths+='|ToleranceTest.(Instr|Trials|Most|NoErr|Threads)|MergeTest.(Pieces|Overlaps|Disagree)'
-many_paths+='|SnapshotTest|Trial.UnitsThatAreFull|VerifyTest.ARemoved|NothingFound.Guesses'
-ctest --preset asan -E "^system|^stress|NOT_BUILT|$many_paths" -j 2
-echo "== release: every test"
-ctest --preset release -j 3  # many of them wait
+# Beside the tests of the release, of which many wait: the unit tests under the sanitizers, two programs at a
+# time. Tests that follow hundreds of paths take minutes there and run no code of their own.
+sanitized() {
+  cmake --preset asan -DMISALIGN_WERROR=ON > /dev/null
+  cmake --build --preset asan --target solver_test schema_test search_test -- -j 2
+  local many_paths program shard
+  many_paths='*IsometryOnEverySample*:*StepsOfTheSolver*:*SamplesDoNotMove*:*LargeShifts*:Trial.Instr*'
+  many_paths+=':ToleranceTest.Instr*:ToleranceTest.Trials*:ToleranceTest.Most*:ToleranceTest.NoErr*:ToleranceTest.Threads*'
+  many_paths+=':MergeTest.Pieces*:MergeTest.Overlaps*:MergeTest.Disagree*'
+  many_paths+=':SnapshotTest*:Trial.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*'
+  for program in solver_test schema_test search_test; do
+    for shard in 0 1; do
+      (cd build/asan/tests && GTEST_TOTAL_SHARDS=2 GTEST_SHARD_INDEX=$shard \
+        ./$program --gtest_brief=1 --gtest_filter="-$many_paths") &
+    done
+    wait -n
+    wait -n
+  done
+}
+echo "== sanitizers: unit tests; release: every test"
+log=build/sanitizers.log
+sanitized > $log 2>&1 &
+sanitizers=$!
+trap 'kill $sanitizers 2> /dev/null || true' EXIT
+ctest --preset release -j 3
+wait $sanitizers || { cat $log; exit 1; }
+grep PASSED $log
