@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "schema/file_bytes.hpp"
 #include "schema/input.hpp"
 #include "schema/storage.hpp"
 
@@ -118,26 +119,53 @@ bool remove_leftovers(const std::string& output, const std::vector<std::string>&
   return true;
 }
 
-bool is_database(const std::string& path) {
+// What lies there; `error` where that cannot be said, for then it may be a database.
+struct LookedAt {
+  bool is_database = false;
+  int error = 0;
+};
+
+LookedAt look_at(const std::string& path) {
   static constexpr std::string_view kHeader("SQLite format 3", 16);  // with the zero
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return false;
+  Stat found{};
+  if (::stat(path.c_str(), &found) != 0) {
+    const bool is_nothing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
+    return {.error = is_nothing ? 0 : errno};
+  }
+  if (!S_ISREG(found.st_mode)) return {};
+  const int descriptor =
+      uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); });
+  if (descriptor < 0) return {.error = errno};
   std::array<char, kHeader.size()> bytes{};
-  const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
+  const ssize_t count =
+      uninterrupted([&] { return ::read(descriptor, bytes.data(), bytes.size()); });
+  const int error = count < 0 ? errno : 0;
   ::close(descriptor);
-  return count == static_cast<ssize_t>(bytes.size()) &&
-         std::string_view(bytes.data(), bytes.size()) == kHeader;
+  return {count == static_cast<ssize_t>(bytes.size()) &&
+              std::string_view(bytes.data(), bytes.size()) == kHeader,
+          error};
 }
 
-// A database, or a journal of one.
-bool belongs_to_database(const std::string& path) {
-  if (is_database(path)) return true;
+// No text takes the place of a database, of a journal of one, or of what may be either.
+void refuse_database(const std::string& path, const std::string& output) {
+  std::vector<std::string> paths{path};
   for (const std::string& suffix : journal_suffixes()) {
-    if (path.ends_with(suffix) && is_database(path.substr(0, path.size() - suffix.size()))) {
-      return true;
+    if (path.ends_with(suffix)) paths.push_back(path.substr(0, path.size() - suffix.size()));
+  }
+  for (const std::string& one : paths) {
+    const LookedAt found = look_at(one);
+    if (found.is_database) {
+      throw UserError(kExitUsage, output +
+                                      ": is a database, or belongs to one; name another file with "
+                                      "--output");
+    }
+    if (found.error != 0) {
+      throw UserError(kExitFailure,
+                      output + ": cannot be written (" + one +
+                          " may be a database, and cannot be read: " + std::strerror(found.error) +
+                          "); name another file with --output");
     }
   }
-  return false;
 }
 
 // Who may read all of these, and its owner in any case.
@@ -196,10 +224,7 @@ OutputFile OutputFile::text(const std::string& output) {
                                       ": cannot be written (it is there, and no file); choose "
                                       "another --output");
   }
-  if (belongs_to_database(file.target_)) {
-    throw UserError(kExitUsage,
-                    output + ": is a database, or belongs to one; name another file with --output");
-  }
+  refuse_database(file.target_, output);
   file.make_unnamed();
   if (found) {  // who may not give it its owner back writes a file of his own
     [[maybe_unused]] const int ignored = ::fchown(file.descriptor_, found->st_uid, found->st_gid);
