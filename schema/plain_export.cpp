@@ -18,17 +18,19 @@ constexpr const char* kTables[] = {"campaign",  "run",       "unit",         "sc
 // Those that old readers understand.
 constexpr const char* kViews = "'candidates', 'acceptance', 'faults', 'yields', 'common_yield'";
 
-// The column that is the rows' number, if there is one.
+// The column that is the rows' number, if there is one: no part of a key of several.
 std::string integer_key(SQLite::Database& database, const std::string& table) {
-  return reading(database, [&]() -> std::string {
+  return reading(database, [&] {
     SQLite::Statement columns(database, "PRAGMA table_info(" + table + ")");
+    std::string key;
+    int parts = 0;
     while (columns.executeStep()) {
-      if (columns.getColumn("pk").getInt() == 1 &&
-          columns.getColumn("type").getString() == "INTEGER") {
-        return columns.getColumn("name").getString();
-      }
+      if (columns.getColumn("pk").getInt() == 0) continue;
+      ++parts;
+      const bool is_integer = columns.getColumn("type").getString() == "INTEGER";
+      key = is_integer ? columns.getColumn("name").getString() : "";
     }
-    return "";
+    return parts == 1 ? key : "";
   });
 }
 

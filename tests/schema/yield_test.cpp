@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/beta.hpp>
 
 #include "catalogue_fixture.hpp"
+#include "schema/plain_export.hpp"
 #include "schema/yield_check.hpp"
 
 namespace misalign::schema {
@@ -132,6 +133,27 @@ TEST_F(YieldTest, WhatCannotHaveBeenCountedIsFound) {
     EXPECT_FALSE(check_ledger(*open_for_reading(path()), campaign_).empty()) << sql;
     std::filesystem::copy_file(whole, path(), std::filesystem::copy_options::overwrite_existing);
   }
+}
+
+// A key of two columns is no number of rows.
+TEST_F(YieldTest, PlainExportsHoldEveryAmplitude) {
+  keep({{5, 0.05, 100, 90, 0}, {5, 0.1, 100, 60, 0}, {102, 0.05, 100, 95, 0}});
+  const Refusal r = refusal([&] { export_plain(*open_for_reading(path()), path("plain.db")); });
+  ASSERT_EQ(r.sentence, "");
+  SQLite::Database plain(path("plain.db"));
+  const auto text = [&](const std::string& sql) { return plain.execAndGet(sql).getString(); };
+  EXPECT_EQ(text("SELECT group_concat(draw || ' ' || amplitude_mm || ' ' || survivors, ', ') FROM "
+                 "(SELECT * FROM yield ORDER BY draw, amplitude_mm)"),
+            "5 0.05 90, 5 0.1 60, 102 0.05 95");
+  EXPECT_EQ(text("SELECT count(*) FROM yields"), "3");
+  const auto keys = [&](const std::string& table) {
+    return text("SELECT coalesce(group_concat(name), '') FROM pragma_table_info('" + table +
+                "') WHERE pk > 0");
+  };
+  EXPECT_EQ(keys("candidate"), "draw");
+  EXPECT_EQ(keys("unit"), "lo");
+  EXPECT_EQ(keys("yield"), "");
+  EXPECT_EQ(keys("screened"), "");
 }
 
 // A catalogue of an older schema answers today's questions, and stays as it is.
