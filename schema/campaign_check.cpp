@@ -31,7 +31,7 @@ void check_diagonals(SQLite::Database& database, const Campaign& campaign,
   SQLite::Statement row(database, "SELECT diagonals FROM campaign");
   if (!row.executeStep()) return;  // which was found before
   const std::string text = text_of(row.getColumn(0));
-  if (same_diagonals(Json::parse(text, nullptr, false), recomputed)) return;
+  if (same_diagonals(json_of(text), recomputed)) return;
   findings.push_back(differs("campaign", "diagonals", text, recomputed.dump()));
 }
 
