@@ -58,7 +58,7 @@ bool is_statistics(const std::string& name, const Made& made) {
       {"sqlite_stat4",
        sql_tokens("CREATE TABLE sqlite_stat4(tbl,idx,neq,nlt,ndlt,sample)").tokens}};
   const auto at = kTables.find(name);
-  return at != kTables.end() && at->second == made.sql.tokens;
+  return at != kTables.end() && at->second == made.sql.tokens && !made.sql.is_open;
 }
 
 // What stands between the commas of a table's outer brackets: its columns and conditions.

@@ -2,6 +2,7 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cstdlib>
 
 #include "catalogue_fixture.hpp"
@@ -71,6 +72,14 @@ TEST_F(HostileTest, WhatTheProgramDoesNotWriteIsNamedAndRefused) {
       {"PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = sql || ' /* open' WHERE name = "
        "'gaps'",
        "view gaps is another"},
+      // SQLite reads a definition up to a zero byte: without the condition, here.
+      {"PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, 'WHERE lo > "
+       "previous_hi', '--' || char(0) || char(10) || 'WHERE lo > previous_hi') WHERE name = 'gaps'",
+       "view gaps is another"},
+      {"ANALYZE; PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = sql || '--' || "
+       "char(0) "
+       "|| char(10) WHERE name = 'sqlite_stat1'",
+       "sqlite_stat1 is foreign"},
   };
   for (const auto& [sql, named] : kAttacks) {
     attack(sql);
