@@ -79,6 +79,10 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
     while (row.executeStep()) {
       yields.push_back({draw, row.getColumn(0).getDouble(), draw_of(row.getColumn(1)),
                         draw_of(row.getColumn(2)), draw_of(row.getColumn(3))});
+      if (!yields.back().adds_up()) {
+        throw damaged(database, "the copies of draw " + std::to_string(draw) + " off by " +
+                                    shown_number(yields.back().amplitude_mm) + " mm do not add up");
+      }
     }
     return yields;
   });

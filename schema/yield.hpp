@@ -38,7 +38,8 @@ Json yields_json(const std::vector<Yield>& yields);
 void write_yields(SQLite::Database& database, const std::vector<Yield>& yields,
                   const std::string& commit);
 
-/// Of one candidate, by amplitude; none in catalogues from before version 4.
+/// Of one candidate, by amplitude; none in catalogues from before version 4. UserError (3) if one
+/// of them does not add up: SQLite looks at no CHECK while it reads.
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 
 /// Takes over those of another catalogue whose candidates are in this one, as write_yields does.

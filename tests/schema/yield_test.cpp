@@ -135,6 +135,22 @@ TEST_F(YieldTest, WhatCannotHaveBeenCountedIsFound) {
   }
 }
 
+// Whoever exports a candidate is told so, and not what a library says of impossible numbers.
+TEST_F(YieldTest, WhatDoesNotAddUpIsNotRead) {
+  for (const char* parts :
+       {"survivors = 9, undecided = -2, trials = 5", "survivors = 101", "undecided = 11",
+        "trials = 0", "survivors = -1", "trials = -1, survivors = -2, undecided = 0"}) {
+    keep({{5, 0.05, 200, 90, 0}});
+    alter("UPDATE yield SET trials = 100, survivors = 90, undecided = 0; UPDATE yield SET " +
+          std::string(parts));
+    const Refusal r = refusal([&] { kept(5); });
+    EXPECT_EQ(r.exit_code, kExitBadInput) << parts;
+    EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
+    EXPECT_NE(r.sentence.find("draw 5"), std::string::npos) << r.sentence;
+    alter("DELETE FROM yield");
+  }
+}
+
 // A key of two columns is no number of rows.
 TEST_F(YieldTest, PlainExportsHoldEveryAmplitude) {
   keep({{5, 0.05, 100, 90, 0}, {5, 0.1, 100, 60, 0}, {102, 0.05, 100, 95, 0}});
