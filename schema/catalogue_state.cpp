@@ -179,7 +179,7 @@ CatalogueState state_of(SQLite::Database& database) {
           "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
   while (faults.executeStep()) {
     state.faults[text_of(faults.getColumn(0))] +=
-        WeightedCount::of(draw_of(faults.getColumn(1)), faults.getColumn(2).getDouble());
+        sampled_rows(database, faults.getColumn(1), faults.getColumn(2));
   }
   return state;
 }
@@ -266,6 +266,17 @@ GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
 std::string weight_of_sampled(SQLite::Database& database) {
   return version_of(database) < kRarerSampleSince ? std::to_string(kFaultSampleEvery)
                                                   : "stands_for";
+}
+
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight) {
+  constexpr auto kLeast = static_cast<double>(kFaultSampleEvery);
+  const double draws = weight.getDouble();
+  if (!(draws >= kLeast)) {
+    throw damaged(database, "a row of fault_sample stands for " + shown_number(draws) +
+                                " draws, and none for fewer than " + shown_number(kLeast));
+  }
+  return WeightedCount::of(draw_of(rows), draws);
 }
 
 Json read_candidate(SQLite::Database& database, std::uint64_t draw) {

@@ -45,6 +45,11 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 /// schema that has none.
 std::string weight_of_sampled(SQLite::Database& database);
 
+/// So many rows of fault_sample with one weight. UserError (3) if no row has that weight: SQLite
+/// looks at no CHECK while it reads.
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight);
+
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 

@@ -116,7 +116,7 @@ Survival read_survival(SQLite::Database& database) {
     while (rows.executeStep()) {
       survival.add(
           static_cast<int>(std::clamp<std::int64_t>(rows.getColumn(0).getInt64(), 0, last)),
-          WeightedCount::of(draw_of(rows.getColumn(1)), rows.getColumn(2).getDouble()));
+          sampled_rows(database, rows.getColumn(1), rows.getColumn(2)));
     }
     return survival;
   });
