@@ -47,9 +47,12 @@ Json yields_json(const std::vector<Yield>& yields) {
   return list;
 }
 
-void write_yields(SQLite::Database& database, const std::vector<Yield>& yields,
-                  const std::string& commit) {
+std::vector<std::uint64_t> write_yields(SQLite::Database& database,
+                                        const std::vector<Yield>& yields,
+                                        const std::string& commit) {
+  std::vector<std::uint64_t> no_candidates;
   SQLite::Statement insert(database, kInsert);
+  SQLite::Statement candidate(database, "SELECT 1 FROM candidate WHERE draw = ?");
   const std::string now = database.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%fZ')").getString();
   for (const Yield& yield : yields) {
     const Json json = yield_json(yield);
@@ -65,7 +68,11 @@ void write_yields(SQLite::Database& database, const std::vector<Yield>& yields,
     insert.bind(9, commit);
     insert.bind(10, now);
     insert.exec();
+    candidate.tryReset();
+    candidate.bind(1, stored(yield.draw));
+    if (!candidate.executeStep()) no_candidates.push_back(yield.draw);
   }
+  return no_candidates;
 }
 
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {

@@ -52,6 +52,27 @@ TEST_F(YieldTest, MoreTrialsReplaceFewer) {
   EXPECT_TRUE(check_ledger(*open_for_reading(path()), campaign_).empty());
 }
 
+// Whoever keeps something in a catalogue that went away meanwhile makes no empty one in its place.
+TEST_F(YieldTest, WhatIsGoneIsSaid) {
+  {
+    Catalogue catalogue = open();
+    EXPECT_EQ(catalogue.keep({{5, 0.05, 10, 9, 0}, {6, 0.05, 10, 9, 0}, {7, 0.05, 10, 9, 0}}, "b"),
+              (std::vector<std::uint64_t>{6, 7}));
+    EXPECT_TRUE(catalogue.keep({{5, 0.05, 5, 4, 0}}, "b").empty()) << "fewer trials";
+    catalogue.close();
+  }
+  const auto open_again = [&] {
+    return refusal([&] { Catalogue(path(), campaign_, mechanism_, {}, Missing::refused); });
+  };
+  EXPECT_EQ(open_again().sentence, "");
+  std::filesystem::remove(path());
+  EXPECT_EQ(open_again().exit_code, kExitBadInput);
+  EXPECT_FALSE(std::filesystem::exists(path()));
+  std::ofstream(path()).close();
+  EXPECT_EQ(open_again().exit_code, kExitBadInput);
+  EXPECT_EQ(std::filesystem::file_size(path()), 0u);
+}
+
 // In one file, which a directory that nobody may write to can hold.
 TEST_F(YieldTest, TheFileIsOneAgain) {
   keep({{5, 0.05, 100, 90, 0}});
