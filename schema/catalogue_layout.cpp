@@ -22,15 +22,19 @@ bool same(const Made& a, const Made& b) {
   return a.table == b.table && a.sql.tokens == b.sql.tokens && !a.sql.is_open && !b.sql.is_open;
 }
 
-using Layout = std::map<std::pair<std::string, std::string>, Made>;  // by type and name
+using TypeAndName = std::pair<std::string, std::string>;
+struct Layout {
+  std::map<TypeAndName, Made> made;
+  std::set<TypeAndName> twice;  // SQLite lets rows without a definition stand as often as one likes
+};
 
 Layout layout_of(SQLite::Database& database) {
   Layout layout;
   SQLite::Statement row(database, "SELECT type, name, tbl_name, sql FROM sqlite_schema");
   while (row.executeStep()) {
-    std::pair key{row.getColumn(0).getString(), row.getColumn(1).getString()};
-    while (layout.contains(key)) key.second += " once more";  // as no catalogue has it
-    layout[key] = {row.getColumn(2).getString(), sql_tokens(row.getColumn(3).getString())};
+    const TypeAndName key{row.getColumn(0).getString(), row.getColumn(1).getString()};
+    Made made{row.getColumn(2).getString(), sql_tokens(row.getColumn(3).getString())};
+    if (!layout.made.try_emplace(key, std::move(made)).second) layout.twice.insert(key);
   }
   return layout;
 }
@@ -115,11 +119,14 @@ void add_columns(const std::string& table, const Made& found, const Made& wanted
 // "view spy is foreign", "column goal_end of table campaign is another"
 std::vector<std::string> differences_of(const Layout& found, const Layout& wanted) {
   std::vector<std::string> differences;
-  for (const auto& [key, made] : found) {
+  for (const auto& [type, name] : found.twice) {
+    differences.push_back(shown_name(type) + " " + shown_name(name) + " is there twice");
+  }
+  for (const auto& [key, made] : found.made) {
     const auto& [type, name] = key;
     const std::string what = shown_name(type) + " " + shown_name(name);
-    const auto at = wanted.find(key);
-    if (at == wanted.end()) {
+    const auto at = wanted.made.find(key);
+    if (at == wanted.made.end()) {
       if (is_statistics(name, made)) continue;
       const std::string on = made.table == name ? "" : " on " + shown_name(made.table);
       differences.push_back(what + on + " is foreign");
@@ -128,8 +135,9 @@ std::vector<std::string> differences_of(const Layout& found, const Layout& wante
                       : differences.push_back(what + " is another");
     }
   }
-  for (const auto& [key, made] : wanted) {
-    if (!found.contains(key)) differences.push_back(key.first + " " + key.second + " is missing");
+  for (const auto& [key, made] : wanted.made) {
+    if (!found.made.contains(key))
+      differences.push_back(key.first + " " + key.second + " is missing");
   }
   return differences;
 }
@@ -166,7 +174,7 @@ const std::set<std::string, std::less<>>& relations_of_catalogues() {
   static const auto names = [] {
     std::set<std::string, std::less<>> all;
     for (int version = 1; version <= kSchemaVersion; ++version) {
-      for (const auto& [key, made] : layout_made_in(version, version)) {
+      for (const auto& [key, made] : layout_made_in(version, version).made) {
         if (key.first == "table" || key.first == "view") all.insert(key.second);
       }
     }

@@ -90,6 +90,22 @@ TEST_F(HostileTest, WhatTheProgramDoesNotWriteIsNamedAndRefused) {
   EXPECT_EQ(said.find('\x1b'), std::string::npos);
 }
 
+// SQLite lets a row stand as often as one likes where it has no definition.
+TEST_F(HostileTest, RowsThatAreThereTwiceCostNothing) {
+  attack(
+      "PRAGMA writable_schema = ON; WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 "
+      "FROM n WHERE k < 2000) INSERT INTO sqlite_schema SELECT type, name, tbl_name, rootpage, "
+      "NULL FROM sqlite_schema, n WHERE name = 'candidate_best'");
+  const auto begin = std::chrono::steady_clock::now();
+  const Refusal r = refusal([&] { open_for_reading(path()); });
+  const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(r.exit_code, kExitBadInput);
+  EXPECT_NE(r.sentence.find("index candidate_best is there twice"), std::string::npos)
+      << r.sentence;
+  EXPECT_LT(r.sentence.size(), 1000u);
+  EXPECT_LT(took_s.count(), 2);  // 0.02 s, where each was looked up among all others 4 s
+}
+
 // Blanks, comments and what ANALYZE leaves do not count; nor where a version came from.
 TEST_F(HostileTest, WhatDoesNotMatterIsNotHeldAgainstIt) {
   for (const char* sql :
