@@ -277,5 +277,18 @@ TEST_F(OutputFileTest, NoTextReplacesWhatCannotBeRead) {
   EXPECT_EQ(held("a.txt"), "new");
 }
 
+// A signal interrupts; a file system that says so for ever is broken.
+TEST_F(OutputFileTest, InterruptionsEnd) {
+  const std::string text(7777, 'x');
+  put("page", "old");
+  const int code = where_fails({SYS_write, static_cast<unsigned>(text.size()), EINTR}, [&] {
+    return refusal([&] { write_text_file(path("page"), text); }).exit_code;
+  });
+  if (code == -2) GTEST_SKIP() << "no seccomp here";
+  EXPECT_EQ(code, kExitFailure);
+  EXPECT_EQ(held("page"), "old");
+  EXPECT_EQ(names(), "page");
+}
+
 }  // namespace
 }  // namespace misalign::schema
