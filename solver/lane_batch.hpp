@@ -107,10 +107,8 @@ class LaneBatch final : public Batch {
       }
       margin_.see(margin_state_);
     }
-    const T widths = margin_.widths();
     for (int i = 0; i < kLanes<T>; ++i) {
-      recording_.histories()[sheet_of_lane(i)].miscut_margin_mm =
-          lane(widths, i) * family_.mechanism().panel_width_mm;
+      recording_.histories()[sheet_of_lane(i)].miscut_margin_mm = margin_.mm(i);
     }
   }
 

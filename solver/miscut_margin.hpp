@@ -4,6 +4,8 @@
 // that deploy: 0.89, against 0.68 of the least slope (results/miscut/).
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "solver/flat_gradient.hpp"
@@ -41,6 +43,7 @@ class MiscutMargin {
   void begin(const SheetGeometry<T>& geometry) {
     geometry_ = &geometry;
     least_square_ = T(kFar * kFar);
+    failed_ = T(0);
     flat_lengths(mechanism_, geometry, last_lengths_.data());
     for (std::size_t d = 0; d < last_rows_.size(); ++d) {
       const Diagonal& diagonal = mechanism_.diagonals[d];
@@ -72,20 +75,22 @@ class MiscutMargin {
       const T moved = lengths_[d] - last_lengths_[d];
       const T ratio = moved * moved / square;
       least_square_ = select(ratio < least_square_, ratio, least_square_);
+      failed_ = failed_ + (ratio - ratio);
       last_rows_[d].swap(row_);
     }
     last_lengths_.swap(lengths_);
   }
 
-  /// The least over all diagonals and stretches so far, panel widths: the root of the sum of
-  /// squares of all errors in x and in y of the nearest sheet on which it does not move.
-  T widths() const {
-    using std::sqrt;
-    return sqrt(least_square_);
+  /// Of the sheet in lane i the least over all diagonals and stretches so far: the root of the sum
+  /// of squares of all errors in x and in y of the nearest sheet on which it does not move. None
+  /// where the solver failed: where one of them is not finite.
+  std::optional<double> mm(int i) const {
+    if (!std::isfinite(lane(failed_, i))) return std::nullopt;
+    return std::sqrt(lane(least_square_, i)) * mechanism_.panel_width_mm;
   }
 
  private:
-  static constexpr double kFar = 1e6;  // panel widths: what no diagonal is
+  static constexpr double kFar = 1e6;  // panel widths: beyond any distance
 
   // d length / d vertex with the pilot held, into row_.
   void find_row(int diagonal) {
@@ -105,11 +110,12 @@ class MiscutMargin {
   std::vector<std::vector<T>>
       last_rows_;  // of each diagonal: its gradient where the last one ended
   T least_square_ = T(0);
+  T failed_ = T(0);  // no number any more where the solver failed
 };
 
-/// Of one sheet whose states at margin_samples are these, mm.
-double miscut_margin_mm(const Mechanism& mechanism, const Elimination& elimination,
-                        const FlatVertices& vertices_mm,
-                        const std::vector<FoldState<double>>& states);
+/// Of one sheet whose states at margin_samples are these; none where the solver failed.
+std::optional<double> miscut_margin_mm(const Mechanism& mechanism, const Elimination& elimination,
+                                       const FlatVertices& vertices_mm,
+                                       const std::vector<FoldState<double>>& states);
 
 }  // namespace misalign::solver
