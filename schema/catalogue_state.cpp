@@ -170,13 +170,12 @@ CatalogueState state_of(SQLite::Database& database) {
 
   // Those of no candidate, by what makes one: to look for each of them would take ten times as
   // long.
-  const std::string weight = weight_of_sampled(database);
   SQLite::Statement faults(
       database,
-      "SELECT first_fault, count(*), " + weight +
-          " FROM fault_sample WHERE first_fault = 'undecided' OR deploys_from_sample < (SELECT "
-          "round(json_extract(configuration, '$.accept.deploys_from_deg') "
-          "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
+      "SELECT first_fault, count(*), stands_for FROM fault_sample WHERE first_fault = 'undecided' "
+      "OR deploys_from_sample < (SELECT "
+      "round(json_extract(configuration, '$.accept.deploys_from_deg') "
+      "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
   while (faults.executeStep()) {
     state.faults[text_of(faults.getColumn(0))] +=
         sampled_rows(database, faults.getColumn(1), faults.getColumn(2));
@@ -263,18 +262,13 @@ GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   });
 }
 
-std::string weight_of_sampled(SQLite::Database& database) {
-  return version_of(database) < kRarerSampleSince ? std::to_string(kFaultSampleEvery)
-                                                  : "stands_for";
-}
-
 WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
                            const SQLite::Column& weight) {
   constexpr auto kLeast = static_cast<double>(kFaultSampleEvery);
   const double draws = weight.getDouble();
   if (!(draws >= kLeast)) {
     throw damaged(database, "a row of fault_sample stands for " + shown_number(draws) +
-                                " draws, and none for fewer than " + shown_number(kLeast));
+                                " draws, where none stands for fewer than " + shown_number(kLeast));
   }
   return WeightedCount::of(draw_of(rows), draws);
 }

@@ -159,8 +159,7 @@ class LedgerCheck {
 
   // No row is there twice: with as many as the rule has draws, each of them has one.
   void count_fault_sample() {
-    SQLite::Statement row(
-        database_, "SELECT draw, unit, " + weight_of_sampled(database_) + " FROM fault_sample");
+    SQLite::Statement row(database_, "SELECT draw, unit, stands_for FROM fault_sample");
     while (row.executeStep()) {
       const std::uint64_t draw = draw_of(row.getColumn(0)), weight = draw_of(row.getColumn(2));
       Unit* unit = unit_of("fault_sample", draw, draw_of(row.getColumn(1)));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "schema/carried_files.hpp"
+#include "schema/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -28,6 +29,11 @@ std::string temporary_view(const std::string& name) {
 }  // namespace
 
 void show_as_of_today(SQLite::Database& database, int version) {
+  if (version < kRarerSampleSince) {
+    database.exec("CREATE TEMP VIEW fault_sample AS SELECT *, " +
+                  std::to_string(kFaultSampleEvery) + " AS stands_for FROM main.fault_sample");
+    database.exec(temporary_view("faults"));
+  }
   std::string later;
   for (const LaterColumn& column : kLaterColumns) {
     if (version < column.since) later += std::string(", NULL AS ") + column.name;

@@ -9,10 +9,11 @@
 namespace misalign::schema {
 namespace {
 
+// Of the file itself: a reader has views of today's over an older one.
 std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
   return reading(database, [&] {
     std::vector<std::string> names;
-    SQLite::Statement rows(database, "PRAGMA table_info(" + table + ")");
+    SQLite::Statement rows(database, "PRAGMA main.table_info(" + table + ")");
     while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
     return names;
   });
@@ -70,7 +71,7 @@ class UnitCopier::Table {
       const bool is_held = std::find(held.begin(), held.end(), column) != held.end();
       expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column, version));
     }
-    return "SELECT " + listed(expressions) + " FROM " + name + " ";
+    return "SELECT " + listed(expressions) + " FROM main." + name + " ";
   }
   std::string insert_of(const std::string& name) const {
     std::vector<std::string> quoted;
