@@ -92,7 +92,7 @@ Json faults_json(SQLite::Database& database, const Campaign& campaign) {
       query_table(database,
                   "SELECT first_fault, fault_deg, \"where\", deploys_from_sample >= " +
                       std::to_string(campaign.threshold_sample()) +
-                      " AND first_fault != 'undecided' AS accepted, count(*) AS draws, "
+                      " AND first_fault != 'undecided' AS accepted, count(*) AS sampled, "
                       "total(stands_for) AS weight, total(1.0 * stands_for * stands_for) AS "
                       "weight_sq FROM fault_sample GROUP BY 1, 2, 3, 4 ORDER BY 1, 2, 3, 4",
                   TableStyle::json));
