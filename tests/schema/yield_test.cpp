@@ -109,6 +109,23 @@ TEST_F(YieldTest, CandidatesShowTheCommonAmplitude) {
   EXPECT_EQ(column("yield"), "draw,yield\n5,0.2\n199,0.1\n102,0.05\n");
 }
 
+TEST_F(YieldTest, TheQueryShowsTheBestOfEveryAmplitude) {
+  const std::uint64_t first = 5;
+  std::vector<Yield> yields;
+  for (std::uint64_t k = 0; k < 25; ++k) yields.push_back({first + 97 * k, 0.05, 100, 60 + k, 0});
+  for (const std::uint64_t draw : {first, first + 97}) yields.push_back({draw, 0.2, 100, 10, 0});
+  keep(yields);
+  const Json rows =
+      Json::parse(query_table(*open_for_reading(path()), named_query("yields"), TableStyle::json));
+  ASSERT_EQ(rows.size(), 22u);
+  for (std::size_t k = 0; k < 20; ++k) {
+    EXPECT_EQ(rows[k].at("amplitude_mm"), 0.05);
+    EXPECT_EQ(rows[k].at("survivors"), 84 - k);
+  }
+  EXPECT_EQ(rows[20].at("draw"), first);
+  EXPECT_EQ(rows[21].at("draw"), first + 97);
+}
+
 TEST_F(YieldTest, MergedOnesAreTheLargerOfBoth) {
   {
     Catalogue other = open("b.db");
