@@ -192,9 +192,20 @@ std::unique_ptr<SQLite::Database> connect_to_memory() {
 }
 
 void as_our_own(SQLite::Database& reader, const std::function<void()>& work) {
-  sqlite3_set_authorizer(reader.getHandle(), nullptr, nullptr);
+  class Lifted {
+   public:
+    explicit Lifted(sqlite3* handle) : handle_(handle) {
+      sqlite3_set_authorizer(handle_, nullptr, nullptr);
+    }
+    ~Lifted() { sqlite3_set_authorizer(handle_, authorize_reading, nullptr); }
+    Lifted(const Lifted&) = delete;
+    Lifted& operator=(const Lifted&) = delete;
+
+   private:
+    sqlite3* const handle_;
+  };
+  const Lifted ban(reader.getHandle());
   work();
-  sqlite3_set_authorizer(reader.getHandle(), authorize_reading, nullptr);
 }
 
 void trust_schema(SQLite::Database& database) {

@@ -171,6 +171,18 @@ TEST_F(HostileTest, EveryConnectionIsSafe) {
   }
 }
 
+TEST_F(HostileTest, TheBanIsBackWhateverHappens) {
+  write_good();
+  const auto database = open_for_reading(path());
+  const std::string sql = "CREATE TEMP VIEW mine AS SELECT 1 AS x";
+  EXPECT_THROW(database->exec(sql), SQLite::Exception);
+  as_our_own(*database, [&] { database->exec(sql); });
+  EXPECT_THROW(database->exec("DROP VIEW mine"), SQLite::Exception);
+  EXPECT_THROW(as_our_own(*database, [&] { database->exec("CREATE TEMP VIEW mine AS nonsense"); }),
+               SQLite::Exception);
+  EXPECT_THROW(database->exec("DROP VIEW mine"), SQLite::Exception);
+}
+
 // A name is a name: SQLite would take these for a database in memory, or a second way into one.
 TEST_F(HostileTest, NamesAreNoUris) {
   const auto before = std::filesystem::current_path();
