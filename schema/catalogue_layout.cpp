@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -168,19 +169,6 @@ void check_layout(SQLite::Database& database, int version, const std::string& pa
     if (first == version || differences.size() < least.size()) least = std::move(differences);
   }
   throw not_as_made(path, least);
-}
-
-const std::set<std::string, std::less<>>& relations_of_catalogues() {
-  static const auto names = [] {
-    std::set<std::string, std::less<>> all;
-    for (int version = 1; version <= kSchemaVersion; ++version) {
-      for (const auto& [key, made] : layout_made_in(version, version).made) {
-        if (key.first == "table" || key.first == "view") all.insert(key.second);
-      }
-    }
-    return all;
-  }();
-  return names;
 }
 
 }  // namespace misalign::schema

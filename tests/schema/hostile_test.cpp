@@ -153,6 +153,27 @@ TEST_F(HostileTest, StatementsCallKnownFunctionsOnly) {
   }
 }
 
+// No name of ours is one of a module, or SQLite's own.
+TEST_F(HostileTest, AllThatACatalogueHasIsRead) {
+  write_good();
+  std::vector<std::string> files{path()};
+  for (int version = 1; version < kSchemaVersion; ++version) {
+    files.push_back(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
+                    std::to_string(version) + ".db");
+  }
+  for (const std::string& file : files) {
+    const auto database = open_for_reading(file);
+    SQLite::Statement row(*database,
+                          "SELECT name FROM sqlite_schema WHERE type IN ('table', 'view')");
+    int relations = 0;
+    for (; row.executeStep(); ++relations) {
+      const std::string sql = "SELECT * FROM main." + row.getColumn(0).getString() + " LIMIT 1";
+      EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::csv); }).sentence, "") << sql;
+    }
+    EXPECT_GE(relations, 13) << file;
+  }
+}
+
 TEST_F(HostileTest, EveryConnectionIsSafe) {
   write_good();
   const auto option = [](SQLite::Database& database, int which) {
