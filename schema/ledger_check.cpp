@@ -19,9 +19,10 @@ class LedgerCheck {
   LedgerCheck(SQLite::Database& database, const Campaign& campaign)
       : database_(database), campaign_(campaign) {}
 
-  std::vector<Finding> take() {
+  CheckedLedger take() {
     check_file();
     check_campaign();
+    look_at_state();
     read_units();
     sum_candidates();
     count_undecided();
@@ -31,9 +32,9 @@ class LedgerCheck {
     check_sampled_verdicts();
     check_verdicts();
     check_digest();
-    check_campaign_row(database_, campaign_, findings_);
+    check_campaign_row(database_, campaign_, state_, findings_);
     check_runs(database_, findings_);
-    return std::move(findings_);
+    return {std::move(findings_), std::move(state_), std::move(why_no_state_)};
   }
 
  private:
@@ -82,6 +83,15 @@ class LedgerCheck {
     if (!row.executeStep()) throw damaged(database_, "it names no campaign");
     const std::string stored = text_of(row.getColumn(0)), of_this = identity(campaign_);
     if (stored != of_this) add("campaign", "identity", stored, of_this);
+  }
+
+  void look_at_state() {
+    try {
+      state_ = read_state(database_);
+    } catch (const UserError& error) {
+      if (error.exit_code() != kExitBadInput) throw;  // the disk's fault, not the file's
+      why_no_state_ = error.what();
+    }
   }
 
   void read_units() {
@@ -141,6 +151,10 @@ class LedgerCheck {
       if (row.getColumn(2).getInt64() != std::clamp(sample, first, last)) {
         add("draw " + std::to_string(draw), "deploys_from_sample", row.getColumn(2).getInt64(),
             "one of the campaign's " + std::to_string(first) + " to " + std::to_string(last));
+      }
+      if (state_ && draw < state_->goal_end) {
+        ++counted_.accepted;
+        counted_.sum.add(draw, sample);
       }
       if (Unit* unit = unit_of("candidate", draw, draw_of(row.getColumn(1)))) {
         ++unit->accepted.counted;
@@ -240,34 +254,29 @@ class LedgerCheck {
   }
 
   void check_digest() {
-    CatalogueState state;
-    try {
-      state = read_state(database_);
-    } catch (const UserError& error) {
-      if (error.exit_code() != kExitBadInput) throw;  // the disk's fault, not the file's
+    if (!state_) {
       const Json details = {{"where", "catalogue"}, {"column", "digest"}};
-      if (findings_.empty()) findings_.push_back({error.what(), details});
+      if (findings_.empty()) findings_.push_back({why_no_state_, details});
       return;
     }
     std::vector<DrawRange> ranges;
     for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
-    CandidateSum sum;
-    std::uint64_t accepted = 0;
-    SQLite::Statement row(database_, "SELECT draw, deploys_from_sample FROM candidate");
-    while (row.executeStep()) {
-      if (draw_of(row.getColumn(0)) >= state.goal_end) continue;
-      ++accepted;
-      sum.add(draw_of(row.getColumn(0)), row.getColumn(1).getInt());
-    }
-    const std::string digest = catalogue_digest(
-        identity(campaign_), merged_up_to(ranges, state.goal_end), accepted, state.undecided, sum);
-    if (digest != state.digest) add("catalogue", "digest", state.digest, digest);
+    const std::string digest =
+        catalogue_digest(identity(campaign_), merged_up_to(ranges, state_->goal_end),
+                         counted_.accepted, state_->undecided, counted_.sum);
+    if (digest != state_->digest) add("catalogue", "digest", state_->digest, digest);
   }
 
   SQLite::Database& database_;
   const Campaign& campaign_;
   const int version_ = version_of(database_);
+  std::optional<CatalogueState> state_;
+  std::string why_no_state_;
   std::map<std::uint64_t, Unit> units_;  // by lo
+  struct {
+    std::uint64_t accepted = 0;
+    CandidateSum sum;
+  } counted_;  // candidates below the goal's end
   std::vector<Finding> findings_;
 };
 
@@ -281,12 +290,16 @@ Finding differs(const std::string& where, const std::string& column, const Json&
           {{"where", where}, {"column", column}, {"stored", stored}, {"recomputed", recomputed}}};
 }
 
-std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
+CheckedLedger read_checked(SQLite::Database& database, const Campaign& campaign) {
   return reading(database, [&] {
-    std::vector<Finding> findings = LedgerCheck(database, campaign).take();
-    for (Finding& finding : check_yields(database)) findings.push_back(std::move(finding));
-    return findings;
+    CheckedLedger checked = LedgerCheck(database, campaign).take();
+    for (Finding& finding : check_yields(database)) checked.findings.push_back(std::move(finding));
+    return checked;
   });
+}
+
+std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
+  return read_checked(database, campaign).findings;
 }
 
 }  // namespace misalign::schema
