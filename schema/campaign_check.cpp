@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "schema/folding_json.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -55,7 +56,7 @@ void check_campaign_row(SQLite::Database& database, const Campaign& campaign,
 void check_runs(SQLite::Database& database, std::vector<Finding>& findings) {
   const int version = version_of(database);
   const std::string costs =
-      version >= 3 ? "commits, commit_s, longest_commit_s" : "NULL, NULL, NULL";
+      version >= kCommitCostSince ? "commits, commit_s, longest_commit_s" : "NULL, NULL, NULL";
   SQLite::Statement row(database,
                         "SELECT run.id, ranks, count(unit.lo), max(worker), "
                         "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged'), " +

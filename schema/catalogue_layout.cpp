@@ -82,11 +82,7 @@ std::vector<std::string> definitions_of(const std::vector<std::string>& tokens) 
   return definitions;
 }
 
-std::string shown_name(const std::string& name) {
-  constexpr std::size_t kLongest = 40;
-  const std::string shown = printable(utf8(name.substr(0, kLongest)));
-  return name.size() > kLongest ? shown + "..." : shown;
-}
+std::string shown_name(const std::string& name) { return printable(utf8(shortened(name, 40))); }
 
 // In which columns a table is another one.
 void add_columns(const std::string& table, const Made& found, const Made& wanted,

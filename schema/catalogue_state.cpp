@@ -7,6 +7,7 @@
 
 #include "schema/digest.hpp"
 #include "schema/fault_sample.hpp"
+#include "schema/since.hpp"
 #include "solver/metrics.hpp"
 
 namespace misalign::schema {
@@ -143,7 +144,7 @@ CatalogueState state_of(SQLite::Database& database) {
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
-  const bool knows_errors = version_of(database) >= 3;
+  const bool knows_errors = version_of(database) >= kRelativeErrorSince;
   SQLite::Statement campaign(
       database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
                             "goal_accepted, goal_end, ") +
@@ -221,8 +222,8 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 }
 
 std::string metrics_version_sql(int schema_version) {
-  if (schema_version < 2) return "1";
-  return schema_version < 4 ? "min(schema_version, 2)" : "metrics_version";
+  if (schema_version < kRunSchemaSince) return "1";
+  return schema_version < kMetricsVersionSince ? "min(schema_version, 2)" : "metrics_version";
 }
 
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {

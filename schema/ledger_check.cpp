@@ -8,6 +8,8 @@
 
 #include "schema/campaign_check.hpp"
 #include "schema/digest.hpp"
+#include "schema/hexadecimal.hpp"
+#include "schema/since.hpp"
 #include "schema/unit_writer.hpp"
 #include "schema/yield_check.hpp"
 
@@ -95,10 +97,11 @@ class LedgerCheck {
   }
 
   void read_units() {
-    SQLite::Statement row(database_,
-                          "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
-                              std::string(version_ < 2 ? "1" : "schema_version") +
-                              " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
+    SQLite::Statement row(
+        database_,
+        "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
+            std::string(version_of(database_) < kRunSchemaSince ? "1" : "schema_version") +
+            " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
     std::uint64_t end = 0;
     while (row.executeStep()) {
       const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
@@ -198,18 +201,9 @@ class LedgerCheck {
       compare("undecided", unit.undecided);
       compare("rows of fault_sample", {unit.fault_sample.counted, unit.fault_sample.stored});
       if (unit.stored != unit.summed) {
-        add(name(lo), "digest_part", shown(unit.stored), shown(unit.summed));
+        add(name(lo), "digest_part", hex(unit.stored.bytes()), hex(unit.summed.bytes()));
       }
     }
-  }
-
-  static std::string shown(const CandidateSum& sum) {
-    static const char* const kDigits = "0123456789abcdef";
-    std::string text;
-    for (const unsigned char byte : sum.bytes()) {
-      text += {kDigits[byte >> 4], kDigits[byte & 15]};
-    }
-    return text;
   }
 
   void check_fault_sample() {
@@ -269,7 +263,6 @@ class LedgerCheck {
 
   SQLite::Database& database_;
   const Campaign& campaign_;
-  const int version_ = version_of(database_);
   std::optional<CatalogueState> state_;
   std::string why_no_state_;
   std::map<std::uint64_t, Unit> units_;  // by lo

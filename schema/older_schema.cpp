@@ -5,6 +5,7 @@
 
 #include "schema/carried_files.hpp"
 #include "schema/fault_sample.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -13,8 +14,9 @@ struct LaterColumn {
   const char* name;
   int since;
 };
-constexpr LaterColumn kLaterColumns[] = {
-    {"slope_between_min_mm_per_deg", 2}, {"bump_deg", 2}, {"miscut_margin_mm", 4}};
+constexpr LaterColumn kLaterColumns[] = {{"slope_between_min_mm_per_deg", kBetweenSamplesSince},
+                                         {"bump_deg", kBetweenSamplesSince},
+                                         {"miscut_margin_mm", kMiscutSince}};
 
 // "CREATE VIEW name AS ...;" as catalogue.sql says it, for one connection.
 std::string temporary_view(const std::string& name) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "schema/file_bytes.hpp"
+#include "schema/hexadecimal.hpp"
 #include "schema/input.hpp"
 #include "schema/storage.hpp"
 
@@ -35,18 +36,14 @@ std::string unforeseen_name(const std::string& output) {
     throw UserError(kExitFailure, output + ": cannot be written (no random numbers: " +
                                       std::strerror(errno) + "); see to the system");
   }
-  std::string digits;
-  for (const unsigned char byte : bytes) {
-    for (const int digit : {byte >> 4, byte & 15}) digits += "0123456789abcdef"[digit];
-  }
-  return stem_of(output) + digits + kEnding;
+  return stem_of(output) + hex(bytes) + kEnding;
 }
 
 bool has_such_a_name(const std::string& path, const std::string& output) {
   const std::string stem = stem_of(output), ending = kEnding;
   return path.size() == stem.size() + kRandomDigits + ending.size() && path.starts_with(stem) &&
          path.ends_with(ending) &&
-         path.find_first_not_of("0123456789abcdef", stem.size()) == stem.size() + kRandomDigits;
+         path.find_first_not_of(kHexDigits, stem.size()) == stem.size() + kRandomDigits;
 }
 
 // One byte far behind the data, beside the one that a catalogue's writer locks. 0, or an errno.
@@ -126,7 +123,6 @@ struct LookedAt {
 };
 
 LookedAt look_at(const std::string& path) {
-  static constexpr std::string_view kHeader("SQLite format 3", 16);  // with the zero
   Stat found{};
   if (::stat(path.c_str(), &found) != 0) {
     const bool is_nothing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
@@ -136,14 +132,13 @@ LookedAt look_at(const std::string& path) {
   const int descriptor =
       uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); });
   if (descriptor < 0) return {.error = errno};
-  std::array<char, kHeader.size()> bytes{};
+  std::array<char, kDatabaseHeader.size()> bytes{};
   const ssize_t count =
       uninterrupted([&] { return ::read(descriptor, bytes.data(), bytes.size()); });
   const int error = count < 0 ? errno : 0;
   ::close(descriptor);
-  return {count == static_cast<ssize_t>(bytes.size()) &&
-              std::string_view(bytes.data(), bytes.size()) == kHeader,
-          error};
+  const std::string_view begin(bytes.data(), count < 0 ? 0 : static_cast<std::size_t>(count));
+  return {begin == kDatabaseHeader, error};
 }
 
 // No text takes the place of a database, of a journal of one, or of what may be either.

@@ -5,6 +5,7 @@
 
 #include "schema/catalogue_state.hpp"
 #include "schema/fault_sample.hpp"
+#include "schema/unit_writer.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -106,10 +107,7 @@ std::unique_ptr<UnitCopier::Table> UnitCopier::table(const std::string& name,
 
 void UnitCopier::copy_runs() {
   table("run", "WHERE id >= ? AND id < ? ORDER BY id")->copy({0, kEndOfDraws});
-  SQLite::Statement add(
-      into_,
-      "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE "
-      "SET draws = draws + excluded.draws");
+  SQLite::Statement add(into_, kAddScreened);
   SQLite::Statement rows = prepared(from_, "SELECT cause, tested_deg, draws FROM screened");
   copy_rows(from_, rows, add, [&] {
     for (int k = 0; k < 3; ++k) bind_value(add, k + 1, rows.getColumn(k));

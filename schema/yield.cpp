@@ -1,6 +1,7 @@
 #include "schema/yield.hpp"
 
 #include "schema/share_interval.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -24,7 +25,7 @@ constexpr int kColumnCount = 10;
 }  // namespace
 
 bool has_yields(SQLite::Database& database) {
-  return database.execAndGet("PRAGMA user_version").getInt() >= 4;
+  return database.execAndGet("PRAGMA user_version").getInt() >= kMiscutSince;
 }
 
 Json yield_json(const Yield& yield) {
