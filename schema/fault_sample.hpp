@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <vector>
 
 #include "schema/draw_range.hpp"
 #include "schema/since.hpp"
@@ -38,8 +37,6 @@ class FaultSampleRule {
   std::uint64_t rows_in(const DrawRange& range) const {
     return rows_below(range.hi) - rows_below(range.lo);
   }
-  /// The draws of `range` that have one, ascending: rows_in(range) of them.
-  std::vector<std::uint64_t> draws_in(const DrawRange& range) const;
 
  private:
   bool gets_rarer_;
