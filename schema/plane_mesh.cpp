@@ -26,11 +26,7 @@ class SheetBuilder {
   const std::vector<Quad>& faces() const { return faces_; }
 
   std::optional<solver::CreasePattern> build() {
-    using Stage = void (SheetBuilder::*)();
-    for (const Stage stage :
-         {&SheetBuilder::check_points, &SheetBuilder::find_faces, &SheetBuilder::check_vertices,
-          &SheetBuilder::orient_faces, &SheetBuilder::pair_edges, &SheetBuilder::check_crossings,
-          &SheetBuilder::find_gaps, &SheetBuilder::check_degrees, &SheetBuilder::place_faces}) {
+    for (const Stage stage : stages()) {
       faults_.next_kind();
       (this->*stage)();
       if (faults_.any()) return std::nullopt;
@@ -40,6 +36,20 @@ class SheetBuilder {
   }
 
  private:
+  using Stage = void (SheetBuilder::*)();
+
+  // Crossings are looked for before faces are. A file that has faces may have any number of edges:
+  // there it waits until all of them are sides of faces.
+  std::vector<Stage> stages() const {
+    std::vector<Stage> all{&SheetBuilder::check_points};
+    const auto append = [&](std::initializer_list<Stage> more) { all.insert(all.end(), more); };
+    if (!has_faces_) append({&SheetBuilder::check_crossings, &SheetBuilder::find_faces});
+    append({&SheetBuilder::check_vertices, &SheetBuilder::orient_faces, &SheetBuilder::pair_edges});
+    if (has_faces_) append({&SheetBuilder::check_crossings});
+    append({&SheetBuilder::find_gaps, &SheetBuilder::check_degrees, &SheetBuilder::place_faces});
+    return all;
+  }
+
   void add(const std::string& problem, const std::string& why, const std::string& suggestion) {
     faults_.add(problem, why, suggestion);
   }
@@ -88,9 +98,6 @@ class SheetBuilder {
 
   // Where the file has none.
   void find_faces() {
-    if (has_faces_) return;
-    check_crossings();
-    if (faults_.any()) return;
     FacesOfRegions found = faces_of_edges(points_, edges_);
     for (const auto& [a, b] : found.contradictions) {
       add("edge " + solver::line_label(a, b) + " is \"" + edges_.at({a, b}).substr(0, 8) + "\"",
