@@ -34,10 +34,9 @@ class MiscutMargin {
         work_(residual_),
         weights_(residual_),
         rates_(mechanism.unknowns, T(0)),
-        lengths_(mechanism.diagonals.size(), T(0)),
-        last_lengths_(lengths_),
+        last_lengths_(mechanism.diagonals.size(), T(0)),
         row_(static_cast<std::size_t>(2 * mechanism.vertices), T(0)),
-        last_rows_(lengths_.size(), row_) {}
+        last_rows_(last_lengths_.size(), row_) {}
 
   /// A flat sheet. `geometry` must live until the next one.
   void begin(const SheetGeometry<T>& geometry) {
@@ -64,21 +63,21 @@ class MiscutMargin {
     evaluate(mechanism_, *geometry_, state, residual_.data(), factors_.entries());
     factors_.factorize();
     gradient_.at(*geometry_, state);
-    folded_lengths(mechanism_, *geometry_, state, lengths_.data());
-    for (std::size_t d = 0; d < lengths_.size(); ++d) {
+    for (std::size_t d = 0; d < last_lengths_.size(); ++d) {
       find_row(static_cast<int>(d));
       T square(0);
       for (std::size_t k = 0; k < row_.size(); ++k) {
         const T change = row_[k] - last_rows_[d][k];
         square = square + change * change;
       }
-      const T moved = lengths_[d] - last_lengths_[d];
+      const T length = gradient_.length(static_cast<int>(d));
+      const T moved = length - last_lengths_[d];
       const T ratio = moved * moved / square;
       least_square_ = select(ratio < least_square_, ratio, least_square_);
       failed_ = failed_ + (ratio - ratio);
+      last_lengths_[d] = length;
       last_rows_[d].swap(row_);
     }
-    last_lengths_.swap(lengths_);
   }
 
   /// Of the sheet in lane i the least over all diagonals and stretches so far: the root of the sum
@@ -106,7 +105,7 @@ class MiscutMargin {
   SparseLu<T> factors_;
   FlatGradient<T> gradient_;
   const SheetGeometry<T>* geometry_ = nullptr;
-  std::vector<T> residual_, work_, weights_, rates_, lengths_, last_lengths_, row_;
+  std::vector<T> residual_, work_, weights_, rates_, last_lengths_, row_;
   std::vector<std::vector<T>>
       last_rows_;  // of each diagonal: its gradient where the last one ended
   T least_square_ = T(0);
