@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "schema/folding_json.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -31,18 +32,12 @@ void check_diagonals(SQLite::Database& database, const Campaign& campaign,
   SQLite::Statement row(database, "SELECT diagonals FROM campaign");
   if (!row.executeStep()) return;  // which was found before
   const std::string text = text_of(row.getColumn(0));
-  if (same_diagonals(Json::parse(text, nullptr, false), recomputed)) return;
+  if (same_diagonals(json_of(text), recomputed)) return;
   findings.push_back(differs("campaign", "diagonals", text, recomputed.dump()));
 }
 
-void check_goal(SQLite::Database& database, std::vector<Finding>& findings) {
-  CatalogueState state;
-  try {
-    state = read_state(database);
-  } catch (const UserError& error) {  // which was found before
-    if (error.exit_code() != kExitBadInput) throw;
-    return;
-  }
+void check_goal(SQLite::Database& database, const CatalogueState& state,
+                std::vector<Finding>& findings) {
   const std::uint64_t end = goal_end_of_rows(database, state.goal).value();
   if (end != state.goal_end) {
     findings.push_back(differs("campaign", "goal_end", state.goal_end, end));
@@ -52,15 +47,16 @@ void check_goal(SQLite::Database& database, std::vector<Finding>& findings) {
 }  // namespace
 
 void check_campaign_row(SQLite::Database& database, const Campaign& campaign,
+                        const std::optional<CatalogueState>& state,
                         std::vector<Finding>& findings) {
   check_diagonals(database, campaign, findings);
-  check_goal(database, findings);
+  if (state) check_goal(database, *state, findings);
 }
 
 void check_runs(SQLite::Database& database, std::vector<Finding>& findings) {
   const int version = version_of(database);
   const std::string costs =
-      version >= 3 ? "commits, commit_s, longest_commit_s" : "NULL, NULL, NULL";
+      version >= kCommitCostSince ? "commits, commit_s, longest_commit_s" : "NULL, NULL, NULL";
   SQLite::Statement row(database,
                         "SELECT run.id, ranks, count(unit.lo), max(worker), "
                         "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged'), " +

@@ -1,15 +1,17 @@
 // What a catalogue says of its campaign and its runs, against what follows from the rest of it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "schema/ledger_check.hpp"
 
 namespace misalign::schema {
 
-/// The diagonals of the base pattern, and where the goal ends by the results.
+/// The diagonals of the base pattern, and where the goal ends by the results: that needs the
+/// catalogue's `state`, none where it cannot be read.
 void check_campaign_row(SQLite::Database& database, const Campaign& campaign,
-                        std::vector<Finding>& findings);
+                        const std::optional<CatalogueState>& state, std::vector<Finding>& findings);
 
 /// For every run: its units are of its ranks, and it committed at least one unit each time (but for
 /// those of catalogues that were joined, of which only a part may be here); its longest commit is

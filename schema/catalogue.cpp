@@ -47,15 +47,16 @@ void Standing::add(const UnitRecord& unit) {
 }
 
 Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
-                     const solver::Mechanism& mechanism, std::optional<Storage> storage)
+                     const solver::Mechanism& mechanism, std::optional<Storage> storage,
+                     Missing missing)
     : path_(end_of_links(path)),
       campaign_(campaign),
       mechanism_(mechanism),
       identity_(identity(campaign)),
       storage_(storage.value_or(file_system_of(path_).storage)),
-      lock_(path_) {
+      lock_(path_, missing) {
   try {
-    guarded(path_, [&] { open(); });
+    guarded(path_, [&] { open(missing); });
   } catch (...) {
     writer_.reset();
     database_.reset();
@@ -72,9 +73,10 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
 
 Catalogue::~Catalogue() = default;
 
-void Catalogue::open() {
+void Catalogue::open(Missing missing) {
   database_ = open_for_writing(path_, storage_);
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
+  if (is_new && missing == Missing::refused) throw damaged(*database_, "it is empty");
   if (!is_new) {
     check_same_campaign();
     fold_log_in();
@@ -253,8 +255,13 @@ void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>&
   });
 }
 
-void Catalogue::keep(const std::vector<Yield>& yields, const std::string& commit_of_build) {
-  guarded(path_, [&] { transact([&] { write_yields(*database_, yields, commit_of_build); }); });
+std::vector<std::uint64_t> Catalogue::keep(const std::vector<Yield>& yields,
+                                           const std::string& commit_of_build) {
+  std::vector<std::uint64_t> no_candidates;
+  guarded(path_, [&] {
+    transact([&] { no_candidates = write_yields(*database_, yields, commit_of_build); });
+  });
+  return no_candidates;
 }
 
 void Catalogue::take_over_yields(SQLite::Database& other) {

@@ -45,12 +45,12 @@ struct CommitCost {
 
 class Catalogue {
  public:
-  /// Opens or creates. An older schema is brought up to date, after a copy of the file. `storage`
-  /// overrides what the file system says. If creating fails, nothing is left behind.
-  /// UserError: see WriterLock, open_for_writing and storage_failure; 5 if another campaign is in
-  /// it.
+  /// Opens, or creates if that is wanted. An older schema is brought up to date, after a copy of
+  /// the file. `storage` overrides what the file system says. If creating fails, nothing is left
+  /// behind. UserError: see WriterLock, open_for_writing and storage_failure; 5 if another campaign
+  /// is in it; 3 if it is empty and should be there.
   Catalogue(const std::string& path, const Campaign& campaign, const solver::Mechanism& mechanism,
-            std::optional<Storage> storage = {});
+            std::optional<Storage> storage = {}, Missing missing = Missing::created);
   ~Catalogue();
   Catalogue(const Catalogue&) = delete;
   Catalogue& operator=(const Catalogue&) = delete;
@@ -70,8 +70,10 @@ class Catalogue {
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
   /// One transaction: a draw that was undecided, judged again; see UnitWriter.
   void settle(const UnitRecord& decided);
-  /// One transaction: what was found of miscut copies, see write_yields.
-  void keep(const std::vector<Yield>& yields, const std::string& commit_of_build);
+  /// One transaction: what was found of miscut copies. The draws that are no candidates here, of
+  /// which nothing is kept: see write_yields.
+  std::vector<std::uint64_t> keep(const std::vector<Yield>& yields,
+                                  const std::string& commit_of_build);
   /// The same of another catalogue, for candidates that both hold.
   void take_over_yields(SQLite::Database& other);
   /// `end` says why, see catalogue.sql. Closes the file: nothing else may follow.
@@ -86,7 +88,7 @@ class Catalogue {
   Storage storage() const { return storage_; }
 
  private:
-  void open();
+  void open(Missing missing);
   void check_same_campaign() const;
   void check_same_builds(const RunInfo& run) const;
   void migrate();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,15 +23,19 @@ bool same(const Made& a, const Made& b) {
   return a.table == b.table && a.sql.tokens == b.sql.tokens && !a.sql.is_open && !b.sql.is_open;
 }
 
-using Layout = std::map<std::pair<std::string, std::string>, Made>;  // by type and name
+using TypeAndName = std::pair<std::string, std::string>;
+struct Layout {
+  std::map<TypeAndName, Made> made;
+  std::set<TypeAndName> twice;  // SQLite lets rows without a definition stand as often as one likes
+};
 
 Layout layout_of(SQLite::Database& database) {
   Layout layout;
   SQLite::Statement row(database, "SELECT type, name, tbl_name, sql FROM sqlite_schema");
   while (row.executeStep()) {
-    std::pair key{row.getColumn(0).getString(), row.getColumn(1).getString()};
-    while (layout.contains(key)) key.second += " once more";  // as no catalogue has it
-    layout[key] = {row.getColumn(2).getString(), sql_tokens(row.getColumn(3).getString())};
+    const TypeAndName key{row.getColumn(0).getString(), row.getColumn(1).getString()};
+    Made made{row.getColumn(2).getString(), sql_tokens(row.getColumn(3).getString())};
+    if (!layout.made.try_emplace(key, std::move(made)).second) layout.twice.insert(key);
   }
   return layout;
 }
@@ -58,7 +63,7 @@ bool is_statistics(const std::string& name, const Made& made) {
       {"sqlite_stat4",
        sql_tokens("CREATE TABLE sqlite_stat4(tbl,idx,neq,nlt,ndlt,sample)").tokens}};
   const auto at = kTables.find(name);
-  return at != kTables.end() && at->second == made.sql.tokens;
+  return at != kTables.end() && at->second == made.sql.tokens && !made.sql.is_open;
 }
 
 // What stands between the commas of a table's outer brackets: its columns and conditions.
@@ -77,11 +82,7 @@ std::vector<std::string> definitions_of(const std::vector<std::string>& tokens) 
   return definitions;
 }
 
-std::string shown_name(const std::string& name) {
-  constexpr std::size_t kLongest = 40;
-  const std::string shown = printable(utf8(name.substr(0, kLongest)));
-  return name.size() > kLongest ? shown + "..." : shown;
-}
+std::string shown_name(const std::string& name) { return printable(utf8(shortened(name, 40))); }
 
 // In which columns a table is another one.
 void add_columns(const std::string& table, const Made& found, const Made& wanted,
@@ -115,11 +116,14 @@ void add_columns(const std::string& table, const Made& found, const Made& wanted
 // "view spy is foreign", "column goal_end of table campaign is another"
 std::vector<std::string> differences_of(const Layout& found, const Layout& wanted) {
   std::vector<std::string> differences;
-  for (const auto& [key, made] : found) {
+  for (const auto& [type, name] : found.twice) {
+    differences.push_back(shown_name(type) + " " + shown_name(name) + " is there twice");
+  }
+  for (const auto& [key, made] : found.made) {
     const auto& [type, name] = key;
     const std::string what = shown_name(type) + " " + shown_name(name);
-    const auto at = wanted.find(key);
-    if (at == wanted.end()) {
+    const auto at = wanted.made.find(key);
+    if (at == wanted.made.end()) {
       if (is_statistics(name, made)) continue;
       const std::string on = made.table == name ? "" : " on " + shown_name(made.table);
       differences.push_back(what + on + " is foreign");
@@ -128,8 +132,9 @@ std::vector<std::string> differences_of(const Layout& found, const Layout& wante
                       : differences.push_back(what + " is another");
     }
   }
-  for (const auto& [key, made] : wanted) {
-    if (!found.contains(key)) differences.push_back(key.first + " " + key.second + " is missing");
+  for (const auto& [key, made] : wanted.made) {
+    if (!found.made.contains(key))
+      differences.push_back(key.first + " " + key.second + " is missing");
   }
   return differences;
 }
@@ -160,19 +165,6 @@ void check_layout(SQLite::Database& database, int version, const std::string& pa
     if (first == version || differences.size() < least.size()) least = std::move(differences);
   }
   throw not_as_made(path, least);
-}
-
-const std::set<std::string, std::less<>>& relations_of_catalogues() {
-  static const auto names = [] {
-    std::set<std::string, std::less<>> all;
-    for (int version = 1; version <= kSchemaVersion; ++version) {
-      for (const auto& [key, made] : layout_made_in(version, version)) {
-        if (key.first == "table" || key.first == "view") all.insert(key.second);
-      }
-    }
-    return all;
-  }();
-  return names;
 }
 
 }  // namespace misalign::schema

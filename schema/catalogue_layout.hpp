@@ -4,8 +4,6 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <functional>
-#include <set>
 #include <string>
 
 namespace misalign::schema {
@@ -15,8 +13,5 @@ namespace misalign::schema {
 /// that ANALYZE left may be there. Nothing of the file's schema is run. UserError (3) that names
 /// what is foreign, other or missing; 5 is the caller's, who knows the version.
 void check_layout(SQLite::Database& database, int version, const std::string& path);
-
-/// The names of tables and views of catalogues of any version.
-const std::set<std::string, std::less<>>& relations_of_catalogues();
 
 }  // namespace misalign::schema

@@ -7,6 +7,7 @@
 
 #include "schema/digest.hpp"
 #include "schema/fault_sample.hpp"
+#include "schema/since.hpp"
 #include "solver/metrics.hpp"
 
 namespace misalign::schema {
@@ -143,7 +144,7 @@ CatalogueState state_of(SQLite::Database& database) {
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
   // An older schema has no such column, and no goal of that kind.
-  const bool knows_errors = version_of(database) >= 3;
+  const bool knows_errors = version_of(database) >= kRelativeErrorSince;
   SQLite::Statement campaign(
       database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
                             "goal_accepted, goal_end, ") +
@@ -170,16 +171,15 @@ CatalogueState state_of(SQLite::Database& database) {
 
   // Those of no candidate, by what makes one: to look for each of them would take ten times as
   // long.
-  const std::string weight = weight_of_sampled(database);
   SQLite::Statement faults(
       database,
-      "SELECT first_fault, count(*), " + weight +
-          " FROM fault_sample WHERE first_fault = 'undecided' OR deploys_from_sample < (SELECT "
-          "round(json_extract(configuration, '$.accept.deploys_from_deg') "
-          "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
+      "SELECT first_fault, count(*), stands_for FROM fault_sample WHERE first_fault = 'undecided' "
+      "OR deploys_from_sample < (SELECT "
+      "round(json_extract(configuration, '$.accept.deploys_from_deg') "
+      "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
   while (faults.executeStep()) {
     state.faults[text_of(faults.getColumn(0))] +=
-        WeightedCount::of(draw_of(faults.getColumn(1)), faults.getColumn(2).getDouble());
+        sampled_rows(database, faults.getColumn(1), faults.getColumn(2));
   }
   return state;
 }
@@ -222,8 +222,8 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
 }
 
 std::string metrics_version_sql(int schema_version) {
-  if (schema_version < 2) return "1";
-  return schema_version < 4 ? "min(schema_version, 2)" : "metrics_version";
+  if (schema_version < kRunSchemaSince) return "1";
+  return schema_version < kMetricsVersionSince ? "min(schema_version, 2)" : "metrics_version";
 }
 
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
@@ -263,9 +263,15 @@ GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   });
 }
 
-std::string weight_of_sampled(SQLite::Database& database) {
-  return version_of(database) < kRarerSampleSince ? std::to_string(kFaultSampleEvery)
-                                                  : "stands_for";
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight) {
+  constexpr auto kLeast = static_cast<double>(kFaultSampleEvery);
+  const double draws = weight.getDouble();
+  if (!(draws >= kLeast)) {
+    throw damaged(database, "a row of fault_sample stands for " + shown_number(draws) +
+                                " draws, where none stands for fewer than " + shown_number(kLeast));
+  }
+  return WeightedCount::of(draw_of(rows), draws);
 }
 
 Json read_candidate(SQLite::Database& database, std::uint64_t draw) {

@@ -41,9 +41,10 @@ std::vector<DrawRange> units_done(SQLite::Database& database);
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
                                     const DrawRange& range);
 
-/// SQL for the weight of a row of fault_sample: the column, or what it would hold in an older
-/// schema that has none.
-std::string weight_of_sampled(SQLite::Database& database);
+/// So many rows of fault_sample with one weight. UserError (3) if no row has that weight: SQLite
+/// looks at no CHECK while it reads.
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight);
 
 /// A candidate's row, every column under its name; null if there is none.
 Json read_candidate(SQLite::Database& database, std::uint64_t draw);

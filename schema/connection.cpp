@@ -8,7 +8,6 @@
 #include <set>
 #include <string_view>
 
-#include "schema/catalogue_layout.hpp"
 #include "schema/file_calls.hpp"
 #include "schema/journal_check.hpp"
 
@@ -73,8 +72,9 @@ const std::set<std::string, std::less<>>& modules() {
   return names;
 }
 
-// What a catalogue has, tables made of a JSON text or of what a pragma tells, and what a query
-// itself names (WITH): the file's own layout was compared before.
+// Tables made of a JSON text or of what a pragma tells, and all names that are neither SQLite's own
+// nor a module's: those of the file, whose layout was compared before, and what a query itself
+// names (WITH).
 bool may_read(const char* table) {
   std::string name = table ? table : "";
   for (char& letter : name) {
@@ -87,8 +87,8 @@ bool may_read(const char* table) {
   }
   constexpr std::array<std::string_view, 6> kOthers = {
       "sqlite_schema", "sqlite_master", "sqlite_stat1", "sqlite_stat4", "json_each", "json_tree"};
-  if (is_among(kOthers, name.c_str()) || relations_of_catalogues().contains(name)) return true;
-  return !name.starts_with("sqlite_") && !modules().contains(name);
+  return is_among(kOthers, name.c_str()) ||
+         (!name.starts_with("sqlite_") && !modules().contains(name));
 }
 
 // Reading is allowed, and nothing that could touch another file.
@@ -192,9 +192,20 @@ std::unique_ptr<SQLite::Database> connect_to_memory() {
 }
 
 void as_our_own(SQLite::Database& reader, const std::function<void()>& work) {
-  sqlite3_set_authorizer(reader.getHandle(), nullptr, nullptr);
+  class Lifted {
+   public:
+    explicit Lifted(sqlite3* handle) : handle_(handle) {
+      sqlite3_set_authorizer(handle_, nullptr, nullptr);
+    }
+    ~Lifted() { sqlite3_set_authorizer(handle_, authorize_reading, nullptr); }
+    Lifted(const Lifted&) = delete;
+    Lifted& operator=(const Lifted&) = delete;
+
+   private:
+    sqlite3* const handle_;
+  };
+  const Lifted ban(reader.getHandle());
   work();
-  sqlite3_set_authorizer(reader.getHandle(), authorize_reading, nullptr);
 }
 
 void trust_schema(SQLite::Database& database) {

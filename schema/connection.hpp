@@ -28,8 +28,8 @@ std::unique_ptr<SQLite::Database> connect(const std::string& path, Access access
 /// An empty database in memory, for tables and views of our own.
 std::unique_ptr<SQLite::Database> connect_to_memory();
 
-/// Runs statements of our own on a reader, which may do what its statements may not: views of the
-/// connection.
+/// Lifts the reader's ban for our own statements, such as temporary views, while `work` runs; it is
+/// there again afterwards, also where that throws.
 void as_our_own(SQLite::Database& reader, const std::function<void()>& work);
 
 /// Lets views and checks call JSON functions, which SQLite 3.40 takes for harmful

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "schema/hexadecimal.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -17,12 +19,9 @@ void append_little_endian(std::string& bytes, Integer value) {
 XXH128_hash_t hash_of(std::string_view bytes) { return XXH3_128bits(bytes.data(), bytes.size()); }
 
 std::string hex(const XXH128_hash_t& hash) {
-  static const char* const kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::uint64_t half : {hash.high64, hash.low64}) {
-    for (int shift = 60; shift >= 0; shift -= 4) text.push_back(kDigits[half >> shift & 15]);
-  }
-  return text;
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, hash);
+  return hex(bytes.digest);
 }
 
 void CandidateSum::add(std::uint64_t draw, int deploys_from_sample) {

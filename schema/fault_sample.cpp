@@ -14,14 +14,4 @@ std::uint64_t FaultSampleRule::rows_below(std::uint64_t end) const {
   return doublings + multiples(end - (std::uint64_t{1} << m), m - kRowsOfADoubling_log2);
 }
 
-// Spacings are powers of two: a step never passes over a draw whose own spacing is larger.
-std::vector<std::uint64_t> FaultSampleRule::draws_in(const DrawRange& range) const {
-  std::vector<std::uint64_t> draws;
-  draws.reserve(rows_in(range));
-  std::uint64_t draw = range.lo;
-  if (const std::uint64_t past = draw & (spacing(draw) - 1)) draw += spacing(draw) - past;
-  for (; draw < range.hi; draw += spacing(draw)) draws.push_back(draw);
-  return draws;
-}
-
 }  // namespace misalign::schema

@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <vector>
 
 #include "schema/draw_range.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 
 /// The least number of draws from one row to the next.
 inline constexpr std::uint64_t kFaultSampleEvery = 1024;
-/// The schema since which rows are the rarer the larger the draw's number. Rows of units whose run
-/// had an older one are every 1024 draws, however large, and stay.
-inline constexpr int kRarerSampleSince = 4;
 
 /// Draw d has a row when it is a multiple of 2^k: k = 10 for d < 2^27; k = 11 for 2^27 <= d < 2^28,
 /// and one more for each doubling, that is k = m - 16 for 2^m <= d < 2^(m + 1). So the first 2^27
@@ -40,8 +37,6 @@ class FaultSampleRule {
   std::uint64_t rows_in(const DrawRange& range) const {
     return rows_below(range.hi) - rows_below(range.lo);
   }
-  /// The draws of `range` that have one, ascending: rows_in(range) of them.
-  std::vector<std::uint64_t> draws_in(const DrawRange& range) const;
 
  private:
   bool gets_rarer_;

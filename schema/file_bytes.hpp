@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace misalign::schema {
@@ -25,6 +26,9 @@ auto uninterrupted(const Call& call) {
   }
   return result;
 }
+
+/// What an SQLite database begins with; the zero is a part of it.
+inline constexpr std::string_view kDatabaseHeader("SQLite format 3", 16);
 
 enum class FileKind {
   any,     ///< what a person has named: a pipe, too

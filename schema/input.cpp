@@ -162,14 +162,14 @@ std::string ObjectReader::name(const std::string& key) const {
 }
 
 std::string ObjectReader::shown(const std::string& key) const {
-  std::string value = value_.at(key).dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (value.size() > 60) value = value.substr(0, 57) + "...";
-  return name(key) + " = " + value;
+  const Json& value = value_.at(key);
+  return name(key) + " = " +
+         shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
 }
 
 Json read_json_file(const std::string& path, FileKind kind) {
   const std::string text = read_file(path, kLargest_bytes, kind);
-  if (text.starts_with("SQLite format 3")) {
+  if (text.starts_with(kDatabaseHeader)) {
     throw UserError(kExitBadInput, path +
                                        ": is a catalogue, not JSON; `misalign status` and "
                                        "`misalign replay` read those");

@@ -8,6 +8,8 @@
 
 #include "schema/campaign_check.hpp"
 #include "schema/digest.hpp"
+#include "schema/hexadecimal.hpp"
+#include "schema/since.hpp"
 #include "schema/unit_writer.hpp"
 #include "schema/yield_check.hpp"
 
@@ -19,9 +21,10 @@ class LedgerCheck {
   LedgerCheck(SQLite::Database& database, const Campaign& campaign)
       : database_(database), campaign_(campaign) {}
 
-  std::vector<Finding> take() {
+  CheckedLedger take() {
     check_file();
     check_campaign();
+    look_at_state();
     read_units();
     sum_candidates();
     count_undecided();
@@ -31,9 +34,9 @@ class LedgerCheck {
     check_sampled_verdicts();
     check_verdicts();
     check_digest();
-    check_campaign_row(database_, campaign_, findings_);
+    check_campaign_row(database_, campaign_, state_, findings_);
     check_runs(database_, findings_);
-    return std::move(findings_);
+    return {std::move(findings_), std::move(state_), std::move(why_no_state_)};
   }
 
  private:
@@ -84,11 +87,21 @@ class LedgerCheck {
     if (stored != of_this) add("campaign", "identity", stored, of_this);
   }
 
+  void look_at_state() {
+    try {
+      state_ = read_state(database_);
+    } catch (const UserError& error) {
+      if (error.exit_code() != kExitBadInput) throw;  // the disk's fault, not the file's
+      why_no_state_ = error.what();
+    }
+  }
+
   void read_units() {
-    SQLite::Statement row(database_,
-                          "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
-                              std::string(version_ < 2 ? "1" : "schema_version") +
-                              " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
+    SQLite::Statement row(
+        database_,
+        "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
+            std::string(version_of(database_) < kRunSchemaSince ? "1" : "schema_version") +
+            " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
     std::uint64_t end = 0;
     while (row.executeStep()) {
       const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
@@ -142,6 +155,10 @@ class LedgerCheck {
         add("draw " + std::to_string(draw), "deploys_from_sample", row.getColumn(2).getInt64(),
             "one of the campaign's " + std::to_string(first) + " to " + std::to_string(last));
       }
+      if (state_ && draw < state_->goal_end) {
+        ++counted_.accepted;
+        counted_.sum.add(draw, sample);
+      }
       if (Unit* unit = unit_of("candidate", draw, draw_of(row.getColumn(1)))) {
         ++unit->accepted.counted;
         unit->summed.add(draw, sample);
@@ -159,8 +176,7 @@ class LedgerCheck {
 
   // No row is there twice: with as many as the rule has draws, each of them has one.
   void count_fault_sample() {
-    SQLite::Statement row(
-        database_, "SELECT draw, unit, " + weight_of_sampled(database_) + " FROM fault_sample");
+    SQLite::Statement row(database_, "SELECT draw, unit, stands_for FROM fault_sample");
     while (row.executeStep()) {
       const std::uint64_t draw = draw_of(row.getColumn(0)), weight = draw_of(row.getColumn(2));
       Unit* unit = unit_of("fault_sample", draw, draw_of(row.getColumn(1)));
@@ -185,18 +201,9 @@ class LedgerCheck {
       compare("undecided", unit.undecided);
       compare("rows of fault_sample", {unit.fault_sample.counted, unit.fault_sample.stored});
       if (unit.stored != unit.summed) {
-        add(name(lo), "digest_part", shown(unit.stored), shown(unit.summed));
+        add(name(lo), "digest_part", hex(unit.stored.bytes()), hex(unit.summed.bytes()));
       }
     }
-  }
-
-  static std::string shown(const CandidateSum& sum) {
-    static const char* const kDigits = "0123456789abcdef";
-    std::string text;
-    for (const unsigned char byte : sum.bytes()) {
-      text += {kDigits[byte >> 4], kDigits[byte & 15]};
-    }
-    return text;
   }
 
   void check_fault_sample() {
@@ -241,34 +248,28 @@ class LedgerCheck {
   }
 
   void check_digest() {
-    CatalogueState state;
-    try {
-      state = read_state(database_);
-    } catch (const UserError& error) {
-      if (error.exit_code() != kExitBadInput) throw;  // the disk's fault, not the file's
+    if (!state_) {
       const Json details = {{"where", "catalogue"}, {"column", "digest"}};
-      if (findings_.empty()) findings_.push_back({error.what(), details});
+      if (findings_.empty()) findings_.push_back({why_no_state_, details});
       return;
     }
     std::vector<DrawRange> ranges;
     for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
-    CandidateSum sum;
-    std::uint64_t accepted = 0;
-    SQLite::Statement row(database_, "SELECT draw, deploys_from_sample FROM candidate");
-    while (row.executeStep()) {
-      if (draw_of(row.getColumn(0)) >= state.goal_end) continue;
-      ++accepted;
-      sum.add(draw_of(row.getColumn(0)), row.getColumn(1).getInt());
-    }
-    const std::string digest = catalogue_digest(
-        identity(campaign_), merged_up_to(ranges, state.goal_end), accepted, state.undecided, sum);
-    if (digest != state.digest) add("catalogue", "digest", state.digest, digest);
+    const std::string digest =
+        catalogue_digest(identity(campaign_), merged_up_to(ranges, state_->goal_end),
+                         counted_.accepted, state_->undecided, counted_.sum);
+    if (digest != state_->digest) add("catalogue", "digest", state_->digest, digest);
   }
 
   SQLite::Database& database_;
   const Campaign& campaign_;
-  const int version_ = version_of(database_);
+  std::optional<CatalogueState> state_;
+  std::string why_no_state_;
   std::map<std::uint64_t, Unit> units_;  // by lo
+  struct {
+    std::uint64_t accepted = 0;
+    CandidateSum sum;
+  } counted_;  // candidates below the goal's end
   std::vector<Finding> findings_;
 };
 
@@ -282,12 +283,16 @@ Finding differs(const std::string& where, const std::string& column, const Json&
           {{"where", where}, {"column", column}, {"stored", stored}, {"recomputed", recomputed}}};
 }
 
-std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
+CheckedLedger read_checked(SQLite::Database& database, const Campaign& campaign) {
   return reading(database, [&] {
-    std::vector<Finding> findings = LedgerCheck(database, campaign).take();
-    for (Finding& finding : check_yields(database)) findings.push_back(std::move(finding));
-    return findings;
+    CheckedLedger checked = LedgerCheck(database, campaign).take();
+    for (Finding& finding : check_yields(database)) checked.findings.push_back(std::move(finding));
+    return checked;
   });
+}
+
+std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign) {
+  return read_checked(database, campaign).findings;
 }
 
 }  // namespace misalign::schema

@@ -2,6 +2,7 @@
 // deleted or altered where the ledger would show it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,13 @@ Finding differs(const std::string& where, const std::string& column, const Json&
 /// candidates do; and the digest of the whole against the candidates alone. Of one moment, if the
 /// caller holds a transaction. UserError (3) if the file cannot be read so far.
 std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign);
+
+/// What read_state says, which the check needs anyway, or why it says nothing; and the findings.
+struct CheckedLedger {
+  std::vector<Finding> findings;
+  std::optional<CatalogueState> state;
+  std::string why_no_state;
+};
+CheckedLedger read_checked(SQLite::Database& database, const Campaign& campaign);
 
 }  // namespace misalign::schema

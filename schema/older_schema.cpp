@@ -4,6 +4,8 @@
 #include <string>
 
 #include "schema/carried_files.hpp"
+#include "schema/fault_sample.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -12,8 +14,9 @@ struct LaterColumn {
   const char* name;
   int since;
 };
-constexpr LaterColumn kLaterColumns[] = {
-    {"slope_between_min_mm_per_deg", 2}, {"bump_deg", 2}, {"miscut_margin_mm", 4}};
+constexpr LaterColumn kLaterColumns[] = {{"slope_between_min_mm_per_deg", kBetweenSamplesSince},
+                                         {"bump_deg", kBetweenSamplesSince},
+                                         {"miscut_margin_mm", kMiscutSince}};
 
 // "CREATE VIEW name AS ...;" as catalogue.sql says it, for one connection.
 std::string temporary_view(const std::string& name) {
@@ -28,6 +31,11 @@ std::string temporary_view(const std::string& name) {
 }  // namespace
 
 void show_as_of_today(SQLite::Database& database, int version) {
+  if (version < kRarerSampleSince) {
+    database.exec("CREATE TEMP VIEW fault_sample AS SELECT *, " +
+                  std::to_string(kFaultSampleEvery) + " AS stands_for FROM main.fault_sample");
+    database.exec(temporary_view("faults"));
+  }
   std::string later;
   for (const LaterColumn& column : kLaterColumns) {
     if (version < column.since) later += std::string(", NULL AS ") + column.name;

@@ -5,9 +5,11 @@
 
 namespace misalign::schema {
 
-/// Lays today's view `candidates` over the one of a catalogue of this older version, for this
-/// connection alone: columns that came later are null in it, and nothing is written. Before the
-/// connection is forbidden to make views. Throws SQLite::Exception.
+/// Lays today's views, and tables as today's, over those of a catalogue of this older version, for
+/// this connection alone: `candidates` with null in columns that came later, `yield`,
+/// `common_yield` and `yields` without rows, `fault_sample` whose rows stand for 1024 draws each,
+/// and `faults`. Nothing is written; main.NAME is what the file holds. Before the connection is
+/// forbidden to make views. Throws SQLite::Exception.
 void show_as_of_today(SQLite::Database& database, int version);
 
 }  // namespace misalign::schema

@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "schema/file_bytes.hpp"
+#include "schema/hexadecimal.hpp"
 #include "schema/input.hpp"
 #include "schema/storage.hpp"
 
@@ -34,18 +36,14 @@ std::string unforeseen_name(const std::string& output) {
     throw UserError(kExitFailure, output + ": cannot be written (no random numbers: " +
                                       std::strerror(errno) + "); see to the system");
   }
-  std::string digits;
-  for (const unsigned char byte : bytes) {
-    for (const int digit : {byte >> 4, byte & 15}) digits += "0123456789abcdef"[digit];
-  }
-  return stem_of(output) + digits + kEnding;
+  return stem_of(output) + hex(bytes) + kEnding;
 }
 
 bool has_such_a_name(const std::string& path, const std::string& output) {
   const std::string stem = stem_of(output), ending = kEnding;
   return path.size() == stem.size() + kRandomDigits + ending.size() && path.starts_with(stem) &&
          path.ends_with(ending) &&
-         path.find_first_not_of("0123456789abcdef", stem.size()) == stem.size() + kRandomDigits;
+         path.find_first_not_of(kHexDigits, stem.size()) == stem.size() + kRandomDigits;
 }
 
 // One byte far behind the data, beside the one that a catalogue's writer locks. 0, or an errno.
@@ -118,26 +116,51 @@ bool remove_leftovers(const std::string& output, const std::vector<std::string>&
   return true;
 }
 
-bool is_database(const std::string& path) {
-  static constexpr std::string_view kHeader("SQLite format 3", 16);  // with the zero
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  std::array<char, kHeader.size()> bytes{};
-  const ssize_t count = ::read(descriptor, bytes.data(), bytes.size());
+// What lies there; `error` where that cannot be said, for then it may be a database.
+struct LookedAt {
+  bool is_database = false;
+  int error = 0;
+};
+
+LookedAt look_at(const std::string& path) {
+  Stat found{};
+  if (::stat(path.c_str(), &found) != 0) {
+    const bool is_nothing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
+    return {.error = is_nothing ? 0 : errno};
+  }
+  if (!S_ISREG(found.st_mode)) return {};
+  const int descriptor =
+      uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); });
+  if (descriptor < 0) return {.error = errno};
+  std::array<char, kDatabaseHeader.size()> bytes{};
+  const ssize_t count =
+      uninterrupted([&] { return ::read(descriptor, bytes.data(), bytes.size()); });
+  const int error = count < 0 ? errno : 0;
   ::close(descriptor);
-  return count == static_cast<ssize_t>(bytes.size()) &&
-         std::string_view(bytes.data(), bytes.size()) == kHeader;
+  const std::string_view begin(bytes.data(), count < 0 ? 0 : static_cast<std::size_t>(count));
+  return {begin == kDatabaseHeader, error};
 }
 
-// A database, or a journal of one.
-bool belongs_to_database(const std::string& path) {
-  if (is_database(path)) return true;
+// No text takes the place of a database, of a journal of one, or of what may be either.
+void refuse_database(const std::string& path, const std::string& output) {
+  std::vector<std::string> paths{path};
   for (const std::string& suffix : journal_suffixes()) {
-    if (path.ends_with(suffix) && is_database(path.substr(0, path.size() - suffix.size()))) {
-      return true;
+    if (path.ends_with(suffix)) paths.push_back(path.substr(0, path.size() - suffix.size()));
+  }
+  for (const std::string& one : paths) {
+    const LookedAt found = look_at(one);
+    if (found.is_database) {
+      throw UserError(kExitUsage, output +
+                                      ": is a database, or belongs to one; name another file with "
+                                      "--output");
+    }
+    if (found.error != 0) {
+      throw UserError(kExitFailure,
+                      output + ": cannot be written (" + one +
+                          " may be a database, and cannot be read: " + std::strerror(found.error) +
+                          "); name another file with --output");
     }
   }
-  return false;
 }
 
 // Who may read all of these, and its owner in any case.
@@ -196,10 +219,7 @@ OutputFile OutputFile::text(const std::string& output) {
                                       ": cannot be written (it is there, and no file); choose "
                                       "another --output");
   }
-  if (belongs_to_database(file.target_)) {
-    throw UserError(kExitUsage,
-                    output + ": is a database, or belongs to one; name another file with --output");
-  }
+  refuse_database(file.target_, output);
   file.make_unnamed();
   if (found) {  // who may not give it its owner back writes a file of his own
     [[maybe_unused]] const int ignored = ::fchown(file.descriptor_, found->st_uid, found->st_gid);
@@ -241,9 +261,10 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) refuse(errno);
-    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+    const ssize_t count =
+        uninterrupted([&] { return ::write(descriptor_, bytes.data(), bytes.size()); });
+    if (count < 0) refuse(errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
 

@@ -25,9 +25,9 @@ class OutputFile {
   /// UserError: 2 the output, or a journal beside it, is there already; 4 another process is
   /// writing it; 1 it cannot be written.
   static OutputFile database(const std::string& output, const std::vector<std::string>& originals);
-  /// A file of bytes, in place of an older one, whose owner and permissions it keeps; what a link
-  /// points to is replaced instead of the link. UserError: 2 that is a database, or belongs to one;
-  /// 1 it cannot be written.
+  /// A file of bytes, in place of an older one, whose permissions it keeps, and its owner where the
+  /// system lets it; what a link points to is replaced instead of the link. UserError: 2 that is a
+  /// database, or belongs to one; 1 it cannot be read, so that it may be one, or not be written.
   static OutputFile text(const std::string& output);
 
   OutputFile(OutputFile&& other) noexcept;

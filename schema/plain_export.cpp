@@ -10,7 +10,7 @@
 namespace misalign::schema {
 namespace {
 
-// Tables and views alike; what is an INTEGER PRIMARY KEY stays one.
+// Tables and views alike, as the file itself has them; what is an INTEGER PRIMARY KEY stays one.
 constexpr const char* kTables[] = {"campaign",  "run",       "unit",         "screened",
                                    "undecided", "candidate", "fault_sample", "displacements",
                                    "diagonals", "yield"};
@@ -18,22 +18,24 @@ constexpr const char* kTables[] = {"campaign",  "run",       "unit",         "sc
 // Those that old readers understand.
 constexpr const char* kViews = "'candidates', 'acceptance', 'faults', 'yields', 'common_yield'";
 
-// The column that is the rows' number, if there is one.
+// The column that is the rows' number, if there is one: no part of a key of several.
 std::string integer_key(SQLite::Database& database, const std::string& table) {
-  return reading(database, [&]() -> std::string {
-    SQLite::Statement columns(database, "PRAGMA table_info(" + table + ")");
+  return reading(database, [&] {
+    SQLite::Statement columns(database, "PRAGMA main.table_info(" + table + ")");
+    std::string key;
+    int parts = 0;
     while (columns.executeStep()) {
-      if (columns.getColumn("pk").getInt() == 1 &&
-          columns.getColumn("type").getString() == "INTEGER") {
-        return columns.getColumn("name").getString();
-      }
+      if (columns.getColumn("pk").getInt() == 0) continue;
+      ++parts;
+      const bool is_integer = columns.getColumn("type").getString() == "INTEGER";
+      key = is_integer ? columns.getColumn("name").getString() : "";
     }
-    return "";
+    return parts == 1 ? key : "";
   });
 }
 
 void copy_table(SQLite::Database& from, SQLite::Database& into, const std::string& name) {
-  SQLite::Statement rows = prepared(from, "SELECT * FROM " + name);
+  SQLite::Statement rows = prepared(from, "SELECT * FROM main." + name);
   const int columns = rows.getColumnCount();
   std::string declared, places;
   const std::string key = integer_key(from, name);

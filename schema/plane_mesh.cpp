@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/sheet_places.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -26,20 +28,30 @@ class SheetBuilder {
   const std::vector<Quad>& faces() const { return faces_; }
 
   std::optional<solver::CreasePattern> build() {
-    using Stage = void (SheetBuilder::*)();
-    for (const Stage stage :
-         {&SheetBuilder::check_points, &SheetBuilder::find_faces, &SheetBuilder::check_vertices,
-          &SheetBuilder::orient_faces, &SheetBuilder::pair_edges, &SheetBuilder::check_crossings,
-          &SheetBuilder::find_gaps, &SheetBuilder::check_degrees, &SheetBuilder::place_faces}) {
+    for (const Stage stage : stages()) {
       faults_.next_kind();
       (this->*stage)();
       if (faults_.any()) return std::nullopt;
     }
-    sheet_.panel_width_mm = median_width();
+    sheet_.panel_width_mm = median_width_mm(sheet_);
     return std::move(sheet_);
   }
 
  private:
+  using Stage = void (SheetBuilder::*)();
+
+  // Crossings are looked for before faces are. A file that has faces may have any number of edges:
+  // there it waits until all of them are sides of faces.
+  std::vector<Stage> stages() const {
+    std::vector<Stage> all{&SheetBuilder::check_points};
+    const auto append = [&](std::initializer_list<Stage> more) { all.insert(all.end(), more); };
+    if (!has_faces_) append({&SheetBuilder::check_crossings, &SheetBuilder::find_faces});
+    append({&SheetBuilder::check_vertices, &SheetBuilder::orient_faces, &SheetBuilder::pair_edges});
+    if (has_faces_) append({&SheetBuilder::check_crossings});
+    append({&SheetBuilder::find_gaps, &SheetBuilder::check_degrees, &SheetBuilder::place});
+    return all;
+  }
+
   void add(const std::string& problem, const std::string& why, const std::string& suggestion) {
     faults_.add(problem, why, suggestion);
   }
@@ -55,9 +67,6 @@ class SheetBuilder {
     if (loop.size() <= kMost) return label(loop);
     loop.resize(kMost);
     return label(loop) + "-...";
-  }
-  static std::string face_label(const Quad& q) {
-    return "the face " + label(std::vector<int>(q.begin(), q.end()));
   }
   int vertex_count() const { return static_cast<int>(points_.size()); }
 
@@ -88,9 +97,6 @@ class SheetBuilder {
 
   // Where the file has none.
   void find_faces() {
-    if (has_faces_) return;
-    check_crossings();
-    if (faults_.any()) return;
     FacesOfRegions found = faces_of_edges(points_, edges_);
     for (const auto& [a, b] : found.contradictions) {
       add("edge " + solver::line_label(a, b) + " is \"" + edges_.at({a, b}).substr(0, 8) + "\"",
@@ -248,83 +254,7 @@ class SheetBuilder {
     if (interior.empty()) add("the mesh", "has no inner vertex", "give more faces");
   }
 
-  // Rows and columns from the first face on, its corners turned so that its first side points most
-  // to the right; every face begins at the corner of least row and column.
-  void place_faces() {
-    std::vector<bool> placed(sheet_.facets.size(), false);
-    sheet_.places.resize(sheet_.facets.size());
-    Quad& first = sheet_.facets[0];
-    const auto points_right = [&](int k) {
-      return (points_[first[(k + 1) % 4]] - points_[first[k]]).normalized().x();
-    };
-    int turn = 0;
-    for (int k = 1; k < 4; ++k) {
-      if (points_right(k) > points_right(turn)) turn = k;
-    }
-    std::rotate(first.begin(), first.begin() + turn, first.end());
-    placed[0] = true;
-    std::vector<int> frontier{0};
-    constexpr int kStep[4][2] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}};  // row, column across side k
-    for (std::size_t next = 0; next < frontier.size(); ++next) {
-      const int f = frontier[next];
-      for (int k = 0; k < 4; ++k) {
-        const int from = sheet_.facets[f][k];
-        const solver::Edge& edge =
-            sheet_.edges[solver::find_edge(sheet_, from, sheet_.facets[f][(k + 1) % 4])];
-        const int g = edge.left == f ? edge.right : edge.left;
-        if (g < 0) continue;
-        // Over there the side is the opposite one, and ends where it begins here.
-        Quad& corners = sheet_.facets[g];
-        const auto at = std::find(corners.begin(), corners.end(), from) - corners.begin();
-        const auto shift = (at - (k + 3) + 8) % 4;
-        const std::array<int, 2> place = {sheet_.places[f][0] + kStep[k][0],
-                                          sheet_.places[f][1] + kStep[k][1]};
-        if (placed[g]) {
-          if (shift == 0 && sheet_.places[g] == place) continue;
-          add(face_label(corners), "has no row and column of its own: the mesh winds round itself",
-              "give a sheet of rows and columns");
-          return;
-        }
-        std::rotate(corners.begin(), corners.begin() + shift, corners.end());
-        sheet_.places[g] = place;
-        placed[g] = true;
-        frontier.push_back(g);
-      }
-    }
-    const auto unplaced = std::find(placed.begin(), placed.end(), false);
-    if (unplaced != placed.end()) {
-      add("the mesh",
-          "is in two pieces: " + face_label(sheet_.facets[unplaced - placed.begin()]) +
-              " shares no edge with the first face's piece",
-          "give one sheet");
-      return;
-    }
-    auto places = sheet_.places;
-    std::sort(places.begin(), places.end());
-    const auto twice = std::adjacent_find(places.begin(), places.end());
-    if (twice != places.end()) {
-      add("the mesh", "two of its faces have the same row and column: it winds round itself",
-          "give a sheet of rows and columns");
-      return;
-    }
-    int least_row = 0, least_column = 0;
-    for (const auto& [row, column] : places) {
-      least_row = std::min(least_row, row);
-      least_column = std::min(least_column, column);
-    }
-    for (auto& [row, column] : sheet_.places) {
-      row -= least_row;
-      column -= least_column;
-    }
-  }
-
-  double median_width() const {
-    std::vector<double> widths;
-    for (const Quad& q : sheet_.facets) widths.push_back((points_[q[1]] - points_[q[0]]).norm());
-    const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-    std::nth_element(widths.begin(), middle, widths.end());
-    return *middle;
-  }
+  void place() { place_faces(sheet_, faults_); }
 
   const PlanePoints& points_;
   const PlaneEdges& edges_;

@@ -88,18 +88,17 @@ Json report_yields_json(SQLite::Database& database, std::uint64_t most) {
 }
 
 Json faults_json(SQLite::Database& database, const Campaign& campaign) {
-  const std::string weight = weight_of_sampled(database);
   Json rows = Json::parse(
       query_table(database,
                   "SELECT first_fault, fault_deg, \"where\", deploys_from_sample >= " +
                       std::to_string(campaign.threshold_sample()) +
-                      " AND first_fault != 'undecided' AS accepted, count(*) AS draws, total(" +
-                      weight + ") AS weight, total(1.0 * " + weight + " * " + weight +
-                      ") AS weight_sq FROM fault_sample GROUP BY 1, 2, 3, 4 ORDER BY 1, 2, 3, 4",
+                      " AND first_fault != 'undecided' AS accepted, count(*) AS sampled, "
+                      "total(stands_for) AS weight, total(1.0 * stands_for * stands_for) AS "
+                      "weight_sq FROM fault_sample GROUP BY 1, 2, 3, 4 ORDER BY 1, 2, 3, 4",
                   TableStyle::json));
   for (Json& row : rows) row["accepted"] = row["accepted"] != 0;
   const Json most = Json::parse(query_table(
-      database, "SELECT max(" + weight + ") AS weight FROM fault_sample", TableStyle::json));
+      database, "SELECT max(stands_for) AS weight FROM fault_sample", TableStyle::json));
   return {{"every", kFaultSampleEvery},
           {"every_at_most", rows.empty() ? Json(kFaultSampleEvery) : most[0]["weight"]},
           {"rows", rows}};

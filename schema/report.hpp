@@ -14,8 +14,10 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most);
 /// What was found of miscut copies of those candidates: {"draw", and what yield_json says}.
 Json report_yields_json(SQLite::Database& database, std::uint64_t most);
 
-/// {"every", "rows": [{"first_fault", "fault_deg", "where", "accepted", "draws"}]}: the exact first
-/// faults of the sample.
+/// The exact first faults of the sample, {"every", "every_at_most", "rows": [{"first_fault",
+/// "fault_deg", "where", "accepted", "sampled", "weight", "weight_sq"}]}: how many draws at least
+/// and at most a row of the sample stands for; of rows that are alike how many were sampled, and
+/// the sums of their weights and of the squares of these.
 Json faults_json(SQLite::Database& database, const Campaign& campaign);
 
 /// The unshifted sheet: vertices, panels, holes, creases, cuts, ball joints, pilot.

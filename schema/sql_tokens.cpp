@@ -28,6 +28,7 @@ class Tokenizer {
         found_.tokens.push_back(sql_.substr(from, at_ - from));
       }
     }
+    if (sql_.find('\0') != std::string::npos) found_.is_open = true;
     return std::move(found_);
   }
 

@@ -9,8 +9,8 @@ namespace misalign::schema {
 
 struct SqlTokens {
   std::vector<std::string> tokens;  ///< without blanks and comments
-  /// Whether the text ends a string, a quoted name or a comment that it does not close: then it
-  /// means something else where more follows.
+  /// Whether the text ends in a string, a quoted name or a comment that it does not close: then it
+  /// means something else where more follows. Also with a zero byte, at which SQLite stops reading.
   bool is_open = false;
 };
 

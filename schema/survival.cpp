@@ -110,13 +110,13 @@ Survival read_survival(SQLite::Database& database) {
     }
     const int last = static_cast<int>(std::lround(end_deg / sample_deg));
     Survival survival(sample_deg, last);
-    const std::string weight = weight_of_sampled(database);
-    SQLite::Statement rows(database, "SELECT deploys_from_sample, count(*), " + weight +
-                                         " FROM fault_sample GROUP BY 1, 3");
+    SQLite::Statement rows(database,
+                           "SELECT deploys_from_sample, count(*), stands_for FROM fault_sample "
+                           "GROUP BY 1, 3");
     while (rows.executeStep()) {
       survival.add(
           static_cast<int>(std::clamp<std::int64_t>(rows.getColumn(0).getInt64(), 0, last)),
-          WeightedCount::of(draw_of(rows.getColumn(1)), rows.getColumn(2).getDouble()));
+          sampled_rows(database, rows.getColumn(1), rows.getColumn(2)));
     }
     return survival;
   });

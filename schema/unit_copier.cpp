@@ -5,14 +5,16 @@
 
 #include "schema/catalogue_state.hpp"
 #include "schema/fault_sample.hpp"
+#include "schema/unit_writer.hpp"
 
 namespace misalign::schema {
 namespace {
 
+// Of the file itself: a reader has views of today's over an older one.
 std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
   return reading(database, [&] {
     std::vector<std::string> names;
-    SQLite::Statement rows(database, "PRAGMA table_info(" + table + ")");
+    SQLite::Statement rows(database, "PRAGMA main.table_info(" + table + ")");
     while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
     return names;
   });
@@ -70,7 +72,7 @@ class UnitCopier::Table {
       const bool is_held = std::find(held.begin(), held.end(), column) != held.end();
       expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column, version));
     }
-    return "SELECT " + listed(expressions) + " FROM " + name + " ";
+    return "SELECT " + listed(expressions) + " FROM main." + name + " ";
   }
   std::string insert_of(const std::string& name) const {
     std::vector<std::string> quoted;
@@ -105,10 +107,7 @@ std::unique_ptr<UnitCopier::Table> UnitCopier::table(const std::string& name,
 
 void UnitCopier::copy_runs() {
   table("run", "WHERE id >= ? AND id < ? ORDER BY id")->copy({0, kEndOfDraws});
-  SQLite::Statement add(
-      into_,
-      "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE "
-      "SET draws = draws + excluded.draws");
+  SQLite::Statement add(into_, kAddScreened);
   SQLite::Statement rows = prepared(from_, "SELECT cause, tested_deg, draws FROM screened");
   copy_rows(from_, rows, add, [&] {
     for (int k = 0; k < 3; ++k) bind_value(add, k + 1, rows.getColumn(k));

@@ -68,10 +68,7 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       fault_sample_(database,
                     "INSERT INTO fault_sample (draw, unit, deploys_from_sample, first_fault, "
                     "fault_deg, \"where\", stands_for) VALUES (?,?,?,?,?,?,?)"),
-      screened_(
-          database,
-          "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE "
-          "SET draws = draws + excluded.draws") {}
+      screened_(database, kAddScreened) {}
 
 // What was screened is summed up first: a unit alone touches some two hundred rows of it.
 void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {

@@ -38,6 +38,12 @@ struct UnitRecord {
   std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
 };
 
+/// Adds draws to the count of what the tests saw: cause, tested_deg, draws.
+inline constexpr const char* kAddScreened =
+    "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE SET "
+    "draws "
+    "= draws + excluded.draws";
+
 /// Writes within transactions that its caller begins and commits. Throws SQLite::Exception.
 class UnitWriter {
  public:

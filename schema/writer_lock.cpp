@@ -11,10 +11,15 @@
 
 namespace misalign::schema {
 
-WriterLock::WriterLock(const std::string& path)
+WriterLock::WriterLock(const std::string& path, Missing missing)
     // Without waiting: a named pipe may be there.
     : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)) {
   if (descriptor_ < 0 && errno == ENOENT) {
+    if (missing == Missing::refused) {
+      throw UserError(kExitBadInput, path +
+                                         ": there is no such file any more; put it back, then "
+                                         "the same command again");
+    }
     descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     made_the_file_ = descriptor_ >= 0;
   }

@@ -5,14 +5,19 @@
 
 namespace misalign::schema {
 
+enum class Missing {
+  created,  ///< a file that is not there is made
+  refused
+};
+
 /// An exclusive advisory lock on the catalogue's file that dies with the process: an open-file lock
 /// of one byte far behind those that SQLite locks.
 class WriterLock {
  public:
-  /// Creates an empty file if there is none. UserError: 1 cannot be opened, or has a second name
-  /// (a hard link: SQLite's journals go by the name, and whoever opens the other name would not
-  /// find them); 3 is no regular file; 4 held by another process.
-  explicit WriterLock(const std::string& path);
+  /// UserError: 1 cannot be opened, or has a second name (a hard link: SQLite's journals go by the
+  /// name, and whoever opens the other name would not find them); 3 is no regular file, or is
+  /// missing and may not be created; 4 held by another process.
+  explicit WriterLock(const std::string& path, Missing missing = Missing::created);
   /// Closing any descriptor of the file drops SQLite's own locks in this process: so this object
   /// must outlive the connection.
   ~WriterLock();

@@ -1,6 +1,7 @@
 #include "schema/yield.hpp"
 
 #include "schema/share_interval.hpp"
+#include "schema/since.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -24,7 +25,7 @@ constexpr int kColumnCount = 10;
 }  // namespace
 
 bool has_yields(SQLite::Database& database) {
-  return database.execAndGet("PRAGMA user_version").getInt() >= 4;
+  return database.execAndGet("PRAGMA user_version").getInt() >= kMiscutSince;
 }
 
 Json yield_json(const Yield& yield) {
@@ -47,9 +48,12 @@ Json yields_json(const std::vector<Yield>& yields) {
   return list;
 }
 
-void write_yields(SQLite::Database& database, const std::vector<Yield>& yields,
-                  const std::string& commit) {
+std::vector<std::uint64_t> write_yields(SQLite::Database& database,
+                                        const std::vector<Yield>& yields,
+                                        const std::string& commit) {
+  std::vector<std::uint64_t> no_candidates;
   SQLite::Statement insert(database, kInsert);
+  SQLite::Statement candidate(database, "SELECT 1 FROM candidate WHERE draw = ?");
   const std::string now = database.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%fZ')").getString();
   for (const Yield& yield : yields) {
     const Json json = yield_json(yield);
@@ -65,7 +69,11 @@ void write_yields(SQLite::Database& database, const std::vector<Yield>& yields,
     insert.bind(9, commit);
     insert.bind(10, now);
     insert.exec();
+    candidate.tryReset();
+    candidate.bind(1, stored(yield.draw));
+    if (!candidate.executeStep()) no_candidates.push_back(yield.draw);
   }
+  return no_candidates;
 }
 
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
@@ -79,6 +87,10 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
     while (row.executeStep()) {
       yields.push_back({draw, row.getColumn(0).getDouble(), draw_of(row.getColumn(1)),
                         draw_of(row.getColumn(2)), draw_of(row.getColumn(3))});
+      if (!yields.back().adds_up()) {
+        throw damaged(database, "the copies of draw " + std::to_string(draw) + " off by " +
+                                    shown_number(yields.back().amplitude_mm) + " mm do not add up");
+      }
     }
     return yields;
   });

@@ -33,12 +33,14 @@ Json yield_json(const Yield& yield);
 /// A list of them.
 Json yields_json(const std::vector<Yield>& yields);
 
-/// Within its caller's transaction. Of two of one draw and amplitude that with more trials is kept.
-/// Throws SQLite::Exception.
-void write_yields(SQLite::Database& database, const std::vector<Yield>& yields,
-                  const std::string& commit);
+/// Within its caller's transaction. Of two of one draw and amplitude that with more trials is kept;
+/// of draws that are no candidates nothing is, and these are returned. Throws SQLite::Exception.
+std::vector<std::uint64_t> write_yields(SQLite::Database& database,
+                                        const std::vector<Yield>& yields,
+                                        const std::string& commit);
 
-/// Of one candidate, by amplitude; none in catalogues from before version 4.
+/// Of one candidate, by amplitude; none in catalogues from before version 4. UserError (3) if one
+/// of them does not add up: SQLite looks at no CHECK while it reads.
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 
 /// Takes over those of another catalogue whose candidates are in this one, as write_yields does.

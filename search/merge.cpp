@@ -66,13 +66,13 @@ class Merge {
     schema::reading(*input.database,
                     [&] { input.moment = std::make_unique<SQLite::Transaction>(*input.database); });
     schema::Campaign campaign = schema::read_campaign_of(*input.database, path);
-    std::vector<Finding> findings = schema::check_ledger(*input.database, campaign);
-    for (Finding& finding : findings) {
+    schema::CheckedLedger checked = schema::read_checked(*input.database, campaign);
+    for (Finding& finding : checked.findings) {
       finding.sentence = path + ": " + finding.sentence;
       report_.findings.push_back(std::move(finding));
     }
-    if (!findings.empty()) return;
-    input.state = schema::read_state(*input.database);
+    if (!checked.findings.empty()) return;
+    input.state = std::move(*checked.state);  // or there was a finding
     input.units = schema::units_done(*input.database);
     if (!trial_) {
       trial_.emplace(std::move(campaign));

@@ -112,16 +112,21 @@ class CopiesProgress {
   double next_s_ = live_ ? 0.2 : 10;
 };
 
-// Nothing, or why the yields are not in the catalogue.
+// Nothing, or why yields are not in the catalogue: much can have come over it meanwhile.
 std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
                  const std::vector<schema::Yield>& yields) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
   try {
     schema::Catalogue catalogue(call.path, campaign,
-                                solver::build_mechanism(base.sheet, base.holes, base.folding));
-    catalogue.keep(yields, build_info().commit);
+                                solver::build_mechanism(base.sheet, base.holes, base.folding), {},
+                                schema::Missing::refused);
+    const std::vector<std::uint64_t> gone = catalogue.keep(yields, build_info().commit);
     catalogue.close();
-    return "";
+    if (gone.empty()) return "";
+    return call.path + ": " + std::to_string(gone.size()) + " of " + std::to_string(yields.size()) +
+           " candidates are not in it any more, draw " + std::to_string(gone.front()) +
+           " among them (another catalogue took its place); put the former one back, then the "
+           "same command again";
   } catch (const UserError& error) {
     return error.what();
   }

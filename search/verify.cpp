@@ -40,8 +40,10 @@ class Verifier {
 
   // Within one moment: the ledger, and the choice of what is computed.
   void look() {
-    v_.findings = schema::check_ledger(database_, campaign_);
-    v_.digest = schema::read_state(database_).digest;
+    schema::CheckedLedger checked = schema::read_checked(database_, campaign_);
+    v_.findings = std::move(checked.findings);
+    if (!checked.state) throw schema::UserError(schema::kExitBadInput, checked.why_no_state);
+    v_.digest = checked.state->digest;
     constexpr schema::DrawRange kAll{0, schema::kEndOfDraws};
     const auto draws = schema::draws_of(database_, "candidate", kAll);
     v_.candidates = draws.size();

@@ -16,8 +16,8 @@ BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& ne
   const auto length = [&](double t) { return ((d * t + c) * t + b) * t; };
   const auto slope = [&](double t) { return ((3 * d * t + 2 * c) * t + b) / (u + v * t); };
   double least = std::min(direction * here.slope, direction * next.slope);
-  // Stationary slopes: 3 d v t^2 + 6 d u t + 2 c u - b v = 0; where u + v t < 0 lies the other
-  // root.
+  // The slope is stationary where 3 d v t^2 + 6 d u t + 2 c u - b v = 0. Of the two roots this is
+  // the one where the pilot goes on, u + v t > 0.
   const double half = 3 * d * u, product = 3 * d * v * (2 * c * u - b * v);
   if (const double square = half * half - product; d != 0 && square >= 0) {
     const double t = -(2 * c * u - b * v) / (half + std::copysign(std::sqrt(square), half));

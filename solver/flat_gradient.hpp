@@ -34,6 +34,12 @@ class FlatGradient {
     for (std::size_t i = 0; i < mechanism_.loops.size(); ++i) look_at(i, state);
   }
 
+  /// Of a diagonal, panel widths: as folded_lengths() has it.
+  T length(int diagonal) const {
+    const Diagonal& d = mechanism_.diagonals[diagonal];
+    return distance(corners_[d.loop][d.from_corner].point, corners_[d.loop][d.to_corner].point);
+  }
+
   /// d length / d unknown of a diagonal, one per unknown.
   void of_unknowns(int diagonal, T* rates) const {
     for (int j = 0; j < mechanism_.unknowns; ++j) rates[j] = T(0);

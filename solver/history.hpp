@@ -61,7 +61,7 @@ using StopVisitor = std::function<void(const Stop&, const FoldState<double>&)>;
 struct RecordingOptions {
   bool bump_is_fault = false;         ///< see Judge
   StopVisitor visit{};                ///< if there is one
-  std::vector<int> margin_samples{};  ///< see there; none: the margin is not wanted
+  std::vector<int> margin_samples{};  ///< margin_samples() of miscut_margin.hpp; none: no margin
 };
 
 /// A history in the making.

@@ -93,12 +93,10 @@ class LaneBatch final : public Batch {
       return margin_sheets_[std::min(first + static_cast<std::size_t>(i),
                                      margin_sheets_.size() - 1)];
     };
-    FlatVertices vertices_mm;
-    SheetGeometry<double> geometry;
     for (int i = 0; i < kLanes<T>; ++i) {
-      family_.displace(block.of(sheet_of_lane(i)), vertices_mm);
-      place(family_.mechanism(), vertices_mm, geometry);
-      put_lane(geometry, margin_geometry_, i);
+      family_.displace(block.of(sheet_of_lane(i)), one_vertices_mm_);
+      place(family_.mechanism(), one_vertices_mm_, one_geometry_);
+      put_lane(one_geometry_, margin_geometry_, i);
     }
     margin_.begin(margin_geometry_);
     for (std::size_t k = 0; k < recording_.margin_samples().size(); ++k) {
@@ -107,10 +105,8 @@ class LaneBatch final : public Batch {
       }
       margin_.see(margin_state_);
     }
-    const T widths = margin_.widths();
     for (int i = 0; i < kLanes<T>; ++i) {
-      recording_.histories()[sheet_of_lane(i)].miscut_margin_mm =
-          lane(widths, i) * family_.mechanism().panel_width_mm;
+      recording_.histories()[sheet_of_lane(i)].miscut_margin_mm = margin_.mm(i);
     }
   }
 
@@ -154,6 +150,8 @@ class LaneBatch final : public Batch {
   std::vector<OpenSheet> open_;
   MiscutMargin<T> margin_;
   SheetGeometry<T> margin_geometry_;
+  FlatVertices one_vertices_mm_;  // of a single lane
+  SheetGeometry<double> one_geometry_;
   FoldState<T> margin_state_;
   std::vector<int> margin_sheets_;
 };

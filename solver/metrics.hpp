@@ -12,10 +12,10 @@ namespace misalign::solver {
 /// slope_min is taken from here on: closer to flat every slope goes to zero with the fold angle.
 inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
 
-/// Of the definitions below; a run keeps by which its candidates were measured. To change one is a
-/// new version, and a line of metric_age. 1: all but slope_between_min and bump_deg. 2: these two,
-/// by cubics in the pilot's angle. 3: by cubics along the path, which see no bump before a fold
-/// limit where there is none. 4: with miscut_margin.
+/// Of the definitions below: each run stores the version that it measured by; whoever changes a
+/// definition raises it and adds a line to metric_age. 1: all but slope_between_min and bump_deg.
+/// 2: these two, by cubics in the pilot's angle. 3: by cubics along the path, which see no bump
+/// before a fold limit where there is none. 4: with miscut_margin.
 inline constexpr int kMetricsVersion = 4;
 
 struct MetricAge {

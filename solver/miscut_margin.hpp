@@ -4,6 +4,8 @@
 // that deploy: 0.89, against 0.68 of the least slope (results/miscut/).
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "solver/flat_gradient.hpp"
@@ -32,15 +34,15 @@ class MiscutMargin {
         work_(residual_),
         weights_(residual_),
         rates_(mechanism.unknowns, T(0)),
-        lengths_(mechanism.diagonals.size(), T(0)),
-        last_lengths_(lengths_),
+        last_lengths_(mechanism.diagonals.size(), T(0)),
         row_(static_cast<std::size_t>(2 * mechanism.vertices), T(0)),
-        last_rows_(lengths_.size(), row_) {}
+        last_rows_(last_lengths_.size(), row_) {}
 
   /// A flat sheet. `geometry` must live until the next one.
   void begin(const SheetGeometry<T>& geometry) {
     geometry_ = &geometry;
     least_square_ = T(kFar * kFar);
+    failed_ = T(0);
     flat_lengths(mechanism_, geometry, last_lengths_.data());
     for (std::size_t d = 0; d < last_rows_.size(); ++d) {
       const Diagonal& diagonal = mechanism_.diagonals[d];
@@ -61,31 +63,33 @@ class MiscutMargin {
     evaluate(mechanism_, *geometry_, state, residual_.data(), factors_.entries());
     factors_.factorize();
     gradient_.at(*geometry_, state);
-    folded_lengths(mechanism_, *geometry_, state, lengths_.data());
-    for (std::size_t d = 0; d < lengths_.size(); ++d) {
+    for (std::size_t d = 0; d < last_lengths_.size(); ++d) {
       find_row(static_cast<int>(d));
       T square(0);
       for (std::size_t k = 0; k < row_.size(); ++k) {
         const T change = row_[k] - last_rows_[d][k];
         square = square + change * change;
       }
-      const T moved = lengths_[d] - last_lengths_[d];
+      const T length = gradient_.length(static_cast<int>(d));
+      const T moved = length - last_lengths_[d];
       const T ratio = moved * moved / square;
       least_square_ = select(ratio < least_square_, ratio, least_square_);
+      failed_ = failed_ + (ratio - ratio);
+      last_lengths_[d] = length;
       last_rows_[d].swap(row_);
     }
-    last_lengths_.swap(lengths_);
   }
 
-  /// The least over all diagonals and stretches so far, panel widths: the root of the sum of
-  /// squares of all errors in x and in y of the nearest sheet on which it does not move.
-  T widths() const {
-    using std::sqrt;
-    return sqrt(least_square_);
+  /// Of the sheet in lane i the least over all diagonals and stretches so far: the root of the sum
+  /// of squares of all errors in x and in y of the nearest sheet on which it does not move. None
+  /// where the solver failed: where one of them is not finite.
+  std::optional<double> mm(int i) const {
+    if (!std::isfinite(lane(failed_, i))) return std::nullopt;
+    return std::sqrt(lane(least_square_, i)) * mechanism_.panel_width_mm;
   }
 
  private:
-  static constexpr double kFar = 1e6;  // panel widths: what no diagonal is
+  static constexpr double kFar = 1e6;  // panel widths: beyond any distance
 
   // d length / d vertex with the pilot held, into row_.
   void find_row(int diagonal) {
@@ -101,15 +105,16 @@ class MiscutMargin {
   SparseLu<T> factors_;
   FlatGradient<T> gradient_;
   const SheetGeometry<T>* geometry_ = nullptr;
-  std::vector<T> residual_, work_, weights_, rates_, lengths_, last_lengths_, row_;
+  std::vector<T> residual_, work_, weights_, rates_, last_lengths_, row_;
   std::vector<std::vector<T>>
       last_rows_;  // of each diagonal: its gradient where the last one ended
   T least_square_ = T(0);
+  T failed_ = T(0);  // no number any more where the solver failed
 };
 
-/// Of one sheet whose states at margin_samples are these, mm.
-double miscut_margin_mm(const Mechanism& mechanism, const Elimination& elimination,
-                        const FlatVertices& vertices_mm,
-                        const std::vector<FoldState<double>>& states);
+/// Of one sheet whose states at margin_samples are these; none where the solver failed.
+std::optional<double> miscut_margin_mm(const Mechanism& mechanism, const Elimination& elimination,
+                                       const FlatVertices& vertices_mm,
+                                       const std::vector<FoldState<double>>& states);
 
 }  // namespace misalign::solver

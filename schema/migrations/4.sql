@@ -28,7 +28,8 @@ CREATE INDEX candidate_tolerant ON candidate (miscut_margin_mm DESC, slope_min_m
 CREATE TABLE yield (
   draw INTEGER NOT NULL REFERENCES candidate (draw),
   amplitude_mm REAL NOT NULL CHECK (amplitude_mm >= 0),
-  trials INTEGER NOT NULL CHECK (trials > 0),  -- 0 to this, of any candidate the same errors
+  -- Copies 0 to trials - 1; copy t has the same errors for every candidate.
+  trials INTEGER NOT NULL CHECK (trials > 0),
   survivors INTEGER NOT NULL CHECK (survivors >= 0),
   undecided INTEGER NOT NULL CHECK (undecided >= 0),
   share REAL CHECK (share BETWEEN 0 AND 1),  -- of the decided ones; null if there are none

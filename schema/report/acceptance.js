@@ -139,9 +139,9 @@ function show_along_the_folding(report, total, name) {
   show_when_wide(box_of("faults"), (width) => faults_chart(rows, total, configuration, width));
   show_when_wide(box_of("survival"), (width) => survival_chart(points, total, report, width));
   save_chart("faults", `${name}-first-faults`, () => ({
-    heads: ["first_fault", "above_deg", "up_to_deg", "draws", "share"],
+    heads: ["first_fault", "above_deg", "up_to_deg", "sampled", "share"],
     rows: fault_bins(rows, configuration).map((bin) => [
-      ...[bin.first_fault, bin.from, bin.to, bin.draws],
+      ...[bin.first_fault, bin.from, bin.to, bin.sampled],
       single(bin.share),
     ]),
   }));
@@ -167,9 +167,9 @@ function show_places(report, name) {
   show_when_wide(box_of("where"), (width) => where_chart(list, width));
   box_of("map").append(fault_map(list, report));
   const rows = () => ({
-    heads: ["where", "first_fault", "draws", "share"],
+    heads: ["where", "first_fault", "sampled", "share"],
     rows: list.flatMap(({ where, faults }) =>
-      [...faults].map(([fault, { draws, share }]) => [where, fault, draws, single(share)]),
+      [...faults].map(([fault, { sampled, share }]) => [where, fault, sampled, single(share)]),
     ),
   });
   save_chart("where", `${name}-places`, rows);

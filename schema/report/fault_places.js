@@ -19,12 +19,12 @@ export function places(rows) {
   const named = rows.filter((row) => row.where && row.first_fault !== "none");
   const all = sum(named, weight);
   for (const row of named) {
-    const { where, first_fault, draws } = row;
-    if (!shares.has(where)) shares.set(where, { where, draws: 0, share: 0, faults: new Map() });
+    const { where, first_fault, sampled } = row;
+    if (!shares.has(where)) shares.set(where, { where, sampled: 0, share: 0, faults: new Map() });
     const entry = shares.get(where),
-      part = entry.faults.get(first_fault) ?? { draws: 0, share: 0 };
+      part = entry.faults.get(first_fault) ?? { sampled: 0, share: 0 };
     for (const counted of [entry, part]) {
-      counted.draws += draws;
+      counted.sampled += sampled;
       counted.share += weight(row) / all;
     }
     entry.faults.set(first_fault, part);
@@ -38,7 +38,7 @@ export const kMostBars = 20;
 export function where_chart(list, width) {
   const shown = list.slice(0, kMostBars);
   const parts = shown.flatMap(({ where, faults }) =>
-    [...faults].map(([fault, { draws, share }]) => ({ where, fault, part: share, draws })),
+    [...faults].map(([fault, { sampled, share }]) => ({ where, fault, part: share, sampled })),
   );
   const present = fault_order.filter((fault) => parts.some((part) => part.fault === fault));
   return Plot.plot({
@@ -72,7 +72,7 @@ export function where_chart(list, width) {
           insetTop: 1,
           insetBottom: 1,
           title: (d) =>
-            `${dashed(d.where)}: ${fault_name(d.fault)}\n${plural(d.draws, "sampled draw")} (${percent(d.part)})`,
+            `${dashed(d.where)}: ${fault_name(d.fault)}\n${plural(d.sampled, "sampled draw")} (${percent(d.part)})`,
           tip: true,
         }),
       ),
@@ -115,7 +115,7 @@ export function fault_map(list, report) {
       h(
         "svg:title",
         {},
-        `${dashed(name)}: ${entry ? `${percent(entry.share)} (${plural(entry.draws, "sampled draw")})` : "no first fault in the sample"}`,
+        `${dashed(name)}: ${entry ? `${percent(entry.share)} (${plural(entry.sampled, "sampled draw")})` : "no first fault in the sample"}`,
       ),
     );
     svg.append(stroke);

@@ -19,13 +19,14 @@ export function fault_bins(rows, { path }) {
   const bins = new Map(),
     all = sum(rows, weight);
   for (const row of rows) {
-    const { first_fault, fault_deg, draws } = row;
+    const { first_fault, fault_deg, sampled } = row;
     if (fault_deg === null || first_fault === "none") continue;
     // Faults at 170° belong to those that fail up to 170°.
     const to = Math.ceil(fault_deg / bin_deg) * bin_deg,
       key = `${first_fault} ${to}`;
-    if (!bins.has(key)) bins.set(key, { first_fault, from: to - bin_deg, to, draws: 0, share: 0 });
-    bins.get(key).draws += draws;
+    if (!bins.has(key))
+      bins.set(key, { first_fault, from: to - bin_deg, to, sampled: 0, share: 0 });
+    bins.get(key).sampled += sampled;
     bins.get(key).share += weight(row) / all;
   }
   const place = ({ first_fault }) => fault_order.indexOf(first_fault);
@@ -76,7 +77,7 @@ export function faults_chart(rows, total, { path, accept }, width) {
           insetRight: 0.5,
           order: present,
           title: (bin) =>
-            `${fault_name(bin.first_fault)}\nabove ${bin.from}° up to ${bin.to}°\n${count(bin.draws)} of ${plural(total, "sampled draw")} (${percent(bin.share)})`,
+            `${fault_name(bin.first_fault)}\nabove ${bin.from}° up to ${bin.to}°\n${count(bin.sampled)} of ${plural(total, "sampled draw")} (${percent(bin.share)})`,
           tip: true,
         }),
       ),

@@ -1,10 +1,10 @@
 // Shares of the draws by the fault sample, whose rows stand for several draws each.
 
-export function sum(rows, value = (row) => row.draws) {
+export function sum(rows, value = (row) => row.sampled) {
   return rows.reduce((total, row) => total + value(row), 0);
 }
 
-/** How many draws a row stands for. */
+/** How many draws those stand for that were sampled. */
 export const weight = (row) => row.weight;
 
 /** How many rows of one weight say as much as these: (sum w)^2 / sum w^2 (Kish, 1965, section 11.7). */
@@ -28,18 +28,18 @@ export function survival_points(rows, { path }) {
     trials = effective(rows);
   const failed_at = new Map();
   for (const row of rows) {
-    const { first_fault, fault_deg, draws } = row;
+    const { first_fault, fault_deg, sampled } = row;
     if (first_fault === "none") continue;
     const angle = fault_deg ?? 0; // a fault of the whole range: it deploys from nowhere
-    const before = failed_at.get(angle) ?? { draws: 0, weight: 0 };
-    failed_at.set(angle, { draws: before.draws + draws, weight: before.weight + weight(row) });
+    const before = failed_at.get(angle) ?? { sampled: 0, weight: 0 };
+    failed_at.set(angle, { sampled: before.sampled + sampled, weight: before.weight + weight(row) });
   }
   let left = sum(rows),
     left_weight = total;
   return [...new Set([0, ...failed_at.keys(), path.end_deg])]
     .sort((a, b) => a - b)
     .map((angle) => {
-      left -= failed_at.get(angle)?.draws ?? 0;
+      left -= failed_at.get(angle)?.sampled ?? 0;
       left_weight -= failed_at.get(angle)?.weight ?? 0;
       const share = left > 0 ? left_weight / total : 0,
         [low, high] = interval(share * trials, trials);

@@ -56,7 +56,7 @@ async function report_checks(browser, report) {
       assert.match(figures, /Acceptance rate[\d.,]+ %95 %: [\d.,]+ % – [\d.,]+ %/);
   });
 
-  const sampled = data.faults.rows.reduce((total, row) => total + row.draws, 0);
+  const sampled = data.faults.rows.reduce((total, row) => total + row.sampled, 0);
   if (sampled > 0) {
     await check("faults along the folding and on the sheet", async () => {
       assert.ok(

@@ -3,6 +3,7 @@
 #include "schema/ledger_check.hpp"
 #include "schema/plain_export.hpp"
 #include "schema/report.hpp"
+#include "schema/survival.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -56,6 +57,34 @@ TEST_F(DamageTest, StateIsRefused) {
       "1 FROM n";
   const auto database = open_for_reading(damage(sql));
   expect_bad_file(refusal([&] { read_state(*database); }), "accepted and undecided", sql);
+}
+
+// SQLite looks at no CHECK while it reads; a share of negative draws is none.
+TEST_F(DamageTest, WeightsThatNoRowHasAreRefused) {
+  for (const char* weight : {"-1000", "0", "1023"}) {
+    const std::string sql = "UPDATE fault_sample SET stands_for = " + std::string(weight);
+    const auto database = open_for_reading(damage(sql));
+    expect_bad_file(refusal([&] { read_state(*database); }), weight, sql);
+    expect_bad_file(refusal([&] { read_survival(*database); }), weight, sql);
+    const auto findings = check_ledger(*database, campaign_);
+    ASSERT_FALSE(findings.empty()) << sql;
+    EXPECT_NE(findings.front().sentence.find("stands_for"), std::string::npos)
+        << findings.front().sentence;
+  }
+}
+
+// A million brackets would exhaust the stack of whoever copies them.
+TEST_F(DamageTest, DiagonalsAreNotFollowedInDepth) {
+  const std::string others(2 * (mechanism_.diagonals.size() - 1), '0');  // ,0,0,0
+  for (const std::string& rest :
+       {std::string(), " || replace(hex(zeroblob(500000)), '0', ']') || replace('" + others +
+                           "', '00', ',0') || ']'"}) {
+    damage("UPDATE campaign SET diagonals = '[' || replace(hex(zeroblob(500000)), '0', '[')" +
+           rest);
+    const auto findings = check_ledger(*open_for_reading(path()), campaign_);
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].details.at("column"), "diagonals");
+  }
 }
 
 TEST_F(DamageTest, ConfigurationsAreRefused) {

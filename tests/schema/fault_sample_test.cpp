@@ -52,7 +52,7 @@ TEST(FaultSampleRule, Edges) {
   EXPECT_EQ(kRarer.spacing(std::uint64_t{1} << 40), 1u << 24);
 }
 
-TEST(FaultSampleRule, RowsAreCountedAndListed) {
+TEST(FaultSampleRule, RowsAreCounted) {
   constexpr std::uint64_t k2_27 = 134217728;
   EXPECT_EQ(kRarer.rows_below(0), 0u);
   EXPECT_EQ(kRarer.rows_below(1), 1u);
@@ -79,16 +79,13 @@ TEST(FaultSampleRule, RowsAreCountedAndListed) {
          {DrawRange{border - 9000, border + 9000}, DrawRange{border, border + 1},
           DrawRange{border + 1, border + 2}, DrawRange{border - 1, border + 5000}}) {
       for (const FaultSampleRule& rule : {kRarer, kDense}) {
-        std::vector<std::uint64_t> draws;
-        for (std::uint64_t draw = range.lo; draw < range.hi; ++draw) {
-          if (rule.holds(draw)) draws.push_back(draw);
-        }
-        EXPECT_EQ(rule.draws_in(range), draws) << range.lo;
-        EXPECT_EQ(rule.rows_in(range), draws.size()) << range.lo;
+        std::uint64_t held = 0;
+        for (std::uint64_t draw = range.lo; draw < range.hi; ++draw) held += rule.holds(draw);
+        EXPECT_EQ(rule.rows_in(range), held) << range.lo;
       }
     }
   }
-  EXPECT_EQ(kRarer.draws_in({7, 7}), std::vector<std::uint64_t>{});
+  EXPECT_EQ(kRarer.rows_in({7, 7}), 0u);
 }
 
 // What the rows stand for is what there is: over a doubling exactly.
@@ -96,7 +93,9 @@ TEST(FaultSampleRule, WeightsAddUp) {
   for (const int m : {26, 27, 30, 40}) {
     const std::uint64_t lo = std::uint64_t{1} << m, hi = lo + (lo >> 6);
     std::uint64_t sum = 0;
-    for (const std::uint64_t draw : kRarer.draws_in({lo, hi})) sum += kRarer.spacing(draw);
+    for (std::uint64_t draw = lo; draw < hi; draw += 1024) {
+      if (kRarer.holds(draw)) sum += kRarer.spacing(draw);
+    }
     EXPECT_EQ(sum, hi - lo) << m;
   }
 }

@@ -2,6 +2,7 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cstdlib>
 
 #include "catalogue_fixture.hpp"
@@ -71,6 +72,14 @@ TEST_F(HostileTest, WhatTheProgramDoesNotWriteIsNamedAndRefused) {
       {"PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = sql || ' /* open' WHERE name = "
        "'gaps'",
        "view gaps is another"},
+      // SQLite reads a definition up to a zero byte: without the condition, here.
+      {"PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, 'WHERE lo > "
+       "previous_hi', '--' || char(0) || char(10) || 'WHERE lo > previous_hi') WHERE name = 'gaps'",
+       "view gaps is another"},
+      {"ANALYZE; PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = sql || '--' || "
+       "char(0) "
+       "|| char(10) WHERE name = 'sqlite_stat1'",
+       "sqlite_stat1 is foreign"},
   };
   for (const auto& [sql, named] : kAttacks) {
     attack(sql);
@@ -79,6 +88,22 @@ TEST_F(HostileTest, WhatTheProgramDoesNotWriteIsNamedAndRefused) {
   attack("CREATE VIEW \"a\x1b[2Jb\" AS SELECT 1");
   const std::string said = refusal([&] { open_for_reading(path()); }).sentence;
   EXPECT_EQ(said.find('\x1b'), std::string::npos);
+}
+
+// SQLite lets a row stand as often as one likes where it has no definition.
+TEST_F(HostileTest, RowsThatAreThereTwiceCostNothing) {
+  attack(
+      "PRAGMA writable_schema = ON; WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 "
+      "FROM n WHERE k < 2000) INSERT INTO sqlite_schema SELECT type, name, tbl_name, rootpage, "
+      "NULL FROM sqlite_schema, n WHERE name = 'candidate_best'");
+  const auto begin = std::chrono::steady_clock::now();
+  const Refusal r = refusal([&] { open_for_reading(path()); });
+  const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(r.exit_code, kExitBadInput);
+  EXPECT_NE(r.sentence.find("index candidate_best is there twice"), std::string::npos)
+      << r.sentence;
+  EXPECT_LT(r.sentence.size(), 1000u);
+  EXPECT_LT(took_s.count(), 2);  // 0.02 s, where each was looked up among all others 4 s
 }
 
 // Blanks, comments and what ANALYZE leaves do not count; nor where a version came from.
@@ -128,6 +153,27 @@ TEST_F(HostileTest, StatementsCallKnownFunctionsOnly) {
   }
 }
 
+// No name of ours is one of a module, or SQLite's own.
+TEST_F(HostileTest, AllThatACatalogueHasIsRead) {
+  write_good();
+  std::vector<std::string> files{path()};
+  for (int version = 1; version < kSchemaVersion; ++version) {
+    files.push_back(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
+                    std::to_string(version) + ".db");
+  }
+  for (const std::string& file : files) {
+    const auto database = open_for_reading(file);
+    SQLite::Statement row(*database,
+                          "SELECT name FROM sqlite_schema WHERE type IN ('table', 'view')");
+    int relations = 0;
+    for (; row.executeStep(); ++relations) {
+      const std::string sql = "SELECT * FROM main." + row.getColumn(0).getString() + " LIMIT 1";
+      EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::csv); }).sentence, "") << sql;
+    }
+    EXPECT_GE(relations, 13) << file;
+  }
+}
+
 TEST_F(HostileTest, EveryConnectionIsSafe) {
   write_good();
   const auto option = [](SQLite::Database& database, int which) {
@@ -144,6 +190,18 @@ TEST_F(HostileTest, EveryConnectionIsSafe) {
     EXPECT_THROW(database->execAndGet("SELECT fts3_tokenizer('simple')"), SQLite::Exception);
     EXPECT_THROW(database->exec("CREATE VIRTUAL TABLE t USING fts3(x)"), SQLite::Exception);
   }
+}
+
+TEST_F(HostileTest, TheBanIsBackWhateverHappens) {
+  write_good();
+  const auto database = open_for_reading(path());
+  const std::string sql = "CREATE TEMP VIEW mine AS SELECT 1 AS x";
+  EXPECT_THROW(database->exec(sql), SQLite::Exception);
+  as_our_own(*database, [&] { database->exec(sql); });
+  EXPECT_THROW(database->exec("DROP VIEW mine"), SQLite::Exception);
+  EXPECT_THROW(as_our_own(*database, [&] { database->exec("CREATE TEMP VIEW mine AS nonsense"); }),
+               SQLite::Exception);
+  EXPECT_THROW(database->exec("DROP VIEW mine"), SQLite::Exception);
 }
 
 // A name is a name: SQLite would take these for a database in memory, or a second way into one.

@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include "catalogue_fixture.hpp"
+#include "failing_calls.hpp"
 #include "schema/text_file.hpp"
 
 namespace misalign::schema {
@@ -244,6 +245,49 @@ TEST_F(OutputFileTest, NoTextReplacesADatabase) {
   }
   EXPECT_EQ(held("a.db"), before);
   EXPECT_EQ(names(), "a.db a.db-wal");
+}
+
+// It may be a catalogue: of somebody else, or on a disk that fails.
+TEST_F(OutputFileTest, NoTextReplacesWhatCannotBeRead) {
+  constexpr unsigned kHeader_bytes = 16;
+  const std::pair<FailingCall, const char*> kFailures[] = {
+      {{SYS_openat, O_RDONLY | O_NONBLOCK | O_CLOEXEC, EACCES}, "Permission denied"},
+      {{SYS_openat, O_RDONLY | O_NONBLOCK | O_CLOEXEC, EIO}, "Input/output error"},
+      {{SYS_read, kHeader_bytes, EIO}, "Input/output error"},
+      {{SYS_read, kHeader_bytes, EINTR}, "Input/output error"}};
+  open();
+  const std::string before = held("a.db");
+  for (const auto& [failure, why] : kFailures) {
+    for (const char* name : {"a.db", "a.db-wal"}) {
+      const int code = where_fails(failure, [&] {
+        const Refusal r = refusal([&] { write_text_file(path(name), "text"); });
+        const bool is_said = r.sentence.find(path(name)) == 0u &&
+                             r.sentence.find("cannot be read") != std::string::npos &&
+                             r.sentence.find(why) != std::string::npos;
+        return is_said ? r.exit_code : 50;
+      });
+      if (code == -2) GTEST_SKIP() << "no seccomp here";
+      EXPECT_EQ(code, kExitFailure) << name << ", " << why;
+      EXPECT_TRUE(held("a.db") == before) << why;
+      EXPECT_EQ(names(), "a.db") << why;
+    }
+  }
+  write_text_file(path("a.txt"), "text");  // nothing is there
+  write_text_file(path("a.txt"), "new");
+  EXPECT_EQ(held("a.txt"), "new");
+}
+
+// A signal interrupts; a file system that says so for ever is broken.
+TEST_F(OutputFileTest, InterruptionsEnd) {
+  const std::string text(7777, 'x');
+  put("page", "old");
+  const int code = where_fails({SYS_write, static_cast<unsigned>(text.size()), EINTR}, [&] {
+    return refusal([&] { write_text_file(path("page"), text); }).exit_code;
+  });
+  if (code == -2) GTEST_SKIP() << "no seccomp here";
+  EXPECT_EQ(code, kExitFailure);
+  EXPECT_EQ(held("page"), "old");
+  EXPECT_EQ(names(), "page");
 }
 
 }  // namespace

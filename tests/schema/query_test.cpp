@@ -1,5 +1,6 @@
 // Reading a catalogue: whoever reads cannot write, and tables come in three styles.
 #include "catalogue_fixture.hpp"
+#include "schema/plain_export.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -87,6 +88,52 @@ TEST_F(CatalogueTest, NamedQueriesRunOnAnyCatalogue) {
   EXPECT_GE(queries, 5);
   EXPECT_EQ(named_query("no such query"), "");
   EXPECT_EQ(named_query("../catalogue"), "");
+}
+
+std::vector<std::string> cookbook() {
+  std::ifstream in(std::string(MISALIGN_SOURCE_DIR) + "/schema/queries/README.md");
+  const std::string text{std::istreambuf_iterator<char>(in), {}}, open = "```sql\n";
+  std::vector<std::string> queries;
+  for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
+    at += open.size();
+    queries.push_back(text.substr(at, text.find("```", at) - at));
+  }
+  return queries;
+}
+
+// Whoever asks an older catalogue as the cookbook says is answered; its rows stand for 1024 draws.
+TEST_F(CatalogueTest, OlderCataloguesAnswerTheCookbook) {
+  EXPECT_EQ(cookbook().size(), 10u);
+  for (int version = 1; version < kSchemaVersion; ++version) {
+    const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
+                            std::to_string(version) + ".db";
+    const auto database = open_for_reading(old);
+    const auto rows = [&](const std::string& sql) {
+      Json found;
+      const Refusal r =
+          refusal([&] { found = Json::parse(query_table(*database, sql, TableStyle::json)); });
+      EXPECT_EQ(r.sentence, "") << "version " << version;
+      return found;
+    };
+    for (const std::string& query : cookbook()) rows(query);
+    const int sampled =
+        SQLite::Database(old).execAndGet("SELECT count(*) FROM fault_sample").getInt();
+    EXPECT_EQ(rows("SELECT coalesce(sum(sampled), 0) AS rows, coalesce(sum(draws), 0) AS draws "
+                   "FROM faults"),
+              Json::array({{{"rows", sampled}, {"draws", 1024 * sampled}}}));
+    for (const Json& row : rows(named_query("rejections"))) {
+      EXPECT_EQ(row.at("draws"), 1024 * row.at("sampled").get<int>()) << row;
+    }
+    // Others, who read it in plain form, get what is in it.
+    const std::string plain = path("plain-" + std::to_string(version) + ".db");
+    export_plain(*database, plain);
+    const auto columns = [](const std::string& file) {
+      return SQLite::Database(file)
+          .execAndGet("SELECT group_concat(name || pk, ' ') FROM pragma_table_info('fault_sample')")
+          .getString();
+    };
+    EXPECT_EQ(columns(plain), columns(old)) << version;
+  }
 }
 
 // A table of a million candidates is not read for the best twenty.

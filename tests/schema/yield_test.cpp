@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/beta.hpp>
 
 #include "catalogue_fixture.hpp"
+#include "schema/plain_export.hpp"
 #include "schema/yield_check.hpp"
 
 namespace misalign::schema {
@@ -51,6 +52,27 @@ TEST_F(YieldTest, MoreTrialsReplaceFewer) {
   EXPECT_TRUE(check_ledger(*open_for_reading(path()), campaign_).empty());
 }
 
+// Whoever keeps something in a catalogue that went away meanwhile makes no empty one in its place.
+TEST_F(YieldTest, WhatIsGoneIsSaid) {
+  {
+    Catalogue catalogue = open();
+    EXPECT_EQ(catalogue.keep({{5, 0.05, 10, 9, 0}, {6, 0.05, 10, 9, 0}, {7, 0.05, 10, 9, 0}}, "b"),
+              (std::vector<std::uint64_t>{6, 7}));
+    EXPECT_TRUE(catalogue.keep({{5, 0.05, 5, 4, 0}}, "b").empty()) << "fewer trials";
+    catalogue.close();
+  }
+  const auto open_again = [&] {
+    return refusal([&] { Catalogue(path(), campaign_, mechanism_, {}, Missing::refused); });
+  };
+  EXPECT_EQ(open_again().sentence, "");
+  std::filesystem::remove(path());
+  EXPECT_EQ(open_again().exit_code, kExitBadInput);
+  EXPECT_FALSE(std::filesystem::exists(path()));
+  std::ofstream(path()).close();
+  EXPECT_EQ(open_again().exit_code, kExitBadInput);
+  EXPECT_EQ(std::filesystem::file_size(path()), 0u);
+}
+
 // In one file, which a directory that nobody may write to can hold.
 TEST_F(YieldTest, TheFileIsOneAgain) {
   keep({{5, 0.05, 100, 90, 0}});
@@ -85,6 +107,23 @@ TEST_F(YieldTest, CandidatesShowTheCommonAmplitude) {
   EXPECT_EQ(column("yield_amplitude_mm"), "draw,yield_amplitude_mm\n102,0.05\n5,0.05\n");
   keep({{5, 0.2, 100, 20, 0}, {102, 0.2, 100, 5, 0}});
   EXPECT_EQ(column("yield"), "draw,yield\n5,0.2\n199,0.1\n102,0.05\n");
+}
+
+TEST_F(YieldTest, TheQueryShowsTheBestOfEveryAmplitude) {
+  const std::uint64_t first = 5;
+  std::vector<Yield> yields;
+  for (std::uint64_t k = 0; k < 25; ++k) yields.push_back({first + 97 * k, 0.05, 100, 60 + k, 0});
+  for (const std::uint64_t draw : {first, first + 97}) yields.push_back({draw, 0.2, 100, 10, 0});
+  keep(yields);
+  const Json rows =
+      Json::parse(query_table(*open_for_reading(path()), named_query("yields"), TableStyle::json));
+  ASSERT_EQ(rows.size(), 22u);
+  for (std::size_t k = 0; k < 20; ++k) {
+    EXPECT_EQ(rows[k].at("amplitude_mm"), 0.05);
+    EXPECT_EQ(rows[k].at("survivors"), 84 - k);
+  }
+  EXPECT_EQ(rows[20].at("draw"), first);
+  EXPECT_EQ(rows[21].at("draw"), first + 97);
 }
 
 TEST_F(YieldTest, MergedOnesAreTheLargerOfBoth) {
@@ -132,6 +171,43 @@ TEST_F(YieldTest, WhatCannotHaveBeenCountedIsFound) {
     EXPECT_FALSE(check_ledger(*open_for_reading(path()), campaign_).empty()) << sql;
     std::filesystem::copy_file(whole, path(), std::filesystem::copy_options::overwrite_existing);
   }
+}
+
+// Whoever exports a candidate is told so, and not what a library says of impossible numbers.
+TEST_F(YieldTest, WhatDoesNotAddUpIsNotRead) {
+  for (const char* parts :
+       {"survivors = 9, undecided = -2, trials = 5", "survivors = 101", "undecided = 11",
+        "trials = 0", "survivors = -1", "trials = -1, survivors = -2, undecided = 0"}) {
+    keep({{5, 0.05, 200, 90, 0}});
+    alter("UPDATE yield SET trials = 100, survivors = 90, undecided = 0; UPDATE yield SET " +
+          std::string(parts));
+    const Refusal r = refusal([&] { kept(5); });
+    EXPECT_EQ(r.exit_code, kExitBadInput) << parts;
+    EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
+    EXPECT_NE(r.sentence.find("draw 5"), std::string::npos) << r.sentence;
+    alter("DELETE FROM yield");
+  }
+}
+
+// A key of two columns is no number of rows.
+TEST_F(YieldTest, PlainExportsHoldEveryAmplitude) {
+  keep({{5, 0.05, 100, 90, 0}, {5, 0.1, 100, 60, 0}, {102, 0.05, 100, 95, 0}});
+  const Refusal r = refusal([&] { export_plain(*open_for_reading(path()), path("plain.db")); });
+  ASSERT_EQ(r.sentence, "");
+  SQLite::Database plain(path("plain.db"));
+  const auto text = [&](const std::string& sql) { return plain.execAndGet(sql).getString(); };
+  EXPECT_EQ(text("SELECT group_concat(draw || ' ' || amplitude_mm || ' ' || survivors, ', ') FROM "
+                 "(SELECT * FROM yield ORDER BY draw, amplitude_mm)"),
+            "5 0.05 90, 5 0.1 60, 102 0.05 95");
+  EXPECT_EQ(text("SELECT count(*) FROM yields"), "3");
+  const auto keys = [&](const std::string& table) {
+    return text("SELECT coalesce(group_concat(name), '') FROM pragma_table_info('" + table +
+                "') WHERE pk > 0");
+  };
+  EXPECT_EQ(keys("candidate"), "draw");
+  EXPECT_EQ(keys("unit"), "lo");
+  EXPECT_EQ(keys("yield"), "");
+  EXPECT_EQ(keys("screened"), "");
 }
 
 // A catalogue of an older schema answers today's questions, and stays as it is.

@@ -43,6 +43,23 @@ Eigen::MatrixXd gradients_of(const Mechanism& mechanism, const SheetGeometry<dou
   return rows.transpose();
 }
 
+// To the last bit: who has looked at a state need not walk round its loops again.
+TEST(FlatGradient, LengthsAreTheFoldedOnes) {
+  const TestSheet sheet(6, 6);
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism, sheet.base.sheet.vertices_mm, geometry);
+  FlatGradient<double> gradient(sheet.mechanism);
+  std::vector<double> lengths(sheet.mechanism.diagonals.size());
+  for (const double pilot_deg : {10.0, 60.0, 120.0}) {
+    const FoldState<double> state = sheet.folded(pilot_deg);
+    gradient.at(geometry, state);
+    folded_lengths(sheet.mechanism, geometry, state, lengths.data());
+    for (int d = 0; d < sheet.mechanism.diagonal_count(); ++d) {
+      EXPECT_EQ(gradient.length(d), lengths[d]) << d << " at " << pilot_deg;
+    }
+  }
+}
+
 TEST(FlatGradient, EqualsDifferencesBetweenSheets) {
   const std::uint64_t seed = 20260013;
   std::mt19937_64 random(seed);

@@ -1,7 +1,11 @@
 // The miscut margin, against another solver's differences, and in lanes against the scalar code.
 #include "solver/miscut_margin.hpp"
 
+#include <limits>
+#include <xsimd/xsimd.hpp>
+
 #include "blocks.hpp"
+#include "solver/lane_state.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {
@@ -127,6 +131,57 @@ TEST(MiscutMargin, NoneWhereThePathEndsBefore) {
   EXPECT_FALSE(histories.of(vertices_mm, margin_samples(1, 157)).miscut_margin_mm)
       << "beyond its fold limit";
   EXPECT_FALSE(histories.of(vertices_mm, {}).miscut_margin_mm) << "not asked for";
+}
+
+// A number that is none would be less than nothing, and so leave the margin of the best sheet of
+// all.
+TEST(MiscutMargin, NoneWhereTheSolverFailed) {
+  const TestFamily sheets(4, 4);
+  const Elimination elimination =
+      plan_elimination(sheets.mechanism, sheets.base.folding, sheets.base.sheet.vertices_mm);
+  const FlatVertices vertices_mm = sheets.vertices(sheets.draws(1, kSeed), 0);
+  const FoldingHistory history = Histories(sheets).of(vertices_mm, margin_samples(1, 60));
+  ASSERT_TRUE(history.miscut_margin_mm);
+  const auto margin_mm = [&](const std::vector<FoldState<double>>& states) {
+    return miscut_margin_mm(sheets.mechanism, elimination, vertices_mm, states);
+  };
+  EXPECT_EQ(margin_mm(history.margin_states), history.miscut_margin_mm);
+  for (std::size_t failed = 0; failed < history.margin_states.size(); ++failed) {
+    for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+      auto states = history.margin_states;
+      states[failed].creases.front().c = wrong;
+      EXPECT_EQ(margin_mm(states), std::nullopt) << failed << ", " << wrong;
+    }
+  }
+}
+
+// One lane at a time: what failed in one is not held against the others.
+TEST(MiscutMargin, EveryLaneFailsByItself) {
+  const TestFamily sheets(4, 4);
+  const Elimination elimination =
+      plan_elimination(sheets.mechanism, sheets.base.folding, sheets.base.sheet.vertices_mm);
+  const FlatVertices vertices_mm = sheets.vertices(sheets.draws(1, kSeed), 0);
+  const FoldingHistory history = Histories(sheets).of(vertices_mm, margin_samples(1, 60));
+  using T = xsimd::batch<double>;
+  SheetGeometry<double> geometry;
+  place(sheets.mechanism, vertices_mm, geometry);
+  auto wide = lane_geometry<T>(sheets.mechanism);
+  for (int i = 0; i < kLanes<T>; ++i) put_lane(geometry, wide, i);
+  MiscutMargin<T> margin(sheets.mechanism, elimination);
+  for (int failing = 0; failing < kLanes<T>; ++failing) {
+    margin.begin(wide);
+    auto state = flat_state<T>(sheets.mechanism);
+    for (const FoldState<double>& one : history.margin_states) {
+      for (int i = 0; i < kLanes<T>; ++i) put_lane(one, state, i);
+      lane(state.creases.front().c, failing) = std::nan("");
+      margin.see(state);
+    }
+    for (int i = 0; i < kLanes<T>; ++i) {
+      EXPECT_EQ(margin.mm(i).has_value(), i != failing) << i;
+      EXPECT_NEAR(margin.mm(i).value_or(*history.miscut_margin_mm), *history.miscut_margin_mm, 1e-9)
+          << i;
+    }
+  }
 }
 
 TEST(MiscutMargin, LanesAreTheScalarCode) {

@@ -79,6 +79,27 @@ wait $searching 2> /dev/null
 tail -1 text | grep -q "^still from 150" || fail "no answer while another one writes"
 [ "$(grep -c "not kept.*another search is writing" err)" = 1 ] || fail "why it is not kept: $(cat err)"
 
+# What takes the catalogue's place while copies are judged is said, and nothing else is put there.
+cp a.db away.db
+"$program" search "$campaign" --draws 1 --catalogue other.db > /dev/null 2>&1
+for other in "" other.db; do
+  cp away.db moved.db
+  "$program" tolerance moved.db "$draw" --amplitude 0.06 --trials 60000 --jobs 1 > text 2> err &
+  judging=$!
+  sleep 1
+  kill -0 $judging || fail "too quick to be disturbed: more trials"
+  rm moved.db
+  [ -n "$other" ] && cp "$other" moved.db
+  wait $judging || fail "the catalogue is gone, and so is the answer"
+  tail -1 text | grep -q "^still from 150" || fail "no answer without the catalogue"
+  [ "$(grep -c "not kept.*any more" err)" = 1 ] || fail "why it is not kept: $(cat err)"
+  if [ -n "$other" ]; then
+    [ "$(sql moved.db 'SELECT count(*) FROM yield')" = 0 ] || fail "kept in another catalogue"
+  else
+    [ -e moved.db ] && fail "an empty catalogue in the former one's place"
+  fi
+done
+
 # An older catalogue is brought up to date, a copy of it kept.
 cp "$source_dir/tests/fixtures/catalogue-2.db" old.db
 old=$(sql old.db 'SELECT draw FROM candidate LIMIT 1')

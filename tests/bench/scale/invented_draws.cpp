@@ -74,10 +74,14 @@ schema::UnitRecord InventedDraws::unit(const schema::DrawRange& range,
   }
   unit.accepted = contents.candidates;
   unit.rejected = range.size() - contents.candidates;
-  const std::vector<std::uint64_t> rows = schema::FaultSampleRule().draws_in(range);
-  if (contents.sampled > rows.size()) throw std::logic_error("more sampled draws than there are");
-  for (std::uint64_t k = 0; k < contents.sampled; ++k) {
-    unit.fault_sample.push_back(sampled(rows[k]));
+  const schema::FaultSampleRule rule;
+  if (contents.sampled > rule.rows_in(range)) {
+    throw std::logic_error("more sampled draws than there are");
+  }
+  constexpr std::uint64_t kEvery = schema::kFaultSampleEvery;
+  for (std::uint64_t draw = (range.lo + kEvery - 1) / kEvery * kEvery;
+       unit.fault_sample.size() < contents.sampled; draw += kEvery) {
+    if (rule.holds(draw)) unit.fault_sample.push_back(sampled(draw));
   }
   for (int k = 0; k < contents.screened; ++k) {
     const auto fault = k % 10 ? solver::Fault::not_monotone : solver::Fault::fold_limit;
