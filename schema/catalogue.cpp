@@ -320,11 +320,16 @@ void Catalogue::store_goal_end(const GoalEnd& end) {
 // that moment never comes by itself.
 void Catalogue::keep_log_small() {
   std::error_code error;
-  const auto bytes = std::filesystem::file_size(path_ + "-wal", error);
-  if (error || bytes <= kLargestLog_bytes) return;
+  const auto log_bytes = [&] {
+    const auto bytes = std::filesystem::file_size(path_ + "-wal", error);
+    return error ? 0 : bytes;
+  };
+  // A reader that stays at one moment keeps it: not every commit is to wait for that one again.
+  if (log_bytes() <= std::max(kLargestLog_bytes, kept_log_bytes_ + kLargestLog_bytes / 4)) return;
   database_->setBusyTimeout(kWaitForReaders_ms);
-  database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");  // if not now, after the next commit
+  database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
   database_->setBusyTimeout(kWaitForWriters_ms);
+  kept_log_bytes_ = log_bytes();
 }
 
 void Catalogue::end_run(const std::string& end) {

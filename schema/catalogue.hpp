@@ -111,6 +111,7 @@ class Catalogue {
   std::optional<GoalEnd> goal_end_;
   std::int64_t run_ = 0;
   CommitCost cost_;
+  std::uintmax_t kept_log_bytes_ = 0;  // when it could last not be folded in
 };
 
 }  // namespace misalign::schema

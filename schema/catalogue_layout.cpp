@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <set>
 #include <utility>
 #include <vector>
@@ -46,13 +47,18 @@ const std::string& carried_layout(int version) {
                           : "schema/versions/" + std::to_string(version) + ".sql");
 }
 
-// Of a catalogue that was made in version `first`.
-Layout layout_made_in(int first, int version) {
+// Of a catalogue that was made in version `first`; made once.
+const Layout& layout_made_in(int first, int version) {
+  static std::map<std::pair<int, int>, Layout> layouts;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const auto known = layouts.find({first, version});
+  if (known != layouts.end()) return known->second;
   const auto database = connect_to_memory();
   database->exec(carried_layout(first));
   for (int next = first + 1; next <= version; ++next)
     database->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
-  return layout_of(*database);
+  return layouts[{first, version}] = layout_of(*database);
 }
 
 // What ANALYZE makes; what it says of the rows may change which way a statement goes, and no

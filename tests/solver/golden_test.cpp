@@ -8,9 +8,9 @@ namespace {
 // The golden fold limits have four decimals.
 constexpr double kFoldLimitTolerance_deg = 1e-3;
 
-class Table1 : public testing::TestWithParam<const char*> {};
+class GoldenTable1 : public testing::TestWithParam<const char*> {};
 
-TEST_P(Table1, LengthsVerdictAndFoldLimit) {
+TEST_P(GoldenTable1, LengthsVerdictAndFoldLimit) {
   const Json table = golden(GetParam());
   const TestSheet sheet(table["rows"], table["columns"], table["holes"]);
   const auto history = record_history(sheet.base, sheet.mechanism, sheet.plan(),
@@ -37,7 +37,7 @@ TEST_P(Table1, LengthsVerdictAndFoldLimit) {
   RecordProperty("worst_length_error_mm", scientific(worst_mm));
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, Table1, testing::Values("table1_odd.json", "table1_even.json"));
+INSTANTIATE_TEST_SUITE_P(Golden, GoldenTable1, testing::Values("table1_odd.json", "table1_even.json"));
 
 TEST(Golden, AllVerdictsFaultsAndFoldLimits) {
   const Json verdicts = golden("verdicts.json");
