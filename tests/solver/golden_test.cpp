@@ -37,7 +37,8 @@ TEST_P(GoldenTable1, LengthsVerdictAndFoldLimit) {
   RecordProperty("worst_length_error_mm", scientific(worst_mm));
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, GoldenTable1, testing::Values("table1_odd.json", "table1_even.json"));
+INSTANTIATE_TEST_SUITE_P(Golden, GoldenTable1,
+                         testing::Values("table1_odd.json", "table1_even.json"));
 
 TEST(Golden, AllVerdictsFaultsAndFoldLimits) {
   const Json verdicts = golden("verdicts.json");
