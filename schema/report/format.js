@@ -79,6 +79,10 @@ export const fault_words = (fault) => kFaults[fault]?.[1] ?? fault;
 
 export const fault_colour = (fault) => `var(--${fault.replaceAll("_", "-")})`;
 
+/** A key held with others is the browser's: Alt with an arrow goes back. */
+export const with_modifier = ({ altKey, ctrlKey, metaKey, shiftKey }) =>
+  altKey || ctrlKey || metaKey || shiftKey;
+
 /** An element in one line: h("p", { class: "note" }, "text", child). */
 export function h(tag, attributes = {}, ...children) {
   const node = tag.startsWith("svg:")

@@ -33,6 +33,7 @@ const order_words = ({ columns }) =>
   (columns.goes_back ? "those that go back nowhere before those that do, " : "") +
   `the deepest D, then the largest ${columns.miscut_margin_mm ? "margin against miscuts" : "margin"}`;
 
+/** Answers the table, if there is one. */
 function show_candidates(report, candidates, state) {
   const { total, shown } = report.candidates,
     { deploys_from_deg } = report.campaign.configuration.accept;
@@ -43,7 +44,7 @@ function show_candidates(report, candidates, state) {
       `No draw has been accepted yet: ${report.state.draws ? `none of ${count(report.state.draws)} deploys from ${degrees(deploys_from_deg)} or more` : "nothing has been drawn"}. ` +
       "Run the same search again with more draws; it goes on where it ended. Or choose a lower accept.deploys_from_deg, which is another campaign. " +
       "Any draw, accepted or not, can be looked at with --draw.";
-    return;
+    return null;
   }
   note.textContent =
     (shown < total
@@ -58,6 +59,7 @@ function show_candidates(report, candidates, state) {
   by_id("rows-save").addEventListener("click", () =>
     save_rows(candidates, state.get("order"), name),
   );
+  return table;
 }
 
 /** Goes through the draws that can be looked at. */
@@ -143,12 +145,12 @@ function show_nothing_to_inspect({ commands }) {
   for (const id of ["no-details", "facts"]) by_id(id).hidden = true;
 }
 
-function follow_the_address(report, candidates, state) {
+function follow_the_address(candidates, table, state) {
   const detailed = (draw) => candidates.detailed.has(draw);
   const known = {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
     filter: () => true, // whatever is wrong with it is said below the field
-    sort: is_order,
+    sort: (words) => is_order(words, candidates),
     across: (name) => metrics_of(candidates).some((metric) => metric.name === name),
   };
   known.up = known.across;
@@ -158,6 +160,7 @@ function follow_the_address(report, candidates, state) {
       by_id("address-says").textContent = words;
       by_id("address-says").hidden = words === "";
     },
+    restored: () => table?.reveal(state.get("picked")),
   });
 }
 
@@ -179,10 +182,11 @@ function main() {
     said: "",
   });
   answer_questions(state);
+  let table = null;
   if (is_pattern(report)) show_pattern(report);
   else {
     show_acceptance(report);
-    show_candidates(report, candidates, state);
+    table = show_candidates(report, candidates, state);
     show_detailed(report, candidates, state);
   }
   const inspector = new Inspector(report, candidates, state);
@@ -192,7 +196,7 @@ function main() {
   if (first === undefined) show_nothing_to_inspect(report);
   else {
     state.set("picked", first);
-    follow_the_address(report, candidates, state);
+    follow_the_address(candidates, table, state);
   }
   show_foot(report);
 }

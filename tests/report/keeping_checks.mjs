@@ -85,6 +85,55 @@ export async function address_checks(page, data) {
   });
 }
 
+/** Links that somebody else made: of columns that this report lacks, of rows far down. */
+export async function link_checks(page, data) {
+  const { columns } = data.candidates,
+    known = await by(page, "grid")
+      .locator("[data-sort]")
+      .evaluateAll((nodes) => nodes.map((node) => node.dataset.sort));
+  const lacking = ["yield", "miscut_margin_mm", "goes_back"].filter((name) => !known.includes(name));
+  const follow = (words) => page.evaluate((hash) => (location.hash = hash), words);
+
+  await check("an order that the table has no column of is said, and changes nothing", async () => {
+    for (const name of lacking) {
+      await follow(`sort=-${name}`);
+      await eventually(
+        page,
+        {
+          test: (words) => document.getElementById("address-says").textContent.includes(words),
+          with: `sort -${name}`,
+        },
+        `nothing is said of ${name}`,
+      );
+      await page.reload();
+      await page.waitForFunction(() => window.misalign !== undefined);
+      assert.equal((await state(page)).filtered, columns.draw.length, name);
+      assert.equal(await by(page, "head-rank").getAttribute("aria-sort"), "ascending", name);
+    }
+    await follow("");
+    return lacking.join(", ");
+  });
+
+  await check("the row that a link picks is in view, whatever the link sorts by", async () => {
+    const first = await by(page, "grid").locator(".line").first().getAttribute("data-draw");
+    await follow(`draw=${first}&sort=-rank`);
+    await picked_is(page, first);
+    const in_view = () =>
+      by(page, "grid").evaluate((grid) => {
+        const row = grid.querySelector('[aria-selected="true"]')?.getBoundingClientRect(),
+          frame = grid.getBoundingClientRect();
+        return Boolean(row) && row.top >= frame.top && row.bottom <= frame.bottom + 1;
+      });
+    await by(page, "head-rank").and(page.locator('[aria-sort="descending"]')).waitFor();
+    assert.ok(await in_view(), "when it is followed");
+    await page.reload();
+    await page.waitForFunction(() => window.misalign !== undefined);
+    assert.equal((await state(page)).picked, first);
+    assert.ok(await in_view(), "when the page begins with it");
+    await follow("");
+  });
+}
+
 /** What a button of a card saves: its name and bytes. */
 async function saved(page, box, kind) {
   const card = page.locator(".card").filter({ has: by(page, box) });
