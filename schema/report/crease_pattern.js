@@ -104,6 +104,7 @@ class CreasePattern {
   #share = null; // of the screen's width, on paper
   #diagonals = [];
   #labels = [];
+  #scaled_for = [null, 0]; // labels and scale that strokes and letters are made for
   #balls = [];
 
   constructor(box, caption, report, state) {
@@ -115,6 +116,7 @@ class CreasePattern {
       0.32 * this.#size_mm,
       "Crease pattern: mountains dash-dotted red, valleys dashed blue, holes hatched, diagonals numbered, shifts as arrows. Plus and minus zoom, arrow keys move, 0 shows all of it.",
     );
+    this.#svg.setAttribute("role", "application"); // it has keys, and its parts have names
     this.#svg.setAttribute("tabindex", 0);
     this.#svg.setAttribute("data-testid", "crease-drawing");
     this.#view = new ZoomedView(this.#svg, (scale) => this.#scaled(scale));
@@ -219,6 +221,9 @@ class CreasePattern {
 
   /** Strokes and letters for a scale in px a mm: between those of a small and of a large panel. */
   #scaled(scale) {
+    const [labels, before] = this.#scaled_for;
+    if (labels === this.#labels && before === scale) return; // moved only
+    this.#scaled_for = [this.#labels, scale];
     const panel_px = this.#size_mm * scale,
       size = clamp(panel_px, 50, 110) / scale;
     const dash = (...parts) => parts.map((part) => `${(part * size).toFixed(3)}px`).join(" ");

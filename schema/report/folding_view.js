@@ -147,7 +147,7 @@ class FoldingView {
       0: () => this.#whole(),
       f: () => this.#fit(),
     }[event.key];
-    if (!action || event.ctrlKey || event.metaKey) return;
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     action();
     event.preventDefault();
   }

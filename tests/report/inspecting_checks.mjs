@@ -73,6 +73,80 @@ async function zoom_checks(page) {
   });
 }
 
+/** What moves a drawing that is zoomed, and what does not. */
+async function drag_checks(page) {
+  const drawing = by(page, "crease-drawing"),
+    box = () => drawing.getAttribute("viewBox");
+  const drag = async (button) => {
+    const { x, y, width, height } = await drawing.boundingBox(),
+      [left, top] = [x + width / 2, y + height / 2];
+    await page.mouse.move(left, top);
+    await page.mouse.down({ button });
+    await page.mouse.move(left - 50, top - 30, { steps: 3 });
+    await page.mouse.up({ button });
+  };
+  await check("the crease pattern is moved by the first button alone, while it is down", async () => {
+    for (let i = 0; i < 4; ++i) await by(page, "zoom-in").click();
+    await drawing.evaluate((svg) => svg.scrollIntoView({ block: "center" }));
+    const before = await box();
+    await drag("right");
+    assert.equal(await box(), before, "the right button moves it");
+    await drawing.evaluate((svg) => {
+      svg.setPointerCapture = () => {}; // of a pointer that is none
+      const { x, y } = svg.getBoundingClientRect(),
+        tell = (kind, at, buttons) =>
+          svg.dispatchEvent(
+            new PointerEvent(kind, { pointerId: 7, clientX: x + at, clientY: y + at, buttons }),
+          );
+      tell("pointerdown", 50, 1);
+      tell("pointermove", 90, 0); // the button was let go outside
+      tell("pointermove", 120, 0);
+      delete svg.setPointerCapture;
+    });
+    assert.equal(await box(), before, "it follows a pointer that no button holds");
+  });
+  await check("its letters are placed anew for another scale, and not for another place", async () => {
+    await drawing.evaluate((svg) => {
+      svg.seen = 0;
+      const watching = new MutationObserver((records) => (svg.seen += records.length));
+      for (const text of svg.querySelectorAll("text"))
+        watching.observe(text, { attributes: true });
+    });
+    const seen = () => drawing.evaluate((svg) => svg.seen),
+      before = await box();
+    await drag("left");
+    assert.notEqual(await box(), before, "it does not move");
+    assert.equal(await seen(), 0, "letters were placed while it was dragged");
+    await by(page, "zoom-out").click();
+    assert.ok((await seen()) > 0, "no letters were placed");
+    await by(page, "zoom-fit").click();
+    await by(page, "zoom-fit").blur();
+  });
+}
+
+/** Keys of the browser are left to it: Alt with an arrow goes back. */
+export async function key_checks(page) {
+  const taken = (id, key, held = {}) =>
+    by(page, id).evaluate(
+      (node, options) =>
+        !node.dispatchEvent(
+          new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...options }),
+        ),
+      { key, ...held },
+    );
+  await check("arrow keys move the views, and with a key of the browser go to it", async () => {
+    for (const id of ["crease-drawing", "folding-canvas", "scatter-canvas", "grid"]) {
+      const key = id === "grid" ? "Home" : "ArrowLeft";
+      assert.ok(await taken(id, key), `${id}: ${key}`);
+      for (const held of ["altKey", "ctrlKey", "metaKey"])
+        assert.ok(!(await taken(id, key, { [held]: true })), `${id}: ${key} with ${held}`);
+    }
+    assert.ok(!(await taken("scatter-canvas", "ArrowLeft", { shiftKey: true })), "shiftKey");
+    for (const id of ["crease-drawing", "folding-canvas", "scatter-canvas"])
+      assert.equal(await by(page, id).getAttribute("role"), "application", id);
+  });
+}
+
 async function spring_checks(page, detail) {
   const depth = detail.pilot_deg.findLastIndex(
     (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
@@ -205,6 +279,7 @@ export async function detail_checks(page, data, detail, webgl = true) {
   });
 
   await zoom_checks(page);
+  await drag_checks(page);
 
   await check("the sheet is drawn in space", async () => {
     const { colours } = await pixels(canvas);
