@@ -4,7 +4,7 @@ import { count, dashed, degrees, fault_words, fixed, h, percent, plural } from "
 import { metrics, with_unit } from "./metrics.js";
 import { is_pattern, pattern_commands } from "./whose.js";
 
-async function copy(text, button, state) {
+async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
@@ -16,15 +16,18 @@ async function copy(text, button, state) {
     document.execCommand("copy");
     field.remove();
   }
-  const before = button.textContent;
-  button.textContent = "Copied";
-  state.set("said", "Copied");
-  setTimeout(() => (button.textContent = before), 1200);
 }
 
 const copy_button = (text, state, words = "Copy") => {
   const button = h("button", { type: "button", "data-testid": "copy" }, words);
-  button.addEventListener("click", () => copy(text, button, state));
+  let timer = 0;
+  button.addEventListener("click", async () => {
+    await copy(text);
+    button.textContent = "Copied";
+    state.set("said", "Copied");
+    clearTimeout(timer);
+    timer = setTimeout(() => (button.textContent = words), 1200);
+  });
   return button;
 };
 

@@ -322,6 +322,60 @@ export async function no_detail_checks(page, data) {
       await by(page, "filter").fill("");
     },
   );
+  await unfiltered(page, "a button says “Copied” for a while, however often it is clicked", async () => {
+    await by(page, "filter").fill(`draw = ${bare}`);
+    await by(page, "grid").locator(".line").first().click();
+    const button = by(page, "no-details").getByTestId("copy");
+    await page.evaluate(() => {
+      const timeout = setTimeout;
+      window.later = [];
+      window.setTimeout = (run, ms) => (ms > 1000 ? void later.push(run) : timeout(run, ms));
+      window.time_goes_by = () => {
+        for (const run of later) run();
+        window.setTimeout = timeout;
+      };
+    });
+    await button.dblclick();
+    assert.equal(await button.textContent(), "Copied");
+    await page.evaluate(() => time_goes_by());
+    assert.equal(await button.textContent(), "Copy", "it says so for good");
+  });
+}
+
+/** The headings' words as names of columns, and the field's word on what it cannot read. */
+export async function filter_word_checks(page, data) {
+  const { columns } = data.candidates;
+  await unfiltered(page, "every heading of the table can stand in a condition", async () => {
+    const names = await page
+      .locator("#filter-help dl.columns dt")
+      .evaluateAll((nodes) =>
+        nodes.map((node) => [
+          node.firstChild.textContent,
+          node.textContent.slice(node.firstChild.textContent.length + 1),
+        ]),
+      );
+    assert.ok(names.some(([, label]) => label.includes("±")));
+    for (const [name, label] of names) {
+      if (label === "") continue; // the number of the draw
+      const values = columns[name === "energy_n_mm" ? "stretch_sq_mm2" : name];
+      if (!values?.some((value) => value !== null)) continue; // no column of this page
+      await by(page, "filter").fill(`${label} = none`);
+      assert.equal(await by(page, "filter").getAttribute("aria-invalid"), "false", label);
+      const none = values.filter((value) => value === null).length;
+      assert.equal((await state(page)).filtered, none, label);
+    }
+    return `${names.length - 1} headings`;
+  });
+
+  await unfiltered(page, "what is wrong with a condition is said until it is mended", async () => {
+    await by(page, "filter").fill("strok_max < 1");
+    await by(page, "head-stroke_min").locator("button").click();
+    assert.match(await by(page, "filter-says").textContent(), /no column/);
+    assert.equal(await by(page, "filter").getAttribute("aria-invalid"), "true");
+    await by(page, "filter").fill("");
+    assert.match(await by(page, "filter-says").textContent(), /candidates$/);
+    await by(page, "head-rank").locator("button").click();
+  });
 }
 
 /** What the table and the scatter look like, whatever is in them. */
