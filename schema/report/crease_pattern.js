@@ -2,7 +2,7 @@
 // diagonals with numbers, and the shifts as arrows, much enlarged.
 import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
-import { h } from "./format.js";
+import { clamp, h } from "./format.js";
 import { on_print, paper_share } from "./paper.js";
 import { line, panel_size_mm, polygon, sheet_extent, sheet_svg, view_height } from "./sheet.js";
 import { ZoomedView } from "./zoomed_view.js";
@@ -21,8 +21,6 @@ const kLegend = [
   ["shrinks", "decreasing diagonal"],
   ["pilot-crease", "pilot crease"],
 ];
-
-const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 /** The largest round factor that keeps the longest arrow below two fifths of a panel. */
 function arrow_scale(longest_mm, size_mm) {

@@ -3,15 +3,13 @@ import { show_acceptance } from "./acceptance.js";
 import { follow_address } from "./address.js";
 import { read_candidates, read_report } from "./data.js";
 import { make_filter_field } from "./filter_field.js";
-import { count, degrees, h, plural } from "./format.js";
+import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { Inspector } from "./inspector.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
 import { make_state } from "./state.js";
 import { is_order, make_table, save_rows } from "./table.js";
 import { set_up_theme } from "./theme.js";
 import { is_pattern, show_pattern } from "./whose.js";
-
-const by_id = (id) => document.getElementById(id);
 
 /** Whose folding the page carries, in words. */
 function chosen_words({ chosen, details }) {
@@ -80,7 +78,7 @@ function show_detailed(report, candidates, state) {
   const step = (by) =>
     state.set(
       "picked",
-      draws[Math.max(0, Math.min(draws.length - 1, draws.indexOf(state.get("picked")) + by))],
+      draws[clamp(draws.indexOf(state.get("picked")) + by, 0, draws.length - 1)],
     );
   const [previous, next] = [
     h("button", { type: "button", title: "The one before", onclick: () => step(-1) }, "‹"),

@@ -1,5 +1,5 @@
 // The candidates' table: any number of rows, of which only those in view are in the document.
-import { count, h, with_modifier } from "./format.js";
+import { clamp, count, h, with_modifier } from "./format.js";
 import { metrics } from "./metrics.js";
 import { on_print } from "./paper.js";
 import { csv_text, save_text } from "./save.js";
@@ -222,7 +222,7 @@ class Table {
     if (!step || with_modifier(event)) return;
     const heads = this.#heads,
       at = heads.findIndex((cell) => cell.contains(document.activeElement));
-    const next = heads[Math.max(0, Math.min(heads.length - 1, at + step))].firstChild;
+    const next = heads[clamp(at + step, 0, heads.length - 1)].firstChild;
     heads[at].firstChild.tabIndex = -1;
     next.tabIndex = 0;
     next.focus();
@@ -244,7 +244,7 @@ class Table {
       End: order.length - 1,
     }[event.key];
     if (next === undefined) return;
-    const place = Math.max(0, Math.min(order.length - 1, next));
+    const place = clamp(next, 0, order.length - 1);
     this.#state.set("picked", this.#candidates.columns.draw[order[place]]);
     event.preventDefault();
   }

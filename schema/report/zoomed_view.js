@@ -1,10 +1,8 @@
 // A drawing that is zoomed and moved: by wheel or two fingers, dragging, keys and buttons.
-import { h } from "./format.js";
+import { clamp, h } from "./format.js";
 
 const kMost = 24, // largest zoom; 1 shows all
   kStep = 1.4;
-
-const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 /**
  * Shows a part of `whole` ({ x, y, width, height } in the drawing's units) in an SVG of any size in
