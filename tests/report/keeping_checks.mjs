@@ -165,7 +165,7 @@ const colours_of = (page, bytes, type) =>
         width: image.naturalWidth,
         height: image.naturalHeight,
       });
-      const pen = canvas.getContext("2d");
+      const pen = canvas.getContext("2d", { willReadFrequently: true });
       pen.drawImage(image, 0, 0);
       const { data: points } = pen.getImageData(0, 0, canvas.width, canvas.height),
         colours = new Set();

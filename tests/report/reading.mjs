@@ -28,9 +28,13 @@ export function summary() {
 
 export async function check(what, run) {
   ++checks;
+  const start = performance.now();
   try {
-    const said = await run();
-    say(`ok    ${what}${said ? `: ${said}` : ""}`);
+    const said = await run(),
+      took_s = (performance.now() - start) / 1000;
+    say(
+      `ok    ${what}${said ? `: ${said}` : ""}${took_s > 1 ? ` (${took_s.toFixed(1)} s)` : ""}`,
+    );
   } catch (error) {
     ++failures;
     say(`FAIL  ${what}\n      ${String(error.message).split("\n").slice(0, 6).join("\n      ")}`);
@@ -76,7 +80,7 @@ export const pixels = (locator) =>
       width: canvas.width,
       height: canvas.height,
     });
-    const pen = copy.getContext("2d");
+    const pen = copy.getContext("2d", { willReadFrequently: true });
     pen.drawImage(canvas, 0, 0);
     const { data } = pen.getImageData(0, 0, copy.width, copy.height),
       colours = new Set();

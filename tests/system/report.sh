@@ -5,7 +5,7 @@ web=$3
 make() {  # NAME THRESHOLD DRAWS: a catalogue of the 4 x 4 sheet
   sed "s/\"deploys_from_deg\": 150/\"deploys_from_deg\": $2/; s/\"end_deg\": 180/\"end_deg\": $4/" \
     "$source_dir/search/campaigns/miura-4x4.json" > "$1.json"
-  "$program" search "$1.json" --draws "$3" --catalogue "$1.db" --progress none > /dev/null ||
+  "$program" search "$1.json" --ranks 2 --draws "$3" --catalogue "$1.db" --progress none > /dev/null ||
     fail "search $1"
 }
 make none 180 40 180        # no candidate at all
@@ -38,8 +38,9 @@ for name in none many; do
   "$program" report $name.db --output $name.html > /dev/null || fail "report $name"
 done
 data() {  # FILE.html JSON-PATH
-  sed -n 's|.*<script type="application/json" id="report-data">\(.*\)</script>.*|\1|p' "$1" > data.json
-  sqlite3 :memory: "SELECT json_extract(readfile('data.json'), '\$.$2')"
+  grep -o '^<script type="application/json" id="report-data">.*</script>' "$1" |
+    sed 's/^[^>]*>//; s|</script>$||' > data.json
+  field data.json "$2"
 }
 [ "$(data few.html 'details[0].draw')" = "$rejected" ] || fail "the draw asked for is not the first"
 [ "$(data few.html candidates.columns.draw[0])" = "$(sql few.db "SELECT draw FROM candidates $order LIMIT 1")" ] ||
