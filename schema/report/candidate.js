@@ -41,7 +41,12 @@ function command(about, text, state, id) {
     "div",
     { class: "command" },
     h("p", {}, about),
-    h("div", { class: "row" }, h("code", { "data-testid": id }, unbroken(text)), copy_button(text, state)),
+    h(
+      "div",
+      { class: "row" },
+      h("code", { "data-testid": id }, unbroken(text)),
+      copy_button(text, state),
+    ),
   );
 }
 

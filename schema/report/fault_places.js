@@ -1,15 +1,7 @@
 // Which diagonals and creases fail first, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
-import {
-  dashed,
-  fault_colour,
-  fault_name,
-  fault_order,
-  h,
-  percent,
-  plural,
-} from "./format.js";
+import { dashed, fault_colour, fault_name, fault_order, h, percent, plural } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { sum, weight } from "./shares.js";
 

@@ -75,9 +75,7 @@ const kLabel = new RegExp(`(?<!\\w)(?:${kLabels.join("|")})(?!\\w)`, "gi");
 
 /** The table's headings as the columns' names: “stroke max < 5%”. */
 const with_names = (text) =>
-  text
-    .replaceAll(/(\d)\s+%/g, "$1%")
-    .replaceAll(kLabel, (label) => kName_of[label.toLowerCase()]);
+  text.replaceAll(/(\d)\s+%/g, "$1%").replaceAll(kLabel, (label) => kName_of[label.toLowerCase()]);
 
 function number_of(word) {
   const match = /^([+\-−]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(%|°|deg|mm)?$/i.exec(word);

@@ -64,7 +64,12 @@ export class Inspector {
       show_no_details(by_id("no-details"), report, draw, this.#state);
     }
     const known = { ...values, ...this.#row_only(row, values) };
-    show_metrics(by_id("metrics"), Object.keys(known).length ? known : null, this.#candidates, report);
+    show_metrics(
+      by_id("metrics"),
+      Object.keys(known).length ? known : null,
+      this.#candidates,
+      report,
+    );
     show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);
   }

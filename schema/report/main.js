@@ -76,10 +76,7 @@ function show_detailed(report, candidates, state) {
     ...report.details.map((detail) => h("option", { value: detail.draw }, words(detail))),
   );
   const step = (by) =>
-    state.set(
-      "picked",
-      draws[clamp(draws.indexOf(state.get("picked")) + by, 0, draws.length - 1)],
-    );
+    state.set("picked", draws[clamp(draws.indexOf(state.get("picked")) + by, 0, draws.length - 1)]);
   const [previous, next] = [
     h("button", { type: "button", title: "The one before", onclick: () => step(-1) }, "‹"),
     h("button", { type: "button", title: "The next one", onclick: () => step(1) }, "›"),

@@ -1,6 +1,6 @@
 // Around the table and the scatter: what all columns take, yields, and rows without details.
 import assert from "node:assert/strict";
-import { by, state, unfiltered } from "./reading.mjs";
+import { by, eventually, state, unfiltered } from "./reading.mjs";
 
 export async function no_detail_checks(page, data) {
   const bares = data.candidates.columns.draw.filter(
@@ -81,14 +81,26 @@ export async function layout_checks(page, data) {
       more = by(page, "table").locator(".side.right");
     for (const width of [2500, 800]) {
       await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(150);
-      const hidden = await grid.evaluate((node) => node.scrollWidth - node.clientWidth);
-      assert.equal(hidden > 1, width === 800, `${hidden} px are hidden at ${width} px`);
-      assert.equal(await more.isVisible(), width === 800, `the sign of it at ${width} px`);
+      await eventually(
+        page,
+        {
+          test: (narrow) => {
+            const grid = document.querySelector("#table [role=grid]"),
+              sign = document.querySelector("#table .side.right");
+            return [grid.scrollWidth - grid.clientWidth > 1, sign.checkVisibility()].every(
+              (seen) => seen === narrow,
+            );
+          },
+          with: width === 800,
+        },
+        `hidden columns and the sign of them at ${width} px`,
+      );
     }
     for (let i = 0; i < 9 && (await more.isVisible()); ++i) {
       await more.click({ timeout: 2000 }).catch(() => {}); // it goes with the last column
-      await page.waitForTimeout(60);
+      await page.evaluate(
+        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+      );
     }
     const [last, box] = [
       await by(page, "head-isometry_error_mm").boundingBox(),

@@ -55,9 +55,9 @@ async function print_check(page, shown) {
 async function narrow_check(page) {
   await check("a narrow window needs no sideways scrolling", async () => {
     await page.setViewportSize({ width: 800, height: 900 });
-    await page.waitForTimeout(200);
-    assert.ok(
-      await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
+    await eventually(
+      page,
+      { test: () => innerWidth === 800 && document.documentElement.scrollWidth <= innerWidth },
       "wider than the window",
     );
   });

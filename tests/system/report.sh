@@ -58,26 +58,26 @@ drawn() {  # FILE.html: the draws with details, in their order
   data "$1" details > details.json
   sqlite3 :memory: "SELECT json_extract(value, '\$.draw') FROM json_each(readfile('details.json'))"
 }
-chosen() {  # SQL of those expected, then options of report
+chosen() {  # SQL of those expected, then options of report; few rows, which are not what this is about
   wanted=$(sql many.db "$1")
   shift
-  "$program" report many.db "$@" --output chosen.html > /dev/null || fail "report $*"
+  "$program" report many.db "$@" --rows 700 --output chosen.html > /dev/null || fail "report $*"
   [ -n "$wanted" ] && [ "$(drawn chosen.html)" = "$wanted" ] || fail "report $*: $(drawn chosen.html | head -3)"
 }
 where="stroke_max < 0.02 AND 'it''s' > 'a'"
 chosen "SELECT draw FROM candidates ORDER BY stroke_min DESC, $best LIMIT 3" \
   --best 3 --by stroke_min
-[ "$(data chosen.html commands.choice)" = " --best 3 --by stroke_min" ] || fail "the page's commands forget --best"
+[ "$(data chosen.html commands.choice)" = " --best 3 --by stroke_min --rows 700" ] || fail "the page's commands forget --best"
 "$program" export many.db --diverse 4 --where "stroke_max < 0.02" --output spread > names || fail "export --diverse"
-"$program" report many.db --diverse 4 --where "stroke_max < 0.02" --output chosen.html > /dev/null || fail "report --diverse"
+"$program" report many.db --diverse 4 --where "stroke_max < 0.02" --rows 700 --output chosen.html > /dev/null || fail "report --diverse"
 [ "$(drawn chosen.html)" = "$(sed 's/.*-\([0-9]*\)\.json$/\1/' names)" ] || fail "report --diverse is another spread than export's"
 # What a filter leaves, far down in the order, can have its folding too.
 late=$(sql many.db "SELECT draw FROM candidates $order LIMIT 1 OFFSET 5000")
 chosen "SELECT $late" --where "draw = $late"
-chosen "SELECT draw FROM candidates WHERE $where $order LIMIT 5" --where "$where" --details 5 --rows 700
+chosen "SELECT draw FROM candidates WHERE $where $order LIMIT 5" --where "$where" --details 5
 [ "$(data chosen.html candidates.shown)" = 700 ] || fail "report --rows 700"
 # No folding at all, and no complaint that there is none of the kind.
-"$program" report many.db --where "stroke_max < 0.02" --details 0 --output chosen.html > /dev/null || fail "--details 0"
+"$program" report many.db --where "stroke_max < 0.02" --details 0 --rows 700 --output chosen.html > /dev/null || fail "--details 0"
 [ -z "$(drawn chosen.html)" ] || fail "--details 0 carries foldings"
 "$program" report many.db --details 5 --rows 700 --where "$where" --output chosen.html > /dev/null || fail "report again"
 eval "set -- $(data chosen.html commands.choice)"  # as a shell takes them
@@ -86,7 +86,7 @@ eval "set -- $(data chosen.html commands.choice)"  # as a shell takes them
 refuse() {  # CODE SENTENCE OPTION...
   code=$1 sentence=$2
   shift 2
-  "$program" report many.db "$@" --output refused.html > /dev/null 2> err
+  "$program" report few.db "$@" --output refused.html > /dev/null 2> err
   [ $? = "$code" ] || fail "report $*: exit code"
   grep -q -- "$sentence" err || fail "report $*: $(cat err)"
   [ -e refused.html ] && fail "report $* leaves a file"
