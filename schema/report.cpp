@@ -76,12 +76,17 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most) {
   return {{"total", total[0]["total"]}, {"shown", rows.size()}, {"columns", columns}};
 }
 
-Json report_yields_json(SQLite::Database& database, std::uint64_t most) {
+Json report_yields_json(SQLite::Database& database, std::uint64_t most,
+                        const std::vector<std::uint64_t>& draws) {
+  std::string these;
+  for (const std::uint64_t draw : draws)
+    these += (these.empty() ? "" : ", ") + std::to_string(draw);
   Json rows = Json::parse(query_table(
       database,
       "SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
       "FROM yields WHERE draw IN (SELECT draw FROM candidates " +
-          best_order() + " LIMIT " + std::to_string(most) + ") ORDER BY draw, amplitude_mm",
+          best_order() + " LIMIT " + std::to_string(most) + ") OR draw IN (" + these +
+          ") ORDER BY draw, amplitude_mm",
       TableStyle::json));
   for (Json& row : rows) row["draw"] = row["draw"].dump();
   return rows;

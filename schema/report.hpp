@@ -11,8 +11,10 @@ namespace misalign::schema {
 /// the order of the query `best`, and how many there are.
 Json candidates_json(SQLite::Database& database, std::uint64_t most);
 
-/// What was found of miscut copies of those candidates: {"draw", and what yield_json says}.
-Json report_yields_json(SQLite::Database& database, std::uint64_t most);
+/// What was found of miscut copies of those candidates, and of `draws`: {"draw", and what
+/// yield_json says}.
+Json report_yields_json(SQLite::Database& database, std::uint64_t most,
+                        const std::vector<std::uint64_t>& draws);
 
 /// The exact first faults of the sample, {"every", "every_at_most", "rows": [{"first_fault",
 /// "fault_deg", "where", "accepted", "sampled", "weight", "weight_sq"}]}: how many draws at least

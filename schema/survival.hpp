@@ -47,10 +47,10 @@ class Survival {
   /// degrees, where t has no end, half a sample less is meant.
   ///
   /// How far off (results/survival.md, 6 x 6, interior vertices, 0.4 mm): from 1,000 sampled draws
-  /// on, single guesses of the share at 160 to 175 degrees (0.9 % to 0.003 %) were 0.35 to 2.6 times
-  /// what millions of draws counted; from 500, 0.3 to 8.4 times; from 250, 0.5 to 81 times, for there
-  /// the tail begins where the curve is still flatter. An exponential of the angle itself, from 140
-  /// to 155 degrees, guesses a hundred times too many at 175.
+  /// on, single guesses of the share at 160 to 175 degrees (0.9 % to 0.003 %) were 0.35 to 2.6
+  /// times what millions of draws counted; from 500, 0.3 to 8.4 times; from 250, 0.5 to 81 times,
+  /// for there the tail begins where the curve is still flatter. An exponential of the angle
+  /// itself, from 140 to 155 degrees, guesses a hundred times too many at 175.
   std::optional<SurvivalGuess> guess(int sample) const;
 
   /// The deepest sample from which, by what was seen or else by the tail, at least this share of

@@ -141,9 +141,9 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
     const SQLite::Transaction moment(database);
     Json json = {{"state", status_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
-                 {"candidates", schema::candidates_json(database, options.rows)},
-                 {"yields", schema::report_yields_json(database, options.rows)}};
+                 {"candidates", schema::candidates_json(database, options.rows)}};
     look = draws_to_look_at(database, json["candidates"], options);
+    json["yields"] = schema::report_yields_json(database, options.rows, look.draws);
     return json;
   });
 }

@@ -131,8 +131,8 @@ function show_along_the_folding(report, total, name) {
     (fault) => fault !== "none" && rows.some((row) => row.first_fault === fault),
   );
   box_of("faults-caption").append(
-    `Without any fault to ${degrees(configuration.path.end_deg)}: ${plural(none, "draw")}.` +
-      (nowhere ? ` Without an angle: ${plural(nowhere, "draw")}.` : ""),
+    `Without any fault to ${degrees(configuration.path.end_deg)}: ${plural(none, "sampled draw")}.` +
+      (nowhere ? ` Without an angle: ${plural(nowhere, "sampled draw")}.` : ""),
     legend(present),
   );
   const points = survival_points(rows, configuration);
@@ -153,7 +153,7 @@ function show_along_the_folding(report, total, name) {
 
 /** The same faults by the diagonal or crease that shows them. */
 function show_places(report, name) {
-  const { list, total } = places(report.faults.rows),
+  const { list, total } = places(report.faults.rows, report.sheet),
     box_of = (id) => document.getElementById(id);
   if (list.length === 0) {
     for (const id of ["where", "map"]) box_of(id).closest("figure").hidden = true;

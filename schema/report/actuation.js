@@ -28,7 +28,7 @@ function domain_of(values, decoded) {
 }
 
 /** The same on a logarithmic scale: from the least positive value between 5 degrees and D. */
-export function log_domain_of(values, decoded, from_deg = 5) {
+function log_domain_of(values, decoded, from_deg = 5) {
   let least = Infinity,
     most = 0;
   for (let k = 0; k <= last_looked_at(decoded); ++k) {

@@ -38,9 +38,9 @@ function keep_anchors_out() {
 /**
  * Sets the state from the address, now and whenever it changes, and the address from the state.
  * `knows(name, value)` says whether the page has that; `complain(words)` about what it has not,
- * complain("") when all is well.
+ * complain("") when all is well; `restored()` is called after each setting.
  */
-export function follow_address(state, { knows, complain }) {
+export function follow_address(state, { knows, complain, restored }) {
   const names = Object.values(kNames);
   const beginning = Object.fromEntries(names.map((name) => [name, state.get(name)]));
   let written = hash_of(state, beginning),
@@ -61,6 +61,7 @@ export function follow_address(state, { knows, complain }) {
         ? `The address asks for what is not in this report: ${strangers.join(", ")}.`
         : "",
     );
+    restored();
     clearTimeout(timer);
     written = hash_of(state, beginning);
     picked = state.get("picked");

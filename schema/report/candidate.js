@@ -2,9 +2,10 @@
 import { ends_of } from "./data.js";
 import { count, dashed, degrees, fault_words, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
-import { is_pattern, pattern_commands } from "./whose.js";
+import { save_text } from "./save.js";
+import { is_pattern, kExports, pattern_commands } from "./whose.js";
 
-async function copy(text, button, state) {
+async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
   } catch {
@@ -16,15 +17,18 @@ async function copy(text, button, state) {
     document.execCommand("copy");
     field.remove();
   }
-  const before = button.textContent;
-  button.textContent = "Copied";
-  state.set("said", "Copied");
-  setTimeout(() => (button.textContent = before), 1200);
 }
 
 const copy_button = (text, state, words = "Copy") => {
   const button = h("button", { type: "button", "data-testid": "copy" }, words);
-  button.addEventListener("click", () => copy(text, button, state));
+  let timer = 0;
+  button.addEventListener("click", async () => {
+    await copy(text);
+    button.textContent = "Copied";
+    state.set("said", "Copied");
+    clearTimeout(timer);
+    timer = setTimeout(() => (button.textContent = words), 1200);
+  });
   return button;
 };
 
@@ -37,11 +41,16 @@ function command(about, text, state, id) {
     "div",
     { class: "command" },
     h("p", {}, about),
-    h("div", { class: "row" }, h("code", { "data-testid": id }, unbroken(text)), copy_button(text, state)),
+    h(
+      "div",
+      { class: "row" },
+      h("code", { "data-testid": id }, unbroken(text)),
+      copy_button(text, state),
+    ),
   );
 }
 
-export function report_command({ commands }, draw) {
+function report_command({ commands }, draw) {
   const { misalign, catalogue, choice, springs, output } = commands;
   return `${misalign} report ${catalogue} --draw ${draw}${choice}${springs} --output ${output}`;
 }
@@ -57,12 +66,6 @@ export function show_commands(box, report, draw, state) {
   const accepted =
     report.candidates.columns.draw?.includes(draw) ||
     report.details.some((d) => d.draw === draw && d.accepted);
-  const exports = [
-    ["Pattern, verdict, metrics and springs as JSON:", "json"],
-    ["Histories of the diagonals as CSV:", "csv"],
-    ["Crease pattern at true scale as SVG, in layers for a cutter:", "svg"],
-    ["Crease pattern and folded states as FOLD, for Origami Simulator and the like:", "fold"],
-  ];
   box.replaceChildren(
     ...[
       command(
@@ -71,7 +74,7 @@ export function show_commands(box, report, draw, state) {
         state,
         "command-replay",
       ),
-      ...(accepted ? exports : []).map(([about, format]) =>
+      ...Object.entries(accepted ? kExports : {}).map(([format, about]) =>
         command(
           about,
           `${misalign} export ${catalogue} --draw ${draw} --format ${format}${springs} --output draw-${draw}`,
@@ -221,14 +224,8 @@ export function show_shifts(box, detail, state) {
     ),
     json = JSON.stringify({ displacements_mm: detail.displacements_mm }, null, 1);
   const save = h("button", { type: "button" }, "Save as JSON");
-  save.addEventListener("click", () => {
-    const link = h("a", {
-      href: URL.createObjectURL(new Blob([json], { type: "application/json" })),
-      download: `${detail.accepted === null ? "" : "draw-"}${detail.draw}-displacements.json`,
-    });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  });
+  const name = `${detail.accepted === null ? "" : "draw-"}${detail.draw}-displacements.json`;
+  save.addEventListener("click", () => save_text(json, "application/json", name));
   const signed = (value) =>
     (value > 0 ? `+${fixed(value, 3)}` : fixed(value, 3)).replace(/\.?0+$/, "").replace(/^$/, "0");
   box.replaceChildren(

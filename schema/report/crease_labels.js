@@ -1,10 +1,9 @@
 // Where the numbers and names on a crease pattern stand, at any zoom: as large as can be read, and
 // none upon another. What finds no room appears when there is more of it.
+import { clamp } from "./format.js";
 import { text_width } from "./text_size.js";
 
 const kGap_px = 2;
-
-const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 /** Height of the letters, px, where a panel's side is that long. */
 export const label_px = (panel_px) => clamp(0.135 * panel_px, 10.5, 14);

@@ -2,7 +2,7 @@
 // diagonals with numbers, and the shifts as arrows, much enlarged.
 import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
-import { h } from "./format.js";
+import { clamp, h } from "./format.js";
 import { on_print, paper_share } from "./paper.js";
 import { line, panel_size_mm, polygon, sheet_extent, sheet_svg, view_height } from "./sheet.js";
 import { ZoomedView } from "./zoomed_view.js";
@@ -21,8 +21,6 @@ const kLegend = [
   ["shrinks", "decreasing diagonal"],
   ["pilot-crease", "pilot crease"],
 ];
-
-const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 /** The largest round factor that keeps the longest arrow below two fifths of a panel. */
 function arrow_scale(longest_mm, size_mm) {
@@ -104,6 +102,7 @@ class CreasePattern {
   #share = null; // of the screen's width, on paper
   #diagonals = [];
   #labels = [];
+  #scaled_for = [null, 0]; // labels and scale that strokes and letters are made for
   #balls = [];
 
   constructor(box, caption, report, state) {
@@ -115,6 +114,7 @@ class CreasePattern {
       0.32 * this.#size_mm,
       "Crease pattern: mountains dash-dotted red, valleys dashed blue, holes hatched, diagonals numbered, shifts as arrows. Plus and minus zoom, arrow keys move, 0 shows all of it.",
     );
+    this.#svg.setAttribute("role", "application"); // it has keys, and its parts have names
     this.#svg.setAttribute("tabindex", 0);
     this.#svg.setAttribute("data-testid", "crease-drawing");
     this.#view = new ZoomedView(this.#svg, (scale) => this.#scaled(scale));
@@ -219,6 +219,9 @@ class CreasePattern {
 
   /** Strokes and letters for a scale in px a mm: between those of a small and of a large panel. */
   #scaled(scale) {
+    const [labels, before] = this.#scaled_for;
+    if (labels === this.#labels && before === scale) return; // moved only
+    this.#scaled_for = [this.#labels, scale];
     const panel_px = this.#size_mm * scale,
       size = clamp(panel_px, 50, 110) / scale;
     const dash = (...parts) => parts.map((part) => `${(part * size).toFixed(3)}px`).join(" ");

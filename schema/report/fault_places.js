@@ -1,22 +1,19 @@
 // Which diagonals and creases fail first, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
-import {
-  count,
-  dashed,
-  fault_colour,
-  fault_name,
-  fault_order,
-  h,
-  percent,
-  plural,
-} from "./format.js";
+import { dashed, fault_colour, fault_name, fault_order, h, percent, plural } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { sum, weight } from "./shares.js";
 
-export function places(rows) {
+/** Whether that names two vertices of the sheet: a catalogue may hold any text. */
+const is_place = (where, { vertices_mm }) =>
+  /^A\d+-A\d+$/.test(where) && ends_of(where).every((vertex) => vertices_mm[vertex]);
+
+export function places(rows, sheet) {
   const shares = new Map();
-  const named = rows.filter((row) => row.where && row.first_fault !== "none");
+  const named = rows.filter(
+    (row) => row.where && row.first_fault !== "none" && is_place(row.where, sheet),
+  );
   const all = sum(named, weight);
   for (const row of named) {
     const { where, first_fault, sampled } = row;

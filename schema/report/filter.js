@@ -68,14 +68,14 @@ export function parse_filter(typed, candidates) {
   return { holds: (row) => tests.every((test) => test(row)) };
 }
 
+const kName_of = Object.fromEntries(metrics.map(({ label, name }) => [label.toLowerCase(), name]));
+// The longest first: “yield” begins “yield low”. A label may end in ± or ², which end no word.
+const kLabels = Object.keys(kName_of).sort((a, b) => b.length - a.length);
+const kLabel = new RegExp(`(?<!\\w)(?:${kLabels.join("|")})(?!\\w)`, "gi");
+
 /** The table's headings as the columns' names: “stroke max < 5%”. */
-function with_names(text) {
-  let named = text.replaceAll(/(\d)\s+%/g, "$1%");
-  for (const { label, name } of metrics) {
-    named = named.replaceAll(new RegExp(`\\b${label}\\b`, "gi"), name);
-  }
-  return named;
-}
+const with_names = (text) =>
+  text.replaceAll(/(\d)\s+%/g, "$1%").replaceAll(kLabel, (label) => kName_of[label.toLowerCase()]);
 
 function number_of(word) {
   const match = /^([+\-−]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(%|°|deg|mm)?$/i.exec(word);

@@ -73,6 +73,7 @@ export function make_filter_field(candidates, table, state) {
   document.getElementById("filter-help").append(...help(insert));
   state.on("filter", read);
   state.on("order", (order) => {
+    if (field.getAttribute("aria-invalid") === "true") return; // what is wrong stays said
     says.className = "";
     says.textContent =
       order.length === candidates.count

@@ -2,7 +2,7 @@
 // the same camera and controls, panels from back to front.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { h } from "./format.js";
+import { clamp, h } from "./format.js";
 import { painter_pen } from "./painter_pen.js";
 import { view_height } from "./sheet.js";
 import { on_theme } from "./theme.js";
@@ -36,7 +36,7 @@ function radius_of(values) {
 function away_from([x, y], [x1, y1], [x2, y2]) {
   const along =
       ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / ((x2 - x1) ** 2 + (y2 - y1) ** 2 || 1),
-    t = Math.max(0, Math.min(1, along));
+    t = clamp(along, 0, 1);
   return Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1));
 }
 
@@ -147,7 +147,7 @@ class FoldingView {
       0: () => this.#whole(),
       f: () => this.#fit(),
     }[event.key];
-    if (!action || event.ctrlKey || event.metaKey) return;
+    if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
     action();
     event.preventDefault();
   }
@@ -195,7 +195,7 @@ class FoldingView {
 
   #turn(azimuth, elevation, factor) {
     const now = this.#angles(),
-      el = Math.max(-1.5, Math.min(1.5, now.elevation + elevation)),
+      el = clamp(now.elevation + elevation, -1.5, 1.5),
       az = now.azimuth + azimuth;
     this.#camera.position
       .set(Math.cos(el) * Math.cos(az), Math.cos(el) * Math.sin(az), Math.sin(el))

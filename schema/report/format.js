@@ -1,4 +1,4 @@
-// Numbers and words as a reader wants them.
+// Numbers and words as a reader wants them, and the elements that they stand in.
 
 const kMinus = "\u2212";
 
@@ -78,6 +78,14 @@ export const fault_name = (fault) => kFaults[fault]?.[0] ?? fault;
 export const fault_words = (fault) => kFaults[fault]?.[1] ?? fault;
 
 export const fault_colour = (fault) => `var(--${fault.replaceAll("_", "-")})`;
+
+export const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
+
+export const by_id = (id) => document.getElementById(id);
+
+/** A key held with others is the browser's: Alt with an arrow goes back. */
+export const with_modifier = ({ altKey, ctrlKey, metaKey, shiftKey }) =>
+  altKey || ctrlKey || metaKey || shiftKey;
 
 /** An element in one line: h("p", { class: "note" }, "text", child). */
 export function h(tag, attributes = {}, ...children) {

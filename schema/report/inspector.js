@@ -13,13 +13,12 @@ import { make_crease_pattern } from "./crease_pattern.js";
 import { decode_detail, last_sample_up_to } from "./data.js";
 import { save_details } from "./detail_files.js";
 import { make_folding_view } from "./folding_view.js";
-import { count, degrees } from "./format.js";
+import { by_id, count, degrees } from "./format.js";
 import { make_diagonal_list, make_histories } from "./histories.js";
 import { metric_of, with_unit } from "./metrics.js";
 import { make_pilot } from "./pilot.js";
 import { end_of_path, heading } from "./whose.js";
 
-const by_id = (id) => document.getElementById(id);
 const kFirstPilot_deg = 80; // a pose that shows the fold well
 
 function margin_words(values) {
@@ -65,7 +64,12 @@ export class Inspector {
       show_no_details(by_id("no-details"), report, draw, this.#state);
     }
     const known = { ...values, ...this.#row_only(row, values) };
-    show_metrics(by_id("metrics"), Object.keys(known).length ? known : null, this.#candidates, report);
+    show_metrics(
+      by_id("metrics"),
+      Object.keys(known).length ? known : null,
+      this.#candidates,
+      report,
+    );
     show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);
   }

@@ -3,15 +3,13 @@ import { show_acceptance } from "./acceptance.js";
 import { follow_address } from "./address.js";
 import { read_candidates, read_report } from "./data.js";
 import { make_filter_field } from "./filter_field.js";
-import { count, degrees, h, plural } from "./format.js";
+import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { Inspector } from "./inspector.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
 import { make_state } from "./state.js";
 import { is_order, make_table, save_rows } from "./table.js";
 import { set_up_theme } from "./theme.js";
 import { is_pattern, show_pattern } from "./whose.js";
-
-const by_id = (id) => document.getElementById(id);
 
 /** Whose folding the page carries, in words. */
 function chosen_words({ chosen, details }) {
@@ -33,6 +31,7 @@ const order_words = ({ columns }) =>
   (columns.goes_back ? "those that go back nowhere before those that do, " : "") +
   `the deepest D, then the largest ${columns.miscut_margin_mm ? "margin against miscuts" : "margin"}`;
 
+/** Answers the table, if there is one. */
 function show_candidates(report, candidates, state) {
   const { total, shown } = report.candidates,
     { deploys_from_deg } = report.campaign.configuration.accept;
@@ -43,7 +42,7 @@ function show_candidates(report, candidates, state) {
       `No draw has been accepted yet: ${report.state.draws ? `none of ${count(report.state.draws)} deploys from ${degrees(deploys_from_deg)} or more` : "nothing has been drawn"}. ` +
       "Run the same search again with more draws; it goes on where it ended. Or choose a lower accept.deploys_from_deg, which is another campaign. " +
       "Any draw, accepted or not, can be looked at with --draw.";
-    return;
+    return null;
   }
   note.textContent =
     (shown < total
@@ -58,6 +57,7 @@ function show_candidates(report, candidates, state) {
   by_id("rows-save").addEventListener("click", () =>
     save_rows(candidates, state.get("order"), name),
   );
+  return table;
 }
 
 /** Goes through the draws that can be looked at. */
@@ -76,10 +76,7 @@ function show_detailed(report, candidates, state) {
     ...report.details.map((detail) => h("option", { value: detail.draw }, words(detail))),
   );
   const step = (by) =>
-    state.set(
-      "picked",
-      draws[Math.max(0, Math.min(draws.length - 1, draws.indexOf(state.get("picked")) + by))],
-    );
+    state.set("picked", draws[clamp(draws.indexOf(state.get("picked")) + by, 0, draws.length - 1)]);
   const [previous, next] = [
     h("button", { type: "button", title: "The one before", onclick: () => step(-1) }, "‹"),
     h("button", { type: "button", title: "The next one", onclick: () => step(1) }, "›"),
@@ -143,12 +140,12 @@ function show_nothing_to_inspect({ commands }) {
   for (const id of ["no-details", "facts"]) by_id(id).hidden = true;
 }
 
-function follow_the_address(report, candidates, state) {
+function follow_the_address(candidates, table, state) {
   const detailed = (draw) => candidates.detailed.has(draw);
   const known = {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
     filter: () => true, // whatever is wrong with it is said below the field
-    sort: is_order,
+    sort: (words) => is_order(words, candidates),
     across: (name) => metrics_of(candidates).some((metric) => metric.name === name),
   };
   known.up = known.across;
@@ -158,6 +155,7 @@ function follow_the_address(report, candidates, state) {
       by_id("address-says").textContent = words;
       by_id("address-says").hidden = words === "";
     },
+    restored: () => table?.reveal(state.get("picked")),
   });
 }
 
@@ -179,10 +177,11 @@ function main() {
     said: "",
   });
   answer_questions(state);
+  let table = null;
   if (is_pattern(report)) show_pattern(report);
   else {
     show_acceptance(report);
-    show_candidates(report, candidates, state);
+    table = show_candidates(report, candidates, state);
     show_detailed(report, candidates, state);
   }
   const inspector = new Inspector(report, candidates, state);
@@ -192,7 +191,7 @@ function main() {
   if (first === undefined) show_nothing_to_inspect(report);
   else {
     state.set("picked", first);
-    follow_the_address(report, candidates, state);
+    follow_the_address(candidates, table, state);
   }
   show_foot(report);
 }

@@ -4,7 +4,8 @@ import { count, degrees, fixed, number } from "./format.js";
 const share = (value) => (value === null ? "–" : `${fixed(100 * value, 2)} %`);
 
 // label and unit head a column; `axis` is what a share is multiplied by on an axis (shares as %);
-// `better` says which end comes first when it is sorted by, `warns` which values are a bad sign.
+// `better` says which end comes first when it is sorted by, `none_is_best` that no value is better
+// than any, `warns` which values are a bad sign.
 export const metrics = [
   {
     name: "deploys_from_deg",

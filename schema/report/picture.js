@@ -85,7 +85,7 @@ export function standalone_svg(drawing, key = []) {
   const { width, height } = drawing.getBoundingClientRect();
   const copy = drawing.cloneNode(true);
   write_styles(drawing, copy);
-  copy.querySelectorAll("style, [data-screen-only]").forEach((node) => node.remove());
+  copy.querySelectorAll("style").forEach((node) => node.remove());
   if (!copy.hasAttribute("viewBox")) copy.setAttribute("viewBox", `0 0 ${width} ${height}`);
   copy.setAttribute("width", width);
   copy.setAttribute("height", height);

@@ -2,7 +2,7 @@
 // quick with tens of thousands of them.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room, when_wide } from "./chart.js";
-import { count, h, plural, power, powers } from "./format.js";
+import { count, h, plural, power, powers, with_modifier } from "./format.js";
 import { axis_title, metrics, metric_of, with_unit } from "./metrics.js";
 import { add_saving } from "./save.js";
 import { colour, on_theme } from "./theme.js";
@@ -100,7 +100,7 @@ class Scatter {
     canvas.addEventListener("pointermove", (event) => this.#tell(event));
     canvas.addEventListener("pointerleave", () => (this.#tip.hidden = true));
     canvas.addEventListener("keydown", (event) => {
-      const row = this.#next(event.key);
+      const row = with_modifier(event) ? null : this.#next(event.key);
       if (row === null) return;
       event.preventDefault();
       pick(row);

@@ -2,7 +2,7 @@
 import { h } from "./format.js";
 
 /** y points up on the sheet and down on the screen. */
-export const place = ([x, y]) => `${x.toFixed(2)},${(-y).toFixed(2)}`;
+const place = ([x, y]) => `${x.toFixed(2)},${(-y).toFixed(2)}`;
 
 /** Length of a panel's shorter side, to size text and strokes by. */
 export function panel_size_mm({ vertices_mm, panels }) {

@@ -1,5 +1,5 @@
 // The candidates' table: any number of rows, of which only those in view are in the document.
-import { count, h } from "./format.js";
+import { clamp, count, h, with_modifier } from "./format.js";
 import { metrics } from "./metrics.js";
 import { on_print } from "./paper.js";
 import { csv_text, save_text } from "./save.js";
@@ -28,7 +28,12 @@ const order_of = (words) => ({
   descending: words.startsWith("-"),
 });
 
-export const is_order = (words) => columns.some(({ name }) => name === order_of(words).name);
+const columns_of = (candidates) =>
+  columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
+
+/** Whether the table of these candidates can be sorted by that. */
+export const is_order = (words, candidates) =>
+  columns_of(candidates).some(({ name }) => name === order_of(words).name);
 
 const shown = (column, value) => column.text(value).replace(/ %$/, "");
 
@@ -55,8 +60,11 @@ function width_of(column, { columns: values, count: rows }) {
   return Math.ceil(Math.max(heading, text_width(column.unit, 11.5), body) + kPadding_px);
 }
 
-/** The rows that pass, in an order: what has no value comes last either way, equals keep theirs. */
-export function arranged(candidates, passing, { name, descending }) {
+/**
+ * The rows that pass, in an order; equals keep theirs. What has no value comes last either way, but
+ * in a column with `none_is_best`: there it is the best.
+ */
+function arranged(candidates, passing, { name, descending }) {
   const sign = descending ? -1 : 1,
     order = [];
   for (let row = 0; row < candidates.count; ++row) if (!passing || passing(row)) order.push(row);
@@ -98,7 +106,7 @@ class Table {
 
   constructor(box, candidates, state) {
     [this.#box, this.#candidates, this.#state] = [box, candidates, state];
-    this.#present = columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
+    this.#present = columns_of(candidates);
     const widths = this.#present.map((column) => width_of(column, candidates));
     this.#template = widths.map((width) => `minmax(${width}px, ${width}fr)`).join(" ");
     this.#build();
@@ -111,6 +119,18 @@ class Table {
     this.#passing = holds;
     this.#grid.scrollTop = 0;
     this.#arrange();
+  }
+
+  /** Scrolls no farther than until that draw's row is in view, if it has one. */
+  reveal(draw) {
+    const place = this.#order.indexOf(this.#candidates.row_of.get(draw));
+    if (place < 0) return;
+    const grid = this.#grid,
+      top = place * kRow_px,
+      bottom = top + kRow_px,
+      room = grid.clientHeight - this.#head.offsetHeight;
+    if (top < grid.scrollTop) grid.scrollTop = top;
+    else if (bottom > grid.scrollTop + room) grid.scrollTop = bottom - room;
   }
 
   #build() {
@@ -176,8 +196,7 @@ class Table {
       if (line) this.#state.set("picked", line.dataset.draw);
     });
     this.#state.on("picked", (picked) => {
-      const place = this.#order.indexOf(this.#candidates.row_of.get(picked));
-      if (place >= 0) this.#reveal(place);
+      this.reveal(picked);
       this.#draw(true);
     });
     this.#state.on("sort", () => {
@@ -200,10 +219,10 @@ class Table {
   // Arrow keys go from header to header; Tab leaves them.
   #step_head(event) {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (!step) return;
+    if (!step || with_modifier(event)) return;
     const heads = this.#heads,
       at = heads.findIndex((cell) => cell.contains(document.activeElement));
-    const next = heads[Math.max(0, Math.min(heads.length - 1, at + step))].firstChild;
+    const next = heads[clamp(at + step, 0, heads.length - 1)].firstChild;
     heads[at].firstChild.tabIndex = -1;
     next.tabIndex = 0;
     next.focus();
@@ -213,7 +232,7 @@ class Table {
 
   #step_row(event) {
     const order = this.#order;
-    if (event.target !== this.#grid || order.length === 0) return;
+    if (event.target !== this.#grid || order.length === 0 || with_modifier(event)) return;
     const at = order.indexOf(this.#candidates.row_of.get(this.#state.get("picked")));
     const page = Math.max(1, Math.floor(this.#grid.clientHeight / kRow_px) - 2);
     const next = {
@@ -225,7 +244,7 @@ class Table {
       End: order.length - 1,
     }[event.key];
     if (next === undefined) return;
-    const place = Math.max(0, Math.min(order.length - 1, next));
+    const place = clamp(next, 0, order.length - 1);
     this.#state.set("picked", this.#candidates.columns.draw[order[place]]);
     event.preventDefault();
   }
@@ -323,15 +342,6 @@ class Table {
     const value = this.#candidates.columns[column.name][row] ?? null,
       bad = value !== null && column.warns?.(value);
     return h("div", { role: "gridcell", class: bad ? "bad" : null }, shown(column, value));
-  }
-
-  #reveal(place) {
-    const grid = this.#grid,
-      top = place * kRow_px,
-      bottom = top + kRow_px,
-      room = grid.clientHeight - this.#head.offsetHeight;
-    if (top < grid.scrollTop) grid.scrollTop = top;
-    else if (bottom > grid.scrollTop + room) grid.scrollTop = bottom - room;
   }
 }
 

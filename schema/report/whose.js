@@ -1,7 +1,5 @@
 // Whose folding is looked at: a campaign's draws, or the one sheet of a pattern file.
-import { degrees, plural } from "./format.js";
-
-const by_id = (id) => document.getElementById(id);
+import { by_id, degrees, plural } from "./format.js";
 
 /** Whether the page is about a pattern file: no campaign, nothing to choose. */
 export const is_pattern = (report) => Boolean(report.pattern);
@@ -43,11 +41,23 @@ export function show_pattern(report) {
   document.title = `${name} · misalign`;
 }
 
+/** The formats of `misalign export`, and what each holds. */
+export const kExports = {
+  json: "Pattern, verdict, metrics and springs as JSON:",
+  csv: "Histories of the diagonals as CSV:",
+  svg: "Crease pattern at true scale as SVG, in layers for a cutter:",
+  fold: "Crease pattern and folded states as FOLD, for Origami Simulator and the like:",
+};
+
 /** What can be done with a pattern file: [a sentence, the command, the name it is tested by]. */
 export function pattern_commands({ commands, details }) {
   const { misalign, catalogue, springs } = commands;
   const verb = (name, more = "") => `${misalign} ${name} ${catalogue}${more}`,
-    to = (format) => verb("export", ` --format ${format}${springs} --output exported`),
+    exports = Object.entries(kExports).map(([format, about]) => [
+      about,
+      verb("export", ` --format ${format}${springs} --output exported`),
+      format === "fold" ? "command-folded" : `command-${format}`, // fold is also a verb
+    ]),
     miscut = [
       "How many copies, cut up to 0.05 mm off, still deploy (with --vertices also: which vertices matter most):",
       verb("tolerance", " --amplitude 0.05"),
@@ -60,14 +70,7 @@ export function pattern_commands({ commands, details }) {
       verb("verify"),
       "command-verify",
     ],
-    ["Pattern, verdict, metrics and springs as JSON:", to("json"), "command-json"],
-    ["Histories of the diagonals as CSV:", to("csv"), "command-csv"],
-    ["Crease pattern at true scale as SVG, in layers for a cutter:", to("svg"), "command-svg"],
-    [
-      "Crease pattern and folded states as FOLD, for Origami Simulator and the like:",
-      to("fold"),
-      "command-folded",
-    ],
+    ...exports,
     ["Springs on its diagonals, in numbers:", verb("actuators", springs), "command-actuators"],
     ...(details[0].verdict.deploys_from_deg > 0 ? [miscut] : []),
   ];

@@ -1,10 +1,8 @@
 // A drawing that is zoomed and moved: by wheel or two fingers, dragging, keys and buttons.
-import { h } from "./format.js";
+import { clamp, h } from "./format.js";
 
 const kMost = 24, // largest zoom; 1 shows all
   kStep = 1.4;
-
-const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 /**
  * Shows a part of `whole` ({ x, y, width, height } in the drawing's units) in an SVG of any size in
@@ -23,6 +21,7 @@ export class ZoomedView {
     [this.#svg, this.#changed] = [svg, changed];
     svg.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     svg.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
       svg.setPointerCapture(event.pointerId);
       this.#fingers.set(event.pointerId, [event.clientX, event.clientY]);
     });
@@ -30,10 +29,6 @@ export class ZoomedView {
     for (const end of ["pointerup", "pointercancel"])
       svg.addEventListener(end, (event) => this.#fingers.delete(event.pointerId));
     svg.addEventListener("keydown", (event) => this.#key(event));
-  }
-
-  get zoom() {
-    return this.#zoom;
   }
 
   /** Another drawing of the same kind: what is seen of it stays. */
@@ -132,6 +127,7 @@ export class ZoomedView {
   #drag(event) {
     const before = this.#fingers.get(event.pointerId);
     if (!before) return;
+    if (event.buttons === 0) return void this.#fingers.delete(event.pointerId); // let go unseen
     const now = [event.clientX, event.clientY],
       other = [...this.#fingers].find(([id]) => id !== event.pointerId)?.[1];
     this.#fingers.set(event.pointerId, now);
@@ -142,7 +138,7 @@ export class ZoomedView {
   }
 
   #key(event) {
-    if (event.ctrlKey || event.metaKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
     const action = {
       "+": () => this.zoom_by(kStep),
       "=": () => this.zoom_by(kStep),

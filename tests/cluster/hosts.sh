@@ -15,6 +15,7 @@ if [ "${3:-}" != inside ]; then
   exec timeout --foreground -s KILL 120 "${world[@]}" bash "$hosts_script" "$1" "$2" inside
 fi
 . "$(dirname "$hosts_script")/../system/lib.sh"
+unset OMPI_MCA_pml OMPI_MCA_btl  # here there is a network
 trap 'exit 1' INT TERM
 export TMPDIR=$work  # for what mpirun and orted leave behind when they are killed
 

@@ -6,7 +6,7 @@
 need_packages $slurm_packages openmpi-bin sqlite3
 . "$(dirname "$0")/../system/lib.sh"
 # The job scripts must do without.
-unset OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
+unset OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_pml OMPI_MCA_btl
 export MISALIGN=$program SLURM_CONF=$work/slurm.conf PATH=$PATH:/usr/sbin
 scripts=$source_dir/scripts/slurm
 

@@ -1,82 +1,33 @@
-// A picked draw: crease pattern, folding, histories, springs.
+// A picked draw: folding, histories, springs.
 import assert from "node:assert/strict";
-import { axis, by, check, eventually, floats, pixels, state } from "./reading.mjs";
+import { crease_check, drag_checks, width_check, zoom_checks } from "./crease_checks.mjs";
+import { axis, by, check, depth_of, eventually, floats, pixels, state } from "./reading.mjs";
 
-/** Letters on a drawing that are shown: how many, how high in px, and how many lie on others. */
-const letters_of = (drawing) =>
-  drawing.evaluate((svg) => {
-    const texts = [...svg.querySelectorAll("text")].filter((t) => t.style.display !== "none"),
-      frames = texts.map((text) => text.getBoundingClientRect());
-    const px = texts.map(
-      (text) => parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a,
+/** Keys of the browser are left to it: Alt with an arrow goes back. */
+export async function key_checks(page) {
+  const taken = (id, key, held = {}) =>
+    by(page, id).evaluate(
+      (node, options) =>
+        !node.dispatchEvent(
+          new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...options }),
+        ),
+      { key, ...held },
     );
-    let meeting = 0;
-    // Letters' boxes are a little higher than what is drawn in them.
-    frames.forEach((a, i) =>
-      frames.slice(0, i).forEach((b) => {
-        meeting +=
-          a.left + 1 < b.right &&
-          b.left + 1 < a.right &&
-          a.top + 4 < b.bottom &&
-          b.top + 4 < a.bottom;
-      }),
-    );
-    return { count: texts.length, least: Math.min(...px), most: Math.max(...px), meeting };
-  });
-
-async function zoom_checks(page) {
-  await check("the crease pattern zooms, and its letters can be read at every zoom", async () => {
-    const drawing = by(page, "crease-drawing"),
-      box = () => drawing.getAttribute("viewBox");
-    const legible = async (when) => {
-      const { count, least, most, meeting } = await letters_of(drawing);
-      assert.ok(
-        count > 0 && least > 10.4 && most < 18,
-        `${when}: letters of ${least} to ${most} px`,
-      );
-      assert.equal(meeting, 0, `${when}: letters on each other`);
-    };
-    const whole = await box();
-    await legible("whole");
-    for (let i = 0; i < 4; ++i) await by(page, "zoom-in").click();
-    const [, , width] = (await box()).split(" ").map(Number);
-    assert.ok(width < 0.3 * Number(whole.split(" ")[2]), `four steps nearer: ${width}`);
-    await legible("near");
-    const near = await box();
-    await drawing.evaluate((svg) => svg.scrollIntoView({ block: "center" }));
-    const { x, y, width: w, height: h } = await drawing.boundingBox();
-    await page.mouse.move(x + w / 2, y + h / 2);
-    await page.mouse.down();
-    await page.mouse.move(x + w / 2 - 50, y + h / 2 - 30, { steps: 3 });
-    await page.mouse.up();
-    assert.notEqual(await box(), near, "it does not move");
-    const moved = await box();
-    await page.mouse.wheel(0, -200); // it has the focus now
-    await eventually(
-      page,
-      {
-        test: (was) => document.querySelector("#crease svg.sheet").getAttribute("viewBox") !== was,
-        with: moved,
-      },
-      "the wheel does not zoom",
-    );
-    await by(page, "zoom-fit").click();
-    assert.equal(await box(), whole);
-    await by(page, "zoom-fit").blur();
-    const [sheet, card] = [
-      await drawing.evaluate(
-        (svg) => svg.querySelector(".panel").parentNode.getBoundingClientRect().width,
-      ),
-      await by(page, "crease-pattern").boundingBox(),
-    ];
-    assert.ok(sheet > 0.98 * card.width, "the drawing takes its card's width");
+  await check("arrow keys move the views, and with a key of the browser go to it", async () => {
+    for (const id of ["crease-drawing", "folding-canvas", "scatter-canvas", "grid"]) {
+      const key = id === "grid" ? "Home" : "ArrowLeft";
+      assert.ok(await taken(id, key), `${id}: ${key}`);
+      for (const held of ["altKey", "ctrlKey", "metaKey"])
+        assert.ok(!(await taken(id, key, { [held]: true })), `${id}: ${key} with ${held}`);
+    }
+    assert.ok(!(await taken("scatter-canvas", "ArrowLeft", { shiftKey: true })), "shiftKey");
+    for (const id of ["crease-drawing", "folding-canvas", "scatter-canvas"])
+      assert.equal(await by(page, id).getAttribute("role"), "application", id);
   });
 }
 
 async function spring_checks(page, detail) {
-  const depth = detail.pilot_deg.findLastIndex(
-    (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
-  );
+  const depth = depth_of(detail);
   const moments = floats(detail.moment_n_mm);
   await check("the moment's axis begins where there is something to see", async () => {
     const looked_at = moments.slice(0, depth + 1).filter((_, k) => detail.pilot_deg[k] >= 5);
@@ -130,12 +81,28 @@ async function spring_checks(page, detail) {
   });
 }
 
-export async function detail_checks(page, data, detail, webgl = true) {
-  const canvas = by(page, "folding-canvas"),
-    slider = by(page, "pilot");
-  // As if nobody had said yet how the moment is to be drawn.
-  await by(page, "moment-log").evaluate((node) => delete node.dataset.said);
-  await by(page, "detailed").selectOption(detail.draw);
+/** Moves the slider. */
+async function go(page, k) {
+  await by(page, "pilot").evaluate((node, value) => {
+    node.value = value;
+    node.dispatchEvent(new Event("input", { bubbles: true }));
+  }, k);
+  return state(page);
+}
+
+const rules = (page) =>
+  page
+    .locator('[data-testid="rule"]')
+    .evaluateAll((nodes) => nodes.map((node) => Number(node.getAttribute("x1"))));
+
+/** A cell of the last diagonal's row as a number. */
+async function last_diagonal(page, column) {
+  const row = by(page, "diagonals").locator("tbody tr").last();
+  const text = await row.locator("td").nth(column).textContent();
+  return Number(text.replace("−", "-").replace(/ (%|N)$/, ""));
+}
+
+async function words_check(page, data, detail) {
   await check(`draw ${detail.draw}: title, verdict and metrics`, async () => {
     assert.equal((await state(page)).picked, detail.draw);
     assert.match(await by(page, "picked").textContent(), new RegExp(detail.draw));
@@ -163,68 +130,21 @@ export async function detail_checks(page, data, detail, webgl = true) {
       `${misalign} actuators ${catalogue} ${detail.draw}${springs}`,
     );
   });
+}
 
-  await check("the crease pattern has every crease, hole, diagonal and shift", async () => {
-    const svg = by(page, "crease-pattern").locator("svg.sheet");
-    const of = (kind) => data.sheet.creases.filter((crease) => crease.assignment === kind).length;
-    const shifted = Object.entries(detail.displacements_mm).filter(([, [x, y]]) => x || y);
-    assert.deepEqual(
-      await Promise.all(
-        [".mountain", ".valley", ".hole", ".diagonal", ".arrow"].map((name) =>
-          svg.locator(name).count(),
-        ),
-      ),
-      [
-        of("mountain"),
-        of("valley"),
-        data.sheet.holes.length,
-        data.diagonals.length,
-        shifted.length,
-      ],
-    );
-    assert.deepEqual(
-      await svg.locator(".diagonal text").allTextContents(),
-      data.diagonals.map((_, d) => String(d)),
-      "numbers as in the catalogue's view, from 0",
-    );
-    assert.equal(await by(page, "diagonals").locator("tbody td").first().textContent(), "0");
-    const labels = await svg.locator(".vertex-label").allTextContents();
-    assert.deepEqual(labels.sort(), shifted.map(([name]) => name).sort());
-    // An arrow points where the shift points: y is up on the sheet and down on the screen.
-    for (const [i, [name, [dx, dy]]] of shifted.entries()) {
-      const [x1, y1, x2, y2] = await svg
-        .locator(".arrow")
-        .nth(i)
-        .evaluate((node) => ["x1", "y1", "x2", "y2"].map((a) => Number(node.getAttribute(a))));
-      assert.ok(
-        Math.abs(Math.atan2(y1 - y2, x2 - x1) - Math.atan2(dy, dx)) < 0.01,
-        `arrow of ${name}`,
-      );
-      if (i > 3) break;
-    }
-  });
-
-  await zoom_checks(page);
-
+async function picture_check(page, webgl) {
   await check("the sheet is drawn in space", async () => {
-    const { colours } = await pixels(canvas);
+    const { colours } = await pixels(by(page, "folding-canvas"));
     assert.ok(colours > (webgl ? 20 : 4), `${colours} colours`);
     return `${colours} colours`;
   });
+}
 
-  const go = async (k) => {
-    await slider.evaluate((node, value) => {
-      node.value = value;
-      node.dispatchEvent(new Event("input", { bubbles: true }));
-    }, k);
-    return state(page);
-  };
-  const rules = () =>
-    page
-      .locator('[data-testid="rule"]')
-      .evaluateAll((nodes) => nodes.map((node) => Number(node.getAttribute("x1"))));
+async function together_check(page, data, detail) {
+  const canvas = by(page, "folding-canvas");
   await check("slider, sheet, histories and forces move together", async () => {
     const n = detail.pilot_deg.length,
+      places = [0, Math.floor(n / 3), Math.floor((2 * n) / 3), n - 1],
       seen = new Set(),
       covered = [],
       lengths = floats(detail.length_mm),
@@ -232,11 +152,11 @@ export async function detail_checks(page, data, detail, webgl = true) {
     const charts = ["histories", "energy", "moment", "advantage"],
       scales = [];
     for (const id of charts) scales.push(await axis(by(page, id), "x"));
-    for (const k of [0, Math.floor(n / 3), Math.floor((2 * n) / 3), n - 1]) {
+    for (const k of places) {
       const pilot = detail.pilot_deg[k];
-      assert.equal((await go(k)).pilot_deg, pilot);
+      assert.equal((await go(page, k)).pilot_deg, pilot);
       assert.equal(await by(page, "pilot-deg").textContent(), `${pilot}°`);
-      const now = await rules();
+      const now = await rules(page);
       assert.equal(now.length, charts.length, "charts with a rule");
       charts.forEach((id, i) =>
         assert.ok(
@@ -248,42 +168,27 @@ export async function detail_checks(page, data, detail, webgl = true) {
       seen.add(picture.hash);
       covered.push(picture.covered);
       const relative = lengths[k * count + count - 1] / lengths[count - 1] - 1;
-      const cell = (
-        await by(page, "diagonals").locator("tbody tr").last().locator("td").nth(3).textContent()
-      )
-        .replace("−", "-")
-        .replace(" %", "");
-      assert.ok(
-        Math.abs(Number(cell) - 100 * relative) < 0.0051,
-        `elongation of the last diagonal: ${cell}`,
-      );
+      const elongation = await last_diagonal(page, 3);
+      assert.ok(Math.abs(elongation - 100 * relative) < 0.0051, `elongation: ${elongation} %`);
       const newtons =
         data.actuators.stiffness_n_per_mm * (lengths[k * count + count - 1] - lengths[count - 1]);
-      const said = (
-        await by(page, "diagonals").locator("tbody tr").last().locator("td").nth(5).textContent()
-      )
-        .replace("−", "-")
-        .replace(" N", "");
-      assert.ok(Math.abs(Number(said) - newtons) < 0.06, `force of its spring: ${said} N`);
+      const force = await last_diagonal(page, 5);
+      assert.ok(Math.abs(force - newtons) < 0.06, `force of its spring: ${force} N`);
     }
-    assert.equal(
-      seen.size,
-      Math.min(4, new Set([0, Math.floor(n / 3), Math.floor((2 * n) / 3), n - 1]).size),
-      "the sheet's pictures",
-    );
+    assert.equal(seen.size, new Set(places).size, "the sheet's pictures");
     if (detail.pilot_deg.at(-1) >= 60) {
       assert.ok(covered.at(-1) < 0.95 * covered[0], "folded, the sheet covers less");
     }
   });
+}
 
+async function history_check(page, data, detail) {
   await check("histories run through the data", async () => {
     const x = await axis(by(page, "histories"), "x"),
       y = await axis(by(page, "histories"), "y"),
       lengths = floats(detail.length_mm),
       count = data.diagonals.length;
-    const depth = detail.pilot_deg.findLastIndex(
-      (pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9,
-    );
+    const depth = depth_of(detail);
     for (const d of [0, count - 1]) {
       const path = await by(page, "histories")
         .locator(`.history[data-diagonal="${d}"] path`)
@@ -305,11 +210,12 @@ export async function detail_checks(page, data, detail, webgl = true) {
         );
     }
   });
+}
 
+async function depth_check(page, detail) {
+  const slider = by(page, "pilot");
   await check("D is marked on the slider", async () => {
-    await go(
-      detail.pilot_deg.findLastIndex((pilot) => pilot <= detail.verdict.deploys_from_deg + 1e-9),
-    );
+    await go(page, depth_of(detail));
     const [mark, track] = [await by(page, "mark-depth").boundingBox(), await slider.boundingBox()];
     const share = 1 - Number(await slider.inputValue()) / (detail.pilot_deg.length - 1);
     assert.ok(
@@ -317,9 +223,13 @@ export async function detail_checks(page, data, detail, webgl = true) {
       "the mark and the slider's place",
     );
   });
+}
 
+async function marking_check(page, detail) {
+  const canvas = by(page, "folding-canvas");
+  const slider = by(page, "pilot");
   await check("a diagonal in focus or under the pointer is marked in all views", async () => {
-    await go(Math.floor(detail.pilot_deg.length / 2));
+    await go(page, Math.floor(detail.pilot_deg.length / 2));
     const picked = () =>
       Promise.all(
         ["crease-pattern", "histories", "diagonals"].map((id) =>
@@ -339,11 +249,12 @@ export async function detail_checks(page, data, detail, webgl = true) {
     assert.deepEqual(await picked(), [[0], [0], [0]]);
     await page.mouse.move(2, 2);
   });
+}
 
-  await spring_checks(page, detail);
-
+async function playing_check(page, detail) {
+  const slider = by(page, "pilot");
   await check("space plays and pauses, arrow keys move the slider", async () => {
-    await go(detail.pilot_deg.length - 1);
+    await go(page, detail.pilot_deg.length - 1);
     await slider.focus();
     await page.keyboard.press("Space");
     await eventually(
@@ -355,13 +266,16 @@ export async function detail_checks(page, data, detail, webgl = true) {
     const { pilot_deg } = await state(page);
     await page.waitForTimeout(250);
     assert.equal((await state(page)).pilot_deg, pilot_deg, "it does not pause");
-    await go(3);
+    await go(page, 3);
     await page.keyboard.press("ArrowLeft");
     assert.equal((await state(page)).pilot_deg, detail.pilot_deg[4], "left folds");
     await page.keyboard.press("ArrowRight");
     assert.equal((await state(page)).pilot_deg, detail.pilot_deg[3], "right unfolds");
   });
+}
 
+async function turning_check(page) {
+  const canvas = by(page, "folding-canvas");
   await check("mouse and keyboard turn the sheet", async () => {
     const seen = [(await pixels(canvas)).hash];
     await canvas.focus();
@@ -379,4 +293,23 @@ export async function detail_checks(page, data, detail, webgl = true) {
     assert.equal(new Set(seen).size, 5);
     await page.keyboard.press("0");
   });
+}
+
+export async function detail_checks(page, data, detail, webgl = true) {
+  // As if nobody had said yet how the moment is to be drawn.
+  await by(page, "moment-log").evaluate((node) => delete node.dataset.said);
+  await by(page, "detailed").selectOption(detail.draw);
+  await words_check(page, data, detail);
+  await crease_check(page, data, detail);
+  await width_check(page);
+  await zoom_checks(page);
+  await drag_checks(page);
+  await picture_check(page, webgl);
+  await together_check(page, data, detail);
+  await history_check(page, data, detail);
+  await depth_check(page, detail);
+  await marking_check(page, detail);
+  await spring_checks(page, detail);
+  await playing_check(page, detail);
+  await turning_check(page);
 }

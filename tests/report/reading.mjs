@@ -1,10 +1,25 @@
 // What the checks of a page are made of: the data inside it, read without the page's code, and what
 // can be seen on it.
 import assert from "node:assert/strict";
+import { AsyncLocalStorage } from "node:async_hooks";
 import { readFileSync } from "node:fs";
 
 let failures = 0,
   checks = 0;
+const told = new AsyncLocalStorage();
+export const say = (line) => (told.getStore() ?? { push: console.log }).push(line);
+
+/** Runs at the same time, each of which says what it has to say in one piece. */
+export const together = (runs) =>
+  Promise.all(
+    runs.map((run) =>
+      told.run([], async () => {
+        await run();
+        console.log(told.getStore().join("\n"));
+      }),
+    ),
+  );
+
 /** Says how many checks passed; whether all did. */
 export function summary() {
   console.log(`\n${checks - failures} of ${checks} checks passed`);
@@ -13,14 +28,14 @@ export function summary() {
 
 export async function check(what, run) {
   ++checks;
+  const start = performance.now();
   try {
-    const said = await run();
-    console.log(`ok    ${what}${said ? `: ${said}` : ""}`);
+    const said = await run(),
+      took_s = (performance.now() - start) / 1000;
+    say(`ok    ${what}${said ? `: ${said}` : ""}${took_s > 1 ? ` (${took_s.toFixed(1)} s)` : ""}`);
   } catch (error) {
     ++failures;
-    console.log(
-      `FAIL  ${what}\n      ${String(error.message).split("\n").slice(0, 6).join("\n      ")}`,
-    );
+    say(`FAIL  ${what}\n      ${String(error.message).split("\n").slice(0, 6).join("\n      ")}`);
   }
 }
 
@@ -36,6 +51,9 @@ export const floats = (base64) => {
   return Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readFloatLE(4 * i));
 };
 export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+/** The last sample of the range that it deploys from. */
+export const depth_of = ({ pilot_deg, verdict }) =>
+  pilot_deg.findLastIndex((pilot) => pilot <= verdict.deploys_from_deg + 1e-9);
 export const by = (page, id) => page.getByTestId(id);
 export const state = (page) =>
   page.evaluate(() => ({
@@ -51,14 +69,16 @@ export const eventually = async (page, wanted, what) => {
   }
 };
 
-/** Pixels of a canvas: a hash, how many are covered, and by how many colours. */
+export const kManyColours = 64; // more are not counted
+
+/** Pixels of a canvas: a hash, how many are covered, and by how many colours, if they are few. */
 export const pixels = (locator) =>
-  locator.evaluate((canvas) => {
+  locator.evaluate((canvas, most) => {
     const copy = Object.assign(document.createElement("canvas"), {
       width: canvas.width,
       height: canvas.height,
     });
-    const pen = copy.getContext("2d");
+    const pen = copy.getContext("2d", { willReadFrequently: true });
     pen.drawImage(canvas, 0, 0);
     const { data } = pen.getImageData(0, 0, copy.width, copy.height),
       colours = new Set();
@@ -68,11 +88,11 @@ export const pixels = (locator) =>
       const colour = data[i] | (data[i + 1] << 8) | (data[i + 2] << 16) | (data[i + 3] << 24);
       hash = (Math.imul(hash, 31) + colour) | 0;
       if (data[i + 3] < 200) continue;
-      colours.add(colour);
+      if (colours.size < most) colours.add(colour);
       ++covered;
     }
     return { hash, covered, colours: colours.size };
-  });
+  }, kManyColours);
 
 /** The map from values to pixels of an axis, from where its ticks are written; `of`: Math.log10. */
 export async function axis(box, which, of = (value) => value) {

@@ -215,7 +215,7 @@ TEST_F(YieldTest, OlderCataloguesHaveNone) {
   for (int version = 1; version < kSchemaVersion; ++version) {
     const std::string old = std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
                             std::to_string(version) + ".db";
-    if (!std::filesystem::exists(old)) continue;
+    ASSERT_TRUE(std::filesystem::exists(old)) << old;
     const auto database = open_for_reading(old);
     for (const char* name : {"best", "tolerant", "yields", "smooth", "simplest", "stroke"}) {
       const Refusal r =

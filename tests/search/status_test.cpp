@@ -107,7 +107,7 @@ TEST(NextStep, FollowsFromTheState) {
   EXPECT_NE(next_step(state(200, 50, 0), "it's.db", "").find("misalign query 'it'\\''s.db' best"),
             std::string::npos);
   const std::string nothing = next_step(state(200, 0, 0), "a.db", "");
-  EXPECT_NE(nothing.find("deploys_from_deg"), std::string::npos) << nothing;
+  EXPECT_NE(nothing.find("misalign report a.db"), std::string::npos) << nothing;
 }
 
 }  // namespace

@@ -31,14 +31,21 @@ class VerifyTest : public testing::Test {
         std::filesystem::temp_directory_path() / ("misalign_verify_" + std::to_string(::getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    Trial trial(campaign());
+    static const std::vector<schema::UnitRecord> units = all_units();
+    const Trial trial(campaign());
     schema::Catalogue catalogue(path_(), trial.campaign(), trial.mechanism());
     catalogue.begin_run({"host", "0", "none", "g++", "-O2", "golden", 1},
                         {{0, kUnits * kUnitDraws}, {}, {}});
-    for (std::uint64_t k = 0; k < kUnits; ++k) {
-      catalogue.commit({work_off(trial, {k * kUnitDraws, (k + 1) * kUnitDraws})});
-    }
+    for (const schema::UnitRecord& unit : units) catalogue.commit({unit});
     catalogue.end_run("complete");
+  }
+  static std::vector<schema::UnitRecord> all_units() {
+    Trial trial(campaign());
+    std::vector<schema::UnitRecord> units;
+    for (std::uint64_t k = 0; k < kUnits; ++k) {
+      units.push_back(work_off(trial, {k * kUnitDraws, (k + 1) * kUnitDraws}));
+    }
+    return units;
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

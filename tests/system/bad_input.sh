@@ -143,7 +143,7 @@ refused 5 "other verdicts" search "$source_dir/search/campaigns/miura-4x4.json" 
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --catalogue ../busy.db --progress none \
   > /dev/null 2>&1 &
 busy=$!
-sleep 1
+begun ../busy.db
 refused 4 "another search" search "$source_dir/search/campaigns/miura-4x4.json" --catalogue ../busy.db
 kill -TERM $busy
 wait $busy

@@ -6,6 +6,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# All ranks are on this machine: Open MPI looks for no network, which takes half of its start.
+export OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
 failures=0
 
 fail() {
@@ -27,8 +29,20 @@ quick_campaign() {
     "$source_dir/search/campaigns/miura-4x4.json" > "$1"
 }
 
-# sql FILE QUERY: the first row's first column.
+# sql FILE QUERY: all rows, a line each, columns between bars.
 sql() { sqlite3 -readonly "$1" "$2"; }
+
+# field FILE PATH: what JSON has there; true is 1.
+field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
+
+# begun FILE [TABLE]: waits until the catalogue's run has begun, or that table has a row.
+begun() {
+  for wait in {1..400}; do
+    [ "$(sql "$1" "SELECT count(*) > 0 FROM ${2:-run}" 2> /dev/null)" = 1 ] && return
+    sleep 0.05
+  done
+  fail "$1: no row in ${2:-run} after 20 s"
+}
 
 digest_of() { "$program" status "$1" --json | sed -n 's/.*"digest": "\(.*\)".*/\1/p'; }
 

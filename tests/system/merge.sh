@@ -24,7 +24,7 @@ search --catalogue whole.db --draws 6500
 # While a search writes one of them.
 "$program" search $campaign --catalogue live.db --range 6000:1000000 --progress none > /dev/null 2>&1 &
 search=$!
-sleep 1
+begun live.db unit
 "$program" merge both.db a.db live.db > /dev/null || fail "merge of a catalogue in use"
 kill -TERM $search
 wait $search

@@ -1,7 +1,6 @@
 # A campaign that accepts nothing says what it learned all the same; and draws with large numbers have
 # the rows of the fault sample that the rule gives them.
 . "$(dirname "$0")/lib.sh"
-field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 
 sed 's/"rows": 6, "columns": 6/"rows": 10, "columns": 10/; s/"deploys_from_deg": 170/"deploys_from_deg": 175/' \
   "$source_dir/search/campaigns/miura-6x6.json" > ten.json

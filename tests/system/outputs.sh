@@ -106,10 +106,16 @@ done
 alone
 
 # Killed at any moment: no output, or a whole one; what was left is gone after the next.
-for delay in 0.005 0.01 0.015 0.02 0.025 0.03 0.035 0.04; do
+# From its start to a little after the end of one that is left alone.
+undisturbed_us=$(date +%s%6N)
+"$program" merge all.db a.db b.db > out 2> err || { fail "before the kills"; cat err; }
+undisturbed_us=$(($(date +%s%6N) - undisturbed_us))
+rm -f all.db
+for part in {0..11}; do
+  delay_us=$((undisturbed_us * part / 10))
   "$program" merge all.db a.db b.db > out 2> err &
   merge=$!
-  sleep $delay
+  sleep "$(printf '%d.%06d' $((delay_us / 1000000)) $((delay_us % 1000000)))"
   kill -KILL $merge
   wait $merge 2> /dev/null
   [ -e all.db ] && sound all.db 600

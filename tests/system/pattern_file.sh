@@ -1,7 +1,6 @@
 # A pattern file wherever a draw is taken: a candidate's own exports say what the catalogue says of
 # it, and what can only be chosen from a catalogue is one sentence.
 . "$(dirname "$0")/lib.sh"
-field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 table1=$source_dir/search/patterns/table1.json
 mesh=$source_dir/search/patterns/angle-array-6x6.fold
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 300 --catalogue a.db \

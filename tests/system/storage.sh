@@ -3,7 +3,7 @@
 . "$(dirname "$0")/lib.sh"
 campaign=quick.json
 quick_campaign $campaign
-"$program" search $campaign --catalogue calm.db --draws 20000 --progress none > /dev/null 2>&1
+"$program" search $campaign --catalogue calm.db --draws 10000 --progress none > /dev/null 2>&1
 expected=$(digest_of calm.db)
 
 # stopped CODE WORDS: of the search before.
@@ -17,12 +17,12 @@ stopped() {
 mkdir small
 if mount -t tmpfs -o size=600k tmpfs small 2> /dev/null; then
   trap 'umount "$work/small" 2> /dev/null; rm -rf "$work"' EXIT
-  "$program" search $campaign --catalogue small/a.db --draws 20000 --unit-draws 100 --progress none > /dev/null 2> err
+  "$program" search $campaign --catalogue small/a.db --draws 10000 --unit-draws 100 --progress none > /dev/null 2> err
   stopped "a full disk" "disk is full"
   sound_so_far small/a.db
   [ "$(sql small/a.db 'SELECT sum(draws) FROM unit')" -gt 0 ] || fail "a full disk: nothing committed"
   mount -o remount,size=100m small
-  "$program" search $campaign --catalogue small/a.db --draws 20000 --progress none > /dev/null 2>&1 || fail "room was made"
+  "$program" search $campaign --catalogue small/a.db --draws 10000 --progress none > /dev/null 2>&1 || fail "room was made"
   [ "$(digest_of small/a.db)" = "$expected" ] || fail "a full disk: another digest"
   # So full that not even an empty catalogue fits: nothing is left.
   rm small/*
@@ -45,29 +45,29 @@ fi
 (
   ulimit -f 6000 # kB; MPI's own files need 4 MB
   trap '' XFSZ
-  "$program" search $campaign --catalogue quota.db --draws 30000 --unit-draws 500 --progress none > /dev/null 2> err
+  "$program" search $campaign --catalogue quota.db --draws 20000 --unit-draws 500 --progress none > /dev/null 2> err
 )
 stopped "a quota" "what was committed is good"
 sound_so_far quota.db
-"$program" search $campaign --catalogue quota.db --draws 30000 --progress none > /dev/null 2>&1 || fail "the quota was lifted"
-sound quota.db 30000
+"$program" search $campaign --catalogue quota.db --draws 20000 --progress none > /dev/null 2>&1 || fail "the quota was lifted"
+sound quota.db 20000
 
 # The directory is removed, or moved away, while a campaign runs in it.
 for how in "rm -rf gone" "mv gone elsewhere"; do
   mkdir gone
   "$program" search $campaign --catalogue gone/a.db --draws 10000000 --unit-draws 100 --progress none > /dev/null 2> err &
   search=$!
-  sleep 1
+  begun gone/a.db unit
   $how
   wait $search
   stopped "$how" "was removed or replaced"
 done
 sound_so_far elsewhere/a.db
-"$program" search $campaign --catalogue elsewhere/a.db --draws 20000 --progress none > /dev/null 2>&1
+"$program" search $campaign --catalogue elsewhere/a.db --draws 10000 --progress none > /dev/null 2>&1
 [ "$(digest_of elsewhere/a.db)" = "$expected" ] || fail "moved away: another digest"
 
 # On storage that machines share: no log, nobody reads meanwhile, and the same digest.
-"${ranks[@]}" 2 "$program" search $campaign --catalogue shared.db --draws 20000 --storage network --progress none > /dev/null 2> err ||
+"${ranks[@]}" 2 "$program" search $campaign --catalogue shared.db --draws 10000 --storage network --progress none > /dev/null 2> err ||
   fail "--storage network"
 grep -q "rollback journal and an exclusive lock" err || fail "--storage network: no sentence"
 [ "$(digest_of shared.db)" = "$expected" ] || fail "--storage network: another digest"

@@ -3,7 +3,6 @@
 campaign=$source_dir/search/campaigns/miura-4x4.json
 "$program" search "$campaign" --draws 100 --catalogue a.db > /dev/null 2>&1 || fail "search"
 draw=$(sql a.db 'SELECT draw FROM candidate ORDER BY slope_min_mm_per_deg DESC LIMIT 1')
-field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 before=$(digest_of a.db)
 
 "$program" tolerance a.db "$draw" --amplitude 0.05 --trials 300 --vertices --json > all.json ||

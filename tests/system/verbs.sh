@@ -24,7 +24,6 @@ done
 # A candidate again: replay, export and fold of what was exported give the same verdict.
 draw=$(sql "$file" 'SELECT draw FROM candidates ORDER BY goes_back, deploys_from_deg DESC, miscut_margin_mm DESC, slope_min_mm_per_deg DESC LIMIT 1')
 deploys=$(sql "$file" "SELECT deploys_from_deg FROM candidate WHERE draw = $draw")
-field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 "$program" replay "$file" "$draw" --json > replay.json || fail "replay"
 [ "$(field replay.json verdict.accepted)" = 1 ] || fail "replay: accepted"
 [ "$(field replay.json verdict.deploys_from_deg)" = "$deploys" ] || fail "replay: verdict"

@@ -4,7 +4,6 @@ quick_campaign campaign.json
 "$program" search campaign.json --draws 1200 --unit-draws 400 --catalogue good.db > /dev/null 2>&1 ||
   fail "search"
 "$program" verify good.db --all --json > good.json || fail "verify of a good catalogue"
-field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 [ "$(field good.json good)" = 1 ] || fail "good"
 [ "$(sqlite3 :memory: "SELECT json_array_length(readfile('good.json'), '\$.checked')")" = \
   "$(sql good.db 'SELECT count(*) FROM candidate')" ] || fail "--all: how many"

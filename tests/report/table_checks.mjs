@@ -1,0 +1,239 @@
+// The candidates' table: its filter, its order, its rows.
+import assert from "node:assert/strict";
+import { by, floats, median, state, unfiltered } from "./reading.mjs";
+
+const filter = async (page, text) => {
+  await by(page, "filter").fill(text);
+  return (await state(page)).filtered;
+};
+const first_draw = (page) => by(page, "grid").locator(".line").first().getAttribute("data-draw");
+
+async function document_check(page, { candidates: { shown } }) {
+  await unfiltered(page, "only the rows in view are in the document", async () => {
+    const lines = await by(page, "grid").locator(".line").count();
+    assert.ok(lines > 0 && lines < 60 && lines <= shown, `${lines} rows`);
+    return `${lines} of ${shown}`;
+  });
+}
+
+/** Conditions, and which rows they leave. */
+function conditions({ candidates: { columns }, actuators, details }) {
+  const stroke = median(columns.stroke_max),
+    depth = median(columns.deploys_from_deg),
+    few = median(columns.shifted_vertices),
+    springs = actuators.stiffness_n_per_mm / 2,
+    energy = springs * median(columns.stretch_sq_mm2);
+  return [
+    [`stroke_max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
+    [
+      `stroke_max<${stroke} deploys_from_deg >= ${depth}`,
+      (i) => columns.stroke_max[i] < stroke && columns.deploys_from_deg[i] >= depth,
+    ],
+    [
+      `stroke_max ≥ ${stroke * 100}% and shifted_vertices <= ${few}`,
+      (i) => columns.stroke_max[i] >= (stroke * 100) / 100 && columns.shifted_vertices[i] <= few,
+    ],
+    [
+      `${depth} < deploys_from_deg <= ${depth + 3}`,
+      (i) => columns.deploys_from_deg[i] > depth && columns.deploys_from_deg[i] <= depth + 3,
+    ],
+    ["bump_deg = none", (i) => columns.bump_deg[i] === null],
+    ["bump_deg > 0", (i) => columns.bump_deg[i] !== null && columns.bump_deg[i] > 0],
+    [`draw = ${columns.draw.at(-1)}`, (i) => columns.draw[i] === columns.draw.at(-1)],
+    [`${columns.draw[0]}`, (i) => columns.draw[i] === columns.draw[0]],
+    [`Stroke max < ${stroke}`, (i) => columns.stroke_max[i] < stroke],
+    [
+      `bump = none Longest < ${100 * stroke} %`,
+      (i) => columns.bump_deg[i] === null && columns.elongation_max[i] < (100 * stroke) / 100,
+    ],
+    [`energy_n_mm < ${energy}`, (i) => springs * columns.stretch_sq_mm2[i] < energy],
+    ["details", (i) => details.some(({ draw }) => draw === columns.draw[i])],
+    ["stroke_max < -1", () => false],
+  ];
+}
+
+async function filter_check(page, data) {
+  const { columns } = data.candidates,
+    rows = columns.draw.map((_, i) => i),
+    cases = conditions(data);
+  await unfiltered(page, "the filter leaves what the data say", async () => {
+    for (const [text, test] of cases) {
+      const left = rows.filter(test).length;
+      assert.equal(await filter(page, text), left, text);
+      if (left < rows.length)
+        assert.match(
+          await by(page, "filter-says").textContent(),
+          new RegExp(`^${left.toLocaleString("en")} of`),
+          text,
+        );
+    }
+    assert.equal(
+      await by(page, "grid").locator(".line").count(),
+      0,
+      "rows although none meets the conditions",
+    );
+    assert.equal(await filter(page, ""), rows.length);
+    return `${cases.length} conditions`;
+  });
+}
+
+async function energy_check(page, data) {
+  const { columns } = data.candidates,
+    springs = data.actuators.stiffness_n_per_mm / 2;
+  await unfiltered(page, "the energy of a row is that of its springs", async () => {
+    for (const detail of data.details) {
+      const row = columns.draw.indexOf(detail.draw),
+        depth = detail.pilot_deg.indexOf(detail.verdict.deploys_from_deg);
+      if (row < 0) continue;
+      const stored = floats(detail.energy_n_mm)[depth];
+      assert.ok(Math.abs(springs * columns.stretch_sq_mm2[row] - stored) < 1e-5 * stored, "energy");
+    }
+  });
+}
+
+async function mistake_check(page, data) {
+  await unfiltered(
+    page,
+    "mistakes in the filter are said in words, and change nothing",
+    async () => {
+      for (const [text, words] of [
+        ["strok_max < 1", /no column.*stroke_max/],
+        ["stroke_max <", /number is missing/],
+        ["stroke_max < x", /no number/],
+        ["stroke_max 5", /comparison is missing/],
+        ["stroke_max < 5", /is a share: write 5%/],
+        ["< 5", /name is missing/],
+        ["stroke_max < 1 or bump_deg = none", /“or” is not understood/],
+        ["stroke_max ! 5", /not understood/],
+      ]) {
+        await by(page, "filter").fill(text);
+        assert.match(await by(page, "filter-says").textContent(), words, text);
+        assert.equal(await by(page, "filter").getAttribute("aria-invalid"), "true");
+        assert.equal((await state(page)).filtered, data.candidates.columns.draw.length, text);
+      }
+      await filter(page, "");
+    },
+  );
+}
+
+async function order_check(page, data) {
+  const { columns } = data.candidates,
+    rows = columns.draw.map((_, i) => i);
+  await unfiltered(page, "columns sort best first, worst first and back", async () => {
+    const extreme = (name, sign) => {
+      const with_value = rows.filter((i) => columns[name][i] !== null);
+      return columns.draw[
+        with_value.reduce((best, i) =>
+          sign * (columns[name][i] - columns[name][best]) < 0 ? i : best,
+        )
+      ];
+    };
+    // Much of a stroke that every diagonal makes is good, much of what one actuator must make is not.
+    for (const [name, best, first, second] of [
+      ["stroke_min", -1, "descending", "ascending"],
+      ["stroke_max", 1, "ascending", "descending"],
+      ["shifted_vertices", 1, "ascending", "descending"],
+    ]) {
+      const head = by(page, `head-${name}`);
+      await head.locator("button").click();
+      assert.equal(await head.getAttribute("aria-sort"), first, name);
+      assert.equal(await first_draw(page), extreme(name, best), name);
+      await page.keyboard.press("Enter");
+      assert.equal(await head.getAttribute("aria-sort"), second, name);
+      assert.equal(await first_draw(page), extreme(name, -best), name);
+      await page.keyboard.press("Enter");
+      assert.equal(await head.getAttribute("aria-sort"), "none", name);
+      assert.equal(await first_draw(page), columns.draw[0]);
+    }
+    await by(page, "head-draw").locator("button").click();
+    assert.equal(
+      await first_draw(page),
+      columns.draw.reduce((a, b) => (BigInt(b) < BigInt(a) ? b : a)),
+      "draws as numbers, all digits",
+    );
+    await by(page, "head-bump_deg").locator("button").click();
+    const bump = columns.bump_deg[columns.draw.indexOf(await first_draw(page))];
+    if (columns.bump_deg.includes(null)) assert.equal(bump, null, "the best have no bump");
+    await by(page, "head-rank").locator("button").click();
+  });
+}
+
+async function picking_check(page, data) {
+  const { columns, shown } = data.candidates;
+  await unfiltered(
+    page,
+    "rows are picked by click and arrow keys, and come into view",
+    async () => {
+      await by(page, "grid")
+        .locator(".line")
+        .nth(Math.min(2, shown - 1))
+        .click();
+      const third = Math.min(2, shown - 1);
+      assert.equal((await state(page)).picked, columns.draw[third]);
+      await by(page, "grid").focus();
+      await page.keyboard.press("Home");
+      assert.equal((await state(page)).picked, columns.draw[0]);
+      await page.keyboard.press("ArrowDown");
+      assert.equal((await state(page)).picked, columns.draw[Math.min(1, shown - 1)]);
+      await page.keyboard.press("ArrowUp");
+      await page.keyboard.press("End");
+      assert.equal((await state(page)).picked, columns.draw.at(-1));
+      const last = by(page, "grid").locator(`[data-draw="${columns.draw.at(-1)}"]`);
+      await last.waitFor();
+      assert.equal(await last.getAttribute("aria-selected"), "true");
+      const [row, grid] = [await last.boundingBox(), await by(page, "grid").boundingBox()];
+      assert.ok(
+        row.y >= grid.y && row.y + row.height <= grid.y + grid.height + 1,
+        "the picked row is not in view",
+      );
+      await by(page, "grid").focus();
+      await page.keyboard.press("Home");
+    },
+  );
+}
+
+/** The headings' words as names of columns, and the field's word on what it cannot read. */
+async function filter_word_checks(page, data) {
+  const { columns } = data.candidates;
+  await unfiltered(page, "every heading of the table can stand in a condition", async () => {
+    const names = await page
+      .locator("#filter-help dl.columns dt")
+      .evaluateAll((nodes) =>
+        nodes.map((node) => [
+          node.firstChild.textContent,
+          node.textContent.slice(node.firstChild.textContent.length + 1),
+        ]),
+      );
+    assert.ok(names.some(([, label]) => label.includes("±")));
+    for (const [name, label] of names) {
+      if (label === "") continue; // the number of the draw
+      const values = columns[name === "energy_n_mm" ? "stretch_sq_mm2" : name];
+      if (!values?.some((value) => value !== null)) continue; // no column of this page
+      await by(page, "filter").fill(`${label} = none`);
+      assert.equal(await by(page, "filter").getAttribute("aria-invalid"), "false", label);
+      const none = values.filter((value) => value === null).length;
+      assert.equal((await state(page)).filtered, none, label);
+    }
+    return `${names.length - 1} headings`;
+  });
+
+  await unfiltered(page, "what is wrong with a condition is said until it is mended", async () => {
+    await by(page, "filter").fill("strok_max < 1");
+    await by(page, "head-stroke_min").locator("button").click();
+    assert.match(await by(page, "filter-says").textContent(), /no column/);
+    assert.equal(await by(page, "filter").getAttribute("aria-invalid"), "true");
+    await by(page, "filter").fill("");
+    assert.match(await by(page, "filter-says").textContent(), /candidates$/);
+    await by(page, "head-rank").locator("button").click();
+  });
+}
+
+export async function table_checks(page, data) {
+  await document_check(page, data);
+  await filter_check(page, data);
+  await energy_check(page, data);
+  await filter_word_checks(page, data);
+  await mistake_check(page, data);
+  await order_check(page, data);
+  await picking_check(page, data);
+}
