@@ -10,7 +10,7 @@
 
 namespace misalign::search {
 int run_doctor(const std::string& directory, bool json) {
-  const MpiSession mpi;
+  const MpiSession mpi(MpiSession::Alone::with_mpi);
   const auto set = solver::available_instruction_sets().back();
   const auto reports =
       mpi.gather(pack(RankReport{host_name(), usable_threads(), golden_verdicts(set)}));

@@ -19,7 +19,8 @@ struct MpiSession::Beats {
   MPI_Comm comm;
 };
 
-MpiSession::MpiSession() {
+MpiSession::MpiSession(Alone alone) : has_begun_(alone == Alone::with_mpi || launched_by_mpi()) {
+  if (!has_begun_) return;
   int threads = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &threads);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
@@ -31,16 +32,19 @@ MpiSession::MpiSession() {
 }
 
 MpiSession::~MpiSession() {
+  if (!has_begun_) return;
   if (beats_) MPI_Comm_free(&beats_->comm);
   MPI_Finalize();
 }
 
 int MpiSession::broadcast(int value) const {
+  if (ranks_ == 1) return value;
   MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
   return value;
 }
 
 std::string MpiSession::broadcast(const std::string& text) const {
+  if (ranks_ == 1) return text;
   std::string result = text;
   result.resize(static_cast<std::size_t>(broadcast(message_length(text.size()))));
   MPI_Bcast(result.data(), static_cast<int>(result.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
@@ -48,6 +52,7 @@ std::string MpiSession::broadcast(const std::string& text) const {
 }
 
 std::vector<std::string> MpiSession::gather(const std::string& text) const {
+  if (ranks_ == 1) return {text};
   int size = message_length(text.size());
   std::vector<int> sizes(ranks_), starts(ranks_);
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
@@ -64,6 +69,7 @@ std::vector<std::string> MpiSession::gather(const std::string& text) const {
 }
 
 void MpiSession::meet() const {
+  if (ranks_ == 1) return;
   MPI_Request request;
   MPI_Ibarrier(MPI_COMM_WORLD, &request);
   Backoff backoff;
@@ -76,6 +82,7 @@ void MpiSession::send_unit(const SentUnit& sent) const {
 }
 
 std::optional<SentUnit> MpiSession::receive_unit() const {
+  if (ranks_ == 1) return std::nullopt;
   int arrived = 0, size = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, kUnitTag, MPI_COMM_WORLD, &arrived, &status);
@@ -124,7 +131,7 @@ std::optional<int> MpiSession::receive_beat() const {
 }
 
 void MpiSession::abort(int exit_code) const {
-  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  if (has_begun_) MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::_Exit(exit_code);
 }
 

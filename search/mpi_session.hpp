@@ -11,10 +11,12 @@
 
 namespace misalign::search {
 
-/// MPI from construction to destruction, alone or under mpirun.
+/// The ranks that a launcher started, or this process alone: then MPI need not begin, which takes
+/// longer than a short search and can fail on a machine where nothing else does.
 class MpiSession {
  public:
-  MpiSession();
+  enum class Alone { without_mpi, with_mpi };
+  explicit MpiSession(Alone alone = Alone::without_mpi);
   ~MpiSession();
   MpiSession(const MpiSession&) = delete;
   MpiSession& operator=(const MpiSession&) = delete;
@@ -53,6 +55,7 @@ class MpiSession {
 
  private:
   int rank_ = 0, ranks_ = 1;
+  const bool has_begun_;
   struct Beats;  // a communicator of their own
   std::unique_ptr<Beats> beats_;
 };

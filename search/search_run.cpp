@@ -234,7 +234,6 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
 
 int run_search(const SearchOptions& wished) {
   SearchOptions options = wished;
-  // Before MPI begins: alone it makes itself look as if mpirun had started it.
   options.progress = resolved(wished.progress, is_terminal(STDERR_FILENO) && terminal_is_able(),
                               launched_by_mpi());
   hold_signals();

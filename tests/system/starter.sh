@@ -18,6 +18,10 @@ done
   fail "--ranks=2"
 [ "$(sql ranks-2.db 'SELECT count(*) FROM run WHERE ranks = 2')" = 2 ] || fail "--ranks=2: not resumed"
 
+# Alone nothing of MPI is asked for, which here could not even begin.
+OMPI_MCA_pml=none "$program" search $campaign --catalogue alone.db --draws 200 --progress none > /dev/null 2> err ||
+  fail "alone, where MPI cannot begin: $(cat err)"
+
 # A parent that ignores its children's ends hands that on; the program waits for mpirun all the same.
 timeout 60 perl -e '$SIG{CHLD} = "IGNORE"; exec @ARGV' "$program" search $campaign --ranks 2 \
   --catalogue ranks-2.db --draws 1700 --progress none > /dev/null 2>&1 < /dev/null || fail "children ignored: exit code $?"
