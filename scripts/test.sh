@@ -13,7 +13,7 @@ cmake --build --preset release
 
 # Beside the tests of the release, of which many wait: the unit tests under the sanitizers, two programs at a
 # time. Tests that follow hundreds of paths, or a path in steps of 0.01 degrees, take minutes there and run no
-# code of their own. Without line numbers, which take a tenth of the time: what is found is looked at again with
+# code of their own. Without line numbers, which take time to make: what is found is looked at again with
 # the preset as it is.
 sanitized() {
   cmake --preset asan -DMISALIGN_WERROR=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-Og > /dev/null
