@@ -90,8 +90,9 @@ std::string status_text(const schema::CatalogueState& state,
     rows.push_back({"first faults", std::to_string(sampled.rows), "", "of a sample"});
   }
   for (const auto& [fault, draws] : state.faults) {
+    if (rows.size() > schema::kMostListed) break;  // there are not so many, but for a hostile file
     const auto [low, high] = schema::share_interval(draws, sampled);
-    rows.push_back({"  " + fault, std::to_string(draws.rows),
+    rows.push_back({"  " + schema::shortened(fault, 40), std::to_string(draws.rows),
                     percent(schema::share(draws, sampled)), percent(low) + " to " + percent(high)});
   }
 

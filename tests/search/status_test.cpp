@@ -110,5 +110,17 @@ TEST(NextStep, FollowsFromTheState) {
   EXPECT_NE(nothing.find("misalign report a.db"), std::string::npos) << nothing;
 }
 
+// Names from a file may be of any length, and as many as one likes (catalogue_fuzz, seed 9, input
+// 32).
+TEST(StatusText, NoFaultsNameFloodsIt) {
+  schema::CatalogueState flooded = state(200, 200, 10);
+  flooded.faults = {{std::string(100000, 'x'), schema::WeightedCount::of(1, 1024)}};
+  EXPECT_LT(status_text(flooded, {}, Paint(false)).size(), 3000u);
+  for (int k = 0; k < 10000; ++k) {
+    flooded.faults["fault" + std::to_string(k)] = schema::WeightedCount::of(1, 1024);
+  }
+  EXPECT_LT(status_text(flooded, {}, Paint(false)).size(), 3000u);
+}
+
 }  // namespace
 }  // namespace misalign::search
