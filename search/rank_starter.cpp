@@ -150,8 +150,7 @@ class Starter {
         break;
       case SIGTSTP:
         std::fputs(
-            "Ctrl-Z: ranks that stand still are taken for lost (so this goes on); Ctrl-C ends it, "
-            "and "
+            "Ctrl-Z: this goes on (ranks that stand still are taken for lost); Ctrl-C ends it, and "
             "the same command goes on later\n",
             stderr);
         break;
