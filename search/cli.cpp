@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
+#include <thread>
 
 #include "schema/draw_range.hpp"
 #include "schema/input.hpp"
@@ -160,11 +162,18 @@ bool rank_zero_speaks(const CLI::App& app) {
   return verb && verb->get_name() == "search" && launched_rank() != 0;
 }
 
+// A launcher ends every rank as soon as one exits with an error: rank 0 too, which on a busy machine
+// may not have spoken yet. So the others wait to be ended, and after this long leave by themselves.
+int leave_it_to_rank_zero(int exit_code) {
+  std::this_thread::sleep_for(std::chrono::seconds(10));
+  return exit_code;
+}
+
 // The contract's exit code, and where to read on.
 int usage_error(const CLI::App& app, const CLI::ParseError& error,
                 const std::vector<std::string>& words) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  if (rank_zero_speaks(app)) return schema::kExitUsage;
+  if (rank_zero_speaks(app)) return leave_it_to_rank_zero(schema::kExitUsage);
   if (words.empty()) {
     std::fputs(app.help().c_str(), stderr);
   } else {
@@ -323,7 +332,8 @@ int run_command_line(int argc, char** argv) {
     return exit_code;
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
-    if (!rank_zero_speaks(app)) spdlog::error("{}", failure.sentence);
+    if (rank_zero_speaks(app)) return leave_it_to_rank_zero(failure.exit_code);
+    spdlog::error("{}", failure.sentence);
     return failure.exit_code;
   }
 }
