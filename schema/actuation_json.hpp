@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/folding_json.hpp"
-#include "solver/actuation.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::schema {
 

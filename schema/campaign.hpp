@@ -8,7 +8,7 @@
 
 #include "schema/draw_range.hpp"
 #include "schema/pattern_file.hpp"
-#include "solver/actuation.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::schema {
 

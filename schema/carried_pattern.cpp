@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/outline.hpp"
+#include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -8,7 +8,7 @@
 #include "schema/digest.hpp"
 #include "schema/fault_sample.hpp"
 #include "schema/since.hpp"
-#include "solver/metrics.hpp"
+#include "solver/verdict/metrics.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "solver/outline.hpp"
+#include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {

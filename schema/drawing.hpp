@@ -4,7 +4,7 @@
 #include <string>
 
 #include "schema/pattern_file.hpp"
-#include "solver/mechanism.hpp"
+#include "solver/kinematics/mechanism.hpp"
 
 namespace misalign::schema {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/folding_json.hpp"
-#include "solver/shaped_path.hpp"
+#include "solver/design/shaped_path.hpp"
 
 namespace misalign::schema {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "schema/input.hpp"
-#include "solver/crease_pattern.hpp"
+#include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {
 

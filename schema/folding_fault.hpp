@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "schema/input.hpp"
-#include "solver/base_folding.hpp"
+#include "solver/pattern/base_folding.hpp"
 
 namespace misalign::schema {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/campaign.hpp"
-#include "solver/metrics.hpp"
+#include "solver/verdict/metrics.hpp"
 
 namespace misalign::schema {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "schema/folding_json.hpp"
-#include "solver/actuation.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::schema {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "schema/fold_format.hpp"
-#include "solver/miura.hpp"
+#include "solver/pattern/miura.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "schema/input.hpp"
-#include "solver/crease_pattern.hpp"
+#include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {
 

@@ -9,7 +9,7 @@
 #include "schema/fold_format.hpp"
 #include "schema/folding_fault.hpp"
 #include "schema/mesh_family.hpp"
-#include "solver/perforation.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "schema/input.hpp"
-#include "solver/history.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::schema {
 

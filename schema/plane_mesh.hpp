@@ -8,7 +8,7 @@
 
 #include "schema/input.hpp"
 #include "schema/plane_regions.hpp"
-#include "solver/crease_pattern.hpp"
+#include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {
 

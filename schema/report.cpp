@@ -8,7 +8,7 @@
 #include "schema/catalogue_state.hpp"
 #include "schema/result_table.hpp"
 #include "schema/unit_writer.hpp"
-#include "solver/outline.hpp"
+#include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {

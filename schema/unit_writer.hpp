@@ -8,7 +8,7 @@
 
 #include "schema/campaign.hpp"
 #include "schema/fault_sample.hpp"
-#include "solver/metrics.hpp"
+#include "solver/verdict/metrics.hpp"
 
 namespace misalign::schema {
 

@@ -7,7 +7,7 @@
 #include "search/stopwatch.hpp"
 #include "search/terminal.hpp"
 #include "search/trial.hpp"
-#include "solver/reference.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "schema/campaign.hpp"
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
 

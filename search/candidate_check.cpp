@@ -5,7 +5,7 @@
 
 #include "schema/folding_json.hpp"
 #include "search/draw.hpp"
-#include "solver/miscut_margin.hpp"
+#include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::search {
 namespace {

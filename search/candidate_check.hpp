@@ -3,7 +3,7 @@
 #pragma once
 
 #include "search/sheet_check.hpp"
-#include "solver/metrics.hpp"
+#include "solver/verdict/metrics.hpp"
 
 namespace misalign::search {
 

@@ -7,7 +7,7 @@
 
 #include "schema/result_table.hpp"
 #include "schema/sql_tokens.hpp"
-#include "solver/spread.hpp"
+#include "solver/design/spread.hpp"
 
 namespace misalign::search {
 namespace {

@@ -23,7 +23,7 @@
 #include "search/suggestion.hpp"
 #include "search/terminal.hpp"
 #include "search/verbs.hpp"
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,7 +1,7 @@
 #include "search/folded_sheet.hpp"
 
-#include "solver/half_angle.hpp"
-#include "solver/miscut_margin.hpp"
+#include "solver/pattern/half_angle.hpp"
+#include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::search {
 

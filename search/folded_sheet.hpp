@@ -2,9 +2,9 @@
 #pragma once
 
 #include "schema/folding_json.hpp"
-#include "solver/actuation.hpp"
-#include "solver/elimination.hpp"
-#include "solver/fold_lines.hpp"
+#include "solver/design/actuation.hpp"
+#include "solver/linear/elimination.hpp"
+#include "solver/design/fold_lines.hpp"
 
 namespace misalign::search {
 

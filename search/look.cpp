@@ -11,7 +11,7 @@
 #include "search/folding_text.hpp"
 #include "search/terminal.hpp"
 #include "search/trial.hpp"
-#include "solver/perforation.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::search {
 namespace {

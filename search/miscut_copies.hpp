@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/verdict.hpp"
+#include "solver/verdict/verdict.hpp"
 
 namespace misalign::search {
 

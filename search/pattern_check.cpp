@@ -5,8 +5,8 @@
 
 #include "schema/folding_json.hpp"
 #include "search/chosen_sheet.hpp"
-#include "solver/metrics.hpp"
-#include "solver/shaped_path.hpp"
+#include "solver/verdict/metrics.hpp"
+#include "solver/design/shaped_path.hpp"
 
 namespace misalign::search {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/half_angle.hpp"
+#include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {
 namespace {

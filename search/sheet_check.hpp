@@ -8,9 +8,9 @@
 #include "schema/ledger_check.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/contact.hpp"
-#include "solver/elimination.hpp"
-#include "solver/fold_lines.hpp"
-#include "solver/history.hpp"
+#include "solver/linear/elimination.hpp"
+#include "solver/design/fold_lines.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::search {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "schema/unit_writer.hpp"
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
 

@@ -4,8 +4,8 @@
 
 #include "search/draw.hpp"
 #include "search/trial.hpp"
-#include "solver/reference.hpp"
-#include "solver/tracker.hpp"
+#include "solver/reference/reference.hpp"
+#include "solver/continuation/tracker.hpp"
 
 namespace misalign {
 namespace {

@@ -2,7 +2,7 @@
 #include "schema/actuation_json.hpp"
 #include "schema/yield.hpp"
 #include "schema_agreement.hpp"
-#include "solver/elimination.hpp"
+#include "solver/linear/elimination.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "schema/carried_pattern.hpp"
 #include "schema/drawing.hpp"
-#include "solver/elimination.hpp"
-#include "solver/fold_lines.hpp"
-#include "solver/perforation.hpp"
+#include "solver/linear/elimination.hpp"
+#include "solver/design/fold_lines.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {
 namespace {

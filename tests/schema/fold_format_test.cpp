@@ -6,7 +6,7 @@
 
 #include "fold_meshes.hpp"
 #include "schema/campaign.hpp"
-#include "solver/perforation.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "schema/fold_format.hpp"
 #include "schema/pattern_file.hpp"
-#include "solver/miura.hpp"
+#include "solver/pattern/miura.hpp"
 
 namespace misalign::schema {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "schema/actuation_json.hpp"
-#include "solver/elimination.hpp"
+#include "solver/linear/elimination.hpp"
 
 namespace misalign::schema {
 namespace {

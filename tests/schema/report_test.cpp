@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "schema/base64.hpp"
-#include "solver/elimination.hpp"
-#include "solver/outline.hpp"
+#include "solver/linear/elimination.hpp"
+#include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {

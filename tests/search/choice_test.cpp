@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "solver/spread.hpp"
+#include "solver/design/spread.hpp"
 
 namespace misalign::search {
 namespace {

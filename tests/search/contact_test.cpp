@@ -7,7 +7,7 @@
 
 #include "schema/campaign.hpp"
 #include "search/draw.hpp"
-#include "solver/history.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::search {
 namespace {

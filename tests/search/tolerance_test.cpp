@@ -6,7 +6,7 @@
 
 #include "search/draw.hpp"
 #include "search/tolerance_text.hpp"
-#include "solver/reference.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,7 +5,7 @@
 #include "search/draw.hpp"
 #include "search/folded_sheet.hpp"
 #include "search/messages.hpp"
-#include "solver/reference.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign::search {
 namespace {

@@ -2,8 +2,8 @@
 #include <set>
 
 #include "blocks.hpp"
-#include "solver/lane_batch.hpp"
-#include "solver/reference.hpp"
+#include "solver/lanes/lane_batch.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,6 +1,6 @@
 // Springs on the diagonals against lengths between vertex coordinates, fine differences and sets
 // that are tried one by one.
-#include "solver/actuation.hpp"
+#include "solver/design/actuation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 
 #include "sheets.hpp"
-#include "solver/elimination.hpp"
-#include "solver/metrics.hpp"
+#include "solver/linear/elimination.hpp"
+#include "solver/verdict/metrics.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

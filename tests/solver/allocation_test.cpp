@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "blocks.hpp"
-#include "solver/reference.hpp"
+#include "solver/reference/reference.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define MISALIGN_COUNTS_ALLOCATIONS 0  // the sanitizer has an allocator of its own

@@ -1,5 +1,5 @@
 // The sequential method: closed forms, loops multiplied out, and sheets that it must refuse.
-#include "solver/base_folding.hpp"
+#include "solver/pattern/base_folding.hpp"
 
 #include <Eigen/Geometry>
 #include <random>

@@ -1,11 +1,11 @@
 // Batches through their public interface, for every instruction set: bit for bit what one lane of
 // doubles gives, whoever the neighbours are.
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 
 #include <limits>
 
 #include "blocks.hpp"
-#include "solver/lane_batch.hpp"
+#include "solver/lanes/lane_batch.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,6 +1,6 @@
 // Bumps between samples: the cubic against one that is sampled finely, and against paths that are
 // followed in steps of a hundredth of a degree.
-#include "solver/between.hpp"
+#include "solver/verdict/between.hpp"
 
 #include "blocks.hpp"
 

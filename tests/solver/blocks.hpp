@@ -4,7 +4,7 @@
 #include <random>
 
 #include "sheets.hpp"
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 
 namespace misalign::solver {
 

@@ -2,9 +2,9 @@
 #include <Eigen/Geometry>
 
 #include "sheets.hpp"
-#include "solver/diagonals.hpp"
-#include "solver/loop_closure.hpp"
-#include "solver/perforation.hpp"
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/kinematics/loop_closure.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::solver {
 namespace {

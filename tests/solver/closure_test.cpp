@@ -2,8 +2,8 @@
 #include <random>
 
 #include "sheets.hpp"
-#include "solver/loop_closure.hpp"
-#include "solver/newton.hpp"
+#include "solver/kinematics/loop_closure.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/crease_pattern.hpp"
+#include "solver/pattern/crease_pattern.hpp"
 
 #include "sheets.hpp"
 

@@ -1,5 +1,5 @@
 // A vertex of degree four against rotations multiplied out, and against spherical trigonometry.
-#include "solver/degree_four.hpp"
+#include "solver/pattern/degree_four.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "sheets.hpp"
-#include "solver/newton.hpp"
-#include "solver/tracker.hpp"
+#include "solver/linear/newton.hpp"
+#include "solver/continuation/tracker.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "solver/start.hpp"
-#include "solver/tracker.hpp"
+#include "solver/continuation/start.hpp"
+#include "solver/continuation/tracker.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

@@ -1,11 +1,11 @@
 // Gradients by the vertices of the flat sheet, against differences between whole paths of sheets
 // that are cut a little otherwise.
-#include "solver/flat_gradient.hpp"
+#include "solver/verdict/flat_gradient.hpp"
 
 #include <random>
 
 #include "sheets.hpp"
-#include "solver/newton.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,6 +1,6 @@
 // Against data from three programs that share no code with this one (tests/golden).
 #include "sheets.hpp"
-#include "solver/reference.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/half_angle.hpp"
+#include "solver/pattern/half_angle.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // What the fast tests see of a sheet is what its path shows there, within the errors they claim:
 // lengths and slopes (by central differences) of the path in steps of a tenth of a degree.
-#include "solver/lane_test.hpp"
+#include "solver/lanes/lane_test.hpp"
 
 #include <cmath>
 
 #include "blocks.hpp"
-#include "solver/diagonals.hpp"
+#include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,11 +1,11 @@
 // The miscut margin, against another solver's differences, and in lanes against the scalar code.
-#include "solver/miscut_margin.hpp"
+#include "solver/verdict/miscut_margin.hpp"
 
 #include <limits>
 #include <xsimd/xsimd.hpp>
 
 #include "blocks.hpp"
-#include "solver/lane_state.hpp"
+#include "solver/kinematics/lane_state.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

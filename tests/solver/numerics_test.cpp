@@ -2,9 +2,9 @@
 #include <Eigen/SVD>
 
 #include "blocks.hpp"
-#include "solver/newton.hpp"
-#include "solver/reference.hpp"
-#include "solver/singular_value.hpp"
+#include "solver/linear/newton.hpp"
+#include "solver/reference/reference.hpp"
+#include "solver/linear/singular_value.hpp"
 
 namespace misalign::solver {
 namespace {

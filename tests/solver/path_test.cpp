@@ -1,6 +1,6 @@
 // The path: independent of the solver's steps, and its fold limit a true turning point.
 #include "sheets.hpp"
-#include "solver/diagonals.hpp"
+#include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/perforation.hpp"
+#include "solver/pattern/perforation.hpp"
 
 #include <random>
 #include <set>

@@ -1,5 +1,5 @@
 // The fast tests' rules on made-up observations, every margin from both sides.
-#include "solver/screening.hpp"
+#include "solver/verdict/screening.hpp"
 
 #include <cmath>
 #include <limits>

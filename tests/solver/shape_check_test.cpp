@@ -1,10 +1,10 @@
 // Shapes made by hand, and folded sheets with one coordinate moved.
-#include "solver/shape_check.hpp"
+#include "solver/kinematics/shape_check.hpp"
 
 #include <cmath>
 
 #include "sheets.hpp"
-#include "solver/newton.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::solver {
 namespace {

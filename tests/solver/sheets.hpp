@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solver/history.hpp"
-#include "solver/miura.hpp"
-#include "solver/perforation.hpp"
+#include "solver/verdict/history.hpp"
+#include "solver/pattern/miura.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::solver {
 

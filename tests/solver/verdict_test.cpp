@@ -1,5 +1,5 @@
 // The verdict's rules on made-up samples: every band from both sides, and the order of faults.
-#include "solver/verdict.hpp"
+#include "solver/verdict/verdict.hpp"
 
 #include "sheets.hpp"
 

@@ -7,7 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
-#include "solver/history.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::solver {
 

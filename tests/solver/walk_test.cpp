@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/course.hpp"
+#include "solver/continuation/course.hpp"
 
 namespace misalign::solver {
 namespace {

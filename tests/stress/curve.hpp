@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "solver/newton.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::stress {
 

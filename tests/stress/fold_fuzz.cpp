@@ -7,7 +7,7 @@
 //   fold_fuzz --corpus DIRECTORY    writes the meshes that it starts from
 #include "schema/fold_format.hpp"
 #include "schema/pattern_file.hpp"
-#include "solver/miura.hpp"
+#include "solver/pattern/miura.hpp"
 #include "tests/stress/mutations.hpp"
 #include "tests/stress/same_pattern.hpp"
 

@@ -57,9 +57,9 @@ all asan 20
 
 # What the readers of JSON need, without the rest of the program.
 sources="schema/campaign.cpp schema/carried_pattern.cpp schema/digest.cpp schema/fold_format.cpp schema/input.cpp
-  schema/mesh_family.cpp schema/pattern_file.cpp schema/plane_mesh.cpp schema/printable.cpp solver/base_folding.cpp
-  solver/crease_pattern.cpp solver/degree_four.cpp solver/half_angle.cpp solver/loop_closure.cpp
-  solver/mechanism.cpp solver/miura.cpp solver/newton.cpp solver/outline.cpp solver/perforation.cpp"
+  schema/mesh_family.cpp schema/pattern_file.cpp schema/plane_mesh.cpp schema/printable.cpp solver/pattern/base_folding.cpp
+  solver/pattern/crease_pattern.cpp solver/pattern/degree_four.cpp solver/pattern/half_angle.cpp solver/kinematics/loop_closure.cpp
+  solver/kinematics/mechanism.cpp solver/pattern/miura.cpp solver/linear/newton.cpp solver/pattern/outline.cpp solver/pattern/perforation.cpp"
 by_coverage() { # NAME INPUTS
   [ "$2" -gt 0 ] || return 0
   clang++ -std=c++20 -O1 -g1 -ffp-contract=off -fno-sanitize-recover=all -fsanitize=fuzzer,address,undefined \

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "bases.hpp"
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 #include "witnesses.hpp"
 
 namespace misalign::stress {

@@ -12,8 +12,8 @@
 #include "search/draw.hpp"
 #include "search/tolerance.hpp"
 #include "search/trial.hpp"
-#include "solver/flat_gradient.hpp"
-#include "solver/newton.hpp"
+#include "solver/verdict/flat_gradient.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/diagonals.hpp"
+#include "solver/kinematics/diagonals.hpp"
 #include "tests/bench/work_precision/corrector.hpp"
 #include "tests/bench/work_precision/predictor.hpp"
 

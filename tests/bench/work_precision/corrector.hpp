@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "solver/loop_closure.hpp"
+#include "solver/kinematics/loop_closure.hpp"
 #include "tests/bench/work_precision/linear.hpp"
 #include "tests/bench/work_precision/problem.hpp"
 #include "tests/bench/work_precision/scalar.hpp"

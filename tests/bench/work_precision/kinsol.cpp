@@ -9,8 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "solver/diagonals.hpp"
-#include "solver/loop_closure.hpp"
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/kinematics/loop_closure.hpp"
 #include "tests/bench/work_precision/scalar.hpp"
 
 namespace misalign::bench {

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "solver/loop_closure.hpp"
-#include "solver/sparse_lu.hpp"
+#include "solver/kinematics/loop_closure.hpp"
+#include "solver/linear/sparse_lu.hpp"
 
 namespace misalign::bench {
 

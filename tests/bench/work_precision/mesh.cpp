@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "search/draw.hpp"
-#include "solver/miura.hpp"
-#include "solver/perforation.hpp"
+#include "solver/pattern/miura.hpp"
+#include "solver/pattern/perforation.hpp"
 #include "tests/bench/work_precision/clock.hpp"
 #include "tests/bench/work_precision/corrector.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "solver/batch.hpp"
+#include "solver/lanes/batch.hpp"
 #include "tests/bench/work_precision/adaptive.hpp"
 #include "tests/bench/work_precision/fixed_steps.hpp"
 #include "tests/bench/work_precision/tracking.hpp"

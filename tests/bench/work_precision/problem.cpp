@@ -1,7 +1,7 @@
 #include "tests/bench/work_precision/problem.hpp"
 
 #include "search/draw.hpp"
-#include "solver/path.hpp"
+#include "solver/continuation/path.hpp"
 
 namespace misalign::bench {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/mechanism.hpp"
+#include "solver/kinematics/mechanism.hpp"
 
 namespace misalign::bench {
 

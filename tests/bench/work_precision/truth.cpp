@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "solver/diagonals.hpp"
-#include "solver/newton.hpp"
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/linear/newton.hpp"
 #include "tests/bench/work_precision/quad.hpp"
 #include "tests/bench/work_precision/scalar.hpp"
 

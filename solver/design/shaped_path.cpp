@@ -1,0 +1,66 @@
+#include "solver/design/shaped_path.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
+  Eigen::Matrix3Xd place_mm = Eigen::Matrix3Xd::Zero(3, flat_mm.cols());
+  place_mm.topRows<2>() = flat_mm;
+  const Eigen::Isometry3d moved(Eigen::umeyama(shape_mm, place_mm, false));
+  return moved * shape_mm;
+}
+
+}  // namespace
+
+Eigen::Index ShapedPath::rows_up_to_d() const {
+  Eigen::Index rows = 0;
+  for (std::size_t row = 0; row < history.stops.size(); ++row) {
+    const int sample = history.stops[row].sample;
+    if (sample > 0 && sample <= history.verdict.deploys_from_sample) {
+      rows = static_cast<Eigen::Index>(row) + 1;
+    }
+  }
+  return rows;
+}
+
+Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history) {
+  const Eigen::MatrixXd& angle_deg = history.fold_angle_deg;
+  for (Eigen::Index row = 0; row < angle_deg.rows(); ++row) {
+    for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+      const double angle = angle_deg(row, static_cast<Eigen::Index>(i));
+      const bool valley = mechanism.is_valley(mechanism.creases[i]);
+      if ((angle > 0) != valley || std::abs(angle) > 180 + kOverFoldBand_deg) return row;
+    }
+  }
+  return angle_deg.rows();
+}
+
+ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
+                         const Elimination& elimination, const PathPlan& plan,
+                         const FlatVertices& vertices_mm, bool bump_is_fault,
+                         const std::vector<int>& margin_samples) {
+  const FoldedShape shape(base.sheet, base.holes, mechanism);
+  SheetGeometry<double> geometry;
+  place(mechanism, vertices_mm, geometry);
+  ShapedPath path;
+  std::size_t row = 0;
+  double last_deg = 0;
+  path.history = record_history(base, mechanism, elimination, plan, vertices_mm,
+                                {bump_is_fault,
+                                 [&](const Stop& stop, const FoldState<double>& state) {
+                                   if (stop.pilot_deg <= last_deg) row = 0;  // followed once more
+                                   last_deg = stop.pilot_deg;
+                                   path.shapes_mm.resize(std::max(path.shapes_mm.size(), row + 1));
+                                   path.shapes_mm[row++] =
+                                       laid_over(shape.vertices_mm(geometry, state), vertices_mm);
+                                 },
+                                 margin_samples});
+  path.shapes_mm.resize(path.history.stops.size());
+  return path;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,29 @@
+// A path with the folded sheet at each of its stops: for drawings, and whatever moves with them.
+#pragma once
+
+#include <vector>
+
+#include "solver/verdict/history.hpp"
+
+namespace misalign::solver {
+
+struct ShapedPath {
+  FoldingHistory history;
+  std::vector<Eigen::Matrix3Xd> shapes_mm;  ///< 3 x vertices, one for each row of the history
+
+  /// How many rows of the history lie up to D: the flat sheet not among them.
+  Eigen::Index rows_up_to_d() const;
+};
+
+/// How many rows from the first on have every crease on its side, and none folded past 180 degrees:
+/// what can be shown of a sheet that deploys from nothing.
+Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history);
+
+/// As record_history. Each shape is turned and moved, as it is, to where it lies best over the flat
+/// sheet at z = 0 (least squares over the vertices; Kabsch 1976), so that neighbours differ little.
+ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
+                         const Elimination& elimination, const PathPlan& plan,
+                         const FlatVertices& vertices_mm, bool bump_is_fault = false,
+                         const std::vector<int>& margin_samples = {});
+
+}  // namespace misalign::solver

@@ -1,0 +1,85 @@
+// The folded sheet as vertex coordinates, and a check that needs no equation of loop closure: rigid
+// panels keep the lengths of their edges and diagonals.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/kinematics/lane_math.hpp"
+
+namespace misalign::solver {
+
+/// A folded sheet: where its facets and vertices are, in panel widths, the first kept facet lying
+/// in the plane z = 0.
+template <class T>
+struct FoldedPoints {
+  std::vector<Pose<T>> facets;
+  std::vector<Vec3<T>> vertices;
+};
+
+/// Places each vertex by one facet only, reached over a spanning tree of joints, so that an error
+/// of closure shows as a changed length in the facets that did not place all of their corners.
+class FoldedShape {
+ public:
+  FoldedShape(const CreasePattern& sheet, const std::vector<int>& holes,
+              const Mechanism& mechanism);
+
+  template <class T>
+  void place(const SheetGeometry<T>& geometry, const FoldState<T>& state,
+             FoldedPoints<T>& points) const {
+    points.facets.resize(facets_.size(), Pose<T>::identity());
+    points.vertices.resize(placed_by_.size());
+    for (const Branch& branch : tree_) {
+      points.facets[branch.facet] = points.facets[branch.parent].then_rotate(
+          passage_rotation(mechanism_, geometry, state, branch.joint),
+          flat_point(geometry, branch.joint.vertex));
+    }
+    for (int v = 0; v < static_cast<int>(placed_by_.size()); ++v) {
+      points.vertices[v] = points.facets[placed_by_[v]] * flat_point(geometry, v);
+    }
+  }
+
+  /// Largest change of any edge or diagonal of a kept facet between flat and folded, panel widths.
+  template <class T>
+  T isometry_error(const SheetGeometry<T>& geometry, const FoldedPoints<T>& points) const {
+    T worst(0);
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      if (!kept_[f]) continue;
+      for (int i = 0; i < 4; ++i) {
+        for (int k = i + 1; k < 4; ++k) {
+          const int a = facets_[f][i], b = facets_[f][k];
+          const T flat = distance(flat_point(geometry, a), flat_point(geometry, b));
+          const T change = distance(points.vertices[a], points.vertices[b]) - flat;
+          worst = larger(worst, magnitude(change));
+        }
+      }
+    }
+    return worst;
+  }
+
+  /// 3 x N vertex coordinates in mm, valleys and mountains as seen from +z.
+  Eigen::Matrix3Xd vertices_mm(const SheetGeometry<double>& geometry,
+                               const FoldState<double>& state) const;
+
+  /// 3 x (4 kept facets) coordinates in mm of the corners of each kept facet in turn, placed by
+  /// that facet: where facets meet, they agree as far as all joints between them close.
+  Eigen::Matrix3Xd corners_mm(const SheetGeometry<double>& geometry,
+                              const FoldState<double>& state) const;
+
+ private:
+  struct Branch {
+    Passage joint;
+    int parent, facet;
+  };
+  Eigen::Vector3d seen_mm(const Vec3<double>& point) const;
+
+  const Mechanism& mechanism_;
+  std::vector<std::array<int, 4>> facets_;
+  std::vector<bool> kept_;
+  int root_ = 0;
+  std::vector<Branch> tree_;    // parents before children
+  std::vector<int> placed_by_;  // facet per vertex
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,73 @@
+// Sheets and states of lanes: one lane's share in and out, and choices lane by lane.
+#pragma once
+
+#include "solver/kinematics/lane_math.hpp"
+#include "solver/kinematics/mechanism.hpp"
+
+namespace misalign::solver {
+
+/// Of the size that `mechanism` needs, every vertex at the origin.
+template <class T>
+SheetGeometry<T> lane_geometry(const Mechanism& mechanism) {
+  const std::size_t vertices = static_cast<std::size_t>(mechanism.vertices);
+  SheetGeometry<T> geometry;
+  geometry.x.assign(vertices, T(0));
+  geometry.y.assign(vertices, T(0));
+  geometry.axis_x.assign(mechanism.edges.size(), T(1));
+  geometry.axis_y.assign(mechanism.edges.size(), T(0));
+  return geometry;
+}
+
+/// `b` in the lanes where `choice` is positive, else `a`.
+template <class T>
+void replace(const T& choice, const FoldState<T>& b, FoldState<T>& a) {
+  const auto chosen = choice > T(0);
+  for (std::size_t k = 0; k < a.creases.size(); ++k) {
+    a.creases[k] = {select(chosen, b.creases[k].c, a.creases[k].c),
+                    select(chosen, b.creases[k].s, a.creases[k].s)};
+  }
+  for (std::size_t k = 0; k < a.balls.size(); ++k) {
+    const Quaternion<T>&p = a.balls[k], &q = b.balls[k];
+    a.balls[k] = {select(chosen, q.w, p.w), select(chosen, q.x, p.x), select(chosen, q.y, p.y),
+                  select(chosen, q.z, p.z)};
+  }
+}
+
+template <class T>
+void put_lane(const SheetGeometry<double>& from, SheetGeometry<T>& to, int i) {
+  for (std::size_t v = 0; v < from.x.size(); ++v) {
+    lane(to.x[v], i) = from.x[v];
+    lane(to.y[v], i) = from.y[v];
+  }
+  for (std::size_t e = 0; e < from.axis_x.size(); ++e) {
+    lane(to.axis_x[e], i) = from.axis_x[e];
+    lane(to.axis_y[e], i) = from.axis_y[e];
+  }
+}
+
+template <class T>
+void put_lane(const FoldState<double>& from, FoldState<T>& to, int i) {
+  for (std::size_t k = 0; k < from.creases.size(); ++k) {
+    lane(to.creases[k].c, i) = static_cast<Scalar<T>>(from.creases[k].c);
+    lane(to.creases[k].s, i) = static_cast<Scalar<T>>(from.creases[k].s);
+  }
+  for (std::size_t k = 0; k < from.balls.size(); ++k) {
+    lane(to.balls[k].w, i) = static_cast<Scalar<T>>(from.balls[k].w);
+    lane(to.balls[k].x, i) = static_cast<Scalar<T>>(from.balls[k].x);
+    lane(to.balls[k].y, i) = static_cast<Scalar<T>>(from.balls[k].y);
+    lane(to.balls[k].z, i) = static_cast<Scalar<T>>(from.balls[k].z);
+  }
+}
+
+template <class T>
+void copy_lane(const FoldState<T>& from, int i, FoldState<double>& to) {
+  for (std::size_t k = 0; k < to.creases.size(); ++k) {
+    to.creases[k] = {lane(from.creases[k].c, i), lane(from.creases[k].s, i)};
+  }
+  for (std::size_t k = 0; k < to.balls.size(); ++k) {
+    const Quaternion<T>& q = from.balls[k];
+    to.balls[k] = {lane(q.w, i), lane(q.x, i), lane(q.y, i), lane(q.z, i)};
+  }
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,199 @@
+#include "solver/kinematics/mechanism.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+namespace misalign::solver {
+namespace {
+
+// Collects joints and loops while walking over the sheet.
+class Builder {
+ public:
+  Builder(const CreasePattern& sheet, const std::vector<int>& holes, const BaseFolding& folding)
+      : sheet_(sheet), is_hole_(sheet.facet_count(), false) {
+    for (const int f : holes) is_hole_[f] = true;
+    mechanism_.edges = sheet.edges;
+    mechanism_.vertices = sheet.vertex_count();
+    mechanism_.panel_width_mm = sheet.panel_width_mm;
+    mechanism_.side = folding.side();
+    add_creases(folding);
+    for (const int v : interior_vertices(sheet)) add_ball_or_vertex_loop(v);
+    for (const int f : holes) add_hole_loop(f);
+    number_unknowns();
+  }
+
+  Mechanism take() { return std::move(mechanism_); }
+
+ private:
+  void add_creases(const BaseFolding& folding) {
+    crease_of_edge_.assign(sheet_.edges.size(), -1);
+    mechanism_.pilot = -1;
+    for (int e = 0; e < static_cast<int>(sheet_.edges.size()); ++e) {
+      const Edge& edge = sheet_.edges[e];
+      if (edge.on_perimeter() || is_hole_[edge.left] || is_hole_[edge.right]) continue;
+      crease_of_edge_[e] = static_cast<int>(mechanism_.creases.size());
+      if (e == folding.pilot_edge()) mechanism_.pilot = crease_of_edge_[e];
+      mechanism_.creases.push_back(
+          {e, edge.a, edge.b, edge.left, edge.right, folding.assignment()[e], 0});
+    }
+    assert(mechanism_.pilot >= 0);
+  }
+
+  void add_ball_or_vertex_loop(int vertex) {
+    const std::vector<int> ring = facets_around(sheet_, vertex);
+    assert(ring.size() == 4);
+    const auto open = std::count_if(ring.begin(), ring.end(), [&](int f) { return is_hole_[f]; });
+    if (open == 2) {
+      const int first_kept = is_hole_[ring[0]] ? 1 : 0;
+      const int from = ring[first_kept], across = ring[first_kept + 1];
+      const int to = ring[(first_kept + 2) % 4];
+      ball_of_vertex_.resize(sheet_.vertex_count(), -1);
+      ball_of_vertex_[vertex] = static_cast<int>(mechanism_.balls.size());
+      mechanism_.balls.push_back(
+          {vertex, from, to, {crossing(from, across, vertex), crossing(across, to, vertex)}, 0});
+    } else if (open == 0) {
+      Loop loop = open_loop(3, -1);
+      for (int k = 0; k < 4; ++k) {
+        loop.passages.push_back(over_crease(ring[k], ring[(k + 1) % 4], vertex));
+      }
+      close_loop(std::move(loop));
+    }
+  }
+
+  // Counter-clockwise round the hole, from the neighbour before corner 0 back to it.
+  void add_hole_loop(int hole) {
+    Loop loop = open_loop(6, hole);
+    loop.corners = sheet_.facets[hole];
+    std::array<int, 4> neighbour{};
+    for (int k = 0; k < 4; ++k) {
+      const Edge& edge =
+          sheet_.edges[find_edge(sheet_, loop.corners[k], loop.corners[(k + 1) % 4])];
+      neighbour[k] = edge.left == hole ? edge.right : edge.left;
+    }
+    for (int k = 0; k < 4; ++k) {
+      const int vertex = loop.corners[k];
+      const int from = neighbour[(k + 3) % 4], to = neighbour[k];
+      loop.arrival[k] = static_cast<int>(loop.passages.size());
+      const std::vector<int> ring = facets_around(sheet_, vertex);
+      const auto at = std::find(ring.begin(), ring.end(), hole) - ring.begin();
+      const int opposite = ring[(at + 2) % 4];
+      if (is_hole_[opposite]) {
+        const int ball = ball_of_vertex_[vertex];
+        const int sense = mechanism_.balls[ball].from_facet == from ? 1 : -1;
+        loop.passages.push_back({true, ball, sense, vertex});
+      } else {
+        loop.passages.push_back(over_crease(from, opposite, vertex));
+        loop.passages.push_back(over_crease(opposite, to, vertex));
+      }
+    }
+    const int index = static_cast<int>(mechanism_.loops.size());
+    for (const auto& [from, to] : {std::pair(1, 3), std::pair(2, 0)}) {
+      mechanism_.diagonals.push_back({index, from, to, loop.corners[from], loop.corners[to]});
+    }
+    close_loop(std::move(loop));
+  }
+
+  // The edge between two facets that meet at `vertex`, crossed from one to the other.
+  Crossing crossing(int from, int to, int vertex) const {
+    for (const int other : sheet_.facets[from]) {
+      const int e = find_edge(sheet_, vertex, other);
+      if (e < 0) continue;
+      const Edge& edge = sheet_.edges[e];
+      if (edge.left == from && edge.right == to) return {e, 1};
+      if (edge.right == from && edge.left == to) return {e, -1};
+    }
+    assert(false && "facets that meet at a vertex of degree four share an edge there");
+    return {-1, 0};
+  }
+
+  Passage over_crease(int from, int to, int vertex) const {
+    const Crossing over = crossing(from, to, vertex);
+    return {false, crease_of_edge_[over.edge], over.sense, vertex};
+  }
+
+  Loop open_loop(int rows, int hole) const {
+    return {{}, mechanism_.equations, rows, hole, {}, {}};
+  }
+
+  void close_loop(Loop loop) {
+    mechanism_.equations += loop.rows;
+    mechanism_.loops.push_back(std::move(loop));
+  }
+
+  void number_unknowns() {
+    int column = 0;
+    for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
+      if (i != mechanism_.pilot) mechanism_.creases[i].column = column++;
+    }
+    for (BallJoint& ball : mechanism_.balls) {
+      ball.column = column;
+      column += 3;
+    }
+    mechanism_.creases[mechanism_.pilot].column = column;
+    mechanism_.unknowns = column + 1;
+  }
+
+  const CreasePattern& sheet_;
+  std::vector<bool> is_hole_;
+  std::vector<int> crease_of_edge_, ball_of_vertex_;
+  Mechanism mechanism_{};
+};
+
+// Rotation on crossing an edge: -rho about the direction that has the facet one comes from on its
+// left.
+Quaternion<double> crossing_rotation(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+                                     const Crossing& crossing, const HalfAngle<double>& rho) {
+  const Edge& edge = mechanism.edges[crossing.edge];
+  const Eigen::Vector2d axis =
+      (vertices_mm.col(edge.b) - vertices_mm.col(edge.a)).normalized() * crossing.sense;
+  return {rho.c, -rho.s * axis.x(), -rho.s * axis.y(), 0.0};
+}
+
+}  // namespace
+
+Mechanism build_mechanism(const CreasePattern& sheet, const std::vector<int>& holes,
+                          const BaseFolding& folding) {
+  return Builder(sheet, holes, folding).take();
+}
+
+FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
+                             const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot) {
+  const std::vector<HalfAngle<double>> angles = folding.fold_angles(pilot);
+  FoldState<double> state;
+  for (const Crease& crease : mechanism.creases) state.creases.push_back(angles[crease.edge]);
+  for (const BallJoint& ball : mechanism.balls) {
+    Quaternion<double> q{1, 0, 0, 0};
+    for (const Crossing& crossing : ball.through) {
+      q = q * crossing_rotation(mechanism, base_vertices_mm, crossing, angles[crossing.edge]);
+    }
+    state.balls.push_back(q.normalized());
+  }
+  return state;
+}
+
+void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+           SheetGeometry<double>& geometry) {
+  const std::size_t vertices = static_cast<std::size_t>(vertices_mm.cols());
+  geometry.x.resize(vertices);
+  geometry.y.resize(vertices);
+  geometry.axis_x.resize(mechanism.edges.size());
+  geometry.axis_y.resize(mechanism.edges.size());
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const Eigen::Vector2d from_first =
+        vertices_mm.col(static_cast<Eigen::Index>(v)) - vertices_mm.col(0);
+    geometry.x[v] = from_first.x() / mechanism.panel_width_mm;
+    geometry.y[v] = from_first.y() / mechanism.panel_width_mm;
+  }
+  for (std::size_t e = 0; e < mechanism.edges.size(); ++e) {
+    const Edge& edge = mechanism.edges[e];
+    const double dx = geometry.x[edge.b] - geometry.x[edge.a];
+    const double dy = geometry.y[edge.b] - geometry.y[edge.a];
+    const double length = std::sqrt(dx * dx + dy * dy);
+    geometry.axis_x[e] = dx / length;
+    geometry.axis_y[e] = dy / length;
+  }
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,140 @@
+// The perforated sheet as a linkage: creases and ball joints, the loops that must close, and the
+// diagonals that are measured. Topology only, built once per campaign; where the vertices lie is
+// SheetGeometry, how far the joints are turned is FoldState.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/pattern/base_folding.hpp"
+#include "solver/pattern/crease_pattern.hpp"
+#include "solver/pattern/half_angle.hpp"
+#include "solver/kinematics/rotation.hpp"
+
+namespace misalign::solver {
+
+/// A fold line between two kept facets: one unknown.
+struct Crease {
+  int edge;
+  int a, b;         ///< its vertices, a < b
+  int left, right;  ///< facets seen walking from a to b
+  int assignment;   ///< +1 valley, -1 mountain in the base folding, seen from `side`
+  int column;       ///< of its unknown
+};
+
+/// Crossing an edge of the sheet: sense +1 from its left facet to its right one, -1 the other way.
+struct Crossing {
+  int edge;
+  int sense;
+};
+
+/// A vertex between two opposite holes: three unknowns, a small rotation.
+struct BallJoint {
+  int vertex;
+  int from_facet, to_facet;
+  std::array<Crossing, 2> through;  ///< the base sheet's creases on the way between the two
+  int column;                       ///< of its first unknown
+};
+
+/// One joint on the way round a loop.
+struct Passage {
+  bool ball;
+  int joint;   ///< index into creases or ball joints
+  int sense;   ///< +1 as the joint is defined, -1 the other way
+  int vertex;  ///< a point of the sheet that the joint keeps in place
+};
+
+/// A closed walk over kept facets. Round a whole vertex the rotation must close, three equations
+/// (3.1); round a hole the translation too, six equations (3.4), (3.5).
+struct Loop {
+  std::vector<Passage> passages;
+  int first_row;
+  int rows;                    ///< 3 or 6
+  int hole;                    ///< facet index, -1 round a vertex
+  std::array<int, 4> corners;  ///< of a hole: its vertices ...
+  std::array<int, 4> arrival;  ///< ... and the first passage at each
+};
+
+/// A diagonal of a hole: between two of the corners that its loop passes.
+struct Diagonal {
+  int loop;
+  int from_corner, to_corner;  ///< 0 to 3
+  int from, to;                ///< vertices
+};
+
+struct Mechanism {
+  std::vector<Edge> edges;  ///< of the sheet, for the axes
+  std::vector<Crease> creases;
+  std::vector<BallJoint> balls;
+  std::vector<Loop> loops;
+  std::vector<Diagonal>
+      diagonals;  ///< holes in order; (corner 1, corner 3), then (corner 2, corner 0)
+  int pilot;      ///< index of the pilot crease; its unknown is the last column
+  int vertices;   ///< of the sheet
+  int unknowns, equations;
+  int side;  ///< -1: fold angles are those seen from below, where the pilot is a valley
+  double panel_width_mm;
+
+  /// Column of the first of a passage's unknowns, one or three.
+  int first_column(const Passage& passage) const {
+    return passage.ball ? balls[passage.joint].column : creases[passage.joint].column;
+  }
+  /// Seen from +z, where fold angles of valleys are positive.
+  bool is_valley(const Crease& crease) const { return side * crease.assignment > 0; }
+  int diagonal_count() const { return static_cast<int>(diagonals.size()); }
+};
+
+/// Joints, loops and diagonals of a sheet whose holes have no hole_faults and leave the pilot
+/// whole. Unknowns: creases in edge order, three for each ball joint in vertex order, the pilot
+/// last.
+Mechanism build_mechanism(const CreasePattern& sheet, const std::vector<int>& holes,
+                          const BaseFolding& folding);
+
+/// How far every joint is turned.
+template <class T>
+struct FoldState {
+  std::vector<HalfAngle<T>> creases;
+  std::vector<Quaternion<T>> balls;
+};
+
+/// The flat state: every joint at zero, and of the size that `mechanism` needs.
+template <class T>
+FoldState<T> flat_state(const Mechanism& mechanism) {
+  return {std::vector<HalfAngle<T>>(mechanism.creases.size(), {T(1), T(0)}),
+          std::vector<Quaternion<T>>(mechanism.balls.size(), {T(1), T(0), T(0), T(0)})};
+}
+
+/// The base folding with |pilot fold angle| = 2 * `pilot`: where every path starts.
+/// `base_vertices_mm` are those of the correct sheet.
+FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
+                             const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot);
+
+/// Where the vertices lie on the flat sheet, A1 at the origin, and the unit axes of its edges, in
+/// panel widths: loops close to rounding of the coordinates, which must not grow with where a sheet
+/// was drawn.
+template <class T>
+struct SheetGeometry {
+  std::vector<T> x, y;            ///< per vertex
+  std::vector<T> axis_x, axis_y;  ///< per edge, from a to b
+};
+
+/// Fills `geometry` (resized on first use) from flat coordinates in mm.
+void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+           SheetGeometry<double>& geometry);
+
+/// Turns every joint by its entry of `delta` (rad; one per unknown, in column order): creases about
+/// their axis, ball joints by R <- exp(delta) R to second order.
+template <class T>
+void advance(const Mechanism& mechanism, const T* delta, FoldState<T>& state) {
+  for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+    state.creases[i] = state.creases[i].turned(delta[mechanism.creases[i].column]);
+  }
+  for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
+    const T* d = delta + mechanism.balls[i].column;
+    const T half(0.5);
+    state.balls[i] =
+        (Quaternion<T>{T(1), half * d[0], half * d[1], half * d[2]} * state.balls[i]).normalized();
+  }
+}
+
+}  // namespace misalign::solver

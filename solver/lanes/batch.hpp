@@ -1,0 +1,58 @@
+// Many sheets of one family at once, in the widest registers there are: the fast tests that turn
+// most of them away, and the full path of the others.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/verdict/screening.hpp"
+
+namespace misalign::solver {
+
+enum class InstructionSet {
+  baseline,  ///< what every machine of this architecture has: two lanes
+  avx2,      ///< four lanes
+  avx512     ///< eight
+};
+
+const char* instruction_set_name(InstructionSet set);
+/// Of this build and this machine, narrowest first.
+std::vector<InstructionSet> available_instruction_sets();
+
+/// Shifts of a block of sheets, mm: x and y of each of the family's shifted vertices in turn.
+struct ShiftBlock {
+  std::vector<double> shifts_mm;  ///< sheet by sheet
+  int sheets = 0;
+
+  const double* of(int sheet) const {
+    return shifts_mm.data() + shifts_mm.size() / static_cast<std::size_t>(sheets) * sheet;
+  }
+};
+
+struct Effort {
+  std::uint64_t solves = 0, iterations = 0;
+};
+
+class Batch {
+ public:
+  virtual ~Batch();
+
+  /// One result per sheet: rejected for certain, or not decided.
+  virtual const std::vector<Screened>& screen(const ShiftBlock& block) = 0;
+  /// Verdicts of all sheets on their full paths; `undecided` where the path was lost, which another
+  /// solver may settle.
+  virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
+  /// Whole histories, past faults: for the few sheets that are worth it. A path that is lost here
+  /// is followed again by dense matrices.
+  virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
+  /// Of everything so far.
+  virtual Effort screening_effort() const = 0;
+  virtual Effort judging_effort() const = 0;
+};
+
+/// `family` must outlive the batch. The verdicts are the same for every instruction set.
+std::unique_ptr<Batch> make_batch(InstructionSet set, const SheetFamily& family);
+
+}  // namespace misalign::solver

@@ -1,0 +1,17 @@
+// One batch for each instruction set, each compiled with its own flags in a file of its own. Those
+// files instantiate nothing but templates on their registers: what they share with the rest of the
+// program is compiled elsewhere (destructors too), or the linker might keep the copy that this
+// machine cannot run: tests/system/instruction_sets.sh looks.
+#pragma once
+
+#include "solver/lanes/batch.hpp"
+
+namespace misalign::solver {
+
+std::unique_ptr<Batch> make_baseline_batch(const SheetFamily& family);
+#ifdef MISALIGN_X86
+std::unique_ptr<Batch> make_avx2_batch(const SheetFamily& family);
+std::unique_ptr<Batch> make_avx512_batch(const SheetFamily& family);
+#endif
+
+}  // namespace misalign::solver

@@ -1,0 +1,52 @@
+#include "solver/linear/newton.hpp"
+
+namespace misalign::solver {
+
+ClosureSystem::ClosureSystem(const Mechanism& mechanism)
+    : mechanism_(mechanism),
+      entries_(jacobian_entries(mechanism)),
+      values_(entries_.size()),
+      residual_(mechanism.equations),
+      jacobian_(Eigen::MatrixXd::Zero(mechanism.equations, mechanism.unknowns)) {}
+
+double ClosureSystem::evaluate(const SheetGeometry<double>& geometry,
+                               const FoldState<double>& state) {
+  const double open =
+      solver::evaluate(mechanism_, geometry, state, residual_.data(), values_.data());
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    jacobian_(entries_[k].row, entries_[k].column) = values_[k];
+  }
+  return open;
+}
+
+int DenseSolve::determinant_sign() const {
+  const auto diagonal = lu_.matrixLU().diagonal();
+  int sign = static_cast<int>(lu_.permutationP().determinant());
+  for (Eigen::Index k = 0; k < diagonal.size(); ++k) {
+    if (diagonal[k] < 0) sign = -sign;
+  }
+  return sign;
+}
+
+Newton::Newton(const Mechanism& mechanism, const NewtonOptions& options)
+    : options_(options),
+      system_(mechanism),
+      solve_(mechanism.equations),
+      step_(Eigen::VectorXd::Zero(mechanism.unknowns)) {}
+
+NewtonResult Newton::correct(const SheetGeometry<double>& geometry, FoldState<double>& state) {
+  const Mechanism& mechanism = system_.mechanism();
+  for (int iteration = 0;; ++iteration) {
+    const double open = system_.evaluate(geometry, state);
+    if (!system_.residual().allFinite()) return {NewtonEnd::not_a_number, iteration, open};
+    if (open <= options_.closure_tolerance && iteration > 0) {
+      return {NewtonEnd::converged, iteration, open};
+    }
+    if (iteration == options_.max_iterations) return {NewtonEnd::too_many_steps, iteration, open};
+    solve_.factorize(system_.jacobian().leftCols(mechanism.equations));
+    step_.head(mechanism.equations) = -solve_.solve(system_.residual());
+    advance(mechanism, step_.data(), state);  // the pilot's entry, the last, stays zero
+  }
+}
+
+}  // namespace misalign::solver

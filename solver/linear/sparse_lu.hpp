@@ -1,0 +1,187 @@
+// The numeric half of the fixed-order elimination: straight through, no search, no branch on a
+// value, no allocation, one template for double and for lanes. Every operation is written out and
+// nothing is fused, so a lane has the bits of the scalar code.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/linear/elimination.hpp"
+#include "solver/kinematics/lane_math.hpp"
+
+namespace misalign::solver {
+
+template <class T>
+class SparseLu {
+ public:
+  /// `plan` must outlive this object.
+  explicit SparseLu(const Elimination& plan)
+      : plan_(plan), slots_(plan.slots, T(0)), inverse_pivots_(plan.equations, T(0)) {}
+
+  /// The factors of another precision, rounded.
+  template <class U>
+  explicit SparseLu(const SparseLu<U>& other) : SparseLu(other.plan()) {
+    std::transform(other.slots_.begin(), other.slots_.end(), slots_.begin(),
+                   [](const U& value) { return static_cast<T>(value); });
+    std::transform(other.inverse_pivots_.begin(), other.inverse_pivots_.end(),
+                   inverse_pivots_.begin(), [](const U& value) { return static_cast<T>(value); });
+  }
+
+  /// Where `evaluate` writes the Jacobian's nonzeros, each into its slot.
+  class Entry {
+   public:
+    Entry(T* slots, const std::int32_t* slot) : slots_(slots), slot_(slot) {}
+    T& operator*() const { return slots_[*slot_]; }
+    Entry operator++(int) { return {slots_, slot_++}; }
+
+   private:
+    T* slots_;
+    const std::int32_t* slot_;
+  };
+  Entry entries() { return {slots_.data(), plan_.slot_of_value.data()}; }
+
+  /// Takes over the factors of `other`, in the lanes where `choice` is positive.
+  void replace(const T& choice, const SparseLu& other) {
+    const auto chosen = choice > T(0);
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      slots_[k] = select(chosen, other.slots_[k], slots_[k]);
+    }
+    for (std::size_t k = 0; k < inverse_pivots_.size(); ++k) {
+      inverse_pivots_[k] = select(chosen, other.inverse_pivots_[k], inverse_pivots_[k]);
+    }
+  }
+
+  /// Factors the Jacobian that was written to entries().
+  void factorize() {
+    T* const slots = slots_.data();
+    for (const std::int32_t slot : plan_.fill_slots) slots[slot] = T(0);
+    T* inverse = inverse_pivots_.data();
+    for (const Pivot& pivot : plan_.pivots) {
+      const T inverse_pivot = T(1) / slots[pivot.slot];
+      *inverse++ = inverse_pivot;
+      const T* const row = slots + pivot.upper.begin;
+      const int length = pivot.upper.size();
+      const std::int32_t* target = plan_.targets.data() + pivot.first_target;
+      for (std::int32_t k = pivot.lower.begin; k < pivot.lower.end; ++k, target += length) {
+        T& lower = slots[plan_.lower_slot[k]];
+        const T factor = lower * inverse_pivot;
+        lower = factor;
+        for (int u = 0; u < length; ++u) slots[target[u]] = slots[target[u]] - factor * row[u];
+      }
+    }
+  }
+
+  /// y with L y = rhs: rhs one per equation, y in elimination order. V is T, or lanes that share
+  /// factors of one double each.
+  template <class V>
+  void forward(const V* rhs, V* y) const {
+    std::int32_t slot = 0;
+    for (int i = 0; i < plan_.equations; ++i) {
+      const Pivot& pivot = plan_.pivots[i];
+      V sum = rhs[plan_.row_of[i]];
+      for (; slot < pivot.slot; ++slot) sum = sum - V(slots_[slot]) * y[plan_.column[slot]];
+      y[i] = sum;
+      slot = pivot.upper.end;
+    }
+  }
+
+  /// The equation that is left after the elimination:
+  /// partner_coefficient() dx_partner + pilot_coefficient() dx_pilot = y[n - 1].
+  const T& partner_coefficient() const { return slots_[plan_.pivots.back().slot]; }
+  const T& pilot_coefficient() const { return slots_.back(); }
+
+  /// x (one per unknown) with J x = rhs, for values of the last two unknowns that satisfy the
+  /// equation that is left; `y`, with room for one more value, is used up.
+  template <class V>
+  void backward(V* y, const V& partner, const V& pilot, V* x) const {
+    const int n = plan_.equations;
+    x[plan_.column_of[n]] = y[n] = pilot;
+    x[plan_.column_of[n - 1]] = y[n - 1] = partner;
+    for (int i = n - 2; i >= 0; --i) {
+      const Stretch& upper = plan_.pivots[i].upper;
+      V sum = y[i];
+      for (std::int32_t u = upper.begin; u < upper.end; ++u) {
+        sum = sum - V(slots_[u]) * y[plan_.column[u]];
+      }
+      x[plan_.column_of[i]] = y[i] = sum * V(inverse_pivots_[i]);
+    }
+  }
+
+  /// x with J x = 0, for values of the last two unknowns that satisfy the equation that is left;
+  /// `work` has room for one value per unknown.
+  template <class V>
+  void null_vector(const V& partner, const V& pilot, V* work, V* x) const {
+    for (int i = 0; i < plan_.equations; ++i) work[i] = V(0);
+    backward(work, partner, pilot, x);
+  }
+
+  /// x (one per equation) with J^T x = rhs (one per unknown but the pilot), J without the pilot's
+  /// column. `work` has room for one value per equation.
+  void transposed(const T* rhs, T* work, T* x) const {
+    const int n = plan_.equations;
+    for (int i = 0; i < n; ++i) {
+      const Stretch& above = plan_.pivots[i].above;
+      T sum = rhs[plan_.column_of[i]];
+      for (std::int32_t k = above.begin; k < above.end; ++k) {
+        sum = sum - slots_[plan_.above_slot[k]] * work[plan_.above_row[k]];
+      }
+      work[i] = sum * inverse_pivots_[i];
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      const Stretch& lower = plan_.pivots[i].lower;
+      T sum = work[i];
+      for (std::int32_t k = lower.begin; k < lower.end; ++k) {
+        sum = sum - slots_[plan_.lower_slot[k]] * work[plan_.lower_row[k]];
+      }
+      x[plan_.row_of[i]] = work[i] = sum;
+    }
+  }
+
+  const T& pivot(int i) const { return slots_[plan_.pivots[i].slot]; }
+  /// Sign of the determinant of the first n - 1 equations and columns.
+  T orientation() const {
+    T sign(static_cast<Scalar<T>>(plan_.permutation_sign));
+    for (int i = 0; i + 1 < plan_.equations; ++i) {
+      sign = select(pivot(i) < T(0), -sign, sign);
+    }
+    return sign;
+  }
+  /// Sign of the determinant of the Jacobian without the pilot's column.
+  T determinant_sign() const {
+    const T sign = orientation();
+    return select(partner_coefficient() < T(0), -sign, sign);
+  }
+  const Elimination& plan() const { return plan_; }
+
+ private:
+  template <class U>
+  friend class SparseLu;
+
+  const Elimination& plan_;
+  std::vector<T> slots_, inverse_pivots_;
+};
+
+/// The same factors as those of the square Jacobian, without the pilot's column.
+template <class T>
+class SquareFactors {
+ public:
+  explicit SquareFactors(const SparseLu<T>& lu)
+      : lu_(lu),
+        equations_(lu.plan().equations),
+        y_(equations_ + 1, T(0)),
+        x_(equations_ + 1, T(0)) {}
+
+  void solve(const T* rhs, T* x) {
+    lu_.forward(rhs, y_.data());
+    lu_.backward(y_.data(), y_[equations_ - 1] / lu_.partner_coefficient(), T(0), x_.data());
+    for (int j = 0; j < equations_; ++j) x[j] = x_[j];
+  }
+  void solve_transposed(const T* rhs, T* x) { lu_.transposed(rhs, y_.data(), x); }
+
+ private:
+  const SparseLu<T>& lu_;
+  const int equations_;
+  std::vector<T> y_, x_;
+};
+
+}  // namespace misalign::solver

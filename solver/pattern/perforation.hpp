@@ -1,0 +1,51 @@
+// Which facets are holes, and how many degrees of freedom that leaves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/pattern/base_folding.hpp"
+#include "solver/pattern/crease_pattern.hpp"
+
+namespace misalign::solver {
+
+/// Facets that may be taken out: none of their vertices lies on the perimeter. Ascending.
+std::vector<int> inner_facets(const CreasePattern& sheet);
+
+/// Inner facets whose row + column is odd (remainder 1) or even (0), ascending.
+std::vector<int> checkerboard(const CreasePattern& sheet, int remainder);
+
+/// What is wrong with these holes, a sentence each; empty when all are inner facets and none shares
+/// an edge with another.
+std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vector<int>& holes);
+
+/// The first crease between two kept facets, in the order of edges: A2-A9 of the paper's sheet.
+int default_pilot(const CreasePattern& sheet, const std::vector<int>& holes);
+
+/// d.f. = 3j - (t + 6) of the panel truss, equation (2.1): j joints, t members, of which two are
+/// the diagonals of each kept facet.
+int counted_mobility(const CreasePattern& sheet, const std::vector<int>& holes);
+
+/// How many holes make a sheet count to one degree of freedom; -1 if no number does.
+int holes_that_count_to_one(const CreasePattern& sheet);
+
+/// All sets of `count` inner facets of which no two share an edge: each ascending, in lexicographic
+/// order. None if there are more than `most`, or the search for them is longer than a few seconds.
+std::optional<std::vector<std::vector<int>>> separate_facets(const CreasePattern& sheet, int count,
+                                                             std::size_t most);
+
+/// What the Jacobian says where the base sheet is folded to generic angles.
+struct Mobility {
+  int unknowns, equations, rank;
+  int degrees_of_freedom() const { return unknowns - rank; }
+  /// One, and no constraint too many: shifted sheets fold too.
+  bool is_one() const { return rank == equations && degrees_of_freedom() == 1; }
+};
+
+/// Mobility by rank: the largest over pilot angles 40, 75 and 110 degrees (of 180; in proportion
+/// where the base ends earlier). `holes` must have no hole_faults.
+Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,
+                           const BaseFolding& folding);
+
+}  // namespace misalign::solver

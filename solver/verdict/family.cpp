@@ -1,0 +1,136 @@
+#include "solver/verdict/family.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+// Of 180 degrees, in proportion where the base folding ends earlier: beyond it the state next to
+// the base folding may lie on another branch than the path's own (35 of 1,722 at 170 degrees, none
+// of 2,500 at 150).
+constexpr double kSafeFromBase_deg = 150;
+
+// Where the first test at the far angle lets a sheet pass, this share of it shows in which
+// direction its diagonals set out: with both, nine of ten sheets are decided.
+constexpr double kNearShare = 0.2;
+
+// From the far test to the threshold in steps of about this, if it is farther than the other;
+// before it, where less happens, in steps of three times that.
+constexpr double kApproachStep_deg = 5, kApproachFrom_deg = 2;
+
+// Rows d length / d closure of all diagonals, one after another: their gradients, through the
+// Jacobian's factors.
+std::vector<double> lengths_per_closure(const Mechanism& mechanism,
+                                        const SheetGeometry<double>& geometry,
+                                        const FoldState<double>& state,
+                                        const SparseLu<double>& factors) {
+  const int n = mechanism.equations;
+  const std::size_t diagonals = mechanism.diagonals.size();
+  std::vector<double> rates(mechanism.unknowns), lengths(diagonals), slopes(diagonals), misfit(n);
+  std::vector<std::vector<double>> gradients(diagonals, std::vector<double>(n));
+  for (int j = 0; j < n; ++j) {
+    rates.assign(mechanism.unknowns, 0);
+    rates[j] = 1;
+    folded_lengths_and_slopes(mechanism, geometry, state, rates.data(), lengths.data(),
+                              slopes.data(), misfit.data());
+    for (std::size_t d = 0; d < diagonals; ++d) gradients[d][j] = slopes[d];
+  }
+  std::vector<double> work(n), row(n), rows;
+  for (const std::vector<double>& gradient : gradients) {
+    factors.transposed(gradient.data(), work.data(), row.data());
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  return rows;
+}
+
+// Joints of the hole with the most of them, times the largest distance across a hole.
+double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+  double most_joints = 0, widest = 0;
+  for (const Loop& loop : mechanism.loops) {
+    if (loop.hole < 0) continue;
+    double joints = 0;
+    for (const Passage& passage : loop.passages) joints += passage.ball ? 3 : 1;
+    most_joints = std::max(most_joints, joints);
+    for (const int a : loop.corners) {
+      for (const int b : loop.corners) {
+        widest = std::max(widest, (vertices_mm.col(a) - vertices_mm.col(b)).norm());
+      }
+    }
+  }
+  return most_joints * widest / mechanism.panel_width_mm;
+}
+
+}  // namespace
+
+SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& shifted,
+                         const PathPlanOptions& path, int threshold_sample, bool bump_is_fault)
+    : base_(base),
+      mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
+      elimination_(plan_elimination(mechanism_, base.folding, base.sheet.vertices_mm)),
+      shifted_(shifted),
+      path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
+      sample_deg_(path.sample_deg),
+      threshold_sample_(threshold_sample),
+      bump_is_fault_(bump_is_fault),
+      extent_((base.sheet.vertices_mm.colwise() - base.sheet.vertices_mm.col(0).eval())
+                  .cwiseAbs()
+                  .maxCoeff() /
+              mechanism_.panel_width_mm),
+      length_per_rad_(bound_of_length_per_rad(mechanism_, base.sheet.vertices_mm)) {
+  choose_tests();
+}
+
+void SheetFamily::choose_tests() {
+  const auto sample_at = [&](double angle_deg) {
+    return static_cast<int>(std::floor(angle_deg / sample_deg_ * (1 + 1e-9)));
+  };
+  // One sample short of the threshold: a slope there speaks of the samples on both sides.
+  const int far =
+      std::min(sample_at(kSafeFromBase_deg / 180 * base_.folding.end_deg()), threshold_sample_ - 1);
+  const int near = static_cast<int>(std::lround(kNearShare * far));
+  SheetGeometry<double> geometry;
+  place(mechanism_, base_.sheet.vertices_mm, geometry);
+  std::vector<double> residual(mechanism_.equations);
+  for (const int sample : {far, near}) {
+    if (sample < 1 || sample >= far + (sample == far)) continue;
+    const HalfAngle<double> pilot = half_angle_of_deg(sample * sample_deg_);
+    TestAngle& test = tests_.emplace_back(
+        TestAngle{sample,
+                  pilot,
+                  base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
+                  SparseLu<double>(elimination_),
+                  {},
+                  0,
+                  sample == far});
+    evaluate(mechanism_, geometry, test.base, residual.data(), test.factors.entries());
+    test.factors.factorize();
+    test.determinant_sign = test.factors.determinant_sign() < 0 ? -1 : 1;
+    test.lengths_per_closure = lengths_per_closure(mechanism_, geometry, test.base, test.factors);
+  }
+  if (tests_.size() < 2) return;
+  const auto add_stops = [&](int from, int to, double step_deg) {
+    const int step = std::max(1, sample_at(step_deg));
+    for (int k = from; k < to; k += step) {
+      approach_.stops.push_back({k * sample_deg_, half_angle_of_deg(k * sample_deg_), k, true});
+    }
+  };
+  add_stops(near, far, kApproachStep_deg * 3);
+  if ((threshold_sample_ - far) * sample_deg_ <= kApproachFrom_deg) {
+    departs_from_ = 1;
+    add_stops(far, far + 1, kApproachStep_deg);
+    return;
+  }
+  add_stops(far, threshold_sample_, kApproachStep_deg);
+  add_stops(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
+}
+
+void SheetFamily::displace(const double* shifts_mm, FlatVertices& vertices_mm) const {
+  vertices_mm = base_.sheet.vertices_mm;
+  for (const int vertex : shifted_) {
+    vertices_mm.col(vertex) += Eigen::Vector2d(shifts_mm[0], shifts_mm[1]);
+    shifts_mm += 2;
+  }
+}
+
+}  // namespace misalign::solver

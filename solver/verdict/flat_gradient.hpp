@@ -1,0 +1,194 @@
+// How a folded sheet answers to where its vertices lie on the flat one: gradients by the adjoint of
+// the loop closure, so that all vertices together cost one transposed solve.
+//
+// In a closed state a vertex enters a joint in two ways. Moved by d, a joint's fixed point moves
+// what comes after it by (R_before - R_after) d. An edge that is turned by an angle in the sheet
+// turns the crease on it: by the screw (R_before - R_after) z through the same point. A wrench
+// (force f, moment m about the origin) takes from a screw (w, c) the power w . (m - c x f); a
+// diagonal is such a wrench on the joints between its ends, and a weight of the closure equations
+// one on all joints of the loop.
+#pragma once
+
+#include <vector>
+
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/kinematics/lane_math.hpp"
+
+namespace misalign::solver {
+
+template <class T>
+class FlatGradient {
+ public:
+  /// `mechanism` must outlive this object.
+  explicit FlatGradient(const Mechanism& mechanism) : mechanism_(mechanism) {
+    for (const Loop& loop : mechanism.loops) {
+      first_joint_.push_back(joints_.size());
+      joints_.resize(joints_.size() + loop.passages.size());
+    }
+    corners_.resize(mechanism.loops.size());
+  }
+
+  /// Looks at a closed state. `geometry` must live as long as that is asked about.
+  void at(const SheetGeometry<T>& geometry, const FoldState<T>& state) {
+    geometry_ = &geometry;
+    for (std::size_t i = 0; i < mechanism_.loops.size(); ++i) look_at(i, state);
+  }
+
+  /// Of a diagonal, panel widths: as folded_lengths() has it.
+  T length(int diagonal) const {
+    const Diagonal& d = mechanism_.diagonals[diagonal];
+    return distance(corners_[d.loop][d.from_corner].point, corners_[d.loop][d.to_corner].point);
+  }
+
+  /// d length / d unknown of a diagonal, one per unknown.
+  void of_unknowns(int diagonal, T* rates) const {
+    for (int j = 0; j < mechanism_.unknowns; ++j) rates[j] = T(0);
+    const Wrench from_end = pull(diagonal, true), to_end = pull(diagonal, false);
+    each_joint_of(diagonal, [&](const Joint& joint, bool before_from, bool before_to) {
+      Wrench wrench{};
+      if (before_from) wrench = wrench + from_end;
+      if (before_to) wrench = wrench + to_end;
+      for (int k = 0; k < joint.count; ++k) {
+        T& rate = rates[joint.column + k];
+        rate = rate + joint.unknown[k].power(wrench);
+      }
+    });
+  }
+
+  /// Adds the diagonal's own d length / d vertex (x and y of each vertex in turn), its joints held.
+  void add_length(int diagonal, T* gradient) const {
+    const Wrench from_end = pull(diagonal, true), to_end = pull(diagonal, false);
+    const Diagonal& d = mechanism_.diagonals[diagonal];
+    const auto& corners = corners_[d.loop];
+    add_at(d.from, dot(corners[d.from_corner].frame.cx, from_end.force),
+           dot(corners[d.from_corner].frame.cy, from_end.force), gradient);
+    add_at(d.to, dot(corners[d.to_corner].frame.cx, to_end.force),
+           dot(corners[d.to_corner].frame.cy, to_end.force), gradient);
+    each_joint_of(diagonal, [&](const Joint& joint, bool before_from, bool before_to) {
+      Wrench wrench{};
+      if (before_from) wrench = wrench + from_end;
+      if (before_to) wrench = wrench + to_end;
+      add_joint(joint, wrench, gradient);
+    });
+  }
+
+  /// Adds d (weights . closure) / d vertex, weights one per equation, its joints held.
+  void add_closure(const T* weights, T* gradient) const {
+    for (std::size_t i = 0; i < mechanism_.loops.size(); ++i) {
+      const Loop& loop = mechanism_.loops[i];
+      const T* w = weights + loop.first_row;
+      Wrench wrench{};
+      wrench.moment = {w[0], w[1], w[2]};
+      if (loop.rows == 6) wrench.force = {w[3], w[4], w[5]};
+      for (std::size_t k = 0; k < loop.passages.size(); ++k) {
+        add_joint(joints_[first_joint_[i] + k], wrench, gradient);
+      }
+    }
+  }
+
+ private:
+  struct Wrench {
+    Vec3<T> force{T(0), T(0), T(0)}, moment{T(0), T(0), T(0)};
+    friend Wrench operator+(const Wrench& a, const Wrench& b) {
+      return {a.force + b.force, a.moment + b.moment};
+    }
+  };
+  struct Screw {
+    Vec3<T> axis, arm;  // w, and w x c
+    T power(const Wrench& wrench) const {
+      return dot(axis, wrench.moment) - dot(arm, wrench.force);
+    }
+  };
+  struct Joint {
+    std::array<Screw, 3> unknown;
+    int count, column;
+    Vec3<T> along_x, along_y;  // how what comes after moves with its fixed point
+    Screw edge_end;            // and with the end of its edge, across the edge, per length of it
+    int vertex, edge;          // edge: -1 for a ball joint
+  };
+  struct Corner {
+    Vec3<T> point;
+    Mat3<T> frame;
+  };
+  void look_at(std::size_t i, const FoldState<T>& state) {
+    const Loop& loop = mechanism_.loops[i];
+    Pose<T> pose = Pose<T>::identity();
+    int corner = 0;
+    const int passages = static_cast<int>(loop.passages.size());
+    for (int next = 0;; ++next) {
+      for (; loop.hole >= 0 && corner < 4 && loop.arrival[corner] == next; ++corner) {
+        corners_[i][corner] = {pose * flat_point(*geometry_, loop.corners[corner]), pose.rotation};
+      }
+      if (next == passages) break;
+      const Passage& passage = loop.passages[next];
+      const Pose<T> before = pose;
+      pose = pose.then_rotate(passage_rotation(mechanism_, *geometry_, state, passage),
+                              flat_point(*geometry_, passage.vertex));
+      detail::LoopScrews<T> screws;
+      detail::gather(mechanism_, *geometry_, passage, before, pose, screws);
+      Joint& joint = joints_[first_joint_[i] + next];
+      joint.count = screws.count;
+      joint.column = mechanism_.first_column(passage);
+      for (int k = 0; k < screws.count; ++k) {
+        joint.unknown[k] = {screws.axis[k], cross(screws.axis[k], screws.point[k])};
+      }
+      joint.along_x = before.rotation.cx - pose.rotation.cx;
+      joint.along_y = before.rotation.cy - pose.rotation.cy;
+      joint.vertex = passage.vertex;
+      joint.edge = passage.ball ? -1 : mechanism_.creases[passage.joint].edge;
+      if (passage.ball) continue;
+      const Vec3<T> along = along_edge(joint.edge);
+      const Vec3<T> axis = (T(1) / dot(along, along)) * (before.rotation.cz - pose.rotation.cz);
+      joint.edge_end = {axis, cross(axis, screws.point[0])};
+    }
+  }
+
+  Vec3<T> along_edge(int edge) const {
+    return flat_point(*geometry_, mechanism_.edges[edge].b) -
+           flat_point(*geometry_, mechanism_.edges[edge].a);
+  }
+
+  // By which a diagonal pulls at the end where it begins, or at the other.
+  Wrench pull(int diagonal, bool from) const {
+    const Diagonal& d = mechanism_.diagonals[diagonal];
+    const Vec3<T>& a = corners_[d.loop][d.from_corner].point;
+    const Vec3<T>& b = corners_[d.loop][d.to_corner].point;
+    const Vec3<T> force = (T(from ? 1 : -1) / distance(a, b)) * (a - b);
+    return {force, cross(from ? a : b, force)};
+  }
+
+  // The joints of its loop, and whether each comes before the corner where it begins or ends.
+  template <class Work>
+  void each_joint_of(int diagonal, const Work& work) const {
+    const Diagonal& d = mechanism_.diagonals[diagonal];
+    const Loop& loop = mechanism_.loops[d.loop];
+    const int from = loop.arrival[d.from_corner], to = loop.arrival[d.to_corner];
+    for (int k = 0; k < std::max(from, to); ++k) {
+      work(joints_[first_joint_[d.loop] + k], k < from, k < to);
+    }
+  }
+
+  static void add_at(int vertex, const T& x, const T& y, T* gradient) {
+    gradient[2 * vertex] = gradient[2 * vertex] + x;
+    gradient[2 * vertex + 1] = gradient[2 * vertex + 1] + y;
+  }
+
+  void add_joint(const Joint& joint, const Wrench& wrench, T* gradient) const {
+    add_at(joint.vertex, dot(joint.along_x, wrench.force), dot(joint.along_y, wrench.force),
+           gradient);
+    if (joint.edge < 0) return;
+    const Edge& edge = mechanism_.edges[joint.edge];
+    const Vec3<T> along = along_edge(joint.edge);
+    const T share = joint.edge_end.power(wrench);
+    add_at(edge.b, -(share * along.y), share * along.x, gradient);
+    add_at(edge.a, share * along.y, -(share * along.x), gradient);
+  }
+
+  const Mechanism& mechanism_;
+  const SheetGeometry<T>* geometry_ = nullptr;
+  std::vector<std::size_t> first_joint_;  // per loop
+  std::vector<Joint> joints_;
+  std::vector<std::array<Corner, 4>> corners_;  // per loop
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,154 @@
+#include "solver/verdict/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+
+const char* fault_name(Fault fault) {
+  switch (fault) {
+    case Fault::none:
+      return "none";
+    case Fault::fold_limit:
+      return "fold_limit";
+    case Fault::over_folded:
+      return "over_folded";
+    case Fault::assignment_flipped:
+      return "assignment_flipped";
+    case Fault::not_monotone:
+      return "not_monotone";
+    case Fault::bump:
+      return "bump_between_samples";
+    case Fault::inactive_diagonal:
+      return "inactive_diagonal";
+    case Fault::undecided:
+      return "undecided";
+  }
+  return "";
+}
+
+Judge::Judge(const Mechanism& mechanism, bool bump_is_fault)
+    : mechanism_(mechanism), bump_is_fault_(bump_is_fault) {}
+
+void Judge::begin(const std::vector<double>& flat_lengths) {
+  samples_in_order_ = 0;
+  last_pilot_deg_ = 0;
+  last_pilot_rate_ = 0;  // flat: all branches meet there
+  fault_ = Fault::none;
+  where_ = -1;
+  last_ = least_ = most_ = flat_lengths;
+  direction_.assign(flat_lengths.size(), 0);
+  back_since_deg_.assign(flat_lengths.size(), 0);
+  last_slopes_.assign(flat_lengths.size(), 0);  // lengths begin like the square of the angle
+  between_ = {};
+}
+
+bool Judge::see(const Stop& stop, const FoldState<double>& state,
+                const std::vector<double>& lengths, const std::vector<double>* slopes,
+                double pilot_rate) {
+  if (fault_ != Fault::none) return false;
+  fault_ = fault_in(state, lengths, where_);
+  if (fault_ != Fault::none) return false;
+  if (slopes) {
+    const Between between = seen_between(stop, lengths, *slopes, pilot_rate);
+    if (bump_is_fault_ && between.back_where >= 0) {
+      fault_ = Fault::bump;
+      where_ = between.back_where;
+      return false;
+    }
+    between_ = between;
+    last_slopes_ = *slopes;
+    last_pilot_rate_ = pilot_rate;
+  }
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    least_[i] = std::min(least_[i], lengths[i]);
+    most_[i] = std::max(most_[i], lengths[i]);
+  }
+  last_ = lengths;
+  ++samples_in_order_;
+  last_pilot_deg_ = stop.pilot_deg;
+  return true;
+}
+
+Fault Judge::fault_in(const FoldState<double>& state, const std::vector<double>& lengths,
+                      int& where) {
+  // |rho| = 180 degrees + band has cos(rho / 2) = -sin(band / 2), to first order.
+  constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg;
+  const int creases = static_cast<int>(mechanism_.creases.size());
+  for (int i = 0; i < creases; ++i) {
+    if (state.creases[i].c < least_cosine) {
+      where = i;
+      return Fault::over_folded;
+    }
+  }
+  for (int i = 0; i < creases; ++i) {
+    if (!(state.creases[i].s * mechanism_.creases[i].assignment > 0)) {
+      where = i;
+      return Fault::assignment_flipped;
+    }
+  }
+  double largest_step_back = 0;
+  for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
+    const double step = lengths[i] - last_[i];
+    if (std::abs(step) < kStepBand_widths) continue;
+    const int sign = step > 0 ? 1 : -1;
+    if (direction_[i] == 0) direction_[i] = sign;
+    if (direction_[i] != sign && std::abs(step) > largest_step_back) {
+      largest_step_back = std::abs(step);
+      where = i;
+    }
+  }
+  return largest_step_back > 0 ? Fault::not_monotone : Fault::none;
+}
+
+Between Judge::seen_between(const Stop& stop, const std::vector<double>& lengths,
+                            const std::vector<double>& slopes, double pilot_rate) {
+  const double step_deg = stop.pilot_deg - last_pilot_deg_;
+  const double slowing = last_pilot_rate_ > 0 && pilot_rate > 0 ? pilot_rate / last_pilot_rate_ : 1;
+  Between between = between_;
+  double longest = 0, longest_bump = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (direction_[i] == 0) continue;
+    const BetweenSamples seen = look_between({last_[i], last_slopes_[i]}, {lengths[i], slopes[i]},
+                                             step_deg * kRadPerDeg, slowing, direction_[i]);
+    if (last_pilot_deg_ >= kInactiveFrom_deg) {
+      between.least_slope = std::min(between.least_slope, seen.least_slope);
+    }
+    const bool goes_on = slopes[i] * direction_[i] >= 0;
+    double from_deg = last_pilot_deg_ + seen.from * step_deg;
+    if (back_since_deg_[i] > 0) from_deg = back_since_deg_[i];
+    back_since_deg_[i] = goes_on ? 0 : from_deg;
+    if (seen.back < kBumpBand_widths) continue;
+    if (between_.back_where < 0 && seen.back > longest) {
+      longest = seen.back;
+      between.back_deg = from_deg;
+      between.back_where = static_cast<int>(i);
+    }
+    if (between_.bump_where < 0 && goes_on && seen.back > longest_bump) {
+      longest_bump = seen.back;
+      between.bump_deg = from_deg;
+      between.bump_where = static_cast<int>(i);
+    }
+  }
+  return between;
+}
+
+Verdict Judge::conclude(const PathResult& path) const {
+  Verdict verdict{samples_in_order_, fault_, where_, path.end};
+  if (fault_ == Fault::none) {
+    if (path.end == PathEnd::start_lost || path.end == PathEnd::stalled) {
+      verdict.first_fault = Fault::undecided;
+      return verdict;
+    }
+    if (path.end == PathEnd::fold_limit) verdict.first_fault = Fault::fold_limit;
+  }
+  if (last_pilot_deg_ < kInactiveFrom_deg) return verdict;
+  for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
+    if (most_[i] - least_[i] < kInactiveBand_widths) {
+      return {0, Fault::inactive_diagonal, i, path.end};
+    }
+  }
+  return verdict;
+}
+
+}  // namespace misalign::solver

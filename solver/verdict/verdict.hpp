@@ -1,0 +1,99 @@
+// The verdict on one folding path, from its samples alone (the paper's criterion, made exact).
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "solver/verdict/between.hpp"
+#include "solver/continuation/path.hpp"
+
+namespace misalign::solver {
+
+/// A step shorter than this neither sets nor breaks a diagonal's direction (8e-11 mm on 80 mm
+/// panels): converged lengths differ by less, and without a band patterns with few shifts would be
+/// decided by rounding.
+inline constexpr double kStepBand_widths = 1e-12;
+/// A diagonal that varies by less than this up to D drives nothing (8e-7 mm).
+inline constexpr double kInactiveBand_widths = 1e-8;
+/// Inactivity is judged for D from here on: elongations grow like rho^2, and closer to flat every
+/// diagonal has hardly moved. The same angle from which slope_min is taken.
+inline constexpr double kInactiveFrom_deg = 5;
+/// A fold angle beyond +-180 degrees by more than this means that panels passed through each other.
+inline constexpr double kOverFoldBand_deg = 1e-6;
+
+/// What ends the deployable range; where several meet at a sample the first of these is reported.
+enum class Fault {
+  none,                ///< deploys from the end of the path
+  fold_limit,          ///< the pilot turns before the next sample
+  over_folded,         ///< a crease with |rho| > 180 degrees + kOverFoldBand_deg
+  assignment_flipped,  ///< a crease without its base mountain-valley sign
+  not_monotone,        ///< a diagonal steps back against its direction by kStepBand_widths or more
+  bump,                ///< it goes back before the next sample by kBumpBand_widths or more, where
+                       ///< that was asked for
+  inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
+                       ///< kInactiveBand_widths up to it; then D = 0
+  undecided            ///< a numerical failure (PathEnd says which): never a "no"
+};
+
+const char* fault_name(Fault fault);
+
+struct Verdict {
+  int deploys_from_sample = 0;  ///< D: every sample up to it is in order
+  Fault first_fault = Fault::none;
+  int where = -1;  ///< crease (over_folded, assignment_flipped) or diagonal (the others)
+  PathEnd path_end = PathEnd::end_reached;  ///< the cause, when undecided
+
+  /// The sample that shows the fault; 0 when there is none.
+  int fault_sample() const { return first_fault == Fault::none ? 0 : deploys_from_sample + 1; }
+};
+
+/// What the cubics between the samples showed, up to D.
+struct Between {
+  /// Least rate of change of any diagonal in its direction from kInactiveFrom_deg on, panel widths
+  /// per radian; infinite if D lies below.
+  double least_slope = std::numeric_limits<double>::infinity();
+  /// Where a diagonal goes back for the first time, and which: nothing (-1) up to D, or on the last
+  /// degrees before D a turn that the next sample shows, or a bump.
+  double back_deg = 0;
+  int back_where = -1;
+  /// The first bump: a diagonal goes back and on again between two samples, which both are in
+  /// order.
+  double bump_deg = 0;
+  int bump_where = -1;
+};
+
+/// Follows the samples of one path and keeps the first fault. Owns its memory; reused from draw to
+/// draw.
+class Judge {
+ public:
+  explicit Judge(const Mechanism& mechanism, bool bump_is_fault = false);
+
+  /// Starts a path whose diagonals have these flat lengths (panel widths).
+  void begin(const std::vector<double>& flat_lengths);
+  /// The next sample in order; false once a fault is known. Nothing changes after that. With the
+  /// diagonals' slopes (panel widths per radian of pilot), and the pilot's entry of the unit
+  /// tangent, it looks between the samples as well.
+  bool see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths,
+           const std::vector<double>* slopes = nullptr, double pilot_rate = 1);
+  /// The verdict, once the path has ended or `see` has said false.
+  Verdict conclude(const PathResult& path) const;
+  const Between& between() const { return between_; }
+
+ private:
+  Fault fault_in(const FoldState<double>& state, const std::vector<double>& lengths, int& where);
+  Between seen_between(const Stop& stop, const std::vector<double>& lengths,
+                       const std::vector<double>& slopes, double pilot_rate);
+
+  const Mechanism& mechanism_;
+  const bool bump_is_fault_;
+  int samples_in_order_ = 0;
+  double last_pilot_deg_ = 0, last_pilot_rate_ = 0;
+  Fault fault_ = Fault::none;
+  int where_ = -1;
+  std::vector<double> last_, last_slopes_, least_, most_;
+  std::vector<double> back_since_deg_;  // of diagonals that go back at the last sample; else 0
+  std::vector<int> direction_;
+  Between between_;
+};
+
+}  // namespace misalign::solver
