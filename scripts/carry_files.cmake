@@ -1,6 +1,6 @@
 # Writes FILES (relative to ROOT), and PAGE if there is one, as string constants into OUTPUT; see
-# schema/carried_files.hpp.
-set(source "#include \"schema/carried_files.hpp\"\n\nnamespace misalign::schema {\n\n")
+# schema/files/carried_files.hpp.
+set(source "#include \"schema/files/carried_files.hpp\"\n\nnamespace misalign::schema {\n\n")
 string(APPEND source "const std::vector<CarriedFile>& carried_files() {\n")
 string(APPEND source "  static const std::vector<CarriedFile> files = {\n")
 function(carry name path)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "schema/actuation_json.hpp"
+#include "schema/exchange/actuation_json.hpp"
 #include "search/chosen_sheet.hpp"
 #include "search/terminal.hpp"
 

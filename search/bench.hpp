@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/campaign.hpp"
+#include "schema/campaign/campaign.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 #include "search/draw.hpp"
 #include "solver/verdict/miscut_margin.hpp"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
-#include "schema/result_table.hpp"
-#include "schema/sql_tokens.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/sql_tokens.hpp"
 #include "solver/design/spread.hpp"
 
 namespace misalign::search {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/database.hpp"
+#include "schema/catalogue/database.hpp"
 
 namespace misalign::search {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/draw.hpp"
 
 namespace misalign::search {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <thread>
 
-#include "schema/draw_range.hpp"
-#include "schema/input.hpp"
+#include "schema/campaign/draw_range.hpp"
+#include "schema/files/input.hpp"
 #include "search/build_info.hpp"
 #include "search/failure.hpp"
 #include "search/help_format.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 namespace misalign::search {
 

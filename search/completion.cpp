@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "schema/result_table.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "search/help_format.hpp"
 #include "search/shell_word.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue/catalogue.hpp"
 #include "search/dispatcher.hpp"
 #include "search/heartbeat.hpp"
 #include "search/progress.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "schema/campaign.hpp"
+#include "schema/campaign/campaign.hpp"
 
 namespace misalign::search {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 
 namespace misalign::search {
 namespace {

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "schema/actuation_json.hpp"
-#include "schema/catalogue_state.hpp"
-#include "schema/drawing.hpp"
-#include "schema/fold_export.hpp"
-#include "schema/history_table.hpp"
-#include "schema/output_file.hpp"
-#include "schema/text_file.hpp"
-#include "schema/yield.hpp"
+#include "schema/exchange/actuation_json.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/exchange/drawing.hpp"
+#include "schema/exchange/fold_export.hpp"
+#include "schema/exchange/history_table.hpp"
+#include "schema/files/output_file.hpp"
+#include "schema/files/text_file.hpp"
+#include "schema/catalogue/yield.hpp"
 #include "search/chosen_sheet.hpp"
 #include "search/draw.hpp"
 #include "search/terminal.hpp"

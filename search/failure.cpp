@@ -4,7 +4,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "schema/storage.hpp"
+#include "schema/files/storage.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,7 +1,7 @@
 // One sheet folded, with everything that is shown of it: any shifts of a base pattern.
 #pragma once
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 #include "solver/design/actuation.hpp"
 #include "solver/linear/elimination.hpp"
 #include "solver/design/fold_lines.hpp"

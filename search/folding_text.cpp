@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "schema/text_table.hpp"
+#include "schema/files/text_table.hpp"
 
 namespace misalign::search {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 #include "search/terminal.hpp"
 
 namespace misalign::search {

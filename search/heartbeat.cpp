@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 #include "search/stopwatch.hpp"
 
 namespace misalign::search {

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "schema/draw_range.hpp"
+#include "schema/campaign/draw_range.hpp"
 
 namespace misalign::search {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <map>
 
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/folding_text.hpp"
 #include "search/terminal.hpp"
 #include "search/trial.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 
 namespace misalign::search {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "schema/result_table.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "search/chosen_sheet.hpp"
 #include "search/look.hpp"
 #include "search/nothing_found.hpp"

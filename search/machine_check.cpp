@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "schema/database.hpp"
-#include "schema/writer_lock.hpp"
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/writer_lock.hpp"
 #include "search/draw.hpp"
 #include "search/stopwatch.hpp"
 #include "search/trial.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 namespace misalign::search {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/merge_plan.hpp"
-#include "schema/output_file.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/merge_plan.hpp"
+#include "schema/files/output_file.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/trial.hpp"
 

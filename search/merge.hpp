@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "schema/catalogue.hpp"
-#include "schema/ledger_check.hpp"
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/ledger_check.hpp"
 
 namespace misalign::search {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "schema/unit_writer.hpp"
+#include "schema/catalogue/unit_writer.hpp"
 
 namespace misalign::search {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "schema/share_interval.hpp"
+#include "schema/campaign/share_interval.hpp"
 
 namespace misalign::search {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/draw_range.hpp"
+#include "schema/campaign/draw_range.hpp"
 #include "search/messages.hpp"
 
 namespace misalign::search {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/survival.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/survival.hpp"
 
 namespace misalign::search {
 

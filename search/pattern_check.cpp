@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 #include "search/chosen_sheet.hpp"
 #include "solver/verdict/metrics.hpp"
 #include "solver/design/shaped_path.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 #include "search/duration.hpp"
 
 namespace misalign::search {

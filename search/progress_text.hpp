@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue/catalogue.hpp"
 
 namespace misalign::search {
 

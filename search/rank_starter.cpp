@@ -12,7 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 #include "search/terminal.hpp"
 
 namespace misalign::search {

@@ -6,9 +6,9 @@
 #include <ctime>
 #include <filesystem>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/report.hpp"
-#include "schema/text_file.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/report/report.hpp"
+#include "schema/files/text_file.hpp"
 #include "search/build_info.hpp"
 #include "search/choice_options.hpp"
 #include "search/chosen_sheet.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue/catalogue.hpp"
 
 namespace misalign::search {
 

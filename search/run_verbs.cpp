@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cstdio>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/key_list.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/campaign/key_list.hpp"
 #include "search/bench.hpp"
 #include "search/completion.hpp"
 #include "search/doctor.hpp"

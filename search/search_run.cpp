@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/draw.hpp"
 #include "search/failure.hpp"
 #include "search/nothing_found.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/ledger_check.hpp"
+#include "schema/catalogue/ledger_check.hpp"
 #include "search/column_tolerances.hpp"
 #include "search/contact.hpp"
 #include "solver/linear/elimination.hpp"

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "schema/share_interval.hpp"
-#include "schema/text_table.hpp"
+#include "schema/campaign/share_interval.hpp"
+#include "schema/files/text_table.hpp"
 #include "search/shell_word.hpp"
 
 namespace misalign::search {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/terminal.hpp"
 
 namespace misalign::search {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 namespace misalign::search {
 namespace {

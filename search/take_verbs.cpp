@@ -1,8 +1,8 @@
 // Verbs that size a candidate's springs and take candidates away.
 #include <cstdio>
 
-#include "schema/campaign.hpp"
-#include "schema/plain_export.hpp"
+#include "schema/campaign/campaign.hpp"
+#include "schema/exchange/plain_export.hpp"
 #include "search/actuators.hpp"
 #include "search/choice_options.hpp"
 #include "search/chosen_sheet.hpp"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 namespace misalign::search {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/build_info.hpp"
 #include "search/choice_options.hpp"
 #include "search/chosen_sheet.hpp"

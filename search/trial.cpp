@@ -5,7 +5,7 @@
 #include <ranges>
 #include <span>
 
-#include "schema/digest.hpp"
+#include "schema/catalogue/digest.hpp"
 #include "search/draw.hpp"
 #include "search/stopwatch.hpp"
 

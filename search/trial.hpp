@@ -2,7 +2,7 @@
 // metrics.
 #pragma once
 
-#include "schema/unit_writer.hpp"
+#include "schema/catalogue/unit_writer.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {

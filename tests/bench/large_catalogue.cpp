@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "schema/carried_files.hpp"
-#include "schema/catalogue.hpp"
-#include "schema/catalogue_state.hpp"
-#include "schema/result_table.hpp"
+#include "schema/files/carried_files.hpp"
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "search/status.hpp"
 #include "search/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 #include "tests/bench/scale/large_ledger.hpp"
 #include "tests/bench/scale/simulated_run.hpp"
 

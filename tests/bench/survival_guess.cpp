@@ -7,8 +7,8 @@
 #include <exception>
 #include <vector>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/survival.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/survival.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::bench {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "schema/campaign.hpp"
+#include "schema/campaign/campaign.hpp"
 
 namespace misalign::schema {
 

@@ -13,11 +13,11 @@
 #include <map>
 #include <random>
 
-#include "schema/carried_files.hpp"
-#include "schema/catalogue.hpp"
-#include "schema/catalogue_state.hpp"
-#include "schema/digest.hpp"
-#include "schema/result_table.hpp"
+#include "schema/files/carried_files.hpp"
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/digest.hpp"
+#include "schema/catalogue/result_table.hpp"
 
 namespace misalign::schema {
 

@@ -1,6 +1,6 @@
 // The catalogue: whatever the order of work, nothing is lost or counted twice.
 #include "catalogue_fixture.hpp"
-#include "schema/ledger_check.hpp"
+#include "schema/catalogue/ledger_check.hpp"
 
 namespace misalign::schema {
 namespace {

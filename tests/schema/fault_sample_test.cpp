@@ -1,4 +1,4 @@
-#include "schema/fault_sample.hpp"
+#include "schema/catalogue/fault_sample.hpp"
 
 #include <gtest/gtest.h>
 

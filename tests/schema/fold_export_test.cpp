@@ -1,6 +1,6 @@
 // Exported FOLD files: the rules that importers have (one test each), the shape in every frame by
 // coordinates alone, and the way back.
-#include "schema/fold_export.hpp"
+#include "schema/exchange/fold_export.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <fstream>
 #include <set>
 
-#include "schema/carried_pattern.hpp"
-#include "schema/drawing.hpp"
+#include "schema/campaign/carried_pattern.hpp"
+#include "schema/exchange/drawing.hpp"
 #include "solver/linear/elimination.hpp"
 #include "solver/design/fold_lines.hpp"
 #include "solver/pattern/perforation.hpp"

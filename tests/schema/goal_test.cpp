@@ -1,5 +1,5 @@
 // Where a goal ends: the first granule that meets it, whatever the order in which units come.
-#include "schema/goal.hpp"
+#include "schema/campaign/goal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "schema/share_interval.hpp"
+#include "schema/campaign/share_interval.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -1,12 +1,12 @@
 // Long tables against what JSON says of the same folding, read with a plain reader of CSV.
-#include "schema/history_table.hpp"
+#include "schema/exchange/history_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <sstream>
 
-#include "schema/actuation_json.hpp"
+#include "schema/exchange/actuation_json.hpp"
 #include "solver/linear/elimination.hpp"
 
 namespace misalign::schema {

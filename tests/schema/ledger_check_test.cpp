@@ -1,4 +1,4 @@
-#include "schema/ledger_check.hpp"
+#include "schema/catalogue/ledger_check.hpp"
 
 #include "catalogue_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "schema/merge_plan.hpp"
+#include "schema/catalogue/merge_plan.hpp"
 
 #include <gtest/gtest.h>
 

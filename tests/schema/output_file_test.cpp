@@ -1,5 +1,5 @@
 // Files in the making: nothing that is there is touched, and nothing of theirs is left.
-#include "schema/output_file.hpp"
+#include "schema/files/output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -9,7 +9,7 @@
 
 #include "catalogue_fixture.hpp"
 #include "failing_calls.hpp"
-#include "schema/text_file.hpp"
+#include "schema/files/text_file.hpp"
 
 namespace misalign::schema {
 namespace {

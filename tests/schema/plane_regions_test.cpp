@@ -1,10 +1,10 @@
 // FOLD files without faces: those that the edges enclose, and which of them are holes.
-#include "schema/plane_regions.hpp"
+#include "schema/campaign/plane_regions.hpp"
 
 #include <set>
 
 #include "fold_meshes.hpp"
-#include "schema/carried_pattern.hpp"
+#include "schema/campaign/carried_pattern.hpp"
 
 namespace misalign::schema {
 namespace {

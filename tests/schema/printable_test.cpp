@@ -1,10 +1,10 @@
-#include "schema/printable.hpp"
+#include "schema/files/printable.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -1,6 +1,6 @@
 // Reading a catalogue: whoever reads cannot write, and tables come in three styles.
 #include "catalogue_fixture.hpp"
-#include "schema/plain_export.hpp"
+#include "schema/exchange/plain_export.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -1,11 +1,11 @@
 // What goes into the report's page.
-#include "schema/report.hpp"
+#include "schema/report/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "schema/base64.hpp"
+#include "schema/files/base64.hpp"
 #include "solver/linear/elimination.hpp"
 #include "solver/pattern/outline.hpp"
 

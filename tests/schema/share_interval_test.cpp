@@ -1,4 +1,4 @@
-#include "schema/share_interval.hpp"
+#include "schema/campaign/share_interval.hpp"
 
 #include <gtest/gtest.h>
 

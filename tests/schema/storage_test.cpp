@@ -8,7 +8,7 @@
 #include "catalogue_fixture.hpp"
 #include "faulty_calls.hpp"
 #include "faulty_vfs.hpp"
-#include "schema/ledger_check.hpp"
+#include "schema/catalogue/ledger_check.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -1,5 +1,5 @@
 // Survival by angle against made-up curves whose every share is known.
-#include "schema/survival.hpp"
+#include "schema/catalogue/survival.hpp"
 
 #include <algorithm>
 #include <cmath>

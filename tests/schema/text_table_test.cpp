@@ -1,4 +1,4 @@
-#include "schema/text_table.hpp"
+#include "schema/files/text_table.hpp"
 
 #include <gtest/gtest.h>
 

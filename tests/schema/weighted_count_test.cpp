@@ -1,4 +1,4 @@
-#include "schema/weighted_count.hpp"
+#include "schema/catalogue/weighted_count.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Yields of miscut copies: what is kept, what replaces what, and what is found wrong with them.
-#include "schema/yield.hpp"
+#include "schema/catalogue/yield.hpp"
 
 #include <boost/math/special_functions/beta.hpp>
 
 #include "catalogue_fixture.hpp"
-#include "schema/plain_export.hpp"
-#include "schema/yield_check.hpp"
+#include "schema/exchange/plain_export.hpp"
+#include "schema/catalogue/yield_check.hpp"
 
 namespace misalign::schema {
 namespace {

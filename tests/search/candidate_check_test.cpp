@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {

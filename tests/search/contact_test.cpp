@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "schema/campaign.hpp"
+#include "schema/campaign/campaign.hpp"
 #include "search/draw.hpp"
 #include "solver/verdict/history.hpp"
 

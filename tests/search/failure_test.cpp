@@ -7,7 +7,7 @@
 #include <functional>
 #include <new>
 
-#include "schema/storage.hpp"
+#include "schema/files/storage.hpp"
 
 namespace misalign::search {
 namespace {

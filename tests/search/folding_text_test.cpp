@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "schema/text_table.hpp"
+#include "schema/files/text_table.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {

@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/result_table.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {

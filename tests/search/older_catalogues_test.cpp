@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/merge.hpp"
 #include "search/trial.hpp"
 #include "search/verify.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 namespace misalign::search {
 namespace {

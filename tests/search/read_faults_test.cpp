@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "../schema/faulty_vfs.hpp"
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/merge.hpp"
 #include "search/trial.hpp"
 #include "search/verify.hpp"

@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "schema/catalogue.hpp"
-#include "schema/digest.hpp"
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/digest.hpp"
 #include "search/trial.hpp"
 
 namespace misalign::search {

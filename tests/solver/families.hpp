@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "blocks.hpp"
-#include "schema/fold_format.hpp"
-#include "schema/pattern_file.hpp"
+#include "schema/campaign/fold_format.hpp"
+#include "schema/campaign/pattern_file.hpp"
 
 namespace misalign::solver {
 

@@ -5,8 +5,8 @@
 //   candidate_fuzz INPUTS [SEED]
 //   candidate_fuzz --input FILE          reads one input again
 //   candidate_fuzz --corpus DIRECTORY    writes the candidates that it starts from
-#include "schema/actuation_json.hpp"
-#include "schema/fold_export.hpp"
+#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/fold_export.hpp"
 #include "search/chosen_sheet.hpp"
 #include "search/draw.hpp"
 #include "search/folded_sheet.hpp"

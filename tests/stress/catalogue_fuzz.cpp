@@ -8,11 +8,11 @@
 //   catalogue_fuzz --corpus DIRECTORY    writes the catalogues that it starts from
 #include <sys/resource.h>
 
-#include "schema/catalogue_state.hpp"
-#include "schema/ledger_check.hpp"
-#include "schema/plain_export.hpp"
-#include "schema/report.hpp"
-#include "schema/result_table.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/ledger_check.hpp"
+#include "schema/exchange/plain_export.hpp"
+#include "schema/report/report.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "search/choice.hpp"
 #include "search/merge.hpp"
 #include "search/status.hpp"

@@ -56,8 +56,8 @@ all release 1
 all asan 20
 
 # What the readers of JSON need, without the rest of the program.
-sources="schema/campaign.cpp schema/carried_pattern.cpp schema/digest.cpp schema/fold_format.cpp schema/input.cpp
-  schema/mesh_family.cpp schema/pattern_file.cpp schema/plane_mesh.cpp schema/printable.cpp solver/pattern/base_folding.cpp
+sources="schema/campaign/campaign.cpp schema/campaign/carried_pattern.cpp schema/catalogue/digest.cpp schema/campaign/fold_format.cpp schema/files/input.cpp
+  schema/campaign/mesh_family.cpp schema/campaign/pattern_file.cpp schema/campaign/plane_mesh.cpp schema/files/printable.cpp solver/pattern/base_folding.cpp
   solver/pattern/crease_pattern.cpp solver/pattern/degree_four.cpp solver/pattern/half_angle.cpp solver/kinematics/loop_closure.cpp
   solver/kinematics/mechanism.cpp solver/pattern/miura.cpp solver/linear/newton.cpp solver/pattern/outline.cpp solver/pattern/perforation.cpp"
 by_coverage() { # NAME INPUTS

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/input.hpp"
+#include "schema/files/input.hpp"
 
 // Sanitizers call it before they end the program; null without them.
 extern "C" void __sanitizer_set_death_callback(void (*)()) __attribute__((weak));

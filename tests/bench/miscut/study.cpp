@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "schema/folding_json.hpp"
+#include "schema/exchange/folding_json.hpp"
 #include "search/draw.hpp"
 #include "search/tolerance.hpp"
 #include "search/trial.hpp"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue/catalogue.hpp"
 #include "search/messages.hpp"
 #include "search/stopwatch.hpp"
 #include "search/trial.hpp"

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "schema/catalogue.hpp"
+#include "schema/catalogue/catalogue.hpp"
 
 namespace misalign::bench {
 

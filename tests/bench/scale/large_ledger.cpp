@@ -9,8 +9,8 @@
 #include <fstream>
 #include <optional>
 
-#include "schema/catalogue.hpp"
-#include "schema/catalogue_state.hpp"
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/ledger.hpp"
 #include "search/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"

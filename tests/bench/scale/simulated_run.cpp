@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "schema/unit_writer.hpp"
+#include "schema/catalogue/unit_writer.hpp"
 #include "search/coordinator.hpp"
 
 namespace misalign::bench {

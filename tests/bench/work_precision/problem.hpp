@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "schema/campaign.hpp"
+#include "schema/campaign/campaign.hpp"
 #include "tests/bench/work_precision/linear.hpp"
 
 namespace misalign::bench {

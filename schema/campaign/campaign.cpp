@@ -1,0 +1,307 @@
+#include "schema/campaign/campaign.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/catalogue/digest.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Angles that are meant to be whole multiples of sample_deg are, to this part of one.
+constexpr double kMultipleTolerance = 1e-9;
+
+bool whole_multiple(double value, double step) {
+  const double ratio = value / step;
+  return std::abs(ratio - std::round(ratio)) <= kMultipleTolerance * std::max(1.0, ratio);
+}
+
+std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern& sheet) {
+  const char* const kForms =
+      "write \"interior\", \"ring\" or a list of labels like [\"A9\", \"A10\"]";
+  const Json* value = reader.find("vertices");
+  if (!value || *value == "interior") return solver::interior_vertices(sheet);
+  if (*value == "ring") return solver::ring_vertices(sheet);
+  if (!value->is_array() || value->empty()) {
+    reader.faults().add(reader.shown("vertices"), "names no set of vertices", kForms);
+    return {};
+  }
+  std::vector<int> vertices;
+  for (const Json& label : *value) {
+    const int vertex =
+        label.is_string() ? vertex_of_label(label.get<std::string>(), sheet.vertex_count()) : -1;
+    if (vertex < 0) {
+      reader.faults().add(
+          reader.name("vertices") + " has " + label.dump(),
+          "is no vertex of this sheet, A1 to A" + std::to_string(sheet.vertex_count()), kForms);
+    } else {
+      vertices.push_back(vertex);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end()) {
+    reader.faults().add(reader.name("vertices"), "names a vertex twice", "name each once");
+  }
+  return vertices;
+}
+
+// The largest two-digit number not above x, for a sentence; x is known to 1e-6 of itself.
+double rounded_down(double x) {
+  const double known = x * (1 + 1e-6);
+  const double unit = std::pow(10, std::floor(std::log10(known)) - 1);
+  return std::floor(known / unit) * unit;
+}
+
+void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
+                       Misalignment& misalignment) {
+  InputFaults& faults = reader.faults();
+  const std::size_t before = faults.count();
+  if (sheet) {
+    misalignment.vertices = read_vertices(reader, *sheet);
+  } else {
+    reader.find("vertices");
+  }
+  reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
+  if (sheet && faults.count() == before) {
+    const double safe = solver::largest_safe_amplitude_mm(*sheet, misalignment.vertices);
+    if (misalignment.amplitude_mm >= safe) {
+      faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
+                 "must be below " + shown_number(rounded_down(safe)) +
+                     ", where a facet of this sheet can lose convexity",
+                 "try " + shown_number(sheet->panel_width_mm / 200));
+    }
+  }
+  std::string levels = "ternary";
+  reader.text("levels", levels, "write \"ternary\" or \"uniform\"");
+  misalignment.levels = levels == "uniform" ? Levels::uniform : Levels::ternary;
+  if (levels != "uniform" && levels != "ternary") {
+    faults.add(reader.shown("levels"), "is no set of levels", "write \"ternary\" or \"uniform\"");
+  }
+  reader.refuse_unknown_keys();
+}
+
+void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
+                             Campaign& campaign) {
+  InputFaults& faults = path.faults();
+  const std::size_t before = faults.count();
+  path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
+  path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
+  accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
+  accept.flag("between_samples", campaign.between_samples);
+  const bool numbers_good = faults.count() == before;
+  path.refuse_unknown_keys();
+  accept.refuse_unknown_keys();
+  if (!numbers_good) return;
+  const auto check = [&](const ObjectReader& reader, const char* key, double value, double most) {
+    const std::string shown = reader.name(key) + " = " + shown_number(value);
+    const double rounded = std::max(1.0, std::round(value / campaign.sample_deg));
+    const std::string suggestion =
+        "try " + shown_number(std::min(rounded * campaign.sample_deg, most));
+    if (!whole_multiple(value, campaign.sample_deg)) {
+      faults.add(shown,
+                 "must be a whole multiple of sample_deg = " + shown_number(campaign.sample_deg),
+                 suggestion);
+    } else if (value > most) {
+      faults.add(shown, "must not lie beyond end_deg = " + shown_number(most), suggestion);
+    }
+  };
+  check(path, "end_deg", campaign.end_deg, 180);
+  if (campaign.end_deg > base_end_deg) {
+    faults.add(path.name("end_deg") + " = " + shown_number(campaign.end_deg),
+               "the unshifted sheet folds to " + shown_number(base_end_deg) + " only",
+               "try " + shown_number(std::floor(base_end_deg / campaign.sample_deg) *
+                                     campaign.sample_deg));
+  }
+  check(accept, "deploys_from_deg", campaign.threshold_deg, campaign.end_deg);
+}
+
+// A key that may be null for "no limit".
+void read_stop(ObjectReader reader, StopRule& stop) {
+  const auto limit = [&](const char* key, auto& into, auto read) {
+    const Json* value = reader.find(key);
+    if (!value) return;
+    into.reset();
+    if (!value->is_null()) into = read(key);
+  };
+  const auto whole = [&](const char* key) {
+    std::uint64_t n = 0;
+    reader.whole(key, n, kEndOfDraws, "write a count, or null for no limit");
+    return n;
+  };
+  limit("draws", stop.draws, whole);
+  limit("accepted", stop.accepted, whole);
+  limit("relative_error", stop.relative_error, [&](const char* key) {
+    double error = 0;
+    reader.number(key, error, 1e-6, 1, "write a share of the rate like 0.05, or null for no limit");
+    return error;
+  });
+  limit("wall_s", stop.wall_s, [&](const char* key) {
+    double seconds = 0;
+    reader.number(key, seconds, 0, 1e9, "write seconds, or null for no limit");
+    return seconds;
+  });
+  reader.refuse_unknown_keys();
+}
+
+void read_actuators(ObjectReader reader, solver::Actuators& actuators) {
+  reader.number("stiffness_n_per_mm", actuators.stiffness_n_per_mm, kLeastStiffness_n_per_mm,
+                kMostStiffness_n_per_mm, "try 50, the paper's springs");
+  if (const Json* limit = reader.find("stroke_limit"); limit && !limit->is_null()) {
+    actuators.stroke_limit = 0.0;
+    reader.number("stroke_limit", *actuators.stroke_limit, kLeastStroke, kMostStroke,
+                  "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit");
+  }
+  reader.refuse_unknown_keys();
+}
+
+bool usable_file_name(const std::string& name) {
+  return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+         });
+}
+
+// Removes from `value` whatever `defaults` says just the same.
+void leave_out_defaults(Json& value, const Json& defaults) {
+  for (auto it = value.begin(); it != value.end();) {
+    const auto at = defaults.find(it.key());
+    if (at != defaults.end() && it->is_object() && at->is_object()) leave_out_defaults(*it, *at);
+    const bool same = at != defaults.end() && (*it == *at || (it->is_object() && it->empty()));
+    it = same ? value.erase(it) : std::next(it);
+  }
+}
+
+}  // namespace
+
+int Campaign::threshold_sample() const {
+  return static_cast<int>(std::lround(threshold_deg / sample_deg));
+}
+
+bool Campaign::accepts(const solver::Verdict& verdict) const {
+  return verdict.first_fault != solver::Fault::undecided &&
+         verdict.deploys_from_sample >= threshold_sample();
+}
+
+Campaign read_campaign(const Json& value, const std::string& source,
+                       const std::optional<std::filesystem::path>& directory) {
+  static const Json kEmpty = Json::object();
+  InputFaults faults;
+  Campaign campaign;
+  ObjectReader reader(value, "", faults);
+  const auto part = [&](const char* key) -> const Json& {
+    const Json* found = reader.find(key);
+    return found ? *found : kEmpty;
+  };
+  reader.text("name", campaign.name, "write a name for the catalogue's file");
+  if (!usable_file_name(campaign.name)) {
+    faults.add(reader.shown("name"), "the catalogue's file is named after it",
+               "use letters, digits, '-', '_' and '.', 1 to 100 of them");
+  }
+  reader.require("pattern", "write what is folded; `misalign config --default` shows one");
+  const Json* pattern = reader.find("pattern");
+  if (pattern) {
+    campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, directory, faults);
+  }
+  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
+  const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
+  read_misalignment(ObjectReader(part("misalignment"), "misalignment", faults),
+                    has_sheet ? &sheet : nullptr, campaign.misalignment);
+  ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
+  // A sheet that is refused for other reasons is not held against its path.
+  const double base_end_deg = campaign.pattern.base.folding.end_deg();
+  read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
+  reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
+  read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
+  read_actuators(ObjectReader(part("actuators"), "actuators", faults), campaign.actuators);
+  reader.refuse_unknown_keys();
+  faults.refuse(source);
+  return campaign;
+}
+
+Campaign read_campaign_file(const std::string& path) {
+  const Json document = read_json_file(path);
+  if (document.is_object() && document.contains("family") && !document.contains("pattern")) {
+    throw UserError(kExitBadInput, path +
+                                       ": is a pattern, not a campaign; `misalign fold` folds it, "
+                                       "and a campaign has it under \"pattern\"");
+  }
+  return read_campaign(document, path, std::filesystem::path(path).parent_path());
+}
+
+Campaign default_campaign() {
+  return read_campaign({{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}},
+                       "the default campaign");
+}
+
+Json campaign_json(const Campaign& campaign) {
+  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
+  const std::vector<int>& shifted = campaign.misalignment.vertices;
+  Json vertices = Json::array();
+  if (shifted == solver::interior_vertices(sheet)) {
+    vertices = "interior";
+  } else if (shifted == solver::ring_vertices(sheet)) {
+    vertices = "ring";
+  } else {
+    for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
+  }
+  const auto or_null = [](const auto& limit) { return limit ? Json(*limit) : Json(); };
+  return {{"name", campaign.name},
+          {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
+          {"misalignment",
+           {{"vertices", vertices},
+            {"amplitude_mm", campaign.misalignment.amplitude_mm},
+            {"levels", campaign.misalignment.levels == Levels::ternary ? "ternary" : "uniform"}}},
+          {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
+          {"accept",
+           {{"deploys_from_deg", campaign.threshold_deg},
+            {"between_samples", campaign.between_samples}}},
+          {"seed", campaign.seed},
+          {"stop",
+           {{"draws", or_null(campaign.stop.draws)},
+            {"accepted", or_null(campaign.stop.accepted)},
+            {"relative_error", or_null(campaign.stop.relative_error)},
+            {"wall_s", or_null(campaign.stop.wall_s)}}},
+          {"actuators",
+           {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
+            {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}}};
+}
+
+Json stored_configuration(const Campaign& campaign) {
+  static const Json defaults = campaign_json(default_campaign());
+  Json configuration = campaign_json(campaign);
+  if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  return configuration;
+}
+
+Json identity_json(const Campaign& campaign) {
+  static const Json defaults = campaign_json(default_campaign());
+  Json identity = campaign_json(campaign);
+  identity.erase("name");
+  identity.erase("stop");
+  identity.erase("actuators");
+  leave_out_defaults(identity, defaults);
+  return identity;
+}
+
+std::string identity(const Campaign& campaign) {
+  return hex(hash_of(identity_json(campaign).dump()));
+}
+
+std::string differences(const Campaign& there, const Campaign& here) {
+  const Json theirs = identity_json(there), ours = identity_json(here);
+  const auto shown = [](const Json& configuration, const Json::json_pointer& at) {
+    if (!configuration.contains(at)) return std::string("the default");
+    const std::string text = configuration.at(at).dump();
+    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+  };
+  std::string all;
+  for (const Json& change : Json::diff(theirs, ours)) {
+    const std::string path = change.at("path");
+    const Json::json_pointer at(path);
+    all += (all.empty() ? "" : ", ") + path + " (" + shown(theirs, at) + " there, " +
+           shown(ours, at) + " here)";
+  }
+  return all;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,86 @@
+// A campaign: what is drawn, what is followed, what is accepted, and when to stop.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/campaign/draw_range.hpp"
+#include "schema/campaign/pattern_file.hpp"
+#include "solver/design/actuation.hpp"
+
+namespace misalign::schema {
+
+enum class Levels {
+  ternary,  ///< -a, 0, +a
+  uniform   ///< on [-a, +a]
+};
+
+/// How the vertices are shifted.
+struct Misalignment {
+  std::vector<int> vertices;  ///< ascending
+  double amplitude_mm = 0.4;
+  Levels levels = Levels::ternary;
+};
+
+/// When a campaign or a run is over; what is absent does not limit.
+struct StopRule {
+  std::optional<std::uint64_t> draws = 1000000;
+  std::optional<std::uint64_t> accepted;
+  std::optional<double> relative_error;  ///< of the acceptance rate, see Goal
+  std::optional<double> wall_s;
+};
+
+/// The member initializers are the released defaults: they never change (identity leaves them out).
+struct Campaign {
+  std::string name = "miura-6x6";
+  Pattern pattern;
+  Misalignment misalignment;
+  double sample_deg = 1;
+  double end_deg = 180;
+  double threshold_deg = 170;
+  bool between_samples = false;  ///< whether a bump between samples is a fault
+  std::uint64_t seed = 1;
+  StopRule stop;
+  solver::Actuators actuators;  ///< outside the identity: what is shown of candidates
+
+  /// The least D that is accepted.
+  int threshold_sample() const;
+  /// Whether a draw with this verdict is kept.
+  bool accepts(const solver::Verdict& verdict) const;
+  Sampling sampling() const { return {sample_deg, end_deg, between_samples}; }
+  solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
+};
+
+/// Reads and checks a campaign; UserError (3) naming `source` with every fault. A FOLD file that
+/// its pattern names is looked for in `directory`; without one none may be named.
+Campaign read_campaign(const Json& value, const std::string& source,
+                       const std::optional<std::filesystem::path>& directory = {});
+Campaign read_campaign_file(const std::string& path);
+
+/// The bounds of a stiffness and of a stroke limit, here and on the command line.
+inline constexpr double kLeastStiffness_n_per_mm = 1e-6, kMostStiffness_n_per_mm = 1e9;
+inline constexpr double kLeastStroke = 1e-6, kMostStroke = 1;
+
+/// The default campaign: the paper's.
+Campaign default_campaign();
+
+/// The resolved configuration, every key. Reading it again gives the same campaign.
+Json campaign_json(const Campaign& campaign);
+
+/// The same without what programs from before the actuators do not know, where that is the default:
+/// what a catalogue keeps, so that they can still read it.
+Json stored_configuration(const Campaign& campaign);
+
+/// What the identity is made of: pattern, misalignment, path, accept and seed, keys at their
+/// defaults left out.
+Json identity_json(const Campaign& campaign);
+
+/// XXH3-128 of identity_json, sorted keys, no spaces: 32 hex digits.
+std::string identity(const Campaign& campaign);
+
+/// "/seed (1 there, 2 here)", for every key of the identity in which two campaigns differ.
+std::string differences(const Campaign& there, const Campaign& here);
+
+}  // namespace misalign::schema

@@ -1,0 +1,69 @@
+#include "schema/campaign/carried_pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/pattern/outline.hpp"
+
+namespace misalign::schema {
+namespace {
+
+bool is_at(const Json& point, const Eigen::Vector2d& place_mm) {
+  constexpr double kSame_mm = 1e-9;
+  return point.is_array() && point.size() >= 2 && point[0].is_number() && point[1].is_number() &&
+         std::abs(point[0].get<double>() - place_mm.x()) <= kSame_mm &&
+         std::abs(point[1].get<double>() - place_mm.y()) <= kSame_mm;
+}
+
+bool is_mesh_of(const Pattern& pattern, const Json& fold) {
+  const Eigen::Matrix2Xd vertices_mm = pattern.vertices_mm();
+  const Json points = fold.value("vertices_coords", Json());
+  if (!points.is_array() || points.size() != static_cast<std::size_t>(vertices_mm.cols())) {
+    return false;
+  }
+  for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
+    if (!is_at(points[static_cast<std::size_t>(v)], vertices_mm.col(v))) return false;
+  }
+  const Json mesh = perforated_mesh_json(pattern);
+  for (const auto& [key, value] : mesh.items()) {
+    // Faces follow from the edges, so that they may be left out.
+    if (key == "faces_vertices" && !fold.contains(key)) continue;
+    if (fold.value(key, Json()) != value) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Json perforated_mesh_json(const Pattern& pattern) {
+  const solver::PerforatedSheet& base = pattern.base;
+  const std::vector<int> kept = solver::kept_facets(base.sheet, base.holes);
+  const auto is_kept = [&](int f) { return std::binary_search(kept.begin(), kept.end(), f); };
+  Json edges = Json::array(), letters = Json::array(), faces = Json::array();
+  for (std::size_t e = 0; e < base.sheet.edges.size(); ++e) {
+    const solver::Edge& edge = base.sheet.edges[e];
+    edges.push_back({edge.a, edge.b});
+    if (is_kept(edge.left) && is_kept(edge.right)) {
+      letters.push_back(base.folding.side() * base.folding.assignment()[e] > 0 ? "V" : "M");
+    } else {
+      letters.push_back("B");
+    }
+  }
+  for (const int f : kept) faces.push_back(base.sheet.facets[f]);
+  return {{"edges_vertices", edges}, {"edges_assignment", letters}, {"faces_vertices", faces}};
+}
+
+Pattern read_carried_pattern(const Json& fold, InputFaults& faults, Perforations perforations) {
+  const std::size_t before = faults.count();
+  Pattern pattern = read_pattern(fold.at(kCarriedPattern), kCarriedPattern, Displacements::allowed,
+                                 {}, faults, perforations);
+  if (faults.count() == before && !is_mesh_of(pattern, fold)) {
+    faults.add(
+        kCarriedPattern,
+        "is not the pattern of this file's vertices, edges and faces, which were changed since",
+        "export the candidate again; shifts are changed in its JSON export, displacements_mm");
+  }
+  return pattern;
+}
+
+}  // namespace misalign::schema

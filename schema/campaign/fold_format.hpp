@@ -1,0 +1,30 @@
+// FOLD (the crease-pattern file format, version 1.2): the quadrilateral meshes of degree-4 vertices
+// among them.
+#pragma once
+
+#include "schema/files/input.hpp"
+#include "solver/pattern/crease_pattern.hpp"
+
+namespace misalign::schema {
+
+/// A mesh with its missing faces filled in.
+struct FoldMesh {
+  solver::CreasePattern sheet;  ///< the file's faces in its order, then the missing ones
+  std::vector<int> missing;     ///< facets that the file lacks: each a single quadrilateral
+  std::vector<int> assignment;  ///< per edge: +1 valley, -1 mountain; 0 on the perimeter, and where
+                                ///< an edge of a missing face is neither
+};
+
+/// Reads the key frame of a FOLD object. Without faces_vertices every region that the edges enclose
+/// is a face, but those that edges "B", borders of one face, part from the others: those are
+/// missing. Coordinates are in mm times `mm_per_unit`, unless the file
+/// names a frame_unit. Faults name the vertex ("A5" is the fifth), edge or face; the mesh is usable
+/// only when none was added: a disk of convex quadrilaterals, without crossings, its interior
+/// vertices of degree four, its creases mountain or valley.
+FoldMesh read_fold(const Json& value, const std::string& where, double mm_per_unit,
+                   InputFaults& faults);
+
+/// A whole mesh as a FOLD object: reading it again gives the same sheet and assignment.
+Json fold_json(const solver::CreasePattern& sheet, const std::vector<int>& assignment);
+
+}  // namespace misalign::schema

@@ -1,0 +1,146 @@
+#include "schema/campaign/mesh_family.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "schema/campaign/fold_format.hpp"
+#include "solver/pattern/miura.hpp"
+
+namespace misalign::schema {
+namespace {
+
+constexpr int kMostSide = 40;  // 3,900 unknowns: a dense Jacobian of 120 MB
+constexpr double kLeastLength_mm = 1e-3, kMostLength_mm = 1e6;
+
+// A length for all panels of a row or column, or a list with one for each.
+void read_lengths(ObjectReader& reader, const char* key, double usual, int count,
+                  const std::string& suggestion, std::vector<double>& lengths) {
+  const Json* value = reader.find(key);
+  if (!value || !value->is_array()) {
+    reader.number(key, usual, kLeastLength_mm, kMostLength_mm, suggestion);
+    lengths.assign(count, usual);
+    return;
+  }
+  if (static_cast<int>(value->size()) != count) {
+    reader.faults().add(reader.name(key) + " has " + std::to_string(value->size()) + " lengths",
+                        "there must be one for each of " + std::to_string(count),
+                        "write a list of that length, or one number");
+  }
+  for (const Json& length : *value) {
+    const double number = length.is_number() ? length.get<double>() : 0;
+    if (!(number >= kLeastLength_mm && number <= kMostLength_mm)) {
+      reader.faults().add(reader.name(key) + " has " + length.dump(),
+                          "must be a number from " + shown_number(kLeastLength_mm) + " to " +
+                              shown_number(kMostLength_mm),
+                          suggestion);
+    }
+    lengths.push_back(number);
+  }
+}
+
+Json lengths_json(const std::vector<double>& lengths) {
+  const bool equal =
+      std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<>()) == lengths.end();
+  return equal ? Json(lengths.front()) : Json(lengths);
+}
+
+FamilyMesh read_miura(ObjectReader& reader) {
+  int rows = 6, columns = 6;
+  const auto side = [&](const char* key, int& into) {
+    reader.require(key, "write how many panels, for example 6");
+    const Json* value = reader.find(key);
+    if (!value) return;
+    if (!value->is_number_integer()) {
+      reader.faults().add(reader.shown(key), "must be a whole number", "try 6");
+    } else if (const double n = value->get<double>(); n < 3) {
+      reader.faults().add(reader.shown(key),
+                          "must be at least 3: only panels away from the border can be taken out",
+                          "try 6");
+    } else if (n > kMostSide) {
+      reader.faults().add(reader.shown(key), "must be at most " + std::to_string(kMostSide),
+                          "try 6");
+    } else {
+      into = static_cast<int>(n);
+    }
+  };
+  const std::size_t before = reader.faults().count();
+  side("rows", rows);
+  side("columns", columns);
+  solver::MiuraShape shape;
+  read_lengths(reader, "panel_width_mm", 80, columns, "try 80", shape.width_mm);
+  read_lengths(reader, "panel_height_mm", 80, rows, "try 80", shape.height_mm);
+  read_lengths(reader, "zigzag_offset_mm", 40, rows, "try half of the panel width",
+               shape.offset_mm);
+  if (reader.faults().count() > before) return {};
+  FamilyMesh mesh;
+  mesh.family = {{"family", "miura"},
+                 {"rows", rows},
+                 {"columns", columns},
+                 {"panel_width_mm", lengths_json(shape.width_mm)},
+                 {"panel_height_mm", lengths_json(shape.height_mm)},
+                 {"zigzag_offset_mm", lengths_json(shape.offset_mm)}};
+  mesh.place = reader.name("family") + " = \"miura\"";
+  mesh.sheet = solver::miura_sheet(shape);
+  mesh.assignment = solver::miura_assignment(shape, mesh.sheet);
+  return mesh;
+}
+
+// A FOLD file, or its contents as "mesh": what a catalogue keeps.
+FamilyMesh read_fold_mesh(ObjectReader& reader,
+                          const std::optional<std::filesystem::path>& directory) {
+  const Json* file = reader.find("file");
+  const Json* inline_mesh = reader.find("mesh");
+  double mm_per_unit = 1;
+  reader.number("mm_per_unit", mm_per_unit, 1e-6, 1e6, "write how many mm one unit is");
+  if ((file == nullptr) == (inline_mesh == nullptr)) {
+    reader.faults().add(file ? reader.name("mesh") : reader.name("file"),
+                        file ? "is there beside a file" : "is missing",
+                        "name the FOLD file with the mesh in \"file\"");
+    return {};
+  }
+  if (file && !file->is_string()) {
+    reader.faults().add(reader.shown("file"), "must be a text", "name a FOLD file");
+    return {};
+  }
+  if (file && !directory) {
+    reader.faults().add(reader.shown("file"),
+                        "what is kept or exported carries its mesh, and no "
+                        "other file is opened for it",
+                        "export it again, or put a backup in its place");
+    return {};
+  }
+  const std::size_t before = reader.faults().count();
+  const std::string name = file ? file->get<std::string>() : "";
+  const Json document =
+      file ? read_json_file((*directory / name).string(), FileKind::regular) : *inline_mesh;
+  const std::string at = reader.name("mesh");
+  const std::string place = file ? name : at == "mesh" ? "" : at;
+  FoldMesh fold = read_fold(document, place, mm_per_unit, reader.faults());
+  if (reader.faults().count() > before) return {};
+  return {{{"family", "fold"}},
+          place,
+          std::move(fold.sheet),
+          std::move(fold.assignment),
+          std::move(fold.missing)};
+}
+
+}  // namespace
+
+FamilyMesh read_family(ObjectReader& reader,
+                       const std::optional<std::filesystem::path>& directory) {
+  const char* const kForms = "write \"miura\" or \"fold\"";
+  std::string family = "miura";
+  reader.require("family", kForms);
+  reader.text("family", family, kForms);
+  if (family == "miura") return read_miura(reader);
+  if (family == "fold") return read_fold_mesh(reader, directory);
+  reader.faults().add(reader.shown("family"), "is no pattern family", kForms);
+  // Not judged without a family, but known.
+  for (const char* key : {"rows", "columns", "panel_width_mm", "panel_height_mm",
+                          "zigzag_offset_mm", "file", "mesh", "mm_per_unit"}) {
+    reader.find(key);
+  }
+  return {};
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,318 @@
+#include "schema/campaign/pattern_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+
+#include "schema/campaign/carried_pattern.hpp"
+#include "schema/campaign/fold_format.hpp"
+#include "schema/campaign/folding_fault.hpp"
+#include "schema/campaign/mesh_family.hpp"
+#include "solver/pattern/perforation.hpp"
+
+namespace misalign::schema {
+namespace {
+
+std::vector<int> read_holes(ObjectReader& reader, const FamilyMesh& mesh) {
+  const char* const kForms =
+      "write \"checkerboard-odd\", \"checkerboard-even\" or a list of [row, column]";
+  const Json* value = reader.find("holes");
+  if (value && !mesh.missing.empty()) {
+    reader.faults().add(reader.name("holes"), "the file lacks faces already, which are the holes",
+                        "take the key out, or give the file all of its faces");
+    return mesh.missing;
+  }
+  if (!value && !mesh.missing.empty()) return mesh.missing;
+  if (!value || *value == "checkerboard-odd") return solver::checkerboard(mesh.sheet, 1);
+  if (*value == "checkerboard-even") return solver::checkerboard(mesh.sheet, 0);
+  if (!value->is_array()) {
+    reader.faults().add(reader.shown("holes"), "is no perforation", kForms);
+    return {};
+  }
+  std::vector<int> holes;
+  for (const Json& hole : *value) {
+    if (!hole.is_array() || hole.size() != 2 || !hole[0].is_number_integer() ||
+        !hole[1].is_number_integer()) {
+      reader.faults().add(reader.name("holes") + " has " + hole.dump(), "is no facet", kForms);
+      continue;
+    }
+    const double row = hole[0].get<double>(), column = hole[1].get<double>();
+    const auto at =
+        std::find_if(mesh.sheet.places.begin(), mesh.sheet.places.end(),
+                     [&](const auto& place) { return place[0] == row && place[1] == column; });
+    if (at == mesh.sheet.places.end()) {
+      int last_row = 0, last_column = 0;
+      for (const auto& place : mesh.sheet.places) {
+        last_row = std::max(last_row, place[0]);
+        last_column = std::max(last_column, place[1]);
+      }
+      reader.faults().add(reader.name("holes") + " has " + hole.dump(),
+                          "the sheet has rows 0 to " + std::to_string(last_row) +
+                              " and columns 0 to " + std::to_string(last_column),
+                          "rows and columns count from 0");
+      continue;
+    }
+    holes.push_back(static_cast<int>(at - mesh.sheet.places.begin()));
+  }
+  std::sort(holes.begin(), holes.end());
+  if (std::adjacent_find(holes.begin(), holes.end()) != holes.end()) {
+    reader.faults().add(reader.name("holes"), "names a facet twice", "name each once");
+  }
+  return holes;
+}
+
+// Edge of the pilot that is asked for; -1 after a fault.
+int read_pilot(ObjectReader& reader, const solver::CreasePattern& sheet,
+               const std::vector<int>& holes) {
+  const int usual = solver::default_pilot(sheet, holes);
+  const Json* value = reader.find("pilot");
+  if (!value) return usual;
+  const auto refuse = [&](const char* why) {
+    reader.faults().add(
+        reader.shown("pilot"), why,
+        usual < 0 ? "take it out"
+                  : "write a crease as \"" +
+                        solver::line_label(sheet.edges[usual].a, sheet.edges[usual].b) + "\"");
+    return -1;
+  };
+  const std::string text = value->is_string() ? value->get<std::string>() : "";
+  const auto dash = text.find('-');
+  if (dash == std::string::npos) return refuse("names no crease");
+  const int a = vertex_of_label(text.substr(0, dash), sheet.vertex_count());
+  const int b = vertex_of_label(text.substr(dash + 1), sheet.vertex_count());
+  const int e = a < 0 || b < 0 ? -1 : solver::find_edge(sheet, a, b);
+  if (e < 0) return refuse("is no edge of this sheet");
+  const solver::Edge& edge = sheet.edges[e];
+  const auto is_open = [&](int f) {
+    return f < 0 || std::binary_search(holes.begin(), holes.end(), f);
+  };
+  if (is_open(edge.left) || is_open(edge.right)) return refuse("does not join two panels");
+  return e;
+}
+
+// The base folding, or a sentence that names the vertex where there is none.
+void fold_base(const std::string& where, const std::vector<int>& assignment, int pilot,
+               Pattern& pattern, InputFaults& faults) {
+  auto folded = solver::fold_sequentially(pattern.base.sheet, assignment, pilot);
+  if (auto* folding = std::get_if<solver::BaseFolding>(&folded)) {
+    pattern.base.folding = std::move(*folding);
+  } else {
+    add_folding_fault(where, pattern.base.sheet, assignment,
+                      std::get<solver::NoBaseFolding>(folded), faults);
+  }
+}
+
+// Counting first, then the rank of the Jacobian, which has the last word.
+void check_mobility(const std::string& where, const Pattern& pattern, InputFaults& faults) {
+  const solver::PerforatedSheet& base = pattern.base;
+  const int inner = static_cast<int>(solver::inner_facets(base.sheet).size());
+  if (base.holes.empty()) {
+    faults.add(where, "there is no hole, so there is no diagonal to measure",
+               "take out " + std::to_string(inner / 2) + " inner panels");
+    return;
+  }
+  const int counted = solver::counted_mobility(base.sheet, base.holes);
+  const solver::Mobility measured = solver::measured_mobility(base.sheet, base.holes, base.folding);
+  if (measured.is_one()) return;
+  const std::string numbers = "the Jacobian has rank " + std::to_string(measured.rank) + " with " +
+                              std::to_string(measured.unknowns) + " unknowns and " +
+                              std::to_string(measured.equations) +
+                              " equations; counting (2.1) gives " + std::to_string(counted);
+  const auto& places = base.sheet.places;
+  const bool odd = pattern.family["family"] == "miura" &&
+                   (places.back()[0] % 2 == 0 || places.back()[1] % 2 == 0);
+  const std::string suggestion =
+      odd ? "make rows and columns even" : "`misalign perforations` lists those that leave one";
+  if (measured.rank < measured.equations && measured.degrees_of_freedom() == 1) {
+    faults.add(where,
+               "the perforation leaves too many constraints, so that shifted sheets do not fold: " +
+                   numbers,
+               suggestion);
+  } else {
+    faults.add(where,
+               "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
+                   " degrees of freedom, not 1: " + numbers,
+               suggestion);
+  }
+}
+
+void read_displacements(ObjectReader& reader, Pattern& pattern) {
+  const Json* value = reader.find("displacements_mm");
+  if (!value) return;
+  const std::string name = reader.name("displacements_mm");
+  if (!value->is_object()) {
+    reader.faults().add(name, "must be an object", "write {\"A10\": [0.4, 0.0]}");
+    return;
+  }
+  bool good = true;
+  for (const auto& [label, shift] : value->items()) {
+    const int vertex = vertex_of_label(label, pattern.base.sheet.vertex_count());
+    if (vertex < 0) {
+      reader.faults().add(
+          name + "." + label, "is no vertex of this sheet",
+          "vertices are A1 to A" + std::to_string(pattern.base.sheet.vertex_count()));
+      good = false;
+    } else if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+               !shift[1].is_number()) {
+      reader.faults().add(name + "." + label + " = " + shift.dump(), "must be two numbers, x and y",
+                          "write [0.4, 0.0]");
+      good = false;
+    } else {
+      pattern.shifts_mm.col(vertex) =
+          Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>());
+    }
+  }
+  const auto bad = solver::nonconvex_facets(pattern.base.sheet, pattern.vertices_mm());
+  if (good && !bad.empty()) {
+    reader.faults().add(name,
+                        "they turn the facet " + facet_json(pattern, bad.front()).dump() +
+                            " into no convex quadrilateral",
+                        "shift vertices by a small part of a panel");
+  }
+}
+
+// "sampling" of an exported candidate.
+Sampling read_sampling(const Json& candidate, InputFaults& faults) {
+  Sampling sampling;
+  const auto value = candidate.find("sampling");
+  if (!candidate.is_object() || value == candidate.end()) return sampling;
+  ObjectReader reader(*value, "sampling", faults);
+  reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
+  reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
+  reader.flag("between_samples", sampling.between_samples);
+  reader.refuse_unknown_keys();
+  return sampling;
+}
+
+}  // namespace
+
+Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
+                     const std::optional<std::filesystem::path>& directory, InputFaults& faults,
+                     Perforations perforations) {
+  Pattern pattern;
+  const std::size_t before = faults.count();
+  ObjectReader reader(value, where, faults);
+  const auto good = [&] { return faults.count() == before; };
+  FamilyMesh mesh = read_family(reader, directory);
+  if (good()) {
+    pattern.base.holes = read_holes(reader, mesh);
+    for (const std::string& fault : solver::hole_faults(mesh.sheet, pattern.base.holes)) {
+      faults.add(reader.name("holes"), fault, "take out inner panels that meet at corners only");
+    }
+  }
+  const int pilot = good() ? read_pilot(reader, mesh.sheet, pattern.base.holes) : -1;
+  if (good()) {
+    pattern.base.sheet = std::move(mesh.sheet);
+    pattern.shifts_mm.setZero(2, pattern.base.sheet.vertex_count());
+    fold_base(mesh.place, mesh.assignment, pilot, pattern, faults);
+  }
+  if (good()) {
+    pattern.family = std::move(mesh.family);
+    if (pattern.family["family"] == "fold") {
+      const solver::BaseFolding& folding = pattern.base.folding;
+      std::vector<int> assignment = folding.assignment();
+      for (int& sign : assignment) sign *= folding.side();
+      pattern.family["mesh"] = fold_json(pattern.base.sheet, assignment);
+    }
+    if (perforations == Perforations::of_one_freedom) {
+      check_mobility(reader.name("holes"), pattern, faults);
+    }
+  }
+  if (good() && displacements == Displacements::allowed) read_displacements(reader, pattern);
+  if (displacements == Displacements::refused && reader.find("displacements_mm")) {
+    faults.add(reader.name("displacements_mm"), "a campaign draws its own displacements",
+               "take it out, or give the pattern to `misalign fold`");
+  }
+  // Not judged on a sheet that is refused, but known.
+  for (const char* key : {"holes", "pilot", "displacements_mm"}) {
+    if (!good()) reader.find(key);
+  }
+  reader.refuse_unknown_keys();
+  return pattern;
+}
+
+Json sampling_json(const Sampling& sampling) {
+  return {{"sample_deg", sampling.sample_deg},
+          {"end_deg", sampling.end_deg},
+          {"between_samples", sampling.between_samples}};
+}
+
+PatternFile read_sampled_pattern_file(const std::string& path, Perforations perforations) {
+  InputFaults faults;
+  const std::filesystem::path file(path);
+  const Json document = read_json_file(path);
+  const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
+  const bool exported = has("pattern") && (has("draw") || has("sampling"));
+  if (has("pattern") && !exported) {
+    throw UserError(kExitBadInput, path +
+                                       ": is a campaign, not a pattern; `misalign search` runs "
+                                       "it, and its \"pattern\" alone can be folded");
+  }
+  PatternFile read;
+  if (has("vertices_coords") && has(kCarriedPattern)) {
+    read.pattern = read_carried_pattern(document, faults, perforations);
+    read.exported = document.value("misalign:data", Json::object());
+    read.sampling = read_sampling(read.exported, faults);
+  } else if (exported) {
+    read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
+                                perforations);
+    read.exported = document;
+    read.sampling = read_sampling(document, faults);
+  } else {
+    const bool is_mesh = has("vertices_coords");
+    read.pattern =
+        read_pattern(is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document, "",
+                     Displacements::allowed, file.parent_path(), faults, perforations);
+  }
+  faults.refuse(path);
+  if (!read.exported.is_object()) read.exported = nullptr;
+  return read;
+}
+
+Pattern read_pattern_file(const std::string& path, Perforations perforations) {
+  return read_sampled_pattern_file(path, perforations).pattern;
+}
+
+Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm) {
+  const solver::CreasePattern& sheet = base.base.sheet;
+  Json json = base.family;
+  if (base.base.holes == solver::checkerboard(sheet, 1)) {
+    json["holes"] = "checkerboard-odd";
+  } else if (base.base.holes == solver::checkerboard(sheet, 0)) {
+    json["holes"] = "checkerboard-even";
+  } else {
+    json["holes"] = Json::array();
+    for (const int f : base.base.holes) json["holes"].push_back(facet_json(base, f));
+  }
+  const int pilot = base.base.folding.pilot_edge();
+  if (pilot != solver::default_pilot(sheet, base.base.holes)) {
+    json["pilot"] = solver::line_label(sheet.edges[pilot].a, sheet.edges[pilot].b);
+  }
+  const Json displacements = displacements_json(shifts_mm);
+  if (!displacements.empty()) json["displacements_mm"] = displacements;
+  return json;
+}
+
+Json displacements_json(const Eigen::Matrix2Xd& shifts_mm) {
+  Json shifts = Json::object();
+  for (int v = 0; v < shifts_mm.cols(); ++v) {
+    if (shifts_mm(0, v) != 0 || shifts_mm(1, v) != 0) {
+      shifts[solver::vertex_label(v)] = {shifts_mm(0, v), shifts_mm(1, v)};
+    }
+  }
+  return shifts;
+}
+
+Json facet_json(const Pattern& pattern, int facet) { return pattern.base.sheet.places[facet]; }
+
+int vertex_of_label(const std::string& label, int vertex_count) {
+  int number = 0;
+  const char* const end = label.data() + label.size();
+  if (label.size() < 2 || label[0] != 'A' || label[1] == '0') return -1;
+  const auto [stop, error] = std::from_chars(label.data() + 1, end, number);
+  if (error != std::errc{} || stop != end || number < 1 || number > vertex_count) return -1;
+  return number - 1;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,68 @@
+// A pattern as people write it, and the perforated sheet it stands for.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "schema/files/input.hpp"
+#include "solver/verdict/history.hpp"
+
+namespace misalign::schema {
+
+struct Pattern {
+  Json family;  ///< "family" and the keys of that family, resolved: no default, no file left
+  solver::PerforatedSheet base;
+  Eigen::Matrix2Xd shifts_mm;  ///< the file's displacements, one column per vertex
+
+  solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
+};
+
+enum class Displacements { allowed, refused };
+
+/// Whether a perforation that leaves another number of degrees of freedom than one is a fault.
+enum class Perforations { of_one_freedom, any };
+
+/// Reads and checks a pattern object at `where`. Only when it added no fault is the result usable.
+/// A FOLD file that it names is looked for in `directory`; what a catalogue or an exported
+/// candidate holds comes without one, and may name none: its mesh is with it.
+Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
+                     const std::optional<std::filesystem::path>& directory, InputFaults& faults,
+                     Perforations perforations = Perforations::of_one_freedom);
+
+/// Where a path is looked at, and what counts as a fault between.
+struct Sampling {
+  double sample_deg = 1, end_deg = 180;
+  bool between_samples = false;
+};
+Json sampling_json(const Sampling& sampling);
+
+struct PatternFile {
+  Pattern pattern;
+  Sampling sampling;  ///< an exported candidate's is its campaign's
+  Json exported;  ///< what an export says of it (candidate.schema.json); null for other patterns
+};
+
+/// A pattern file; an exported candidate, JSON or FOLD; or a FOLD mesh without shifts. UserError
+/// (3) with every fault.
+PatternFile read_sampled_pattern_file(const std::string& path,
+                                      Perforations perforations = Perforations::of_one_freedom);
+
+/// The pattern of such a file.
+Pattern read_pattern_file(const std::string& path,
+                          Perforations perforations = Perforations::of_one_freedom);
+
+/// The base with these shifts, in the contract's names; displacements only where there are some.
+/// Reading it again gives the same pattern.
+Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm);
+
+/// {"A10": [0.4, 0.0], ...}: the vertices that are shifted, exactly.
+Json displacements_json(const Eigen::Matrix2Xd& shifts_mm);
+
+/// [row, column] of a facet.
+Json facet_json(const Pattern& pattern, int facet);
+
+/// Vertex of a label, -1 if the sheet has no such vertex.
+int vertex_of_label(const std::string& label, int vertex_count);
+
+}  // namespace misalign::schema

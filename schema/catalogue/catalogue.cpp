@@ -1,0 +1,362 @@
+#include "schema/catalogue/catalogue.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "schema/files/carried_files.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/connection.hpp"
+#include "schema/files/file_name.hpp"
+#include "schema/exchange/folding_json.hpp"
+#include "schema/files/output_file.hpp"
+#include "schema/catalogue/unit_copier.hpp"
+
+namespace misalign::schema {
+namespace {
+
+void bind_or_null(SQLite::Statement& statement, const char* name,
+                  const std::optional<std::uint64_t>& value) {
+  value ? statement.bind(name, stored(*value)) : statement.bind(name);
+}
+
+void bind_or_null(SQLite::Statement& statement, const char* name,
+                  const std::optional<double>& value) {
+  value ? statement.bind(name, *value) : statement.bind(name);
+}
+
+// A log that readers keep from being emptied is emptied by waiting for them, from this size on;
+// usually it is written from its start again at 32 MB (see open_for_writing).
+constexpr std::uintmax_t kLargestLog_bytes = 44 << 20;
+constexpr int kWaitForReaders_ms = 300, kWaitForWriters_ms = 10000;
+
+}  // namespace
+
+void Standing::add(const UnitRecord& unit) {
+  draws += unit.range.size();
+  accepted += unit.accepted;
+  for (const Candidate& candidate : unit.candidates) {
+    const double deg = candidate.metrics.deploys_from_deg;
+    if (!best || deg > best->deploys_from_deg ||
+        (deg == best->deploys_from_deg && candidate.draw < best->draw)) {
+      best = {deg, candidate.draw};
+    }
+  }
+}
+
+Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
+                     const solver::Mechanism& mechanism, std::optional<Storage> storage,
+                     Missing missing)
+    : path_(end_of_links(path)),
+      campaign_(campaign),
+      mechanism_(mechanism),
+      identity_(identity(campaign)),
+      storage_(storage.value_or(file_system_of(path_).storage)),
+      lock_(path_, missing) {
+  try {
+    guarded(path_, [&] { open(missing); });
+  } catch (...) {
+    writer_.reset();
+    database_.reset();
+    if (lock_.made_the_file()) {
+      std::error_code ignored;
+      for (const std::string& suffix : journal_suffixes()) {
+        std::filesystem::remove(path_ + suffix, ignored);
+      }
+      std::filesystem::remove(path_, ignored);
+    }
+    throw;
+  }
+}
+
+Catalogue::~Catalogue() = default;
+
+void Catalogue::open(Missing missing) {
+  database_ = open_for_writing(path_, storage_);
+  const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
+  if (is_new && missing == Missing::refused) throw damaged(*database_, "it is empty");
+  if (!is_new) {
+    check_same_campaign();
+    fold_log_in();
+    migrate();
+  }
+  database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
+                                               : "PRAGMA journal_mode = WAL");
+  if (is_new) {
+    create();
+    sync_directory_of(path_);
+  }
+  writer_.emplace(*database_, campaign_, mechanism_);
+  goal_end_.emplace(goal_);
+}
+
+void Catalogue::check_same_campaign() const {
+  SQLite::Statement campaign(*database_, "SELECT identity FROM campaign");
+  if (!campaign.executeStep()) throw damaged(*database_, "it names no campaign");
+  const std::string held = text_of(campaign.getColumn(0));
+  if (held == identity_) return;
+  const std::string different = differences(read_campaign_of(*database_, path_), campaign_);
+  if (different.empty()) throw damaged(*database_, "its identity is not its configuration's");
+  throw UserError(kExitOtherCampaign, path_ + ": holds another campaign, " + held.substr(0, 8) +
+                                          " (they differ in " + different +
+                                          "); give this one a file of its own with --catalogue");
+}
+
+// The file as it was is kept beside it; then all steps to the present schema, or none.
+void Catalogue::migrate() {
+  const int version = version_of(*database_);
+  if (version == kSchemaVersion) return;
+  const std::string backup = path_ + ".version-" + std::to_string(version);
+  if (!is_taken(backup)) {
+    OutputFile file = OutputFile::database(backup, {path_});
+    SQLite::Statement copy(*database_, "VACUUM INTO ?");
+    copy.bind(1, plain_file_name(file.path()));
+    copy.exec();
+    file.publish();
+  }
+  SQLite::Transaction transaction(*database_);
+  for (int next = version + 1; next <= kSchemaVersion; ++next) {
+    database_->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
+  }
+  transaction.commit();
+}
+
+void Catalogue::create() {
+  SQLite::Transaction transaction(*database_);
+  database_->exec(carried_text("schema/catalogue.sql"));
+  SQLite::Statement insert(
+      *database_,
+      "INSERT INTO campaign (id, identity, name, configuration, diagonals, "
+      "range_lo, range_hi, goal_end) "
+      "VALUES (1, :identity, :name, :configuration, :diagonals, 0, :end, :end)");
+  insert.bind(":identity", identity_);
+  insert.bind(":name", campaign_.name);
+  insert.bind(":configuration", stored_configuration(campaign_).dump());
+  insert.bind(":diagonals", diagonals_json(campaign_, mechanism_).dump());
+  insert.bind(":end", stored(kEndOfDraws));
+  insert.exec();
+  transaction.commit();
+}
+
+std::vector<DrawRange> Catalogue::done() const { return units_done(*database_); }
+
+Standing Catalogue::standing() const {
+  Standing standing;
+  SQLite::Statement sums(*database_,
+                         "SELECT coalesce(sum(hi - lo), 0), coalesce(sum(accepted), 0) FROM unit");
+  sums.executeStep();
+  standing.draws = static_cast<std::uint64_t>(sums.getColumn(0).getInt64());
+  standing.accepted = static_cast<std::uint64_t>(sums.getColumn(1).getInt64());
+  SQLite::Statement best(*database_,
+                         "SELECT deploys_from_deg, min(draw) FROM candidate WHERE "
+                         "deploys_from_deg = (SELECT max(deploys_from_deg) FROM candidate) "
+                         "GROUP BY deploys_from_deg");
+  if (best.executeStep()) {
+    standing.best = {best.getColumn(0).getDouble(),
+                     static_cast<std::uint64_t>(best.getColumn(1).getInt64())};
+  }
+  return standing;
+}
+
+std::vector<std::uint64_t> Catalogue::undecided() const {
+  return draws_of(*database_, "undecided", {0, kEndOfDraws});
+}
+
+void Catalogue::check_same_builds(const RunInfo& run) const {
+  SQLite::Statement other(*database_,
+                          "SELECT \"commit\" FROM run WHERE golden_verdicts != ? LIMIT 1");
+  other.bind(1, run.golden_verdicts);
+  if (!other.executeStep()) return;
+  throw UserError(kExitOtherCampaign,
+                  path_ + ": this build (commit " + run.commit +
+                      ") gives other verdicts on the golden draws than the one that worked on this "
+                      "catalogue (commit " +
+                      other.getColumn(0).getString() +
+                      "); use that build, another --catalogue, or --allow-mixed-builds if you "
+                      "know that the difference does no harm");
+}
+
+void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
+  guarded(path_, [&] {
+    if (builds == Builds::same) check_same_builds(run);
+    goal_ = goal;
+    const GoalEnd end = goal_end_of_rows(*database_, goal);
+    const std::string configuration = stored_configuration(campaign_).dump();
+    transact([&] {
+      SQLite::Statement campaign(
+          *database_,
+          "UPDATE campaign SET name = :name, configuration = :configuration, range_lo = :lo, "
+          "range_hi = :hi, goal_draws = :draws, goal_accepted = :accepted, "
+          "goal_relative_error = :error, goal_end = :end");
+      campaign.bind(":name", campaign_.name);
+      campaign.bind(":configuration", configuration);
+      campaign.bind(":lo", stored(goal.range.lo));
+      campaign.bind(":hi", stored(goal.range.hi));
+      bind_or_null(campaign, ":draws", goal.draws);
+      bind_or_null(campaign, ":accepted", goal.accepted);
+      bind_or_null(campaign, ":error", goal.relative_error);
+      campaign.bind(":end", stored(end.value()));
+      campaign.exec();
+      SQLite::Statement insert(
+          *database_,
+          "INSERT INTO run (started_at, host, ranks, version, \"commit\", compiler, flags, "
+          "golden_verdicts, configuration, schema_version, metrics_version) VALUES "
+          "(strftime('%Y-%m-%dT%H:%M:%fZ'), :host, :ranks, :version, :commit, :compiler, :flags, "
+          ":golden, :configuration, :schema, :metrics)");
+      insert.bind(":host", run.host);
+      insert.bind(":ranks", run.ranks);
+      insert.bind(":version", run.version);
+      insert.bind(":commit", run.commit);
+      insert.bind(":compiler", run.compiler);
+      insert.bind(":flags", run.flags);
+      insert.bind(":golden", run.golden_verdicts);
+      insert.bind(":configuration", configuration);
+      insert.bind(":schema", kSchemaVersion);
+      insert.bind(":metrics", solver::kMetricsVersion);
+      insert.exec();
+    });
+    run_ = database_->getLastInsertRowid();
+    goal_end_ = end;
+    cost_ = {};
+  });
+}
+
+void Catalogue::commit(const std::vector<UnitRecord>& units) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  guarded(path_, [&] {
+    GoalEnd end = *goal_end_;
+    transact([&] {
+      end = *goal_end_;  // it may be the second time
+      writer_->write(units, run_);
+      for (const UnitRecord& unit : units) {
+        end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
+      }
+      if (end.value() != goal_end_->value()) store_goal_end(end);
+    });
+    goal_end_ = std::move(end);
+    keep_log_small();
+  });
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  ++cost_.commits;
+  cost_.seconds += seconds;
+  cost_.longest_s = std::max(cost_.longest_s, seconds);
+}
+
+void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
+  guarded(path_, [&] {
+    transact([&] {
+      UnitCopier copier(other, *database_);
+      copier.copy_runs();
+      for (const DrawRange& unit : units) copier.copy(unit);
+    });
+  });
+}
+
+std::vector<std::uint64_t> Catalogue::keep(const std::vector<Yield>& yields,
+                                           const std::string& commit_of_build) {
+  std::vector<std::uint64_t> no_candidates;
+  guarded(path_, [&] {
+    transact([&] { no_candidates = write_yields(*database_, yields, commit_of_build); });
+  });
+  return no_candidates;
+}
+
+void Catalogue::take_over_yields(SQLite::Database& other) {
+  guarded(path_, [&] { transact([&] { copy_yields(other, *database_); }); });
+}
+
+void Catalogue::settle(const UnitRecord& decided) {
+  guarded(path_, [&] {
+    transact([&] {
+      writer_->settle(decided);
+      goal_end_ = goal_end_of_rows(*database_, goal_);
+      store_goal_end(*goal_end_);
+    });
+  });
+}
+
+// One transaction on the file that still lies where it was opened. On a disk that is full the log
+// is folded into the file, which gives room to a log that begins anew; then it is tried once more.
+template <class Work>
+void Catalogue::transact(const Work& work) {
+  lock_.check_file_is_there();
+  const auto once = [&] {
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    work();
+    transaction.commit();
+  };
+  try {
+    once();
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_FULL || storage_ == Storage::network) throw;
+    fold_log_in();
+    once();
+  }
+  lock_.check_file_is_there();
+}
+
+// Before new work: what a full disk kept in the log takes twice its room for as long as it is
+// there, and every start would add to it. Readers may keep it, which does no harm.
+void Catalogue::fold_log_in() {
+  if (storage_ == Storage::network) return;
+  database_->setBusyTimeout(kWaitForReaders_ms);
+  const int result = database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+  database_->setBusyTimeout(kWaitForWriters_ms);
+  if (result != SQLITE_OK && result != SQLITE_BUSY && result != SQLITE_LOCKED) {
+    throw SQLite::Exception(database_->getHandle(), result);
+  }
+}
+
+void Catalogue::store_goal_end(const GoalEnd& end) {
+  SQLite::Statement update(*database_, "UPDATE campaign SET goal_end = ?");
+  update.bind(1, stored(end.value()));
+  update.exec();
+}
+
+// The log is written from its start again once no reader needs it, but with readers all the time
+// that moment never comes by itself.
+void Catalogue::keep_log_small() {
+  std::error_code error;
+  const auto log_bytes = [&] {
+    const auto bytes = std::filesystem::file_size(path_ + "-wal", error);
+    return error ? 0 : bytes;
+  };
+  // A reader that stays at one moment keeps it: not every commit is to wait for that one again.
+  if (log_bytes() <= std::max(kLargestLog_bytes, kept_log_bytes_ + kLargestLog_bytes / 4)) return;
+  database_->setBusyTimeout(kWaitForReaders_ms);
+  database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+  database_->setBusyTimeout(kWaitForWriters_ms);
+  kept_log_bytes_ = log_bytes();
+}
+
+void Catalogue::end_run(const std::string& end) {
+  guarded(path_, [&] {
+    transact([&] {
+      SQLite::Statement update(*database_,
+                               "UPDATE run SET ended_at = strftime('%Y-%m-%dT%H:%M:%fZ'), "
+                               "end = ?, commits = ?, commit_s = ?, longest_commit_s = ? "
+                               "WHERE id = ?");
+      update.bind(1, end);
+      update.bind(2, stored(cost_.commits));
+      update.bind(3, cost_.seconds);
+      update.bind(4, cost_.longest_s);
+      update.bind(5, run_);
+      update.exec();
+    });
+  });
+  close();
+}
+
+void Catalogue::close() {
+  // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
+  // reader that is looking just now prevents that, which does no harm.
+  writer_.reset();
+  database_->setBusyTimeout(0);
+  database_->tryExec("PRAGMA journal_mode = DELETE");
+  database_.reset();
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,176 @@
+#include "schema/catalogue/catalogue_layout.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "schema/files/carried_files.hpp"
+#include "schema/catalogue/connection.hpp"
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/sql_tokens.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// A row of sqlite_schema.
+struct Made {
+  std::string table;  // that it belongs to
+  SqlTokens sql;      // none for an index that a key makes
+};
+bool same(const Made& a, const Made& b) {
+  return a.table == b.table && a.sql.tokens == b.sql.tokens && !a.sql.is_open && !b.sql.is_open;
+}
+
+using TypeAndName = std::pair<std::string, std::string>;
+struct Layout {
+  std::map<TypeAndName, Made> made;
+  std::set<TypeAndName> twice;  // SQLite lets rows without a definition stand as often as one likes
+};
+
+Layout layout_of(SQLite::Database& database) {
+  Layout layout;
+  SQLite::Statement row(database, "SELECT type, name, tbl_name, sql FROM sqlite_schema");
+  while (row.executeStep()) {
+    const TypeAndName key{row.getColumn(0).getString(), row.getColumn(1).getString()};
+    Made made{row.getColumn(2).getString(), sql_tokens(row.getColumn(3).getString())};
+    if (!layout.made.try_emplace(key, std::move(made)).second) layout.twice.insert(key);
+  }
+  return layout;
+}
+
+const std::string& carried_layout(int version) {
+  return carried_text(version == kSchemaVersion
+                          ? "schema/catalogue.sql"
+                          : "schema/versions/" + std::to_string(version) + ".sql");
+}
+
+// Of a catalogue that was made in version `first`; made once.
+const Layout& layout_made_in(int first, int version) {
+  static std::map<std::pair<int, int>, Layout> layouts;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const auto known = layouts.find({first, version});
+  if (known != layouts.end()) return known->second;
+  const auto database = connect_to_memory();
+  database->exec(carried_layout(first));
+  for (int next = first + 1; next <= version; ++next)
+    database->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
+  return layouts[{first, version}] = layout_of(*database);
+}
+
+// What ANALYZE makes; what it says of the rows may change which way a statement goes, and no
+// answer.
+bool is_statistics(const std::string& name, const Made& made) {
+  static const std::map<std::string, std::vector<std::string>> kTables = {
+      {"sqlite_stat1", sql_tokens("CREATE TABLE sqlite_stat1(tbl,idx,stat)").tokens},
+      {"sqlite_stat4",
+       sql_tokens("CREATE TABLE sqlite_stat4(tbl,idx,neq,nlt,ndlt,sample)").tokens}};
+  const auto at = kTables.find(name);
+  return at != kTables.end() && at->second == made.sql.tokens && !made.sql.is_open;
+}
+
+// What stands between the commas of a table's outer brackets: its columns and conditions.
+std::vector<std::string> definitions_of(const std::vector<std::string>& tokens) {
+  std::vector<std::string> definitions;
+  int depth = 0;
+  for (const std::string& token : tokens) {
+    depth += token == "(" ? 1 : token == ")" ? -1 : 0;
+    if (depth == 0) continue;
+    if (depth == 1 && (token == "(" || token == ",")) {
+      definitions.emplace_back();
+    } else {
+      definitions.back() += (definitions.back().empty() ? "" : " ") + token;
+    }
+  }
+  return definitions;
+}
+
+std::string shown_name(const std::string& name) { return printable(utf8(shortened(name, 40))); }
+
+// In which columns a table is another one.
+void add_columns(const std::string& table, const Made& found, const Made& wanted,
+                 std::vector<std::string>& differences) {
+  // By its first word, which is a column's name.
+  const auto named = [](const std::vector<std::string>& definitions) {
+    std::map<std::string, std::set<std::string>> all;
+    for (const std::string& one : definitions) all[one.substr(0, one.find(' '))].insert(one);
+    return all;
+  };
+  const auto theirs = named(definitions_of(found.sql.tokens));
+  const auto ours = named(definitions_of(wanted.sql.tokens));
+  const std::size_t before = differences.size();
+  const auto add = [&](const std::string& column, const char* what) {
+    differences.push_back("column " + shown_name(column) + " of table " + table + " is " + what);
+  };
+  for (const auto& [column, definitions] : theirs) {
+    const auto at = ours.find(column);
+    if (at == ours.end()) {
+      add(column, "foreign");
+    } else if (at->second != definitions) {
+      add(column, "another");
+    }
+  }
+  for (const auto& [column, definitions] : ours) {
+    if (!theirs.contains(column)) add(column, "missing");
+  }
+  if (differences.size() == before) differences.push_back("table " + table + " is another");
+}
+
+// "view spy is foreign", "column goal_end of table campaign is another"
+std::vector<std::string> differences_of(const Layout& found, const Layout& wanted) {
+  std::vector<std::string> differences;
+  for (const auto& [type, name] : found.twice) {
+    differences.push_back(shown_name(type) + " " + shown_name(name) + " is there twice");
+  }
+  for (const auto& [key, made] : found.made) {
+    const auto& [type, name] = key;
+    const std::string what = shown_name(type) + " " + shown_name(name);
+    const auto at = wanted.made.find(key);
+    if (at == wanted.made.end()) {
+      if (is_statistics(name, made)) continue;
+      const std::string on = made.table == name ? "" : " on " + shown_name(made.table);
+      differences.push_back(what + on + " is foreign");
+    } else if (!same(made, at->second)) {
+      type == "table" ? add_columns(name, made, at->second, differences)
+                      : differences.push_back(what + " is another");
+    }
+  }
+  for (const auto& [key, made] : wanted.made) {
+    if (!found.made.contains(key))
+      differences.push_back(key.first + " " + key.second + " is missing");
+  }
+  return differences;
+}
+
+UserError not_as_made(const std::string& path, const std::vector<std::string>& differences) {
+  constexpr std::size_t kMost = 5;
+  std::string all;
+  for (std::size_t k = 0; k < std::min(kMost, differences.size()); ++k) {
+    all += (k > 0 ? ", " : "") + differences[k];
+  }
+  if (differences.size() > kMost) {
+    all += ", and " + std::to_string(differences.size() - kMost) + " more";
+  }
+  return UserError(kExitBadInput, path + ": is not laid out as misalign lays out a catalogue (" +
+                                      all +
+                                      "); undo that with the sqlite3 shell if you did it, "
+                                      "otherwise put a backup in its place");
+}
+
+}  // namespace
+
+void check_layout(SQLite::Database& database, int version, const std::string& path) {
+  const Layout found = layout_of(database);
+  std::vector<std::string> least;
+  for (int first = version; first >= 1; --first) {
+    std::vector<std::string> differences = differences_of(found, layout_made_in(first, version));
+    if (differences.empty()) return;
+    if (first == version || differences.size() < least.size()) least = std::move(differences);
+  }
+  throw not_as_made(path, least);
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,305 @@
+#include "schema/catalogue/catalogue_state.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "schema/catalogue/digest.hpp"
+#include "schema/catalogue/fault_sample.hpp"
+#include "schema/catalogue/since.hpp"
+#include "solver/verdict/metrics.hpp"
+
+namespace misalign::schema {
+namespace {
+
+struct UnitRow {
+  DrawRange range;
+  std::uint64_t accepted, undecided;
+  CandidateSum sum;
+  std::int64_t run;
+  double seconds;
+};
+
+// Calls `see` with the ledger's units in turn. SQLite looks at a table's checks only when it
+// writes: UserError (3) at the first unit that breaks them.
+template <class See>
+void each_unit(SQLite::Database& database, const See& see) {
+  SQLite::Statement units(
+      database,
+      "SELECT lo, hi, accepted, rejected, undecided, digest_part, run, seconds FROM unit "
+      "ORDER BY lo");
+  std::int64_t end = 0;
+  while (units.executeStep()) {
+    const auto number = [&](int column) { return units.getColumn(column).getInt64(); };
+    const std::int64_t lo = number(0), hi = number(1);
+    const std::int64_t accepted = number(2), rejected = number(3), undecided = number(4);
+    const SQLite::Column part = units.getColumn(5);
+    const bool is_range = lo >= end && hi > lo;
+    const bool adds_up = is_range && accepted >= 0 && rejected >= 0 && undecided >= 0 &&
+                         accepted <= hi - lo && rejected <= hi - lo - accepted &&
+                         undecided == hi - lo - accepted - rejected;
+    if (!adds_up || part.getBytes() != 16) {
+      throw damaged(database, "unit " + std::to_string(lo) +
+                                  (is_range ? " does not add up"
+                                            : " is no range of draws behind the one before"));
+    }
+    end = hi;
+    see(UnitRow{{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))},
+                draw_of(units.getColumn(2)),
+                draw_of(units.getColumn(4)),
+                CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getBlob())),
+                units.getColumn(6).getInt64(),
+                units.getColumn(7).getDouble()});
+  }
+}
+
+// Of the last run that committed something.
+struct LastRun {
+  std::int64_t run = 0;
+  std::uint64_t draws = 0;
+  double seconds = 0;
+
+  void add(std::int64_t of, const DrawRange& range, double took_s) {
+    if (of < run) return;
+    if (of > run) *this = {of, 0, 0};
+    draws += range.size();
+    seconds += took_s;
+  }
+  // All of its ranks together.
+  double draws_per_s(SQLite::Database& database) const {
+    SQLite::Statement ranks(database, "SELECT ranks FROM run WHERE id = ?");
+    ranks.bind(1, run);
+    if (!ranks.executeStep() || seconds == 0) return 0;
+    return static_cast<double>(draws) * ranks.getColumn(0).getInt() / seconds;
+  }
+};
+
+std::vector<DrawRange> gaps_of(const DrawRange& wanted, const std::vector<DrawRange>& merged) {
+  std::vector<DrawRange> gaps;
+  std::uint64_t next = wanted.lo;
+  for (const DrawRange& range : merged) {
+    if (range.lo > next) gaps.push_back({next, range.lo});
+    next = std::max(next, range.hi);
+  }
+  if (next < wanted.hi) gaps.push_back({next, wanted.hi});
+  return gaps;
+}
+
+// The totals below the goal's end, by the units' own sums and in one pass, for there may be
+// millions: only the rows of the unit in which the end lies are looked at.
+void add_units(SQLite::Database& database, CatalogueState& state) {
+  std::vector<DrawRange> ranges;
+  CandidateSum sum;
+  LastRun last_run;
+  DrawRange cut{state.goal_end, state.goal_end};  // the part that counts of the unit that straddles
+  each_unit(database, [&](const UnitRow& unit) {
+    ranges.push_back(unit.range);
+    state.draws_in_ledger += unit.range.size();
+    last_run.add(unit.run, unit.range, unit.seconds);
+    if (unit.range.hi <= state.goal_end) {
+      sum.add(unit.sum);
+      state.accepted += unit.accepted;
+      state.undecided += unit.undecided;
+    } else if (unit.range.lo < state.goal_end) {
+      cut.lo = unit.range.lo;
+    }
+  });
+  state.draws_per_s = last_run.draws_per_s(database);
+  const auto rows_of = [&](const std::string& columns, const std::string& table) {
+    SQLite::Statement rows(
+        database, "SELECT " + columns + " FROM " + table + " WHERE draw >= ? AND draw < ?");
+    rows.bind(1, stored(cut.lo));
+    rows.bind(2, stored(cut.hi));
+    return rows;
+  };
+  SQLite::Statement candidates = rows_of("draw, deploys_from_sample", "candidate");
+  while (candidates.executeStep()) {
+    ++state.accepted;
+    sum.add(draw_of(candidates.getColumn(0)), candidates.getColumn(1).getInt());
+  }
+  SQLite::Statement undecided = rows_of("count(*)", "undecided");
+  if (undecided.executeStep()) state.undecided += draw_of(undecided.getColumn(0));
+
+  const std::vector<DrawRange> merged = merged_up_to(ranges, state.goal_end);
+  for (const DrawRange& range : merged) state.draws += range.size();
+  if (state.accepted + state.undecided > state.draws) {
+    throw damaged(database, "a unit has draws that are accepted and undecided");
+  }
+  state.gaps = gaps_of({state.goal.range.lo, state.goal_end}, merged);
+  state.rejected = state.draws - state.accepted - state.undecided;
+  state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
+}
+
+// What the table's checks promise, too.
+bool is_goal(const Goal& goal, std::uint64_t goal_end) {
+  const DrawRange& range = goal.range;
+  return range.lo < range.hi && range.hi <= kEndOfDraws && goal_end >= range.lo &&
+         goal_end <= range.hi && goal.draws.value_or(0) <= kEndOfDraws &&
+         goal.accepted.value_or(0) <= kEndOfDraws && goal.relative_error.value_or(1) > 0;
+}
+
+CatalogueState state_of(SQLite::Database& database) {
+  std::optional<SQLite::Transaction> snapshot;  // one moment for all that follows
+  if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
+  CatalogueState state{};
+  // An older schema has no such column, and no goal of that kind.
+  const bool knows_errors = version_of(database) >= kRelativeErrorSince;
+  SQLite::Statement campaign(
+      database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
+                            "goal_accepted, goal_end, ") +
+                    (knows_errors ? "goal_relative_error" : "NULL") +
+                    ", json_extract(configuration, '$.seed'), json_extract(configuration, "
+                    "'$.accept.deploys_from_deg') FROM campaign");
+  if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
+  const auto optional_draw = [&](const SQLite::Column& column) {
+    return column.isNull() ? std::nullopt : std::optional(draw_of(column));
+  };
+  state.identity = text_of(campaign.getColumn(0));
+  state.name = text_of(campaign.getColumn(1));
+  state.goal.range = {draw_of(campaign.getColumn(2)), draw_of(campaign.getColumn(3))};
+  state.goal.draws = optional_draw(campaign.getColumn(4));
+  state.goal.accepted = optional_draw(campaign.getColumn(5));
+  state.goal_end = draw_of(campaign.getColumn(6));
+  if (!campaign.getColumn(7).isNull())
+    state.goal.relative_error = campaign.getColumn(7).getDouble();
+  state.seed = draw_of(campaign.getColumn(8));
+  state.threshold_deg = campaign.getColumn(9).getDouble();
+  if (!is_goal(state.goal, state.goal_end))
+    throw damaged(database, "its goal is no range of draws");
+  add_units(database, state);
+
+  // Those of no candidate, by what makes one: to look for each of them would take ten times as
+  // long.
+  SQLite::Statement faults(
+      database,
+      "SELECT first_fault, count(*), stands_for FROM fault_sample WHERE first_fault = 'undecided' "
+      "OR deploys_from_sample < (SELECT "
+      "round(json_extract(configuration, '$.accept.deploys_from_deg') "
+      "/ json_extract(configuration, '$.path.sample_deg')) FROM campaign) GROUP BY 1, 3");
+  while (faults.executeStep()) {
+    state.faults[text_of(faults.getColumn(0))] +=
+        sampled_rows(database, faults.getColumn(1), faults.getColumn(2));
+  }
+  return state;
+}
+
+}  // namespace
+
+CatalogueState read_state(SQLite::Database& database) {
+  return reading(database, [&] { return state_of(database); });
+}
+
+Campaign read_campaign_of(SQLite::Database& database, const std::string& path) {
+  const std::string configuration = reading(database, [&] {
+    SQLite::Statement row(database, "SELECT configuration FROM campaign");
+    if (!row.executeStep()) throw damaged(database, "it names no campaign");
+    return row.getColumn(0).getString();
+  });
+  const std::string source = path + ", its configuration";
+  return read_campaign(parse_json(configuration, source), source);
+}
+
+std::vector<DrawRange> units_done(SQLite::Database& database) {
+  return reading(database, [&] {
+    std::vector<DrawRange> ranges;
+    each_unit(database, [&](const UnitRow& unit) { ranges.push_back(unit.range); });
+    return ranges;
+  });
+}
+
+std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
+                                    const DrawRange& range) {
+  return reading(database, [&] {
+    std::vector<std::uint64_t> draws;
+    SQLite::Statement row(
+        database, "SELECT draw FROM " + table + " WHERE draw >= ? AND draw < ? ORDER BY draw");
+    row.bind(1, stored(range.lo));
+    row.bind(2, stored(range.hi));
+    while (row.executeStep()) draws.push_back(draw_of(row.getColumn(0)));
+    return draws;
+  });
+}
+
+std::string metrics_version_sql(int schema_version) {
+  if (schema_version < kRunSchemaSince) return "1";
+  return schema_version < kMetricsVersionSince ? "min(schema_version, 2)" : "metrics_version";
+}
+
+int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
+  return reading(database, [&] {
+    const int schema_version = version_of(database);
+    SQLite::Statement row(database, "SELECT " + metrics_version_sql(schema_version) +
+                                        " FROM candidate JOIN unit ON unit.lo = candidate.unit "
+                                        "JOIN run ON run.id = unit.run WHERE draw = ?");
+    row.bind(1, stored(draw));
+    return row.executeStep() ? row.getColumn(0).getInt() : solver::kMetricsVersion;
+  });
+}
+
+GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
+  return reading(database, [&] {
+    GoalEnd end(goal);
+    if (!goal.looks_at_results()) return end;
+    const auto draws_of = [&](const char* sql) {
+      std::vector<std::uint64_t> draws;
+      SQLite::Statement rows(database, sql);
+      while (rows.executeStep()) draws.push_back(draw_of(rows.getColumn(0)));
+      std::sort(draws.begin(), draws.end());
+      return draws;
+    };
+    // By the index, a hundredth of the table's size.
+    const auto accepted =
+        draws_of("SELECT draw FROM candidate INDEXED BY candidate_by_deploys_from");
+    const auto undecided = draws_of("SELECT draw FROM undecided");
+    const auto within = [](const std::vector<std::uint64_t>& draws, const DrawRange& range) {
+      return std::vector(std::lower_bound(draws.begin(), draws.end(), range.lo),
+                         std::lower_bound(draws.begin(), draws.end(), range.hi));
+    };
+    for (const DrawRange& range : units_done(database)) {
+      end.add(range, within(accepted, range), within(undecided, range));
+    }
+    return end;
+  });
+}
+
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight) {
+  constexpr auto kLeast = static_cast<double>(kFaultSampleEvery);
+  const double draws = weight.getDouble();
+  if (!(draws >= kLeast)) {
+    throw damaged(database, "a row of fault_sample stands for " + shown_number(draws) +
+                                " draws, where none stands for fewer than " + shown_number(kLeast));
+  }
+  return WeightedCount::of(draw_of(rows), draws);
+}
+
+Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
+  return reading(database, [&] {
+    SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
+    row.bind(1, stored(draw));
+    Json json;
+    if (!row.executeStep()) return json;
+    for (int k = 0; k < row.getColumnCount(); ++k) {
+      const SQLite::Column value = row.getColumn(k);
+      Json& into = json[utf8(row.getColumnName(k))];
+      if (value.isInteger()) into = value.getInt64();
+      if (value.isFloat()) into = value.getDouble();
+      if (value.isText()) into = text_of(value);
+    }
+    return json;
+  });
+}
+
+std::uint64_t count_deploying_from(SQLite::Database& database, int sample) {
+  return reading(database, [&] {
+    SQLite::Statement row(database,
+                          "SELECT count(*) FROM candidate, campaign WHERE deploys_from_sample >= ? "
+                          "AND draw < goal_end");
+    row.bind(1, sample);
+    row.executeStep();
+    return draw_of(row.getColumn(0));
+  });
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,65 @@
+// What readers ask of a catalogue.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "schema/campaign/campaign.hpp"
+#include "schema/catalogue/database.hpp"
+#include "schema/campaign/goal.hpp"
+#include "schema/catalogue/weighted_count.hpp"
+
+namespace misalign::schema {
+
+/// Totals of what lies below the goal's end.
+struct CatalogueState {
+  std::string identity, name;
+  std::uint64_t seed;
+  Goal goal;
+  std::uint64_t goal_end;
+  double threshold_deg;                                ///< that accepted draws deploy from
+  std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end
+  std::uint64_t draws_in_ledger;
+  std::vector<DrawRange> gaps;
+  std::string digest;
+  std::map<std::string, WeightedCount>
+      faults;          ///< first faults of the rejected draws in the sample
+  double draws_per_s;  ///< of the last run that committed something, all ranks together
+};
+
+/// UserError (3) if the ledger contradicts itself, here and below.
+CatalogueState read_state(SQLite::Database& database);
+
+/// The campaign that a catalogue belongs to.
+Campaign read_campaign_of(SQLite::Database& database, const std::string& path);
+
+/// The ledger's units, ascending.
+std::vector<DrawRange> units_done(SQLite::Database& database);
+
+/// The draws of a range that are in a table, ascending: candidate, undecided, fault_sample.
+std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
+                                    const DrawRange& range);
+
+/// So many rows of fault_sample with one weight. UserError (3) if no row has that weight: SQLite
+/// looks at no CHECK while it reads.
+WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
+                           const SQLite::Column& weight);
+
+/// A candidate's row, every column under its name; null if there is none.
+Json read_candidate(SQLite::Database& database, std::uint64_t draw);
+
+/// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
+int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
+
+/// The same in SQL, of a row of `run` in a catalogue of this schema. Builds of schema 3 measured by
+/// version 2 or 3 and did not say which.
+std::string metrics_version_sql(int schema_version);
+
+/// Where a goal ends by what the rows say, see GoalEnd.
+GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
+
+/// Accepted draws below the goal's end that deploy from `sample` or more.
+std::uint64_t count_deploying_from(SQLite::Database& database, int sample);
+
+}  // namespace misalign::schema

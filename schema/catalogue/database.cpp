@@ -1,0 +1,129 @@
+#include "schema/catalogue/database.hpp"
+
+#include <sqlite3.h>
+
+#include <filesystem>
+
+#include "schema/catalogue/catalogue_layout.hpp"
+#include "schema/catalogue/connection.hpp"
+#include "schema/catalogue/older_schema.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// The writer's. Its indexes are touched everywhere at once: pages that stay in memory, and are
+// copied from the log to the file after many commits instead of after each, make a candidate of a
+// large catalogue several times cheaper.
+constexpr int kCache_kb = 64 << 10, kCheckpoint_pages = 8000;
+
+UserError not_a_catalogue(const std::string& path) {
+  return UserError(kExitBadInput, path +
+                                      ": is no catalogue of misalign (another kind of file); "
+                                      "name one that `misalign search` wrote");
+}
+
+// Throws unless this is a catalogue that this program can read, laid out as one, which then may be
+// trusted; false if it is an empty database.
+bool check_kind(SQLite::Database& database, const std::string& path) {
+  try {
+    const int id = database.execAndGet("PRAGMA application_id").getInt();
+    const int version = database.execAndGet("PRAGMA user_version").getInt();
+    const int tables = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt();
+    if (id == 0 && version == 0 && tables == 0) return false;
+    const int campaigns =
+        database.execAndGet("SELECT count(*) FROM sqlite_schema WHERE name = 'campaign'").getInt();
+    if (id != kApplicationId || campaigns == 0 || version < 1) throw not_a_catalogue(path);
+    if (version > kSchemaVersion) {
+      throw UserError(kExitOtherCampaign, path + ": has schema version " + std::to_string(version) +
+                                              " (this program knows up to " +
+                                              std::to_string(kSchemaVersion) +
+                                              "); use the program that wrote it, or a newer one");
+    }
+    check_layout(database, version, path);
+    trust_schema(database);
+    return true;
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_NOTADB) throw not_a_catalogue(path);
+    throw;
+  }
+}
+
+}  // namespace
+
+int version_of(SQLite::Database& database) {
+  return reading(database, [&] { return database.execAndGet("PRAGMA user_version").getInt(); });
+}
+
+UserError damaged(const SQLite::Database& database, const std::string& why) {
+  return UserError(kExitBadInput, database.getFilename() + ": is damaged (" + printable(utf8(why)) +
+                                      "); put a backup in its place, or see what "
+                                      "`misalign verify` says");
+}
+
+std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
+  std::error_code ignored;  // what may not be looked at is not there
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    throw UserError(
+        kExitBadInput,
+        path + ": there is no such file; name a catalogue that `misalign search` wrote");
+  }
+  try {
+    auto database = connect(path, Access::read);
+    if (!check_kind(*database, path)) throw not_a_catalogue(path);
+    as_our_own(*database, [&] {
+      show_as_of_today(*database, database->execAndGet("PRAGMA user_version").getInt());
+    });
+    return database;
+  } catch (const SQLite::Exception& error) {
+    throw storage_failure(path, error);
+  }
+}
+
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage) {
+  return guarded(path, [&] {
+    auto database = connect(path, Access::write);
+    // Before the first look at the file: a log that was left behind needs no shared memory then.
+    if (storage == Storage::network) database->exec("PRAGMA locking_mode = EXCLUSIVE");
+    check_kind(*database, path);
+    database->exec("PRAGMA synchronous = FULL");
+    database->exec("PRAGMA foreign_keys = ON");
+    database->exec("PRAGMA cache_size = -" + std::to_string(kCache_kb));
+    database->exec("PRAGMA wal_autocheckpoint = " + std::to_string(kCheckpoint_pages));
+    return database;
+  });
+}
+
+SQLite::Statement prepared(SQLite::Database& from, const std::string& sql) {
+  return reading(from, [&] { return SQLite::Statement(from, sql); });
+}
+
+void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
+               const std::function<void()>& bind_row) {
+  while (reading(from, [&] { return select.executeStep(); })) {
+    insert.tryReset();
+    bind_row();
+    try {
+      insert.exec();
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_CONSTRAINT) throw;
+      throw damaged(from, error.what());
+    }
+  }
+}
+
+void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value) {
+  switch (value.getType()) {
+    case SQLITE_INTEGER:
+      return statement.bind(index, value.getInt64());
+    case SQLITE_FLOAT:
+      return statement.bind(index, value.getDouble());
+    case SQLITE_TEXT:
+      return statement.bind(index, value.getString());
+    case SQLITE_BLOB:
+      return statement.bind(index, value.getBlob(), value.getBytes());
+    default:
+      return statement.bind(index);
+  }
+}
+
+}  // namespace misalign::schema

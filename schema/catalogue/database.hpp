@@ -1,0 +1,60 @@
+// Opening SQLite files with sentences for what can go wrong, and reading without any risk of
+// writing.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "schema/files/storage.hpp"
+
+namespace misalign::schema {
+
+inline constexpr int kApplicationId = 0x4D53414C;
+inline constexpr int kSchemaVersion = 4;
+
+/// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
+inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }
+inline std::uint64_t draw_of(const SQLite::Column& column) {
+  return static_cast<std::uint64_t>(column.getInt64());
+}
+
+/// A text as it is stored, made UTF-8.
+inline std::string text_of(const SQLite::Column& column) { return utf8(column.getString()); }
+
+/// The schema that a catalogue was written with, or brought up to.
+int version_of(SQLite::Database& database);
+
+/// A damaged file, or one that another program changed: exit code 3.
+UserError damaged(const SQLite::Database& database, const std::string& why);
+
+/// Calls `work`, which reads; what SQLite throws becomes a UserError about the database's file.
+template <class Work>
+auto reading(const SQLite::Database& database, const Work& work) {
+  return guarded(database.getFilename(), work);
+}
+
+/// A catalogue opened for reading: it cannot write or touch other files, see connect().
+/// UserError: 3 no such file, no catalogue, or not laid out as one (check_layout); 5 a newer
+/// schema; see storage_failure.
+std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
+
+/// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
+/// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
+/// UserError: 3 no catalogue, or not laid out as one; 5 a newer schema; see storage_failure.
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage);
+
+/// A statement that reads; UserError as from reading().
+SQLite::Statement prepared(SQLite::Database& from, const std::string& sql);
+
+/// Binds whatever a column of another statement holds.
+void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value);
+
+/// Runs `insert` for every row of `select`, once `bind_row` has bound it. UserError (3) about
+/// `from` if it cannot be read, or holds rows that checks and keys of the target forbid.
+void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
+               const std::function<void()>& bind_row);
+
+}  // namespace misalign::schema

@@ -1,0 +1,42 @@
+#include "schema/catalogue/journal_check.hpp"
+
+#include <filesystem>
+#include <string_view>
+
+#include "schema/files/file_bytes.hpp"
+#include "schema/files/input.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// SQLite's pager.c, readSuperJournal: the name, its length and its checksum of 4 bytes each, and
+// these 8.
+constexpr std::string_view kMagic = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
+constexpr std::size_t kLeast_bytes = 16;
+
+}  // namespace
+
+void check_journals(const std::string& database_path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path database = fs::canonical(database_path, error);
+  if (error) return;  // there is none, and opening it says so
+  for (const char* suffix : {"-journal", "-wal", "-shm"}) {
+    const std::string path = database.string() + suffix;
+    const fs::file_type type = fs::symlink_status(path, error).type();
+    if (type == fs::file_type::regular || type == fs::file_type::not_found) continue;
+    throw UserError(kExitBadInput, path +
+                                       ": is no regular file (a catalogue's journals are); take it "
+                                       "away, or put a backup of the catalogue in another place");
+  }
+  const std::string journal = database.string() + "-journal";
+  const std::string end = end_of_file(journal, kLeast_bytes);
+  if (end.size() < kLeast_bytes || !end.ends_with(kMagic)) return;
+  throw UserError(kExitBadInput,
+                  journal +
+                      ": is the journal of a transaction over several files (SQLite would "
+                      "open and delete those that it names, and misalign never makes one); "
+                      "put a backup of the catalogue in another place");
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,39 @@
+// What a catalogue says of itself, checked without following any path: that nothing was added,
+// deleted or altered where the ledger would show it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/catalogue/catalogue_state.hpp"
+
+namespace misalign::schema {
+
+/// Something that is not as it should be.
+struct Finding {
+  std::string sentence;
+  Json details;  ///< its parts: "where", "column", "stored", "recomputed"
+};
+
+/// `where` is like "draw 17".
+Finding differs(const std::string& where, const std::string& column, const Json& stored,
+                const Json& recomputed);
+
+/// The file's integrity and foreign keys (SQLite looks at no CHECK of a table while it only reads);
+/// the campaign's identity, diagonals and goal's end, and what its runs say of themselves (see
+/// campaign_check.hpp); for every unit the number of its candidates, its part of the digest, its
+/// undecided draws, none of which is a candidate, and its fault sample, which accepts what the
+/// candidates do; and the digest of the whole against the candidates alone. Of one moment, if the
+/// caller holds a transaction. UserError (3) if the file cannot be read so far.
+std::vector<Finding> check_ledger(SQLite::Database& database, const Campaign& campaign);
+
+/// What read_state says, which the check needs anyway, or why it says nothing; and the findings.
+struct CheckedLedger {
+  std::vector<Finding> findings;
+  std::optional<CatalogueState> state;
+  std::string why_no_state;
+};
+CheckedLedger read_checked(SQLite::Database& database, const Campaign& campaign);
+
+}  // namespace misalign::schema

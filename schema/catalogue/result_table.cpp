@@ -1,0 +1,243 @@
+#include "schema/catalogue/result_table.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+
+#include "schema/files/carried_files.hpp"
+#include "schema/files/storage.hpp"
+#include "schema/files/text_table.hpp"
+
+namespace misalign::schema {
+namespace {
+
+const std::string kQueryFolder = "schema/queries/";
+
+UserError bad_sql(const std::string& what) {
+  return UserError(kExitUsage, "the query was refused (" + what +
+                                   "); it must be one SELECT, or one "
+                                   "of the names " +
+                                   named_query_list());
+}
+
+Json cell_json(const SQLite::Column& cell) {
+  if (cell.isInteger()) return cell.getInt64();
+  if (cell.isFloat()) return cell.getDouble();
+  if (cell.isNull()) return nullptr;
+  if (cell.isBlob()) return "(" + std::to_string(cell.getBytes()) + " bytes)";
+  return cell.getString();
+}
+
+// For people: six digits; JSON and CSV have all.
+std::string cell_text(const SQLite::Column& cell) {
+  if (cell.isNull()) return "";
+  if (cell.isFloat()) return shown_number("%.6g", cell.getDouble());
+  const Json value = cell_json(cell);
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+// Columns of one name are one key in JSON: the later ones get numbers, "draw_2".
+Row distinct(const Row& names) {
+  Row keys;
+  for (const std::string& name : names) {
+    std::string key = name;
+    const auto taken = [&] {
+      return std::find(keys.begin(), keys.end(), key) != keys.end() ||
+             (key != name && std::find(names.begin(), names.end(), key) != names.end());
+    };
+    for (int number = 2; taken(); ++number) key = name + "_" + std::to_string(number);
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+// SQLite prepares the first statement only: a second one would be ignored in silence.
+void check_single(SQLite::Database& database, const std::string& sql) {
+  sqlite3_stmt* first = nullptr;
+  const char* rest = nullptr;
+  const int code = sqlite3_prepare_v2(database.getHandle(), sql.c_str(), -1, &first, &rest);
+  const bool empty = first == nullptr;
+  sqlite3_finalize(first);
+  if (code != SQLITE_OK) throw SQLite::Exception(database.getHandle(), code);
+  if (empty) throw bad_sql("it is empty");
+  sqlite3_stmt* second = nullptr;
+  const int second_code = sqlite3_prepare_v2(database.getHandle(), rest, -1, &second, nullptr);
+  const bool more = second != nullptr;
+  sqlite3_finalize(second);
+  if (more || second_code != SQLITE_OK) throw bad_sql("more follows after the first statement");
+}
+
+/// The rows of a statement, written in one of the styles.
+class TableWriter {
+ public:
+  TableWriter(SQLite::Statement& statement, const TextSink& sink)
+      : statement_(statement), sink_(sink) {
+    if (columns() == 0) throw bad_sql("it gives no rows");
+    for (int k = 0; k < columns(); ++k) names_.emplace_back(statement_.getColumnName(k));
+  }
+
+  std::uint64_t write(TableStyle style) {
+    switch (style) {
+      case TableStyle::json:
+        write_json();
+        break;
+      case TableStyle::csv:
+        write_csv();
+        break;
+      case TableStyle::aligned:
+        write_aligned();
+    }
+    return rows_;
+  }
+
+ private:
+  int columns() const { return statement_.getColumnCount(); }
+  // Whether there is another row, and somebody who reads it.
+  bool next() {
+    if (!wanted_ || !statement_.executeStep()) return false;
+    ++rows_;
+    return true;
+  }
+  void give(const std::string& piece) { wanted_ = wanted_ && sink_(piece); }
+
+  void write_json() {
+    const Row keys = distinct(names_);
+    while (next()) {
+      nlohmann::ordered_json object = nlohmann::ordered_json::object();  // columns in their order
+      for (int k = 0; k < columns(); ++k) object[keys[k]] = cell_json(statement_.getColumn(k));
+      const std::string text =
+          object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      std::string piece = rows_ == 1 ? "[\n " : ",\n ";
+      for (const char c : text) piece += c == '\n' ? "\n " : std::string(1, c);
+      give(piece);
+    }
+    give(rows_ == 0 ? "[]\n" : "\n]\n");
+  }
+
+  void write_csv() {
+    const auto line = [](const Row& row) {
+      std::string text;
+      for (std::size_t k = 0; k < row.size(); ++k) text += (k ? "," : "") + csv_cell(row[k]);
+      return text + "\n";
+    };
+    give(line(names_));
+    while (next()) {
+      Row row;
+      for (int k = 0; k < columns(); ++k) {
+        const SQLite::Column cell = statement_.getColumn(k);
+        row.push_back(cell.isFloat() ? Json(cell.getDouble()).dump() : cell_text(cell));
+      }
+      give(line(row));
+    }
+  }
+
+  Row aligned_row() const {
+    Row row;
+    for (int k = 0; k < columns(); ++k) row.push_back(cell_text(statement_.getColumn(k)));
+    return printable_row(std::move(row));
+  }
+
+  // Rows are kept while they are few; if they become many, they are made once more when all widths
+  // are known.
+  void write_aligned() {
+    constexpr std::size_t kKept_bytes = 4 << 20;
+    Columns table(std::vector<bool>(names_.size(), true));
+    const Row header = printable_row(names_);
+    table.widen(header);
+    std::vector<Row> kept;
+    std::size_t bytes = 0;
+    while (next()) {
+      for (int k = 0; k < columns(); ++k) {
+        if (statement_.getColumn(k).isText()) table.set_text(static_cast<std::size_t>(k));
+      }
+      Row row = aligned_row();
+      table.widen(row);
+      if (bytes > kKept_bytes) continue;
+      for (const std::string& cell : row) bytes += cell.size() + sizeof cell;
+      kept.push_back(std::move(row));
+    }
+    give(table.line(header));
+    if (bytes <= kKept_bytes) {
+      for (const Row& row : kept) give(table.line(row));
+      return;
+    }
+    kept.clear();
+    statement_.reset();
+    for (rows_ = 0; next();) give(table.line(aligned_row()));
+  }
+
+  SQLite::Statement& statement_;
+  const TextSink& sink_;
+  Row names_;
+  std::uint64_t rows_ = 0;
+  bool wanted_ = true;
+};
+
+}  // namespace
+
+std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
+                          const TextSink& sink) {
+  try {
+    check_single(database, sql);
+    std::optional<SQLite::Transaction> snapshot;  // or the caller's
+    if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);
+    SQLite::Statement statement(database, sql);
+    return TableWriter(statement, sink).write(style);
+  } catch (const SQLite::Exception& error) {
+    switch (error.getErrorCode()) {
+      case SQLITE_BUSY:
+      case SQLITE_CORRUPT:
+      case SQLITE_FULL:
+      case SQLITE_IOERR:
+      case SQLITE_NOMEM:
+      case SQLITE_NOTADB:
+        throw storage_failure(database.getFilename(), error);
+      default:
+        throw bad_sql(error.what());
+    }
+  }
+}
+
+std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style) {
+  std::string text;
+  write_query(database, sql, style, [&](const std::string& piece) {
+    text += piece;
+    return true;
+  });
+  return text;
+}
+
+std::string named_query(const std::string& name) {
+  for (const CarriedFile& file : carried_files()) {
+    if (file.path == kQueryFolder + name + ".sql") return file.text;
+  }
+  return "";
+}
+
+std::string best_order() {
+  const std::string best = named_query("best");
+  const std::size_t begin = best.find("ORDER BY "), end = best.find("LIMIT ");
+  assert(begin < end && end != std::string::npos);
+  return best.substr(begin, end - begin);
+}
+
+std::string named_query_list() {
+  std::string names;
+  for (const std::string& name : named_queries()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+std::vector<std::string> named_queries() {
+  std::vector<std::string> names;
+  for (const CarriedFile& file : carried_files()) {
+    if (file.path.rfind(kQueryFolder, 0) != 0) continue;
+    const std::string name = file.path.substr(kQueryFolder.size());
+    names.push_back(name.substr(0, name.size() - 4));
+  }
+  return names;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,121 @@
+#include "schema/catalogue/unit_copier.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/fault_sample.hpp"
+#include "schema/catalogue/unit_writer.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Of the file itself: a reader has views of today's over an older one.
+std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
+  return reading(database, [&] {
+    std::vector<std::string> names;
+    SQLite::Statement rows(database, "PRAGMA main.table_info(" + table + ")");
+    while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
+    return names;
+  });
+}
+
+// What a catalogue of this schema, which has no such column, is to say there.
+std::string stand_in(const std::string& column, int schema_version) {
+  if (column == "schema_version") return "1";
+  if (column == "stands_for") return std::to_string(kFaultSampleEvery);
+  if (column == "metrics_version") return metrics_version_sql(schema_version);
+  return "NULL";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+}  // namespace
+
+// Copies rows of one table: all columns of the target, those named `shifted` with new run numbers.
+class UnitCopier::Table {
+ public:
+  Table(SQLite::Database& from, SQLite::Database& into, const std::string& name,
+        const std::string& condition, const std::string& shifted, std::uint64_t shift)
+      : from_(from),
+        columns_(columns_of(into, name)),
+        shifted_(std::find(columns_.begin(), columns_.end(), shifted) - columns_.begin()),
+        shift_(shift),
+        select_(prepared(from, select_of(from, name) + condition)),
+        insert_(into, insert_of(name)) {}
+
+  void copy(const DrawRange& range) {
+    select_.tryReset();
+    select_.bind(1, stored(range.lo));
+    select_.bind(2, stored(range.hi));
+    copy_rows(from_, select_, insert_, [&] {
+      for (int k = 0; k < static_cast<int>(columns_.size()); ++k) {
+        if (k == shifted_) {
+          insert_.bind(k + 1, stored(draw_of(select_.getColumn(k)) + shift_));
+        } else {
+          bind_value(insert_, k + 1, select_.getColumn(k));
+        }
+      }
+    });
+  }
+
+ private:
+  std::string select_of(SQLite::Database& from, const std::string& name) const {
+    const std::vector<std::string> held = columns_of(from, name);
+    const int version = version_of(from);
+    std::vector<std::string> expressions;
+    for (const std::string& column : columns_) {
+      const bool is_held = std::find(held.begin(), held.end(), column) != held.end();
+      expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column, version));
+    }
+    return "SELECT " + listed(expressions) + " FROM main." + name + " ";
+  }
+  std::string insert_of(const std::string& name) const {
+    std::vector<std::string> quoted;
+    for (const std::string& column : columns_) quoted.push_back("\"" + column + "\"");
+    return "INSERT INTO " + name + " (" + listed(quoted) + ") VALUES (" +
+           listed(std::vector<std::string>(columns_.size(), "?")) + ")";
+  }
+
+  SQLite::Database& from_;
+  const std::vector<std::string> columns_;
+  const std::ptrdiff_t shifted_;
+  const std::uint64_t shift_;
+  SQLite::Statement select_, insert_;
+};
+
+UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into)
+    : from_(from),
+      into_(into),
+      run_shift_(draw_of(into.execAndGet("SELECT coalesce(max(id), 0) FROM run"))),
+      unit_(table("unit", "WHERE lo = ? AND hi = ?")),
+      candidate_(table("candidate", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
+      undecided_(table("undecided", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
+      fault_sample_(table("fault_sample", "WHERE draw >= ? AND draw < ? ORDER BY draw")) {}
+
+UnitCopier::~UnitCopier() = default;
+
+std::unique_ptr<UnitCopier::Table> UnitCopier::table(const std::string& name,
+                                                     const std::string& condition) {
+  return std::make_unique<Table>(from_, into_, name, condition, name == "run" ? "id" : "run",
+                                 run_shift_);
+}
+
+void UnitCopier::copy_runs() {
+  table("run", "WHERE id >= ? AND id < ? ORDER BY id")->copy({0, kEndOfDraws});
+  SQLite::Statement add(into_, kAddScreened);
+  SQLite::Statement rows = prepared(from_, "SELECT cause, tested_deg, draws FROM screened");
+  copy_rows(from_, rows, add, [&] {
+    for (int k = 0; k < 3; ++k) bind_value(add, k + 1, rows.getColumn(k));
+  });
+}
+
+void UnitCopier::copy(const DrawRange& unit) {
+  for (const auto& rows : {&unit_, &candidate_, &undecided_, &fault_sample_}) (*rows)->copy(unit);
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,39 @@
+// Units of one catalogue into another, row by row as they are.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "schema/campaign/draw_range.hpp"
+
+namespace misalign::schema {
+
+/// Works within a transaction that its caller begins and commits on `into`. `from` may have an
+/// older schema: what it does not have stays null. Throws SQLite::Exception about `into`; UserError
+/// (3) if `from` is damaged.
+class UnitCopier {
+ public:
+  UnitCopier(SQLite::Database& from, SQLite::Database& into);
+  ~UnitCopier();
+  UnitCopier(const UnitCopier&) = delete;
+  UnitCopier& operator=(const UnitCopier&) = delete;
+
+  /// All runs, under new numbers, and the advisory counts of what was screened.
+  void copy_runs();
+  /// One unit of `from`, whole, with all that belongs to it. After copy_runs.
+  void copy(const DrawRange& unit);
+
+ private:
+  class Table;
+  std::unique_ptr<Table> table(const std::string& name, const std::string& condition);
+
+  SQLite::Database& from_;
+  SQLite::Database& into_;
+  const std::uint64_t run_shift_;
+  std::unique_ptr<Table> unit_, candidate_, undecided_, fault_sample_;
+};
+
+}  // namespace misalign::schema

@@ -1,0 +1,205 @@
+#include "schema/catalogue/unit_writer.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/digest.hpp"
+#include "schema/exchange/folding_json.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Nine decimals: 1e-9 of a length of 100 mm is below what any maker can cut.
+Json elongations_json(const std::vector<double>& elongation) {
+  Json list = Json::array();
+  for (const double e : elongation) list.push_back(std::round(e * 1e9) / 1e9);
+  return list;
+}
+
+CandidateSum sum_of(const std::vector<Candidate>& candidates) {
+  CandidateSum sum;
+  for (const Candidate& c : candidates) sum.add(c.draw, c.metrics.deploys_from_sample);
+  return sum;
+}
+
+void bind_sum(SQLite::Statement& statement, int column, const CandidateSum& sum) {
+  const auto bytes = sum.bytes();
+  statement.bind(column, bytes.data(), static_cast<int>(bytes.size()));
+}
+
+// Runs it and makes it ready for the next row.
+void insert(SQLite::Statement& statement) {
+  statement.exec();
+  statement.reset();
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> UnitRecord::accepted_draws() const {
+  std::vector<std::uint64_t> draws;
+  for (const Candidate& candidate : candidates) draws.push_back(candidate.draw);
+  return draws;
+}
+
+std::vector<std::uint64_t> UnitRecord::undecided_draws() const {
+  std::vector<std::uint64_t> draws;
+  for (const DrawVerdict& draw : undecided) draws.push_back(draw.draw);
+  return draws;
+}
+
+UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
+                       const solver::Mechanism& mechanism)
+    : database_(database),
+      campaign_(campaign),
+      mechanism_(mechanism),
+      unit_(database,
+            "INSERT INTO unit (lo, hi, run, worker, accepted, rejected, undecided, seconds, "
+            "digest_part) VALUES (?,?,?,?,?,?,?,?,?)"),
+      candidate_(
+          database,
+          "INSERT INTO candidate (draw, unit, deploys_from_sample, deploys_from_deg, "
+          "fold_limit_deg, elongation_min, elongation_max, stroke_min, stroke_max, "
+          "slope_min_mm_per_deg, stretch_sq_mm2, singular_value_min, residual_max, "
+          "isometry_error_mm, kawasaki_defect_deg, shifted_vertices, increasing, "
+          "decreasing, displacements_mm, elongation, slope_between_min_mm_per_deg, "
+          "bump_deg, miscut_margin_mm) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      undecided_(database, "INSERT INTO undecided (draw, unit, cause, run) VALUES (?,?,?,?)"),
+      fault_sample_(database,
+                    "INSERT INTO fault_sample (draw, unit, deploys_from_sample, first_fault, "
+                    "fault_deg, \"where\", stands_for) VALUES (?,?,?,?,?,?,?)"),
+      screened_(database, kAddScreened) {}
+
+// What was screened is summed up first: a unit alone touches some two hundred rows of it.
+void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
+  Screened screened;
+  for (const UnitRecord& unit : units) {
+    write_unit(unit, run);
+    for (const auto& [seen, draws] : unit.screened) screened[seen] += draws;
+  }
+  add_screened(screened);
+}
+
+void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
+  const std::int64_t lo = stored(unit.range.lo);
+  unit_.tryReset();
+  unit_.bind(1, lo);
+  unit_.bind(2, stored(unit.range.hi));
+  unit_.bind(3, run);
+  unit_.bind(4, unit.worker);
+  unit_.bind(5, stored(unit.accepted));
+  unit_.bind(6, stored(unit.rejected));
+  unit_.bind(7, stored(unit.undecided.size()));
+  unit_.bind(8, unit.seconds);
+  bind_sum(unit_, 9, sum_of(unit.candidates));
+  insert(unit_);
+  for (const Candidate& candidate : unit.candidates) write_candidate(candidate, lo);
+  for (const DrawVerdict& draw : unit.undecided) write_undecided(draw, lo, run);
+  for (const DrawVerdict& sampled : unit.fault_sample) {
+    write_fault_sample(sampled, lo, stored(FaultSampleRule().spacing(sampled.draw)));
+  }
+}
+
+void UnitWriter::settle(const UnitRecord& decided) {
+  const std::int64_t draw = stored(decided.range.lo);
+  SQLite::Statement held(database_,
+                         "SELECT unit.lo, digest_part FROM undecided JOIN unit ON unit.lo = unit "
+                         "WHERE draw = ?");
+  held.bind(1, draw);
+  if (!held.executeStep() || held.getColumn(1).getBytes() != 16) {
+    throw damaged(database_,
+                  "draw " + std::to_string(decided.range.lo) + " is undecided in no unit");
+  }
+  const std::int64_t lo = held.getColumn(0).getInt64();
+  CandidateSum sum =
+      CandidateSum::from_bytes(static_cast<const unsigned char*>(held.getColumn(1).getBlob()));
+  sum.add(sum_of(decided.candidates));
+  SQLite::Statement row(database_, "SELECT stands_for FROM fault_sample WHERE draw = ?");
+  row.bind(1, draw);
+  std::optional<std::int64_t> stands_for;
+  if (row.executeStep()) stands_for = row.getColumn(0).getInt64();
+  for (const char* table : {"undecided", "fault_sample"}) {
+    SQLite::Statement remove(database_, std::string("DELETE FROM ") + table + " WHERE draw = ?");
+    remove.bind(1, draw);
+    remove.exec();
+  }
+  SQLite::Statement update(database_,
+                           "UPDATE unit SET undecided = undecided - 1, accepted = accepted + ?, "
+                           "rejected = rejected + ?, digest_part = ? WHERE lo = ?");
+  update.bind(1, stored(decided.accepted));
+  update.bind(2, stored(decided.rejected));
+  bind_sum(update, 3, sum);
+  update.bind(4, lo);
+  update.exec();
+  for (const Candidate& candidate : decided.candidates) write_candidate(candidate, lo);
+  for (const DrawVerdict& sampled : decided.fault_sample) {
+    if (stands_for) write_fault_sample(sampled, lo, *stands_for);
+  }
+  add_screened(decided.screened);
+}
+
+void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) {
+  const solver::Metrics& m = candidate.metrics;
+  candidate_.tryReset();
+  int column = 0;
+  const auto bind = [&](const auto& value) { candidate_.bind(++column, value); };
+  const auto bind_optional = [&](const std::optional<double>& value) {
+    value ? bind(*value) : candidate_.bind(++column);
+  };
+  bind(stored(candidate.draw));
+  bind(unit);
+  bind(m.deploys_from_sample);
+  for (const double value : {m.deploys_from_deg, m.fold_limit_deg, m.elongation_min,
+                             m.elongation_max, m.stroke_min, m.stroke_max}) {
+    bind(value);
+  }
+  bind_optional(m.slope_min_mm_per_deg);
+  for (const double value : {m.stretch_sq_mm2, m.singular_value_min, m.residual_max,
+                             m.isometry_error_mm, m.kawasaki_defect_deg}) {
+    bind(value);
+  }
+  for (const int value : {m.shifted_vertices, m.increasing, m.decreasing}) bind(value);
+  bind(displacements_json(candidate.shifts_mm).dump());
+  bind(elongations_json(m.elongation).dump());
+  bind_optional(m.slope_between_min_mm_per_deg);
+  bind_optional(m.bump_deg);
+  bind_optional(m.miscut_margin_mm);
+  insert(candidate_);
+}
+
+void UnitWriter::write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run) {
+  undecided_.tryReset();
+  undecided_.bind(1, stored(draw.draw));
+  undecided_.bind(2, unit);
+  undecided_.bind(3, undecided_cause(draw.verdict));
+  undecided_.bind(4, run);
+  insert(undecided_);
+}
+
+void UnitWriter::write_fault_sample(const DrawVerdict& draw, std::int64_t unit,
+                                    std::int64_t stands_for) {
+  const std::string where = where_label(mechanism_, draw.verdict);
+  const int fault_sample = draw.verdict.fault_sample();
+  fault_sample_.tryReset();
+  fault_sample_.bind(1, stored(draw.draw));
+  fault_sample_.bind(2, unit);
+  fault_sample_.bind(3, draw.verdict.deploys_from_sample);
+  fault_sample_.bind(4, solver::fault_name(draw.verdict.first_fault));
+  fault_sample > 0 ? fault_sample_.bind(5, fault_sample * campaign_.sample_deg)
+                   : fault_sample_.bind(5);
+  where.empty() ? fault_sample_.bind(6) : fault_sample_.bind(6, where);
+  fault_sample_.bind(7, stands_for);
+  insert(fault_sample_);
+}
+
+void UnitWriter::add_screened(const Screened& screened) {
+  for (const auto& [seen, draws] : screened) {
+    screened_.tryReset();
+    screened_.bind(1, solver::fault_name(static_cast<solver::Fault>(seen.first)));
+    screened_.bind(2, seen.second * campaign_.sample_deg);
+    screened_.bind(3, stored(draws));
+    insert(screened_);
+  }
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,74 @@
+// The rows of the ledger's units.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <map>
+#include <vector>
+
+#include "schema/campaign/campaign.hpp"
+#include "schema/catalogue/fault_sample.hpp"
+#include "solver/verdict/metrics.hpp"
+
+namespace misalign::schema {
+
+/// A fault_sample or undecided row in the making.
+struct DrawVerdict {
+  std::uint64_t draw;
+  solver::Verdict verdict;
+};
+
+struct Candidate {
+  std::uint64_t draw;
+  solver::Metrics metrics;
+  Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
+};
+
+/// What became of a range of draws: a unit of the ledger with everything that belongs to it.
+struct UnitRecord {
+  DrawRange range;
+  int worker = 0;  ///< the rank that worked it off
+  std::uint64_t accepted = 0, rejected = 0;
+  double seconds = 0;
+  std::vector<Candidate> candidates;                      ///< ascending
+  std::vector<DrawVerdict> undecided;                     ///< ascending
+  std::vector<DrawVerdict> fault_sample;                  ///< ascending; see FaultSampleRule
+  std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
+
+  std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
+};
+
+/// Adds draws to the count of what the tests saw: cause, tested_deg, draws.
+inline constexpr const char* kAddScreened =
+    "INSERT INTO screened (cause, tested_deg, draws) VALUES (?,?,?) ON CONFLICT DO UPDATE SET "
+    "draws "
+    "= draws + excluded.draws";
+
+/// Writes within transactions that its caller begins and commits. Throws SQLite::Exception.
+class UnitWriter {
+ public:
+  UnitWriter(SQLite::Database& database, const Campaign& campaign,
+             const solver::Mechanism& mechanism);
+
+  /// New units with all that belongs to them.
+  void write(const std::vector<UnitRecord>& units, std::int64_t run);
+  /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
+  /// A row of the fault sample takes the place of the one that there was, if there was one, with
+  /// its weight. UserError (3) if it is in no unit.
+  void settle(const UnitRecord& decided);
+
+ private:
+  using Screened = std::map<std::pair<int, int>, std::uint64_t>;
+  void write_unit(const UnitRecord& unit, std::int64_t run);
+  void write_candidate(const Candidate& candidate, std::int64_t unit);
+  void write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run);
+  void write_fault_sample(const DrawVerdict& draw, std::int64_t unit, std::int64_t stands_for);
+  void add_screened(const Screened& screened);
+
+  SQLite::Database& database_;
+  const Campaign& campaign_;
+  const solver::Mechanism& mechanism_;
+  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_;
+};
+
+}  // namespace misalign::schema

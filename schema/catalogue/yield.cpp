@@ -1,0 +1,109 @@
+#include "schema/catalogue/yield.hpp"
+
+#include "schema/campaign/share_interval.hpp"
+#include "schema/catalogue/since.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Of draws that are no candidates nothing is kept; of as many trials the one that is there stays.
+constexpr const char* kInsert =
+    "INSERT INTO yield (draw, amplitude_mm, trials, survivors, undecided, share, share_low, "
+    "share_high, \"commit\", made_at) "
+    "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10 "
+    "WHERE EXISTS (SELECT 1 FROM candidate WHERE draw = ?1) "
+    "ON CONFLICT (draw, amplitude_mm) DO UPDATE SET trials = excluded.trials, "
+    "survivors = excluded.survivors, undecided = excluded.undecided, share = excluded.share, "
+    "share_low = excluded.share_low, share_high = excluded.share_high, "
+    "\"commit\" = excluded.\"commit\", made_at = excluded.made_at "
+    "WHERE excluded.trials > yield.trials";
+constexpr const char* kColumns =
+    "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high, \"commit\", "
+    "made_at";
+constexpr int kColumnCount = 10;
+
+}  // namespace
+
+bool has_yields(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA user_version").getInt() >= kMiscutSince;
+}
+
+Json yield_json(const Yield& yield) {
+  const std::uint64_t decided = yield.trials - yield.undecided;
+  const auto [low, high] = share_interval(yield.survivors, yield.undecided, yield.trials);
+  return {{"amplitude_mm", yield.amplitude_mm},
+          {"trials", yield.trials},
+          {"survivors", yield.survivors},
+          {"undecided", yield.undecided},
+          {"share", decided > 0
+                        ? Json(static_cast<double>(yield.survivors) / static_cast<double>(decided))
+                        : Json()},
+          {"share_low", low},
+          {"share_high", high}};
+}
+
+Json yields_json(const std::vector<Yield>& yields) {
+  Json list = Json::array();
+  for (const Yield& yield : yields) list.push_back(yield_json(yield));
+  return list;
+}
+
+std::vector<std::uint64_t> write_yields(SQLite::Database& database,
+                                        const std::vector<Yield>& yields,
+                                        const std::string& commit) {
+  std::vector<std::uint64_t> no_candidates;
+  SQLite::Statement insert(database, kInsert);
+  SQLite::Statement candidate(database, "SELECT 1 FROM candidate WHERE draw = ?");
+  const std::string now = database.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%fZ')").getString();
+  for (const Yield& yield : yields) {
+    const Json json = yield_json(yield);
+    insert.tryReset();
+    insert.bind(1, stored(yield.draw));
+    insert.bind(2, yield.amplitude_mm);
+    insert.bind(3, stored(yield.trials));
+    insert.bind(4, stored(yield.survivors));
+    insert.bind(5, stored(yield.undecided));
+    json["share"].is_null() ? insert.bind(6) : insert.bind(6, json["share"].get<double>());
+    insert.bind(7, json["share_low"].get<double>());
+    insert.bind(8, json["share_high"].get<double>());
+    insert.bind(9, commit);
+    insert.bind(10, now);
+    insert.exec();
+    candidate.tryReset();
+    candidate.bind(1, stored(yield.draw));
+    if (!candidate.executeStep()) no_candidates.push_back(yield.draw);
+  }
+  return no_candidates;
+}
+
+std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
+  return reading(database, [&] {
+    std::vector<Yield> yields;
+    if (!has_yields(database)) return yields;
+    SQLite::Statement row(database,
+                          "SELECT amplitude_mm, trials, survivors, undecided FROM yield "
+                          "WHERE draw = ? ORDER BY amplitude_mm");
+    row.bind(1, stored(draw));
+    while (row.executeStep()) {
+      yields.push_back({draw, row.getColumn(0).getDouble(), draw_of(row.getColumn(1)),
+                        draw_of(row.getColumn(2)), draw_of(row.getColumn(3))});
+      if (!yields.back().adds_up()) {
+        throw damaged(database, "the copies of draw " + std::to_string(draw) + " off by " +
+                                    shown_number(yields.back().amplitude_mm) + " mm do not add up");
+      }
+    }
+    return yields;
+  });
+}
+
+void copy_yields(SQLite::Database& from, SQLite::Database& into) {
+  if (!reading(from, [&] { return has_yields(from); })) return;
+  SQLite::Statement select =
+      prepared(from, std::string("SELECT ") + kColumns + " FROM yield ORDER BY draw, amplitude_mm");
+  SQLite::Statement insert(into, kInsert);
+  copy_rows(from, select, insert, [&] {
+    for (int k = 0; k < kColumnCount; ++k) bind_value(insert, k + 1, select.getColumn(k));
+  });
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,50 @@
+// The yields that `misalign tolerance` has found, as a catalogue keeps them.
+#pragma once
+
+#include <vector>
+
+#include "schema/catalogue/database.hpp"
+
+namespace misalign::schema {
+
+/// Of the miscut copies of a candidate, how many still deploy from the campaign's threshold.
+struct Yield {
+  std::uint64_t draw;
+  double amplitude_mm;  ///< errors are uniform on [-amplitude, amplitude], of every vertex
+  std::uint64_t trials, survivors;
+  std::uint64_t undecided;  ///< of the trials: the interval allows for both
+
+  /// Whether the parts are no more than the whole, and none is negative as SQLite keeps it.
+  bool adds_up() const {
+    const std::uint64_t kMost = std::uint64_t{1} << 62;
+    return trials > 0 && trials < kMost && survivors < kMost && undecided < kMost &&
+           survivors + undecided <= trials;
+  }
+
+  friend bool operator==(const Yield&, const Yield&) = default;
+};
+
+/// Whether the catalogue's schema has a table for them: since version 4. Throws SQLite::Exception.
+bool has_yields(SQLite::Database& database);
+
+/// Share of the decided trials, and its interval: {"amplitude_mm", "trials", "survivors",
+/// "undecided", "share", "share_low", "share_high"}.
+Json yield_json(const Yield& yield);
+/// A list of them.
+Json yields_json(const std::vector<Yield>& yields);
+
+/// Within its caller's transaction. Of two of one draw and amplitude that with more trials is kept;
+/// of draws that are no candidates nothing is, and these are returned. Throws SQLite::Exception.
+std::vector<std::uint64_t> write_yields(SQLite::Database& database,
+                                        const std::vector<Yield>& yields,
+                                        const std::string& commit);
+
+/// Of one candidate, by amplitude; none in catalogues from before version 4. UserError (3) if one
+/// of them does not add up: SQLite looks at no CHECK while it reads.
+std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
+
+/// Takes over those of another catalogue whose candidates are in this one, as write_yields does.
+/// UserError (3) if `from` cannot be read, or holds rows that no catalogue may.
+void copy_yields(SQLite::Database& from, SQLite::Database& into);
+
+}  // namespace misalign::schema

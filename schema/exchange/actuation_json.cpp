@@ -1,0 +1,81 @@
+#include "schema/exchange/actuation_json.hpp"
+
+#include <cmath>
+
+namespace misalign::schema {
+namespace {
+
+// A list; null for what is no number.
+Json numbers_json(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double x : numbers) list.push_back(std::isfinite(x) ? Json(x) : Json());
+  return list;
+}
+
+}  // namespace
+
+std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
+  return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
+}
+
+Json limits_json(const solver::Actuation& actuation) {
+  Json json = {{"weakest", nullptr}, {"few", nullptr}, {"over_stroke", nullptr}};
+  if (actuation.weakest) {
+    json["weakest"] = {{"pilot_deg", actuation.weakest->pilot_deg},
+                       {"moment_n_mm", actuation.weakest->moment_n_mm}};
+  }
+  if (actuation.few) {
+    json["few"] = {{"diagonals", actuation.few->diagonals},
+                   {"share", actuation.few->share},
+                   {"proven", actuation.few->proven}};
+  }
+  if (actuation.over_stroke) {
+    json["over_stroke"] = {{"from_deg", actuation.over_stroke->from_deg},
+                           {"diagonals", actuation.over_stroke->diagonals}};
+  }
+  return json;
+}
+
+Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
+                    const solver::Actuation& actuation) {
+  const solver::Mechanism& mechanism = view.mechanism;
+  const Eigen::Index at_d = path.rows_up_to_d();
+  Json forces = Json::array();
+  for (int d = 0; d < mechanism.diagonal_count(); ++d) {
+    forces.push_back({{"diagonal", d},
+                      {"from", solver::vertex_label(mechanism.diagonals[d].from)},
+                      {"to", solver::vertex_label(mechanism.diagonals[d].to)},
+                      {"force_n", actuation.force_n(at_d, d)}});
+  }
+  const auto& limit = actuation.actuators.stroke_limit;
+  Json json = {{"stiffness_n_per_mm", actuation.actuators.stiffness_n_per_mm},
+               {"stroke_limit", limit ? Json(*limit) : Json()},
+               {"energy_n_mm", actuation.energy_n_mm[at_d]},
+               {"forces", forces}};
+  json.update(limits_json(actuation));
+  for (const char* key : {"few", "over_stroke"}) {
+    if (json[key].is_null()) continue;
+    for (Json& diagonal : json[key]["diagonals"]) {
+      diagonal = diagonal_label(mechanism, diagonal.get<int>());
+    }
+  }
+  return json;
+}
+
+Json actuation_history_json(const FoldingView& view, const solver::ShapedPath& path,
+                            const solver::Actuation& actuation) {
+  Json json = actuation_json(view, path, actuation);
+  for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
+    Json& force = json["forces"][static_cast<std::size_t>(d)]["history_n"] = Json::array();
+    for (Eigen::Index row = 0; row < actuation.force_n.rows(); ++row) {
+      force.push_back(actuation.force_n(row, d));
+    }
+  }
+  json["history"] = {{"pilot_deg", actuation.pilot_deg},
+                     {"energy_n_mm", actuation.energy_n_mm},
+                     {"moment_n_mm", actuation.moment_n_mm},
+                     {"mechanical_advantage", numbers_json(actuation.mechanical_advantage)}};
+  return json;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,24 @@
+// A pattern and its folding as a FOLD 1.2 object, for Origami Simulator, Rabbit Ear and the like.
+#pragma once
+
+#include "schema/exchange/folding_json.hpp"
+#include "solver/design/shaped_path.hpp"
+
+namespace misalign::schema {
+
+/// Which stops of a path become files or frames: multiples of `step_deg` up to D, and D itself. A
+/// sheet that deploys from nothing is shown as far as its creases keep their mountains and valleys,
+/// none folded past 180 degrees. Rows of the history; the flat sheet is not among them.
+std::vector<Eigen::Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
+                                       double step_deg);
+
+/// The key frame is the crease pattern: flat 2-D coordinates in mm, holes absent, the edges round
+/// them and of the perimeter "B", with the fold angles (degrees, valley positive) of the last
+/// of `rows`, the deepest state that is good: what importers that know no frames fold to. A frame
+/// for each of `rows` follows, which inherits the mesh and restates coordinates and angles. It
+/// carries its pattern (see carried_pattern.hpp), and `data` as `misalign:data`.
+Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
+                      const std::vector<Eigen::Index>& rows, const std::string& title,
+                      const Json& data);
+
+}  // namespace misalign::schema

@@ -1,0 +1,168 @@
+#include "schema/exchange/folding_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace misalign::schema {
+namespace {
+
+Json column_json(const Eigen::MatrixXd& matrix, Eigen::Index column) {
+  Json list = Json::array();
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) list.push_back(matrix(row, column));
+  return list;
+}
+
+Json diagonals_json(const FoldingView& view, bool histories) {
+  Json list = Json::array();
+  for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
+    list.push_back(diagonal_json(view.base, view.mechanism, view.mechanism.diagonals[d],
+                                 view.history.flat_mm[d]));
+    list.back()["diagonal"] = d;
+    if (histories) {
+      list.back()["length_mm"] = column_json(view.history.length_mm, d);
+      list.back()["slope_mm_per_deg"] = column_json(view.history.slope_mm_per_deg, d);
+    }
+  }
+  return list;
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
+                   const solver::Diagonal& diagonal, double flat_mm) {
+  return {{"hole", facet_json(base, mechanism.loops[diagonal.loop].hole)},
+          {"from", solver::vertex_label(diagonal.from)},
+          {"to", solver::vertex_label(diagonal.to)},
+          {"flat_mm", flat_mm}};
+}
+
+Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism) {
+  const auto& vertices = campaign.pattern.base.sheet.vertices_mm;
+  Json list = Json::array();
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    const double flat_mm = (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm();
+    list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
+  }
+  return list;
+}
+
+std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
+  if (verdict.where < 0) return "";
+  switch (verdict.first_fault) {
+    case solver::Fault::not_monotone:
+    case solver::Fault::bump:
+    case solver::Fault::inactive_diagonal:
+      return solver::line_label(mechanism.diagonals[verdict.where].from,
+                                mechanism.diagonals[verdict.where].to);
+    case solver::Fault::over_folded:
+    case solver::Fault::assignment_flipped:
+      return solver::line_label(mechanism.creases[verdict.where].a,
+                                mechanism.creases[verdict.where].b);
+    default:
+      return "";
+  }
+}
+
+const char* undecided_cause(const solver::Verdict& verdict) {
+  return verdict.path_end == solver::PathEnd::start_lost ? "start_lost" : "stalled";
+}
+
+Json verdict_json(const FoldingView& view) {
+  const solver::Verdict& verdict = view.history.verdict;
+  const int fault_sample = verdict.fault_sample();
+  const std::string where = where_label(view.mechanism, verdict);
+  Json json = {{"deploys_from_deg", verdict.deploys_from_sample * view.sample_deg},
+               {"first_fault", solver::fault_name(verdict.first_fault)},
+               {"fault_deg", fault_sample > 0 ? Json(fault_sample * view.sample_deg) : Json()},
+               {"where", where.empty() ? Json() : Json(where)}};
+  if (verdict.first_fault == solver::Fault::undecided) json["cause"] = undecided_cause(verdict);
+  return json;
+}
+
+Json bump_json(const FoldingView& view) {
+  const solver::Between& between = view.history.between;
+  if (between.bump_where < 0) return Json();
+  const solver::Diagonal& diagonal = view.mechanism.diagonals[between.bump_where];
+  return {{"from_deg", between.bump_deg},
+          {"where", solver::line_label(diagonal.from, diagonal.to)}};
+}
+
+Json folding_json(const FoldingView& view) {
+  const solver::FoldingHistory& history = view.history;
+  Json stops = Json::array();
+  for (const solver::Stop& stop : history.stops) stops.push_back(stop.pilot_deg);
+  Json creases = Json::array();
+  for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
+    const solver::Crease& crease = view.mechanism.creases[i];
+    creases.push_back(
+        {{"crease", i},
+         {"from", solver::vertex_label(crease.a)},
+         {"to", solver::vertex_label(crease.b)},
+         {"assignment", view.mechanism.is_valley(crease) ? "valley" : "mountain"},
+         {"fold_angle_deg", column_json(history.fold_angle_deg, static_cast<Eigen::Index>(i))}});
+  }
+  return {{"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"unknowns", view.mechanism.unknowns},
+          {"equations", view.mechanism.equations},
+          {"degrees_of_freedom", view.mechanism.unknowns - view.mechanism.equations},
+          {"verdict", verdict_json(view)},
+          {"bump_between_samples", bump_json(view)},
+          {"fold_limit_deg", history.path.fold_limit_deg},
+          {"samples_deg", stops},
+          {"diagonals", diagonals_json(view, true)},
+          {"creases", creases},
+          {"residual_max", largest(history.open_by)},
+          {"isometry_error_mm", largest(history.isometry_error_mm)},
+          {"smallest_singular_value", history.singular_value_min}};
+}
+
+Json metrics_json(const solver::Metrics& m) {
+  return {{"deploys_from_sample", m.deploys_from_sample},
+          {"deploys_from_deg", m.deploys_from_deg},
+          {"fold_limit_deg", m.fold_limit_deg},
+          {"elongation_min", m.elongation_min},
+          {"elongation_max", m.elongation_max},
+          {"stroke_min", m.stroke_min},
+          {"stroke_max", m.stroke_max},
+          {"slope_min_mm_per_deg", or_null(m.slope_min_mm_per_deg)},
+          {"slope_between_min_mm_per_deg", or_null(m.slope_between_min_mm_per_deg)},
+          {"bump_deg", or_null(m.bump_deg)},
+          {"miscut_margin_mm", or_null(m.miscut_margin_mm)},
+          {"stretch_sq_mm2", m.stretch_sq_mm2},
+          {"singular_value_min", m.singular_value_min},
+          {"residual_max", m.residual_max},
+          {"isometry_error_mm", m.isometry_error_mm},
+          {"kawasaki_defect_deg", m.kawasaki_defect_deg},
+          {"shifted_vertices", m.shifted_vertices},
+          {"increasing", m.increasing},
+          {"decreasing", m.decreasing}};
+}
+
+Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
+                         const std::optional<solver::Metrics>& metrics, const Json& actuation) {
+  Json diagonals = diagonals_json(view, false);
+  for (std::size_t d = 0; d < diagonals.size(); ++d) {
+    diagonals[d]["elongation"] = metrics ? Json(metrics->elongation[d]) : Json();
+  }
+  return {{"pattern", pattern_json(view.base, view.shifts_mm)},
+          {"sampling", sampling_json(sampling)},
+          {"verdict", verdict_json(view)},
+          {"metrics", metrics ? metrics_json(*metrics) : Json()},
+          {"diagonals", diagonals},
+          {"actuation", actuation}};
+}
+
+Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yields) {
+  return {{"campaign", {{"name", campaign.name}, {"identity", identity(campaign)}}},
+          {"draw", draw},
+          {"yields", yields}};
+}
+
+}  // namespace misalign::schema

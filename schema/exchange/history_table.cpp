@@ -1,0 +1,98 @@
+#include "schema/exchange/history_table.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "schema/files/text_table.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Index;
+
+// Empty where there is no number.
+void append(std::string& text, const char* format, double value) {
+  char number[40];
+  std::snprintf(number, sizeof number, format, value);
+  text += ",";
+  if (std::isfinite(value)) text += number;
+}
+
+// Lengths and angles have what the solver is good for, what follows from them a little less.
+void append_measured(std::string& text, double value) { append(text, "%.12g", value); }
+void append_derived(std::string& text, double value) { append(text, "%.9g", value); }
+
+std::string ends(int from, int to) {
+  return "," + solver::vertex_label(from) + "," + solver::vertex_label(to);
+}
+
+}  // namespace
+
+std::string diagonal_columns(const RowKey& key) {
+  return key.name +
+         ",pilot_deg,diagonal,hole_row,hole_column,from_vertex,to_vertex,length_mm,elongation,"
+         "force_n,energy_n_mm,moment_n_mm,mechanical_advantage\n";
+}
+
+std::string diagonal_rows(const RowKey& key, const FoldingView& view,
+                          const solver::Actuation& actuation) {
+  const std::string sheet = csv_cell(key.value) + ",";
+  std::vector<std::string> names;  // of the diagonals: what no row changes
+  for (std::size_t d = 0; d < view.mechanism.diagonals.size(); ++d) {
+    const solver::Diagonal& diagonal = view.mechanism.diagonals[d];
+    const auto& hole = view.base.base.sheet.places[view.mechanism.loops[diagonal.loop].hole];
+    names.push_back("," + std::to_string(d) + "," + std::to_string(hole[0]) + "," +
+                    std::to_string(hole[1]) + ends(diagonal.from, diagonal.to));
+  }
+  std::string text;
+  for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {
+    const auto at = static_cast<Index>(row);
+    const std::string stop = sheet + shown_number(actuation.pilot_deg[row]);
+    for (std::size_t d = 0; d < names.size(); ++d) {
+      const auto of = static_cast<Index>(d);
+      const double flat_mm = view.history.flat_mm[d];
+      const double length_mm = row == 0 ? flat_mm : view.history.length_mm(at - 1, of);
+      const double force_n = actuation.force_n(at, of);
+      text += stop + names[d];
+      append_measured(text, length_mm);
+      append_derived(text, (length_mm - flat_mm) / flat_mm);
+      append_derived(text, force_n);
+      append_derived(text, force_n * (length_mm - flat_mm) / 2);
+      append_derived(text, actuation.moment_by_n_mm(at, of));
+      append_derived(text, actuation.mechanical_advantage[row]);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string crease_columns(const RowKey& key) {
+  return key.name + ",pilot_deg,crease,from_vertex,to_vertex,assignment,fold_angle_deg\n";
+}
+
+std::string crease_rows(const RowKey& key, const FoldingView& view) {
+  const std::string sheet = csv_cell(key.value) + ",";
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
+    const solver::Crease& crease = view.mechanism.creases[i];
+    names.push_back("," + std::to_string(i) + ends(crease.a, crease.b) +
+                    (view.mechanism.is_valley(crease) ? ",valley" : ",mountain"));
+  }
+  std::string text;
+  const auto add_stop = [&](double pilot_deg, Index row) {
+    const std::string stop = sheet + shown_number(pilot_deg);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      text += stop + names[i];
+      const auto of = static_cast<Index>(i);
+      append_measured(text, row < 0 ? 0.0 : view.history.fold_angle_deg(row, of));
+      text += "\n";
+    }
+  };
+  add_stop(0, -1);
+  for (std::size_t row = 0; row < view.history.stops.size(); ++row) {
+    add_stop(view.history.stops[row].pilot_deg, static_cast<Index>(row));
+  }
+  return text;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,34 @@
+// Histories of sheets as long tables: CSV with a row for each sheet, stop of its path and diagonal,
+// or crease. What pandas, R, MATLAB and spreadsheets group, filter and plot; any number of sheets
+// is one table.
+#pragma once
+
+#include <string>
+
+#include "schema/exchange/folding_json.hpp"
+#include "solver/design/actuation.hpp"
+
+namespace misalign::schema {
+
+/// Whose rows they are: the first column's name and value, {"draw", "7"} or {"pattern", "table1"}.
+struct RowKey {
+  std::string name, value;
+};
+
+/// Line of the columns' names: KEY, pilot_deg, diagonal (numbered as in the view `diagonals`, from
+/// 0), hole_row, hole_column, from_vertex, to_vertex, length_mm, elongation (a share: 0.02 = 2 %),
+/// force_n, energy_n_mm, moment_n_mm, mechanical_advantage.
+std::string diagonal_columns(const RowKey& key);
+/// The lines of one sheet, flat first. Force, energy and moment are those of the diagonal's own
+/// spring: over the diagonals of a stop, energies and moments add up to the sheet's. The mechanical
+/// advantage is the sheet's, the same in all rows of a stop, and empty when flat.
+std::string diagonal_rows(const RowKey& key, const FoldingView& view,
+                          const solver::Actuation& actuation);
+
+/// Line of the columns' names: KEY, pilot_deg, crease (numbered from 0 as in `fold --json`),
+/// from_vertex, to_vertex, assignment, fold_angle_deg (valley positive).
+std::string crease_columns(const RowKey& key);
+/// The lines of one sheet, flat first.
+std::string crease_rows(const RowKey& key, const FoldingView& view);
+
+}  // namespace misalign::schema

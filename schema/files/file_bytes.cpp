@@ -1,0 +1,87 @@
+#include "schema/files/file_bytes.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "schema/files/input.hpp"
+
+namespace misalign::schema {
+namespace {
+
+/// A file that is open, and its sentences.
+class OpenFile {
+ public:
+  OpenFile(const std::string& path, int flags)
+      : path_(path),
+        // A name that a file gives may hold what ends a name for the system.
+        descriptor_(path.find('\0') != std::string::npos ? -1 : uninterrupted([&] {
+          return ::open(path.c_str(), flags | O_CLOEXEC);
+        })) {}
+  ~OpenFile() {
+    if (is_open()) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
+  struct stat status() const {
+    struct stat found {};
+    ::fstat(descriptor_, &found);
+    return found;
+  }
+  void skip_to(off_t place) const { ::lseek(descriptor_, place, SEEK_SET); }
+  // What comes next, nothing at the end.
+  std::string part(std::size_t most_bytes) const {
+    std::string bytes(most_bytes, '\0');
+    const ssize_t count =
+        uninterrupted([&] { return ::read(descriptor_, bytes.data(), bytes.size()); });
+    if (count < 0) {
+      const bool is_directory = errno == EISDIR;
+      throw UserError(is_directory ? kExitBadInput : kExitFailure,
+                      printable(path_) + ": cannot be read (" + std::strerror(errno) + "); " +
+                          (is_directory ? "check the path" : "see to the disk"));
+    }
+    bytes.resize(static_cast<std::size_t>(count));
+    return bytes;
+  }
+
+ private:
+  const std::string path_;
+  const int descriptor_;
+};
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t most_bytes, FileKind kind) {
+  // A pipe that nobody writes to is not waited for, if a file names it.
+  const OpenFile file(path, O_RDONLY | (kind == FileKind::regular ? O_NONBLOCK : 0));
+  const auto refuse = [&](const std::string& why) {
+    throw UserError(kExitBadInput, printable(path) + ": " + why + "; check the path");
+  };
+  if (!file.is_open()) refuse("cannot be opened (no such file, or no permission)");
+  if (kind == FileKind::regular && !S_ISREG(file.status().st_mode)) {
+    refuse("is no regular file (and nothing else is read because a file names it)");
+  }
+  constexpr std::size_t kPart_bytes = 1 << 16;
+  std::string text;
+  for (std::string part = file.part(kPart_bytes); !part.empty(); part = file.part(kPart_bytes)) {
+    text += part;
+    if (text.size() > most_bytes) {
+      refuse("is larger than " + std::to_string(most_bytes >> 20) + " MB (no file of ours is)");
+    }
+  }
+  return text;
+}
+
+std::string end_of_file(const std::string& path, std::size_t bytes) {
+  const OpenFile file(path, O_RDONLY | O_NONBLOCK);
+  if (!file.is_open()) return "";
+  file.skip_to(std::max<off_t>(0, file.status().st_size - static_cast<off_t>(bytes)));
+  return file.part(bytes);
+}
+
+}  // namespace misalign::schema

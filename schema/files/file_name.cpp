@@ -1,0 +1,78 @@
+#include "schema/files/file_name.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+
+#include "schema/files/input.hpp"
+#include "schema/files/storage.hpp"
+
+namespace misalign::schema {
+namespace {
+
+constexpr int kMostLinks = 40;  // as Linux itself follows
+
+int errno_unless(bool done) { return done ? 0 : errno; }
+
+bool is_missing(int error) { return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; }
+
+int give_new_name(const std::string& from, const std::string& to) {
+  int error = rename_to_new(from, to);
+  if (is_missing(error)) error = link_to_new(from, to);
+  if (is_missing(error) || error == EPERM || error == EMLINK) error = rename_over_empty(from, to);
+  return error;
+}
+
+}  // namespace
+
+int rename_to_new(const std::string& from, const std::string& to) {
+  return errno_unless(::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) ==
+                      0);
+}
+
+int link_to_new(const std::string& from, const std::string& to) {
+  if (::link(from.c_str(), to.c_str()) != 0) return errno;
+  return errno_unless(::unlink(from.c_str()) == 0);
+}
+
+int rename_over_empty(const std::string& from, const std::string& to) {
+  const int made = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+  if (made < 0) return errno;
+  ::close(made);
+  const int error = errno_unless(::rename(from.c_str(), to.c_str()) == 0);
+  if (error != 0) ::unlink(to.c_str());
+  return error;
+}
+
+int give_name(const std::string& from, const std::string& to, Existing existing) {
+  const int error = existing == Existing::refused
+                        ? give_new_name(from, to)
+                        : errno_unless(::rename(from.c_str(), to.c_str()) == 0);
+  if (error == 0) sync_directory_of(to);
+  return error;
+}
+
+bool is_taken(const std::string& path) {
+  struct stat found {};
+  return ::lstat(path.c_str(), &found) == 0;
+}
+
+std::string end_of_links(const std::string& path) {
+  std::filesystem::path end = path;
+  std::error_code error;
+  for (int k = 0; std::filesystem::is_symlink(end, error); ++k) {
+    if (k == kMostLinks) {
+      throw UserError(kExitFailure, path +
+                                        ": cannot be written (its links lead in a circle); name "
+                                        "another file");
+    }
+    end = end.parent_path() / std::filesystem::read_symlink(end, error);
+  }
+  return end;
+}
+
+}  // namespace misalign::schema

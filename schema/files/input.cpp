@@ -1,0 +1,206 @@
+#include "schema/files/input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace misalign::schema {
+namespace {
+
+// A mesh of 40 x 40 panels has 0.2 MB; a device that never ends is refused, too.
+constexpr std::size_t kLargest_bytes = 64 << 20;
+
+// Looks on while JSON is parsed: refuses what is nested too deeply to be meant (and would exhaust
+// the stack later), and keys that are there twice, of which one would be ignored in silence.
+struct StructureGuard {
+  static constexpr int kDeepest = 32;
+  std::string path;
+  std::vector<std::set<std::string>> keys = {};  // of the objects that are open, by depth
+
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > kDeepest) {
+      throw UserError(kExitBadInput, path + ": is nested more than " + std::to_string(kDeepest) +
+                                         " levels deep (no file of ours is); mend it there");
+    }
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start) {
+      keys.resize(level + 2);
+      keys[level + 1].clear();
+    } else if (event == Json::parse_event_t::key) {
+      const std::string key = parsed.get<std::string>();
+      if (!keys.at(level).insert(key).second) {
+        throw UserError(kExitBadInput, path + ": " + printable(key) +
+                                           " is there twice (only one can count); take one out");
+      }
+    }
+    return true;
+  }
+};
+
+constexpr std::size_t kMostOfASentence = 3000;
+
+// Shortened first, too: a value can be as long as its file.
+std::string in_a_sentence(const std::string& text, std::size_t most) {
+  return shortened(printable(shortened(text, most)), most);
+}
+
+std::string listed(const std::vector<std::string>& list, std::size_t more) {
+  std::string lines;
+  const std::size_t shown = std::min(list.size(), kMostListed);
+  for (std::size_t k = 0; k < shown; ++k) {
+    lines += "\n  " + in_a_sentence(list[k], kMostOfASentence);
+  }
+  more += list.size() - shown;
+  if (more > 0) lines += "\n  and " + std::to_string(more) + " more";
+  return lines;
+}
+
+}  // namespace
+
+UserError::UserError(int exit_code, const std::string& sentence)
+    : std::runtime_error(in_a_sentence(sentence, kMostOfASentence)), exit_code_(exit_code) {}
+
+UserError::UserError(int exit_code, const std::string& sentence,
+                     const std::vector<std::string>& list, std::size_t more)
+    : std::runtime_error(in_a_sentence(sentence, kMostOfASentence) + listed(list, more)),
+      exit_code_(exit_code) {}
+
+void InputFaults::add(const std::string& problem, const std::string& why,
+                      const std::string& suggestion) {
+  constexpr std::size_t kMostOfAPart = 400;
+  if (++count_ > kMostListed) return;
+  const auto part = [](const std::string& text) { return in_a_sentence(text, kMostOfAPart); };
+  sentences_.push_back(part(problem) + " (" + part(why) + "); " + part(suggestion));
+}
+
+void InputFaults::refuse(const std::string& source) const {
+  if (none()) return;
+  if (count_ == 1) throw UserError(kExitBadInput, source + ": " + sentences_.front());
+  throw UserError(kExitBadInput, source + ": " + std::to_string(count_) + " faults", sentences_,
+                  count_ - sentences_.size());
+}
+
+ObjectReader::ObjectReader(const Json& value, std::string where, InputFaults& faults)
+    : value_(value), where_(std::move(where)), faults_(faults) {
+  if (!value_.is_object()) {
+    faults_.add(where_.empty() ? "the document" : where_,
+                "is a JSON " + std::string(value_.type_name()), "write an object, { ... }");
+  }
+}
+
+const Json* ObjectReader::find(const std::string& key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  if (!value_.is_object()) return nullptr;
+  const auto at = value_.find(key);
+  return at == value_.end() ? nullptr : &*at;
+}
+
+void ObjectReader::require(const std::string& key, const std::string& suggestion) {
+  if (value_.is_object() && !value_.contains(key)) {
+    faults_.add(name(key), "is missing", suggestion);
+  }
+}
+
+void ObjectReader::number(const std::string& key, double& into, double least, double most,
+                          const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_number()) {
+    faults_.add(shown(key), "must be a number", suggestion);
+  } else if (const double x = value->get<double>(); !(x >= least && x <= most)) {
+    faults_.add(shown(key), "must be from " + shown_number(least) + " to " + shown_number(most),
+                suggestion);
+  } else {
+    into = x;
+  }
+}
+
+void ObjectReader::whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
+                         const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > most) {
+    faults_.add(shown(key), "must be a whole number from 0 to " + std::to_string(most), suggestion);
+  } else {
+    into = value->get<std::uint64_t>();
+  }
+}
+
+void ObjectReader::flag(const std::string& key, bool& into) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (value->is_boolean()) {
+    into = value->get<bool>();
+  } else {
+    faults_.add(shown(key), "must be true or false", "write true or false");
+  }
+}
+
+void ObjectReader::text(const std::string& key, std::string& into, const std::string& suggestion) {
+  const Json* value = find(key);
+  if (!value) return;
+  if (!value->is_string()) {
+    faults_.add(shown(key), "must be a text", suggestion);
+  } else {
+    into = value->get<std::string>();
+  }
+}
+
+void ObjectReader::refuse_unknown_keys() {
+  if (!value_.is_object()) return;
+  for (const auto& [key, value] : value_.items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    std::string keys;
+    for (const std::string& known : known_) keys += (keys.empty() ? "" : ", ") + known;
+    faults_.add(name(key), "is not a key here", "the keys are " + keys);
+  }
+}
+
+std::string ObjectReader::name(const std::string& key) const {
+  return where_.empty() ? key : where_ + "." + key;
+}
+
+std::string ObjectReader::shown(const std::string& key) const {
+  const Json& value = value_.at(key);
+  return name(key) + " = " +
+         shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
+}
+
+Json read_json_file(const std::string& path, FileKind kind) {
+  const std::string text = read_file(path, kLargest_bytes, kind);
+  if (text.starts_with(kDatabaseHeader)) {
+    throw UserError(kExitBadInput, path +
+                                       ": is a catalogue, not JSON; `misalign status` and "
+                                       "`misalign replay` read those");
+  }
+  return parse_json(text, path);
+}
+
+Json parse_json(const std::string& text, const std::string& source) {
+  try {
+    return Json::parse(text, StructureGuard{source});
+  } catch (const Json::exception& error) {
+    std::string what = error.what();
+    what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
+    throw UserError(kExitBadInput, source + ": is not JSON (" + what + "); mend it there");
+  }
+}
+
+Json json_of(const Json& text) {
+  try {
+    return text.is_string() ? parse_json(text.get_ref<const std::string&>(), "") : Json();
+  } catch (const UserError&) {
+    return {};
+  }
+}
+
+std::string shown_number(double value) { return shown_number("%.10g", value); }
+
+std::string shown_number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,108 @@
+// Refusing bad input at the door: every fault of a file at once, each as "problem (why);
+// suggestion".
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "schema/files/file_bytes.hpp"
+#include "schema/files/printable.hpp"
+
+namespace misalign::schema {
+
+using Json = nlohmann::json;
+
+/// A sentence for the person who called, and the exit code of the contract. Names and values in it
+/// may come from anywhere: it is printable, and shortened where it is longer than any of ours.
+class UserError : public std::runtime_error {
+ public:
+  UserError(int exit_code, const std::string& sentence);
+  /// The same with a list, a line each: at most kMostListed, then how many more there are.
+  UserError(int exit_code, const std::string& sentence, const std::vector<std::string>& list,
+            std::size_t more);
+  int exit_code() const { return exit_code_; }
+
+ private:
+  int exit_code_;
+};
+
+/// Of faults or findings that people are told at once.
+inline constexpr std::size_t kMostListed = 20;
+
+inline constexpr int kExitFailure = 1;
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitBadInput = 3;
+inline constexpr int kExitInUse = 4;
+inline constexpr int kExitOtherCampaign = 5;
+inline constexpr int kExitCheckFailed = 6;
+inline constexpr int kExitWorkRemains = 75;
+
+/// What is wrong with a file, collected while reading goes on.
+class InputFaults {
+ public:
+  void add(const std::string& problem, const std::string& why, const std::string& suggestion);
+  bool none() const { return count_ == 0; }
+  std::size_t count() const { return count_; }
+  /// The first kMostListed of them: a file can have millions.
+  const std::vector<std::string>& sentences() const { return sentences_; }
+  /// Throws a UserError (3) naming `source` and every fault, unless there is none.
+  void refuse(const std::string& source) const;
+
+ private:
+  std::vector<std::string> sentences_;
+  std::size_t count_ = 0;
+};
+
+/// Reads the keys of one JSON object; what is absent keeps its default, what is wrong is a fault.
+class ObjectReader {
+ public:
+  /// `where` is empty for the document itself, otherwise like "pattern".
+  ObjectReader(const Json& value, std::string where, InputFaults& faults);
+
+  /// The value of a key, null if it is absent; marks the key as known.
+  const Json* find(const std::string& key);
+  void require(const std::string& key, const std::string& suggestion);
+
+  void number(const std::string& key, double& into, double least, double most,
+              const std::string& suggestion);
+  void whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
+             const std::string& suggestion);
+  void flag(const std::string& key, bool& into);
+  void text(const std::string& key, std::string& into, const std::string& suggestion);
+
+  /// Reports every key that nobody asked for.
+  void refuse_unknown_keys();
+
+  /// "pattern.rows", and "pattern.rows = 2" with its value.
+  std::string name(const std::string& key) const;
+  std::string shown(const std::string& key) const;
+  InputFaults& faults() { return faults_; }
+
+ private:
+  const Json& value_;
+  std::string where_;
+  InputFaults& faults_;
+  std::vector<std::string> known_;
+};
+
+/// The JSON in a file; UserError (3) if it is missing, unreadable, of another kind, too large or
+/// not JSON, (1) if the disk fails.
+Json read_json_file(const std::string& path, FileKind kind = FileKind::any);
+
+/// The JSON in a text that came from `source`; UserError (3) if it is none.
+Json parse_json(const std::string& text, const std::string& source);
+
+/// The JSON in a text of a database, null if there is none: also where it is nested more deeply
+/// than any of ours, which would exhaust the stack of who copies or prints it.
+Json json_of(const Json& text);
+
+/// A number as people write it: 80, 0.4, 1e-09.
+std::string shown_number(double value);
+
+/// The same in a format of printf for one double.
+std::string shown_number(const char* format, double value);
+
+}  // namespace misalign::schema

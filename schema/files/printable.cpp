@@ -1,0 +1,132 @@
+#include "schema/files/printable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace misalign::schema {
+namespace {
+
+using Range = std::pair<char32_t, char32_t>;
+
+// What a terminal acts on, or what hides or turns round what is beside it: controls; Arabic letter
+// mark, marks and embeddings of direction; separators of lines; isolates and deprecated format
+// characters; byte order mark; annotation; tags.
+constexpr std::array<Range, 10> kEscaped = {{{0x00, 0x1f},
+                                             {0x7f, 0x9f},
+                                             {0x61c, 0x61c},
+                                             {0x180e, 0x180e},
+                                             {0x200e, 0x200f},
+                                             {0x2028, 0x202e},
+                                             {0x2060, 0x206f},
+                                             {0xfeff, 0xfeff},
+                                             {0xfff9, 0xfffb},
+                                             {0xe0000, 0xe0fff}}};
+
+bool is_escaped(char32_t c) {
+  return std::any_of(kEscaped.begin(), kEscaped.end(),
+                     [c](const Range& range) { return c >= range.first && c <= range.second; });
+}
+
+struct Character {
+  char32_t code;
+  std::size_t bytes;  // 0: no UTF-8 begins here
+};
+
+// The first character of a text that is not empty: shortest forms only, no halves of pairs.
+Character first_of(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  if (byte(0) < 0x80) return {byte(0), 1};
+  const std::size_t bytes = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+  if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < bytes) return {0, 0};
+  char32_t code = byte(0) & (0xffU >> (bytes + 1));
+  for (std::size_t k = 1; k < bytes; ++k) {
+    if ((byte(k) & 0xc0) != 0x80) return {0, 0};
+    code = (code << 6) | (byte(k) & 0x3fU);
+  }
+  constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_half = code >= 0xd800 && code <= 0xdfff;
+  if (code < kLeast[bytes] || code > 0x10ffff || is_half) return {0, 0};
+  return {code, bytes};
+}
+
+void append_escape(std::string& shown, char32_t code) {
+  char text[16];
+  const auto append = [&](std::uint32_t unit) {
+    std::snprintf(text, sizeof text, "\\u%04x", unit);
+    shown += text;
+  };
+  if (code < 0x10000) return append(code);
+  append(0xd800 + ((code - 0x10000) >> 10));  // as JSON writes it: a pair
+  append(0xdc00 + ((code - 0x10000) & 0x3ff));
+}
+
+// `keeps(c)` says of a character that would be escaped that it stays.
+template <class Keeps>
+std::string escaped(std::string_view text, Keeps keeps) {
+  std::string shown;
+  shown.reserve(text.size());
+  while (!text.empty()) {
+    const Character c = first_of(text);
+    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
+    if (c.bytes == 0) {
+      char hex[8];
+      std::snprintf(hex, sizeof hex, "\\x%02x", static_cast<unsigned char>(text[0]));
+      shown += hex;
+    } else if (is_escaped(c.code) && !keeps(c.code)) {
+      append_escape(shown, c.code);
+    } else {
+      shown.append(text.substr(0, bytes));
+    }
+    text.remove_prefix(bytes);
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  return escaped(text, [](char32_t) { return false; });
+}
+
+std::string printable_lines(std::string_view text) {
+  return escaped(text, [](char32_t c) { return c == '\n'; });
+}
+
+std::string printable_json(std::string_view json) { return printable_lines(json); }
+
+std::string printable_csv(std::string_view rows) {
+  std::string shown;
+  bool quoted = false;
+  while (!rows.empty()) {  // from quote to quote
+    const std::size_t quote = std::min(rows.find('"'), rows.size());
+    const std::string_view part = rows.substr(0, quote);
+    shown += quoted ? printable(part) : printable_lines(part);
+    if (quote < rows.size()) shown += '"';
+    quoted = !quoted;
+    rows.remove_prefix(std::min(quote + 1, rows.size()));
+  }
+  return shown;
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const auto continues = [&](std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;
+  };
+  std::size_t head = (most - 3) * 2 / 3, tail = text.size() - (most - 3 - head);
+  while (head > 0 && continues(head)) --head;
+  while (continues(tail)) ++tail;
+  return text.substr(0, head) + "..." + text.substr(tail);
+}
+
+std::string utf8(const std::string& text) {
+  using nlohmann::json;
+  const std::string replaced = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return json::parse(replaced).get<std::string>();
+}
+
+}  // namespace misalign::schema

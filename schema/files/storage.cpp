@@ -1,0 +1,122 @@
+#include "schema/files/storage.hpp"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace misalign::schema {
+namespace {
+
+struct KnownType {
+  std::uint64_t type;
+  const char* name;
+  Storage storage;
+};
+
+// From linux/magic.h and the file systems' own sources. FUSE may be anything, sshfs and Gluster
+// too.
+constexpr KnownType kKnownTypes[] = {
+    {0x6969, "nfs", Storage::network},        {0xFF534D42, "cifs", Storage::network},
+    {0xFE534D42, "smb2", Storage::network},   {0x517B, "smb", Storage::network},
+    {0x0BD00BD0, "lustre", Storage::network}, {0x47504653, "gpfs", Storage::network},
+    {0x19830326, "beegfs", Storage::network}, {0x00C36400, "ceph", Storage::network},
+    {0x5346414F, "afs", Storage::network},    {0x73757245, "coda", Storage::network},
+    {0x01021997, "9p", Storage::network},     {0x65735546, "fuse", Storage::network},
+    {0x7461636F, "ocfs2", Storage::network},  {0xAAD7AAEA, "panfs", Storage::network},
+    {0x01161970, "gfs2", Storage::network},   {0x20030528, "orangefs", Storage::network},
+    {0x786F4256, "vboxsf", Storage::network}, {0xEF53, "ext4", Storage::local},
+    {0x58465342, "xfs", Storage::local},      {0x9123683E, "btrfs", Storage::local},
+    {0x01021994, "tmpfs", Storage::local},    {0x794C7630, "overlay", Storage::local},
+    {0x2FC12FC1, "zfs", Storage::local},      {0xF2F52010, "f2fs", Storage::local}};
+
+}  // namespace
+
+FileSystem file_system_of_type(std::uint64_t type) {
+  for (const KnownType& known : kKnownTypes) {
+    if (known.type == type) return {known.name, known.storage, 0};
+  }
+  char name[20];
+  std::snprintf(name, sizeof name, "0x%llx", static_cast<unsigned long long>(type));
+  return {name, Storage::local, 0};
+}
+
+FileSystem file_system_of(const std::string& path) {
+  const std::filesystem::path directory = std::filesystem::absolute(path).parent_path();
+  struct statfs found {};
+  if (statfs(directory.c_str(), &found) != 0) return {"unknown", Storage::local, 0};
+  // Some of the magic numbers have their highest bit set, which f_type may carry into its sign.
+  FileSystem system = file_system_of_type(static_cast<std::uint32_t>(found.f_type));
+  system.free_bytes =
+      static_cast<std::uint64_t>(found.f_bavail) * static_cast<std::uint64_t>(found.f_bsize);
+  return system;
+}
+
+void sync_directory_of(const std::string& path) {
+  const auto directory = std::filesystem::absolute(path).parent_path();
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+UserError storage_failure(const std::string& path, const SQLite::Exception& error) {
+  static const std::string kKept = "; what was committed is good: ";
+  static const std::string kAgain = ", then the same command goes on from there";
+  // The number tells reading from writing, locking and so forth.
+  const std::string number = error.getErrorCode() == SQLITE_IOERR
+                                 ? ", " + std::to_string(error.getExtendedErrorCode())
+                                 : "";
+  const std::string what = " (" + printable(utf8(error.what())) + number + ")";
+  switch (error.getErrorCode()) {
+    case SQLITE_FULL:
+      return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kKept +
+                                "make room" + kAgain};
+    case SQLITE_IOERR:
+      if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) {
+        return {kExitFailure, path + ": no room for the index of its log" + what + kKept +
+                                  "make room on the disk" + kAgain};
+      }
+      return {kExitFailure, path + ": reading or writing failed" + what + kKept +
+                                "see to the disk and to limits of a file's size (ulimit -f)" +
+                                kAgain};
+    case SQLITE_NOMEM:
+      return {kExitFailure, path + ": there is too little memory" + what + kKept +
+                                "ask for less at once, or give it more"};
+    case SQLITE_READONLY:
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
+        return {kExitFailure, path +
+                                  ": a program that was killed has left a journal to roll back, "
+                                  "which a reader may not do" +
+                                  what + kKept + "the same search again does it"};
+      }
+      [[fallthrough]];
+    case SQLITE_PERM:
+      return {kExitFailure, path + ": cannot be written" + what + kKept +
+                                "make file and directory writable" + kAgain};
+    case SQLITE_CANTOPEN:
+      return {kExitFailure, path + ": it, or a journal beside it, cannot be opened" + what + kKept +
+                                "see to the directory and its permissions" + kAgain};
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {kExitInUse,
+              path + ": another program keeps it locked" + what + "; wait for that one to end"};
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return {kExitBadInput, path + ": is damaged" + what +
+                                 "; put a backup in its place, or save with the sqlite3 shell's "
+                                 ".recover what can be saved"};
+    case SQLITE_ERROR:  // our statements are right for a catalogue that is
+      return {kExitBadInput, path + ": does not hold what a catalogue must" + what +
+                                 "; put a backup in its place"};
+    default:
+      return {kExitFailure, path + ": the database failed" + what + kKept +
+                                "if it happens again, " +
+                                "`misalign verify` says what the file holds"};
+  }
+}
+
+}  // namespace misalign::schema

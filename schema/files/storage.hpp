@@ -1,0 +1,48 @@
+// Where a catalogue lies, and sentences for what can happen to it there.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <string>
+
+#include "schema/files/input.hpp"
+
+namespace misalign::schema {
+
+enum class Storage {
+  local,   ///< one machine's own: a write-ahead log, readers never wait
+  network  ///< shared by machines: WAL corrupts there, so a rollback journal, and no reader
+           ///< meanwhile
+};
+
+struct FileSystem {
+  std::string name;  ///< "nfs"; "fuse"; "0x1234" if it is none of those known
+  Storage storage;
+  std::uint64_t free_bytes;
+};
+
+/// Of the directory that holds `path`, by statfs. What is not known to be shared is local.
+FileSystem file_system_of(const std::string& path);
+
+/// What statfs's f_type stands for.
+FileSystem file_system_of_type(std::uint64_t type);
+
+/// Makes the name of a new file outlast a power cut.
+void sync_directory_of(const std::string& path);
+
+/// What SQLite says of a file, as a sentence that says what was kept and what to do: 1 in most
+/// cases, 3 for a damaged file (also one in which a table or column is missing), 4 for one that
+/// another program keeps locked.
+UserError storage_failure(const std::string& path, const SQLite::Exception& error);
+
+/// Calls `work`; what SQLite throws becomes a UserError about `path`.
+template <class Work>
+auto guarded(const std::string& path, const Work& work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw storage_failure(path, error);
+  }
+}
+
+}  // namespace misalign::schema

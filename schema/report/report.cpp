@@ -1,0 +1,180 @@
+#include "schema/report/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/files/base64.hpp"
+#include "schema/files/carried_files.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/unit_writer.hpp"
+#include "solver/pattern/outline.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Index;
+
+constexpr const char* kPage = "report_page.html";
+constexpr const char* kPlaceOfData = "@REPORT_DATA@";
+
+std::string floats(const std::vector<double>& numbers) {
+  return base64(std::vector<float>(numbers.begin(), numbers.end()));
+}
+
+std::vector<double> lengths_row_by_row(const solver::FoldingHistory& history) {
+  std::vector<double> lengths_mm = history.flat_mm;
+  for (Index row = 0; row < history.length_mm.rows(); ++row) {
+    for (Index d = 0; d < history.length_mm.cols(); ++d) {
+      lengths_mm.push_back(history.length_mm(row, d));
+    }
+  }
+  return lengths_mm;
+}
+
+Json shapes_json(const Eigen::Matrix2Xd& flat_mm, const solver::ShapedPath& path) {
+  constexpr double kLeastUnit_mm = 0.01, kMostUnits = 32000;
+  Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
+  centre_mm.head<2>() = (flat_mm.rowwise().minCoeff() + flat_mm.rowwise().maxCoeff()) / 2;
+  double farthest_mm = (flat_mm.colwise() - centre_mm.head<2>()).cwiseAbs().maxCoeff();
+  for (const auto& shape_mm : path.shapes_mm) {
+    farthest_mm = std::max(farthest_mm, (shape_mm.colwise() - centre_mm).cwiseAbs().maxCoeff());
+  }
+  const double unit_mm = std::max(kLeastUnit_mm, farthest_mm / kMostUnits);
+  std::vector<std::int16_t> units;
+  const auto append = [&](double x, double y, double z) {
+    for (const double mm : {x - centre_mm.x(), y - centre_mm.y(), z}) {
+      units.push_back(static_cast<std::int16_t>(std::lround(mm / unit_mm)));
+    }
+  };
+  for (Index v = 0; v < flat_mm.cols(); ++v) append(flat_mm(0, v), flat_mm(1, v), 0);
+  for (const auto& shape_mm : path.shapes_mm) {
+    for (Index v = 0; v < shape_mm.cols(); ++v) {
+      append(shape_mm(0, v), shape_mm(1, v), shape_mm(2, v));
+    }
+  }
+  return {{"unit_mm", unit_mm}, {"data", base64(units)}};
+}
+
+}  // namespace
+
+Json candidates_json(SQLite::Database& database, std::uint64_t most) {
+  const Json rows = Json::parse(query_table(
+      database, "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most),
+      TableStyle::json));
+  const Json total = Json::parse(
+      query_table(database, "SELECT count(*) AS total FROM candidate", TableStyle::json));
+  Json columns = Json::object();
+  for (const Json& row : rows) {
+    if (const Json draw = row.value("draw", Json()); !draw.is_number_unsigned()) {
+      throw damaged(database, "a candidate's draw is " + draw.dump());
+    }
+    for (const auto& [column, value] : row.items()) {
+      columns[column].push_back(column == "draw" ? Json(value.dump()) : value);
+    }
+  }
+  return {{"total", total[0]["total"]}, {"shown", rows.size()}, {"columns", columns}};
+}
+
+Json report_yields_json(SQLite::Database& database, std::uint64_t most,
+                        const std::vector<std::uint64_t>& draws) {
+  std::string these;
+  for (const std::uint64_t draw : draws)
+    these += (these.empty() ? "" : ", ") + std::to_string(draw);
+  Json rows = Json::parse(query_table(
+      database,
+      "SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
+      "FROM yields WHERE draw IN (SELECT draw FROM candidates " +
+          best_order() + " LIMIT " + std::to_string(most) + ") OR draw IN (" + these +
+          ") ORDER BY draw, amplitude_mm",
+      TableStyle::json));
+  for (Json& row : rows) row["draw"] = row["draw"].dump();
+  return rows;
+}
+
+Json faults_json(SQLite::Database& database, const Campaign& campaign) {
+  Json rows = Json::parse(
+      query_table(database,
+                  "SELECT first_fault, fault_deg, \"where\", deploys_from_sample >= " +
+                      std::to_string(campaign.threshold_sample()) +
+                      " AND first_fault != 'undecided' AS accepted, count(*) AS sampled, "
+                      "total(stands_for) AS weight, total(1.0 * stands_for * stands_for) AS "
+                      "weight_sq FROM fault_sample GROUP BY 1, 2, 3, 4 ORDER BY 1, 2, 3, 4",
+                  TableStyle::json));
+  for (Json& row : rows) row["accepted"] = row["accepted"] != 0;
+  const Json most = Json::parse(query_table(
+      database, "SELECT max(stands_for) AS weight FROM fault_sample", TableStyle::json));
+  return {{"every", kFaultSampleEvery},
+          {"every_at_most", rows.empty() ? Json(kFaultSampleEvery) : most[0]["weight"]},
+          {"rows", rows}};
+}
+
+Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism) {
+  const solver::CreasePattern& sheet = base.base.sheet;
+  Json vertices = Json::array(), panels = Json::array(), holes = Json::array(),
+       creases = Json::array(), cuts = Json::array(), balls = Json::array();
+  for (Index v = 0; v < sheet.vertices_mm.cols(); ++v) {
+    vertices.push_back({sheet.vertices_mm(0, v), sheet.vertices_mm(1, v)});
+  }
+  for (const int f : solver::kept_facets(sheet, base.base.holes)) {
+    panels.push_back(sheet.facets[f]);
+  }
+  for (const int f : base.base.holes) {
+    holes.push_back({{"place", sheet.places[f]}, {"corners", sheet.facets[f]}});
+  }
+  for (const solver::Crease& crease : mechanism.creases) {
+    creases.push_back({{"a", crease.a},
+                       {"b", crease.b},
+                       {"assignment", mechanism.is_valley(crease) ? "valley" : "mountain"}});
+  }
+  for (const auto& outline : solver::outlines(sheet, base.base.holes)) {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      cuts.push_back({outline[k], outline[(k + 1) % outline.size()]});
+    }
+  }
+  for (const solver::BallJoint& ball : mechanism.balls) balls.push_back(ball.vertex);
+  const solver::Crease& pilot = mechanism.creases[mechanism.pilot];
+  return {{"vertices_mm", vertices},    {"panels", panels}, {"holes", holes},
+          {"creases", creases},         {"cuts", cuts},     {"ball_joints", balls},
+          {"pilot", {pilot.a, pilot.b}}};
+}
+
+Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
+                 const solver::ShapedPath& path, const solver::Actuation& actuation,
+                 const std::optional<solver::Metrics>& metrics) {
+  const Eigen::Matrix2Xd vertices_mm = view.base.base.sheet.vertices_mm + view.shifts_mm;
+  Json json = {{"draw", std::to_string(draw)},
+               {"accepted", accepted},
+               {"verdict", verdict_json(view)},
+               {"fold_limit_deg", path.history.path.fold_limit_deg},
+               {"metrics", metrics ? metrics_json(*metrics) : Json()},
+               {"displacements_mm", displacements_json(view.shifts_mm)},
+               {"pilot_deg", actuation.pilot_deg},
+               {"length_mm", floats(lengths_row_by_row(path.history))},
+               {"vertices_mm", shapes_json(vertices_mm, path)},
+               {"energy_n_mm", floats(actuation.energy_n_mm)},
+               {"moment_n_mm", floats(actuation.moment_n_mm)},
+               {"mechanical_advantage", floats(actuation.mechanical_advantage)}};
+  json.update(limits_json(actuation));
+  return json;
+}
+
+std::string report_page(const Json& data) {
+  const auto& files = carried_files();
+  const auto page = std::find_if(files.begin(), files.end(),
+                                 [](const CarriedFile& file) { return file.path == kPage; });
+  if (page == files.end()) {
+    throw UserError(
+        kExitFailure,
+        "this program was built without the report's page (MISALIGN_REPORT=OFF); build it "
+        "with Node.js and npm");
+  }
+  std::string json;
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    c == '<' ? json += "\\u003c" : json += c;  // else "</script>" in a text would end the data
+  }
+  std::string text = page->text;
+  return text.replace(text.find(kPlaceOfData), std::string(kPlaceOfData).size(), json);
+}
+
+}  // namespace misalign::schema

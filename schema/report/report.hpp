@@ -1,0 +1,38 @@
+// The report: one HTML page, whose text and programs are made by the build (schema/report/), and
+// the data that goes into it.
+#pragma once
+
+#include "schema/exchange/actuation_json.hpp"
+#include "schema/catalogue/database.hpp"
+
+namespace misalign::schema {
+
+/// Draws as texts (they may exceed 2^53), columns of the candidates view: the `most` first ones in
+/// the order of the query `best`, and how many there are.
+Json candidates_json(SQLite::Database& database, std::uint64_t most);
+
+/// What was found of miscut copies of those candidates, and of `draws`: {"draw", and what
+/// yield_json says}.
+Json report_yields_json(SQLite::Database& database, std::uint64_t most,
+                        const std::vector<std::uint64_t>& draws);
+
+/// The exact first faults of the sample, {"every", "every_at_most", "rows": [{"first_fault",
+/// "fault_deg", "where", "accepted", "sampled", "weight", "weight_sq"}]}: how many draws at least
+/// and at most a row of the sample stands for; of rows that are alike how many were sampled, and
+/// the sums of their weights and of the squares of these.
+Json faults_json(SQLite::Database& database, const Campaign& campaign);
+
+/// The unshifted sheet: vertices, panels, holes, creases, cuts, ball joints, pilot.
+Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism);
+
+/// A draw to look at, flat first: histories, shapes and springs in base64, so that dozens of them
+/// make no large page. Shapes are seen from the middle of the flat sheet, in whole numbers of
+/// hundredths of a mm (more on sheets that reach farther than 320 mm).
+Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
+                 const solver::ShapedPath& path, const solver::Actuation& actuation,
+                 const std::optional<solver::Metrics>& metrics);
+
+/// The page with this data. UserError (1) if the program was built without the page.
+std::string report_page(const Json& data);
+
+}  // namespace misalign::schema
