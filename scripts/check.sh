@@ -6,8 +6,8 @@ cd "$(dirname "$0")/.."
 mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
 clang-format --dry-run --Werror "${files[@]}"
 if git grep -nE 'std::(printf|puts|putchar|cout)\b|fwrite\(|fput[sc]\(.*stdout|^ *stdout\);|STDOUT_FILENO,' -- \
-  'search/*.cpp' 'schema/*.cpp' ':!search/terminal.cpp'; then
-  echo "text goes to standard output by put, put_json and put_csv (search/terminal.hpp)" >&2
+  'search/*.cpp' 'schema/*.cpp' ':!search/terminal/terminal.cpp'; then
+  echo "text goes to standard output by put, put_json and put_csv (search/terminal/terminal.hpp)" >&2
   exit 1
 fi
 if [ "${1:-}" = --tidy ]; then

@@ -1,5 +1,5 @@
-#include "search/cli.hpp"
-#include "search/process_start.hpp"
+#include "search/verbs/cli.hpp"
+#include "search/ranks/process_start.hpp"
 
 int main(int argc, char** argv) {
   misalign::search::prepare_process();

@@ -14,8 +14,8 @@
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/status.hpp"
-#include "search/stopwatch.hpp"
+#include "search/verbs/status.hpp"
+#include "search/draws/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 
 namespace misalign::bench {

@@ -2,8 +2,8 @@
 // lane: residual, Jacobian, factorisation, solves, one path. `misalign bench` has the lanes.
 #include <benchmark/benchmark.h>
 
-#include "search/draw.hpp"
-#include "search/trial.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/trial.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/continuation/tracker.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/survival.hpp"
-#include "search/trial.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::bench {
 namespace {

@@ -1,9 +1,9 @@
-#include "search/candidate_check.hpp"
+#include "search/checks/candidate_check.hpp"
 
 #include <gtest/gtest.h>
 
 #include "schema/exchange/folding_json.hpp"
-#include "search/trial.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,5 +1,5 @@
 // A spread of candidates against every other choice, and against near twins.
-#include "search/choice.hpp"
+#include "search/verbs/choice.hpp"
 
 #include <gtest/gtest.h>
 

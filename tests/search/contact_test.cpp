@@ -1,4 +1,4 @@
-#include "search/contact.hpp"
+#include "search/checks/contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "schema/campaign/campaign.hpp"
-#include "search/draw.hpp"
+#include "search/draws/draw.hpp"
 #include "solver/verdict/history.hpp"
 
 namespace misalign::search {

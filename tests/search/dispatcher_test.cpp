@@ -1,4 +1,4 @@
-#include "search/dispatcher.hpp"
+#include "search/ranks/dispatcher.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "search/draw.hpp"
+#include "search/draws/draw.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "search/failure.hpp"
+#include "search/terminal/failure.hpp"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>

@@ -1,4 +1,4 @@
-#include "search/folding_text.hpp"
+#include "search/terminal/folding_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "schema/files/text_table.hpp"
-#include "search/trial.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 namespace {

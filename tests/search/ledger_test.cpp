@@ -1,4 +1,4 @@
-#include "search/ledger.hpp"
+#include "search/ranks/ledger.hpp"
 
 #include <gtest/gtest.h>
 

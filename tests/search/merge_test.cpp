@@ -1,5 +1,5 @@
 // Catalogues of one campaign, made in pieces that overlap: joined they are what one run makes.
-#include "search/merge.hpp"
+#include "search/checks/merge.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/trial.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/messages.hpp"
+#include "search/ranks/messages.hpp"
 
 #include <gtest/gtest.h>
 

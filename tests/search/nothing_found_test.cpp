@@ -1,11 +1,11 @@
-#include "search/nothing_found.hpp"
+#include "search/draws/nothing_found.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "search/duration.hpp"
-#include "search/trial.hpp"
+#include "search/terminal/duration.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 namespace {

@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/merge.hpp"
-#include "search/trial.hpp"
-#include "search/verify.hpp"
+#include "search/checks/merge.hpp"
+#include "search/draws/trial.hpp"
+#include "search/checks/verify.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/progress_text.hpp"
+#include "search/terminal/progress_text.hpp"
 
 #include <gtest/gtest.h>
 

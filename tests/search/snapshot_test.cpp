@@ -8,9 +8,9 @@
 #include <functional>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/merge.hpp"
-#include "search/trial.hpp"
-#include "search/verify.hpp"
+#include "search/checks/merge.hpp"
+#include "search/draws/trial.hpp"
+#include "search/checks/verify.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/status.hpp"
+#include "search/verbs/status.hpp"
 
 #include <gtest/gtest.h>
 

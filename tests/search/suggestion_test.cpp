@@ -1,4 +1,4 @@
-#include "search/suggestion.hpp"
+#include "search/terminal/suggestion.hpp"
 
 #include <gtest/gtest.h>
 

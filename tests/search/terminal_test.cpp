@@ -1,4 +1,4 @@
-#include "search/terminal.hpp"
+#include "search/terminal/terminal.hpp"
 
 #include <gtest/gtest.h>
 

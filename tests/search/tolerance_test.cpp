@@ -4,8 +4,8 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <set>
 
-#include "search/draw.hpp"
-#include "search/tolerance_text.hpp"
+#include "search/draws/draw.hpp"
+#include "search/terminal/tolerance_text.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

@@ -1,10 +1,10 @@
-#include "search/trial.hpp"
+#include "search/draws/trial.hpp"
 
 #include <gtest/gtest.h>
 
-#include "search/draw.hpp"
-#include "search/folded_sheet.hpp"
-#include "search/messages.hpp"
+#include "search/draws/draw.hpp"
+#include "search/checks/folded_sheet.hpp"
+#include "search/ranks/messages.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

@@ -1,5 +1,5 @@
 // What is altered in a catalogue with all its sums mended is found by computing it again.
-#include "search/verify.hpp"
+#include "search/checks/verify.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "search/trial.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 namespace {

@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "schema/exchange/folding_json.hpp"
-#include "search/draw.hpp"
-#include "search/tolerance.hpp"
-#include "search/trial.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/tolerance.hpp"
+#include "search/draws/trial.hpp"
 #include "solver/verdict/flat_gradient.hpp"
 #include "solver/linear/newton.hpp"
 

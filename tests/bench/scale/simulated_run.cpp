@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "schema/catalogue/unit_writer.hpp"
-#include "search/coordinator.hpp"
+#include "search/ranks/coordinator.hpp"
 
 namespace misalign::bench {
 namespace {

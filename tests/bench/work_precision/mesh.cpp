@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "search/draw.hpp"
+#include "search/draws/draw.hpp"
 #include "solver/pattern/miura.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "tests/bench/work_precision/clock.hpp"

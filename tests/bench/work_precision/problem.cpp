@@ -1,6 +1,6 @@
 #include "tests/bench/work_precision/problem.hpp"
 
-#include "search/draw.hpp"
+#include "search/draws/draw.hpp"
 #include "solver/continuation/path.hpp"
 
 namespace misalign::bench {

@@ -1,0 +1,115 @@
+#include "search/checks/candidate_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/exchange/folding_json.hpp"
+#include "search/draws/draw.hpp"
+#include "solver/verdict/miscut_margin.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+// The displacements of a row; nothing if they are no displacements of this sheet.
+std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
+  const Json json = schema::json_of(text);
+  if (!json.is_object()) return {};
+  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
+  for (const auto& [label, shift] : json.items()) {
+    const int vertex = schema::vertex_of_label(label, vertices);
+    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+        !shift[1].is_number()) {
+      return {};
+    }
+    shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
+  }
+  return shifts_mm;
+}
+
+}  // namespace
+
+CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
+    : campaign_(campaign),
+      sheets_(campaign.pattern, campaign.sampling(),
+              solver::margin_samples(campaign.sample_deg, campaign.threshold_sample())) {}
+
+solver::Verdict CandidateCheck::verdict(std::uint64_t draw) const {
+  const solver::FlatVertices vertices_mm =
+      campaign_.pattern.base.sheet.vertices_mm + shifts_of_draw(campaign_, draw);
+  return sheets_.follow(vertices_mm).history.verdict;
+}
+
+CandidateReport CandidateCheck::check(const Json& row, int metrics_version) const {
+  CandidateReport report;
+  const auto cell = [&](const char* column) {
+    return row.is_object() ? row.value(column, Json()) : Json();
+  };
+  if (!cell("draw").is_number_integer()) {
+    report.findings.push_back(
+        schema::differs("a candidate", "draw", cell("draw"), "the number that it was found by"));
+    return report;
+  }
+  const auto draw = row.at("draw").get<std::uint64_t>();
+  const std::string where = "draw " + std::to_string(draw);
+  const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
+    report.findings.push_back(schema::differs(where, column, stored, recomputed));
+  };
+  const solver::PerforatedSheet& base = campaign_.pattern.base;
+  const Eigen::Matrix2Xd drawn_mm = shifts_of_draw(campaign_, draw);
+  const auto shifts_mm = read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
+  if (!shifts_mm || *shifts_mm != drawn_mm) {
+    differs("displacements_mm", cell("displacements_mm"),
+            schema::displacements_json(drawn_mm).dump());
+  }
+  if (!shifts_mm) return report;
+  const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + *shifts_mm;
+  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) return report;
+
+  const FollowedSheet sheet = sheets_.follow(vertices_mm);
+  const solver::FoldingHistory& history = sheet.history;
+  if (history.verdict.deploys_from_sample == 0) {
+    differs("deploys_from_sample", cell("deploys_from_sample"), 0);
+    return report;
+  }
+  check_metrics(row, metrics_version,
+                solver::measure(base, vertices_mm, history, campaign_.sample_deg), report);
+  sheets_.check_shapes(where, sheet, history.verdict.deploys_from_sample, report);
+  return report;
+}
+
+void CandidateCheck::check_metrics(const Json& row, int metrics_version,
+                                   const solver::Metrics& metrics, CandidateReport& report) const {
+  const std::string where = "draw " + row.at("draw").dump();
+  const auto differs = [&](const std::string& column, const Json& stored, const Json& recomputed) {
+    report.findings.push_back(schema::differs(where, column, stored, recomputed));
+  };
+  const Json recomputed = schema::metrics_json(metrics);
+  for (const auto& [column, value] : recomputed.items()) {
+    const solver::MetricAge age = solver::metric_age(column);
+    const bool is_younger = metrics_version < age.first;  // then null, if the column is there
+    const Json stored = row.value(column, is_younger ? Json() : Json("no such column"));
+    const Json expected = is_younger ? Json() : value;
+    if (sheets_.tolerances().agree(column, stored, expected)) continue;
+    if (!is_younger && metrics_version < age.present) {
+      report.not_comparable.push_back(column);
+    } else {
+      differs(column, stored, expected);
+    }
+  }
+  const std::string elongation = Json(metrics.elongation).dump();
+  const Json stored_elongation = row.value("elongation", Json());
+  if (!sheets_.tolerances().agree("elongation", stored_elongation, elongation)) {
+    differs("elongation", stored_elongation, elongation);
+  }
+  for (const auto& [column, value] : row.items()) {
+    static const std::vector<std::string> kOthers = {"draw", "unit", "displacements_mm",
+                                                     "elongation"};
+    const bool known = recomputed.contains(column) ||
+                       std::find(kOthers.begin(), kOthers.end(), column) != kOthers.end();
+    if (!known) differs(column, value, "a column that this program does not know");
+  }
+}
+
+}  // namespace misalign::search

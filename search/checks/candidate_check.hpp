@@ -1,0 +1,39 @@
+// One stored candidate against what its own displacements give: the path again by another solver,
+// and the folded shapes by their coordinates.
+#pragma once
+
+#include "search/checks/sheet_check.hpp"
+#include "solver/verdict/metrics.hpp"
+
+namespace misalign::search {
+
+struct CandidateReport : SheetReport {
+  /// Columns that differ, but were measured by another definition.
+  std::vector<std::string> not_comparable;
+};
+
+class CandidateCheck {
+ public:
+  explicit CandidateCheck(const schema::Campaign& campaign);
+  CandidateCheck(const CandidateCheck&) = delete;
+  CandidateCheck& operator=(const CandidateCheck&) = delete;
+
+  /// `row` is the candidate's row, see read_candidate, measured by this version of the metrics;
+  /// what it lacks is a finding, and what has another meaning now is compared in vain at most.
+  CandidateReport check(const schema::Json& row,
+                        int metrics_version = solver::kMetricsVersion) const;
+
+  /// The verdict on a draw, by the same solver.
+  solver::Verdict verdict(std::uint64_t draw) const;
+  const schema::Campaign& campaign() const { return campaign_; }
+  const solver::Mechanism& mechanism() const { return sheets_.mechanism(); }
+
+ private:
+  void check_metrics(const schema::Json& row, int metrics_version, const solver::Metrics& metrics,
+                     CandidateReport& report) const;
+
+  const schema::Campaign& campaign_;
+  const SheetCheck sheets_;
+};
+
+}  // namespace misalign::search

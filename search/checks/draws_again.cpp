@@ -1,0 +1,136 @@
+#include "search/checks/draws_again.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "schema/exchange/folding_json.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+constexpr const char* kUndecided = "undecided";
+
+StoredVerdict as_stored(std::uint64_t draw, const solver::Verdict& verdict,
+                        const schema::Campaign& campaign, const solver::Mechanism& mechanism) {
+  const int sample = verdict.fault_sample();
+  return {draw, verdict.deploys_from_sample, solver::fault_name(verdict.first_fault),
+          sample > 0 ? std::optional(sample * campaign.sample_deg) : std::nullopt,
+          schema::where_label(mechanism, verdict)};
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+void compare(const StoredVerdict& stored, const StoredVerdict& again,
+             std::vector<schema::Finding>& findings) {
+  if (stored.first_fault == kUndecided || again.first_fault == kUndecided) return;
+  const auto compare = [&](const char* column, const Json& a, const Json& b) {
+    if (a == b) return;
+    findings.push_back(schema::differs("draw " + std::to_string(stored.draw),
+                                       "fault_sample." + std::string(column), a, b));
+  };
+  compare("deploys_from_sample", stored.deploys_from_sample, again.deploys_from_sample);
+  compare("first_fault", stored.first_fault, again.first_fault);
+  compare("fault_deg", or_null(stored.fault_deg), or_null(again.fault_deg));
+  compare("where", stored.where, again.where);
+}
+
+// Draws and where they deploy from; 0: not decided.
+using Accepted = std::map<std::uint64_t, std::int64_t>;
+
+Accepted stored_accepted(SQLite::Database& database, const schema::DrawRange& unit) {
+  return schema::reading(database, [&] {
+    Accepted accepted;
+    SQLite::Statement row(database,
+                          "SELECT draw, deploys_from_sample FROM candidate WHERE draw >= ?1 AND "
+                          "draw < ?2 UNION ALL SELECT draw, 0 FROM undecided WHERE draw >= ?1 AND "
+                          "draw < ?2");
+    row.bind(1, schema::stored(unit.lo));
+    row.bind(2, schema::stored(unit.hi));
+    while (row.executeStep()) {
+      accepted[schema::draw_of(row.getColumn(0))] = row.getColumn(1).getInt64();
+    }
+    return accepted;
+  });
+}
+
+// Returns how many were not compared, for being decided in one of the two only.
+std::uint64_t compare(const Accepted& stored, const Accepted& again,
+                      std::vector<schema::Finding>& findings) {
+  std::uint64_t in_one_only = 0;
+  Accepted all = stored;
+  all.insert(again.begin(), again.end());
+  for (const auto& [draw, ignored] : all) {
+    const auto a = stored.find(draw), b = again.find(draw);
+    const bool was_open = a != stored.end() && a->second == 0;
+    const bool is_open = b != again.end() && b->second == 0;
+    if (was_open || is_open) {
+      in_one_only += was_open != is_open;
+      continue;
+    }
+    const std::string where = "draw " + std::to_string(draw);
+    const auto verdict = [](bool is_accepted) { return is_accepted ? "accepted" : "rejected"; };
+    if (a == stored.end() || b == again.end()) {
+      findings.push_back(
+          schema::differs(where, "verdict", verdict(a != stored.end()), verdict(b != again.end())));
+    } else if (a->second != b->second) {
+      findings.push_back(schema::differs(where, "deploys_from_sample", a->second, b->second));
+    }
+  }
+  return in_one_only;
+}
+
+}  // namespace
+
+std::vector<StoredVerdict> stored_verdicts(SQLite::Database& database,
+                                           const schema::DrawRange& range) {
+  return schema::reading(database, [&] {
+    std::vector<StoredVerdict> rows;
+    SQLite::Statement row(
+        database,
+        "SELECT draw, deploys_from_sample, first_fault, fault_deg, \"where\" FROM "
+        "fault_sample WHERE draw >= ? AND draw < ? ORDER BY draw");
+    row.bind(1, schema::stored(range.lo));
+    row.bind(2, schema::stored(range.hi));
+    while (row.executeStep()) {
+      const SQLite::Column fault = row.getColumn(3);
+      rows.push_back({schema::draw_of(row.getColumn(0)), row.getColumn(1).getInt64(),
+                      schema::text_of(row.getColumn(2)),
+                      fault.isNull() ? std::nullopt : std::optional(fault.getDouble()),
+                      schema::text_of(row.getColumn(4))});
+    }
+    return rows;
+  });
+}
+
+void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
+                     std::vector<schema::Finding>& findings) {
+  compare(stored,
+          as_stored(stored.draw, check.verdict(stored.draw), check.campaign(), check.mechanism()),
+          findings);
+}
+
+std::uint64_t make_unit_again(SQLite::Database& database, Trial& trial,
+                              const schema::DrawRange& unit,
+                              std::vector<schema::Finding>& findings) {
+  const Accepted stored = stored_accepted(database, unit);
+  const std::vector<StoredVerdict> verdicts = stored_verdicts(database, unit);
+  const schema::UnitRecord record = work_off(trial, unit);
+  Accepted again;
+  for (const schema::Candidate& c : record.candidates) {
+    again[c.draw] = c.metrics.deploys_from_sample;
+  }
+  for (const schema::DrawVerdict& d : record.undecided) again[d.draw] = 0;
+  const std::uint64_t in_one_only = compare(stored, again, findings);
+  for (const schema::DrawVerdict& sampled : record.fault_sample) {
+    const auto row = std::find_if(verdicts.begin(), verdicts.end(),
+                                  [&](const StoredVerdict& v) { return v.draw == sampled.draw; });
+    if (row == verdicts.end()) continue;  // whether it must be there is the ledger's to know
+    compare(*row, as_stored(sampled.draw, sampled.verdict, trial.campaign(), trial.mechanism()),
+            findings);
+  }
+  return in_one_only;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,35 @@
+// Stored verdicts against the same draws judged again.
+#pragma once
+
+#include "search/checks/candidate_check.hpp"
+#include "search/draws/trial.hpp"
+
+namespace misalign::search {
+
+/// A row of fault_sample.
+struct StoredVerdict {
+  std::uint64_t draw;
+  std::int64_t deploys_from_sample;
+  std::string first_fault;
+  std::optional<double> fault_deg;
+  std::string where;
+};
+
+/// Rows of fault_sample in this range, ascending. UserError (3).
+std::vector<StoredVerdict> stored_verdicts(SQLite::Database& database,
+                                           const schema::DrawRange& range);
+
+/// Compares one with the verdict of another solver than the one that judged it; what either could
+/// not decide is no finding.
+void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
+                     std::vector<schema::Finding>& findings);
+
+/// Makes every draw of a unit again, as the search does, and compares which are accepted, from
+/// where they deploy, and their fault samples: it finds a candidate that was removed, or invented,
+/// together with all sums. Returns how many draws are undecided in the catalogue or here, and
+/// decided in the other: another build may know, so that is no finding. UserError (3).
+std::uint64_t make_unit_again(SQLite::Database& database, Trial& trial,
+                              const schema::DrawRange& unit,
+                              std::vector<schema::Finding>& findings);
+
+}  // namespace misalign::search

@@ -1,0 +1,80 @@
+#include "search/checks/folded_sheet.hpp"
+
+#include "solver/pattern/half_angle.hpp"
+#include "solver/verdict/miscut_margin.hpp"
+
+namespace misalign::search {
+
+solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const {
+  if (stiffness_n_per_mm) actuators.stiffness_n_per_mm = *stiffness_n_per_mm;
+  if (stroke_limit) actuators.stroke_limit = stroke_limit;
+  return actuators;
+}
+
+SheetFolder::SheetFolder(const schema::Pattern& base, const schema::Sampling& sampling,
+                         const solver::Actuators& actuators, double look_deg)
+    : base_(base),
+      sampling_(sampling),
+      actuators_(actuators),
+      mechanism_(solver::build_mechanism(base.base.sheet, base.base.holes, base.base.folding)),
+      elimination_(
+          solver::plan_elimination(mechanism_, base.base.folding, base.base.sheet.vertices_mm)),
+      plan_(solver::plan_path(mechanism_, base.base.folding, base.base.sheet.vertices_mm,
+                              {sampling.sample_deg, sampling.end_deg, look_deg})),
+      panels_(solver::panels_of(base.base, mechanism_)) {}
+
+SheetFolder::SheetFolder(const schema::Campaign& campaign, double look_deg)
+    : SheetFolder(campaign.pattern, campaign.sampling(), campaign.actuators, look_deg) {
+  margin_samples_ = solver::margin_samples(campaign.sample_deg, campaign.threshold_sample());
+}
+
+FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
+  FoldedSheet folded;
+  folded.shifts_mm = shifts_mm;
+  folded.vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
+  folded.path =
+      solver::record_shapes(base_.base, mechanism_, elimination_, plan_, folded.vertices_mm,
+                            sampling_.between_samples, margin_samples_);
+  folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
+  if (folded.path.history.verdict.deploys_from_sample > 0) {
+    folded.metrics =
+        solver::measure(base_.base, folded.vertices_mm, folded.path.history, sampling_.sample_deg);
+  }
+  return folded;
+}
+
+schema::FoldingView SheetFolder::view(const FoldedSheet& folded) const {
+  return {base_, folded.shifts_mm, mechanism_, folded.path.history, sampling_.sample_deg};
+}
+
+void SheetFolder::check_shapes(const FoldedSheet& folded, const std::vector<Eigen::Index>& rows,
+                               const std::string& name) const {
+  solver::ShapeCheck check(folded.vertices_mm, panels_.corners, panels_.folds);
+  std::vector<double> claimed_deg(panels_.folds.size());
+  for (const Eigen::Index row : rows) {
+    const Eigen::Matrix3Xd& shape_mm = folded.path.shapes_mm[static_cast<std::size_t>(row)];
+    Eigen::Matrix3Xd corners_mm(3, 4 * panels_.corners.size());
+    Eigen::Index corner = 0;
+    for (const auto& panel : panels_.corners) {
+      for (const int v : panel) corners_mm.col(corner++) = shape_mm.col(v);
+    }
+    for (std::size_t i = 0; i < claimed_deg.size(); ++i) {
+      claimed_deg[i] = folded.path.history.fold_angle_deg(row, static_cast<Eigen::Index>(i));
+    }
+    check.see(shape_mm, corners_mm, claimed_deg);
+  }
+  const solver::ShapeErrors& worst = check.worst();
+  const double limit_rad = solver::shape_tolerance(panels_);
+  const double limit_mm = limit_rad * mechanism_.panel_width_mm;
+  if (worst.length_mm <= limit_mm && worst.planarity_mm <= limit_mm &&
+      worst.angle_deg <= limit_rad / solver::kRadPerDeg && worst.wrong_sign < 0) {
+    return;
+  }
+  throw schema::UserError(
+      schema::kExitCheckFailed,
+      name + ": its folded shape is not that of rigid panels (" +
+          schema::shown_number(worst.length_mm) + " mm, " + schema::shown_number(worst.angle_deg) +
+          " deg off), so nothing is written of it; `misalign verify` says more");
+}
+
+}  // namespace misalign::search

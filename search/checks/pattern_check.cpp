@@ -1,0 +1,138 @@
+#include "search/checks/pattern_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/exchange/folding_json.hpp"
+#include "search/checks/chosen_sheet.hpp"
+#include "solver/verdict/metrics.hpp"
+#include "solver/design/shaped_path.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+using schema::shown_number;
+
+// What two foldings of one sheet, or a file, say of it: {"verdict", "metrics", "elongation"}.
+Json said_of(const ChosenSheet& sheet, const SheetCheck& check,
+             const solver::FlatVertices& vertices_mm, const solver::FoldingHistory& history) {
+  const schema::FoldingView view{sheet.base, sheet.shifts_mm, check.mechanism(), history,
+                                 sheet.sampling.sample_deg};
+  Json said = {{"verdict", schema::verdict_json(view)}, {"metrics", nullptr}};
+  if (history.verdict.deploys_from_sample > 0) {
+    const auto metrics =
+        solver::measure(sheet.base.base, vertices_mm, history, sheet.sampling.sample_deg);
+    said["metrics"] = schema::metrics_json(metrics);
+    said["metrics"]["elongation"] = Json(metrics.elongation).dump();
+  }
+  return said;
+}
+
+// The same of an exported candidate, as far as its file says it.
+Json said_by(const Json& exported) {
+  Json said = Json::object();
+  for (const char* part : {"verdict", "metrics"}) {
+    if (exported.contains(part)) said[part] = exported[part];
+  }
+  const Json diagonals = exported.value("diagonals", Json());
+  if (!said.contains("metrics") || !said["metrics"].is_object() || !diagonals.is_array()) {
+    return said;
+  }
+  Json elongation = Json::array();
+  for (const Json& diagonal : diagonals) {
+    if (!diagonal.is_object() || !diagonal.contains("elongation")) return said;
+    elongation.push_back(diagonal["elongation"]);
+  }
+  said["metrics"]["elongation"] = elongation.dump();
+  return said;
+}
+
+// What `said` differs in from what was computed, value by value; what it leaves out is not missed.
+void compare(const std::string& where, const Json& said, const Json& computed,
+             const ColumnTolerances& tolerances, std::vector<schema::Finding>& findings) {
+  for (const auto& [part, theirs] : said.items()) {
+    const Json& ours = computed.at(part);
+    if (!theirs.is_object() || !ours.is_object()) {
+      if (theirs != ours) findings.push_back(schema::differs(where, part, theirs, ours));
+      continue;
+    }
+    for (const auto& [key, value] : ours.items()) {
+      // A pattern has no threshold, up to which a campaign's candidates have their margin.
+      if (!theirs.contains(key) || key == "miscut_margin_mm") continue;
+      const Json& stored = theirs.at(key);
+      if (!tolerances.agree(key, stored, value)) {
+        findings.push_back(schema::differs(where, part + "." + key, stored, value));
+      }
+    }
+  }
+}
+
+double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  const Eigen::Index rows = std::min(a.rows(), b.rows());
+  return rows == 0 ? 0 : (a.topRows(rows) - b.topRows(rows)).cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+PatternVerification verify_pattern(const std::string& path) {
+  const ChosenSheet sheet = sheet_of_pattern_file(path);
+  const SheetCheck check(sheet.base, sheet.sampling);
+  const FollowedSheet sparse = check.follow(sheet.base.base.sheet.vertices_mm + sheet.shifts_mm);
+  const solver::FoldingHistory dense = check.follow_densely(sparse.vertices_mm);
+  const Json computed = said_of(sheet, check, sparse.vertices_mm, sparse.history);
+  PatternVerification verification;
+  verification.pattern = sheet.pattern;
+  verification.verdict = computed["verdict"];
+  verification.apart_mm = largest_difference(sparse.history.length_mm, dense.length_mm);
+  SheetReport& report = verification.report;
+  compare("dense matrices", said_of(sheet, check, sparse.vertices_mm, dense), computed,
+          check.tolerances(), report.findings);
+  if (!sheet.exported.is_null()) {
+    const Json claims = said_by(sheet.exported);
+    verification.has_claims = !claims.empty();
+    compare("the file", claims, computed, check.tolerances(), report.findings);
+  }
+  const Eigen::Index up_to_d = sparse.history.verdict.deploys_from_sample;
+  verification.shapes =
+      up_to_d > 0 ? up_to_d : solver::rows_folded_well(check.mechanism(), sparse.history);
+  verification.shapes =
+      std::min(verification.shapes, static_cast<Eigen::Index>(sparse.states.size()));
+  check.check_shapes(sheet.pattern, sparse, verification.shapes, report);
+  return verification;
+}
+
+std::string pattern_verification_text(const PatternVerification& v) {
+  const SheetReport& report = v.report;
+  std::string text = findings_text(report.findings);
+  text += "pattern      " + v.pattern + ", deploys from " +
+          shown_number(v.verdict["deploys_from_deg"].get<double>()) +
+          " deg; first fault: " + v.verdict["first_fault"].get<std::string>() + "\n";
+  text += "followed     by sparse and by dense matrices: lengths " +
+          shown_number("%.1e", v.apart_mm) + " mm apart\n";
+  if (v.has_claims) text += "compared     with what the file says of itself\n";
+  text += "worst        " + worst_text(report.shape, report.diagonal_mm) + ", in " +
+          std::to_string(v.shapes) + " folded shapes\n";
+  text += report.first_contact_deg
+              ? "contacts     panels cross first at " + shown_number(*report.first_contact_deg) +
+                    " deg (" + report.contact + ")\n"
+              : "contacts     none: no two panels without a common vertex cross\n";
+  return text + "findings     " + (v.good() ? "none" : std::to_string(report.findings.size())) +
+         "\n";
+}
+
+Json pattern_verification_json(const PatternVerification& v) {
+  const bool crosses = v.report.first_contact_deg.has_value();
+  return {{"pattern", v.pattern},
+          {"verdict", v.verdict},
+          {"good", v.good()},
+          {"findings", findings_json(v.report.findings)},
+          {"compared_with_file", v.has_claims},
+          {"solvers_apart_mm", v.apart_mm},
+          {"shapes", v.shapes},
+          {"first_contact_deg", crosses ? Json(*v.report.first_contact_deg) : Json()},
+          {"panels", crosses ? Json(v.report.contact) : Json()},
+          {"worst", worst_json(v.report.shape, v.report.diagonal_mm)}};
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,148 @@
+#include "search/checks/sheet_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/pattern/half_angle.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Finding;
+using schema::Json;
+
+Finding exceeds(const std::string& where, const std::string& what, double value, double limit) {
+  return {where + ": " + what + " is " + Json(value).dump() +
+              " on the folded shape, must be below " + Json(limit).dump(),
+          {{"where", where}, {"column", what}, {"stored", nullptr}, {"recomputed", value}}};
+}
+
+}  // namespace
+
+SheetCheck::SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling,
+                       std::vector<int> margin_samples)
+    : base_(base),
+      sampling_(sampling),
+      margin_samples_(std::move(margin_samples)),
+      mechanism_(solver::build_mechanism(base.base.sheet, base.base.holes, base.base.folding)),
+      elimination_(
+          solver::plan_elimination(mechanism_, base.base.folding, base.base.sheet.vertices_mm)),
+      plan_(solver::plan_path(mechanism_, base.base.folding, base.base.sheet.vertices_mm,
+                              {sampling.sample_deg, sampling.end_deg})),
+      tolerances_{mechanism_.panel_width_mm, sampling.sample_deg},
+      shape_(base.base.sheet, base.base.holes, mechanism_),
+      panels_(solver::panels_of(base.base, mechanism_)) {}
+
+FollowedSheet SheetCheck::follow(const solver::FlatVertices& vertices_mm) const {
+  FollowedSheet sheet{vertices_mm, {}, {}};
+  sheet.history = solver::record_history(
+      base_.base, mechanism_, elimination_, plan_, vertices_mm,
+      {sampling_.between_samples,
+       [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
+         if (stop.sample == 0) return;
+         sheet.states.resize(stop.sample);
+         sheet.states.back() = state;
+       },
+       margin_samples_});
+  return sheet;
+}
+
+solver::FoldingHistory SheetCheck::follow_densely(const solver::FlatVertices& vertices_mm) const {
+  return solver::record_densely(mechanism_, shape_, plan_, vertices_mm,
+                                {sampling_.between_samples, {}, margin_samples_});
+}
+
+void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& sheet,
+                              Eigen::Index samples, SheetReport& report) const {
+  const auto& [vertices_mm, history, states] = sheet;
+  solver::ShapeCheck shape_check(vertices_mm, panels_.corners, panels_.folds);
+  ContactCheck contact_check(vertices_mm, panels_.corners);
+  solver::SheetGeometry<double> geometry;
+  place(mechanism_, vertices_mm, geometry);
+  std::vector<double> claimed_deg(panels_.folds.size());
+  for (Eigen::Index k = 0; k < samples; ++k) {
+    const solver::FoldState<double>& state = states[static_cast<std::size_t>(k)];
+    const Eigen::Matrix3Xd folded_mm = shape_.vertices_mm(geometry, state);
+    const Eigen::Matrix3Xd corners_mm = shape_.corners_mm(geometry, state);
+    for (std::size_t i = 0; i < panels_.folds.size(); ++i) {
+      claimed_deg[i] = history.fold_angle_deg(k, static_cast<Eigen::Index>(i));
+    }
+    shape_check.see(folded_mm, corners_mm, claimed_deg);
+    for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
+      const solver::Diagonal& diagonal = mechanism_.diagonals[d];
+      const double length_mm = (folded_mm.col(diagonal.from) - folded_mm.col(diagonal.to)).norm();
+      report.diagonal_mm =
+          std::max(report.diagonal_mm, std::abs(length_mm - history.length_mm(k, d)));
+    }
+    if (report.first_contact_deg) continue;
+    if (const auto panels = contact_check.crossing(corners_mm)) {
+      const auto place_of = [&](int panel) {
+        return schema::facet_json(base_, panels_.facets[panel]).dump();
+      };
+      report.first_contact_deg = static_cast<double>(k + 1) * sampling_.sample_deg;
+      report.contact = place_of(panels->first) + " and " + place_of(panels->second);
+    }
+  }
+  report.shape = shape_check.worst();
+  add_shape_findings(where, report);
+}
+
+void SheetCheck::add_shape_findings(const std::string& where, SheetReport& report) const {
+  const double limit_rad = solver::shape_tolerance(panels_);
+  const double limit_mm = limit_rad * mechanism_.panel_width_mm;
+  const double limit_deg = limit_rad / solver::kRadPerDeg;
+  const solver::ShapeErrors& shape = report.shape;
+  const auto compare = [&](const char* what, double value, double limit) {
+    if (!(value <= limit)) report.findings.push_back(exceeds(where, what, value, limit));
+  };
+  compare("length_mm", shape.length_mm, limit_mm);
+  compare("planarity_mm", shape.planarity_mm, limit_mm);
+  compare("coincidence_mm", shape.coincidence_mm, limit_mm);
+  compare("diagonal_mm", report.diagonal_mm, limit_mm);
+  compare("angle_deg", shape.angle_deg, limit_deg);
+  compare("beyond_deg", shape.beyond_deg, solver::kOverFoldBand_deg);
+  if (shape.wrong_sign >= 0) {
+    const solver::FoldLine& fold = panels_.folds[static_cast<std::size_t>(shape.wrong_sign)];
+    report.findings.push_back(schema::differs(where, "fold " + solver::line_label(fold.a, fold.b),
+                                              fold.sign > 0 ? "valley" : "mountain", "the other"));
+  }
+}
+
+std::string findings_text(const std::vector<schema::Finding>& findings) {
+  std::string text;
+  const std::size_t shown = std::min(findings.size(), schema::kMostListed);
+  for (std::size_t k = 0; k < shown; ++k) {
+    text += schema::printable(findings[k].sentence) + "\n";
+  }
+  if (findings.size() > shown) {
+    text += "and " + std::to_string(findings.size() - shown) + " more; --json has them all\n";
+  }
+  return text;
+}
+
+schema::Json findings_json(const std::vector<schema::Finding>& findings) {
+  schema::Json json = schema::Json::array();
+  for (const schema::Finding& finding : findings) {
+    json.push_back(finding.details);
+    json.back()["sentence"] = finding.sentence;
+  }
+  return json;
+}
+
+std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm) {
+  const auto e = [](double value) { return schema::shown_number("%.1e", value); };
+  return "length " + e(shape.length_mm) + " mm, planarity " + e(shape.planarity_mm) +
+         " mm, coincidence " + e(shape.coincidence_mm) + " mm, diagonal " + e(diagonal_mm) +
+         " mm, angle " + e(shape.angle_deg) + " deg";
+}
+
+schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm) {
+  return {{"length_mm", shape.length_mm},
+          {"planarity_mm", shape.planarity_mm},
+          {"coincidence_mm", shape.coincidence_mm},
+          {"diagonal_mm", diagonal_mm},
+          {"angle_deg", shape.angle_deg}};
+}
+
+}  // namespace misalign::search

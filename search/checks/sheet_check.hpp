@@ -1,0 +1,75 @@
+// A sheet followed again, and its folded shapes judged by their coordinates alone.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/catalogue/ledger_check.hpp"
+#include "search/checks/column_tolerances.hpp"
+#include "search/checks/contact.hpp"
+#include "solver/linear/elimination.hpp"
+#include "solver/design/fold_lines.hpp"
+#include "solver/verdict/history.hpp"
+
+namespace misalign::search {
+
+struct SheetReport {
+  std::vector<schema::Finding> findings;
+  /// Over the samples that were looked at.
+  solver::ShapeErrors shape;
+  double diagonal_mm = 0;  ///< of the recomputed lengths against the coordinates
+  std::optional<double> first_contact_deg;
+  std::string contact;  ///< the two panels that cross there: "[2,3] and [4,3]"
+};
+
+struct FollowedSheet {
+  solver::FlatVertices vertices_mm;
+  solver::FoldingHistory history;
+  std::vector<solver::FoldState<double>> states;  ///< of the samples in turn
+};
+
+/// A line for each finding, printable; beyond schema::kMostListed their number.
+std::string findings_text(const std::vector<schema::Finding>& findings);
+/// Their details, each with its "sentence".
+schema::Json findings_json(const std::vector<schema::Finding>& findings);
+/// "length 1.2e-13 mm, planarity ..."
+std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm);
+schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm);
+
+class SheetCheck {
+ public:
+  /// `base` must outlive this object. `margin_samples`: see RecordingOptions; none for a pattern,
+  /// which has no threshold.
+  SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling,
+             std::vector<int> margin_samples = {});
+  SheetCheck(const SheetCheck&) = delete;
+  SheetCheck& operator=(const SheetCheck&) = delete;
+
+  /// By sparse matrices, in a fixed order of elimination.
+  FollowedSheet follow(const solver::FlatVertices& vertices_mm) const;
+  /// The same path by dense matrices with pivoting.
+  solver::FoldingHistory follow_densely(const solver::FlatVertices& vertices_mm) const;
+  /// The first `samples` folded shapes: rigid panels, creases and diagonals as the history says;
+  /// and where panels first cross, which is no fault. `where` names the sheet.
+  void check_shapes(const std::string& where, const FollowedSheet& sheet, Eigen::Index samples,
+                    SheetReport& report) const;
+
+  const solver::Mechanism& mechanism() const { return mechanism_; }
+  const ColumnTolerances& tolerances() const { return tolerances_; }
+
+ private:
+  void add_shape_findings(const std::string& where, SheetReport& report) const;
+
+  const schema::Pattern& base_;
+  const schema::Sampling sampling_;
+  const std::vector<int> margin_samples_;
+  const solver::Mechanism mechanism_;
+  const solver::Elimination elimination_;
+  const solver::PathPlan plan_;
+  const ColumnTolerances tolerances_;
+  const solver::FoldedShape shape_;
+  const solver::Panels panels_;
+};
+
+}  // namespace misalign::search

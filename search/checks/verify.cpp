@@ -1,0 +1,228 @@
+#include "search/checks/verify.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include "search/checks/draws_again.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+// As many of `all` as were asked for, spread evenly over them.
+template <class Item>
+std::vector<Item> spread(const std::vector<Item>& all, std::optional<std::uint64_t> wanted) {
+  const std::uint64_t chosen = std::min<std::uint64_t>(wanted.value_or(all.size()), all.size());
+  std::vector<Item> some;
+  for (std::uint64_t k = 0; k < chosen; ++k) some.push_back(all[k * all.size() / chosen]);
+  return some;
+}
+
+// As many, every one as likely as any other (selection sampling, Knuth's algorithm S).
+std::vector<schema::DrawRange> at_random(const std::vector<schema::DrawRange>& all,
+                                         std::uint64_t wanted, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<schema::DrawRange> some;
+  for (std::uint64_t k = 0; k < all.size() && some.size() < wanted; ++k) {
+    if (random() % (all.size() - k) < wanted - some.size()) some.push_back(all[k]);
+  }
+  return some;
+}
+
+class Verifier {
+ public:
+  Verifier(SQLite::Database& database, const schema::Campaign& campaign,
+           const VerifyOptions& options, Verification& verification)
+      : database_(database), campaign_(campaign), options_(options), v_(verification) {}
+
+  // Within one moment: the ledger, and the choice of what is computed.
+  void look() {
+    schema::CheckedLedger checked = schema::read_checked(database_, campaign_);
+    v_.findings = std::move(checked.findings);
+    if (!checked.state) throw schema::UserError(schema::kExitBadInput, checked.why_no_state);
+    v_.digest = checked.state->digest;
+    constexpr schema::DrawRange kAll{0, schema::kEndOfDraws};
+    const auto draws = schema::draws_of(database_, "candidate", kAll);
+    v_.candidates = draws.size();
+    candidates_ = spread(draws, options_.sample);
+    const auto sampled = schema::draws_of(database_, "fault_sample", kAll);
+    v_.fault_samples.of = sampled.size();
+    fault_samples_ = spread(sampled, options_.sample);
+    const auto units = schema::units_done(database_);
+    v_.units.of = units.size();
+    units_ = at_random(units, options_.units, options_.seed);
+  }
+
+  void compute() {
+    const CandidateCheck check(campaign_);
+    for (const std::uint64_t draw : candidates_) {
+      add(check.check(schema::read_candidate(database_, draw),
+                      schema::metrics_version_of(database_, draw)),
+          draw);
+    }
+    for (const std::uint64_t draw : fault_samples_) {
+      for (const StoredVerdict& row : stored_verdicts(database_, {draw, draw + 1})) {
+        compare_verdict(row, check, v_.findings);
+        ++v_.fault_samples.checked;
+      }
+    }
+    if (units_.empty()) return;
+    Trial trial(campaign_);
+    for (const schema::DrawRange& unit : units_) {
+      v_.decided_now += make_unit_again(database_, trial, unit, v_.findings);
+      ++v_.units.checked;
+      v_.draws_again += unit.size();
+    }
+  }
+
+ private:
+  void add(const CandidateReport& report, std::uint64_t draw) {
+    v_.checked.push_back({draw, report.first_contact_deg, report.contact});
+    v_.findings.insert(v_.findings.end(), report.findings.begin(), report.findings.end());
+    v_.not_comparable += !report.not_comparable.empty();
+    v_.other_definitions.insert(report.not_comparable.begin(), report.not_comparable.end());
+    const auto raise = [](double& worst, double value) { worst = std::max(worst, value); };
+    raise(v_.worst.length_mm, report.shape.length_mm);
+    raise(v_.worst.planarity_mm, report.shape.planarity_mm);
+    raise(v_.worst.coincidence_mm, report.shape.coincidence_mm);
+    raise(v_.worst.angle_deg, report.shape.angle_deg);
+    raise(v_.diagonal_mm, report.diagonal_mm);
+  }
+
+  SQLite::Database& database_;
+  const schema::Campaign& campaign_;
+  const VerifyOptions& options_;
+  Verification& v_;
+  std::vector<std::uint64_t> candidates_, fault_samples_;
+  std::vector<schema::DrawRange> units_;
+};
+
+std::string units_text(const Verification& v) {
+  char line[300];
+  if (v.units.checked == 0) {
+    std::snprintf(
+        line, sizeof line,
+        "units        none of %llu made again: a candidate that was removed together with "
+        "its sums is found by --units\n",
+        number(v.units.of));
+  } else {
+    std::snprintf(line, sizeof line,
+                  "units        %llu of %llu made again, %llu draws (--seed %llu): that finds a "
+                  "candidate that was removed together with its sums with probability %.3g\n",
+                  number(v.units.checked), number(v.units.of), number(v.draws_again),
+                  number(v.seed), v.chance_to_find_one());
+  }
+  if (v.decided_now == 0) return line;
+  return line + ("not compared " + std::to_string(v.decided_now)) +
+         (v.decided_now == 1 ? " draw" : " draws") +
+         " of them: undecided in the catalogue or here, and decided in the other (no fault; "
+         "`misalign search --retry-undecided` settles what can be)\n";
+}
+
+std::string other_definitions_text(const Verification& v) {
+  if (v.not_comparable == 0) return "";
+  std::string columns;
+  for (const std::string& column : v.other_definitions) {
+    columns += (columns.empty() ? "" : ", ") + column;
+  }
+  return "not compared " + columns + " of " + std::to_string(v.not_comparable) +
+         " candidates: an older build measured them by another definition (no fault)\n";
+}
+
+}  // namespace
+
+std::uint64_t Verification::contacts() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(checked.begin(), checked.end(),
+                    [](const CheckedCandidate& c) { return c.first_contact_deg.has_value(); }));
+}
+
+const CheckedCandidate* Verification::first_contact() const {
+  const CheckedCandidate* first = nullptr;
+  for (const CheckedCandidate& candidate : checked) {
+    if (!candidate.first_contact_deg) continue;
+    if (!first || *candidate.first_contact_deg < *first->first_contact_deg) first = &candidate;
+  }
+  return first;
+}
+
+double Verification::chance_to_find_one() const {
+  return units.of == 0 ? 0 : static_cast<double>(units.checked) / static_cast<double>(units.of);
+}
+
+Verification verify(SQLite::Database& database, const std::string& path,
+                    const VerifyOptions& options) {
+  Verification verification;
+  verification.seed = options.seed;
+  std::optional<SQLite::Transaction> moment;
+  schema::reading(database, [&] { moment.emplace(database); });
+  const schema::Campaign campaign = schema::read_campaign_of(database, path);
+  verification.campaign = campaign.name;
+  try {
+    Verifier verifier(database, campaign, options, verification);
+    verifier.look();
+    moment.reset();  // a writer's log would grow as long as it is held
+    verifier.compute();
+  } catch (const schema::UserError& error) {                // it cannot be read any further
+    if (error.exit_code() != schema::kExitBadInput) throw;  // the disk's fault, not the file's
+    verification.findings.push_back({error.what(), {{"where", "file"}}});
+  }
+  return verification;
+}
+
+std::string verification_text(const Verification& v) {
+  std::string text = findings_text(v.findings);
+  char line[200];
+  std::snprintf(line, sizeof line, "campaign     %s, digest %s\n", v.campaign.c_str(),
+                v.digest.c_str());
+  text += line;
+  std::snprintf(line, sizeof line, "candidates   %llu of %llu computed again\n",
+                number(v.checked.size()), number(v.candidates));
+  text += line;
+  std::snprintf(line, sizeof line, "fault sample %llu of %llu judged again\n",
+                number(v.fault_samples.checked), number(v.fault_samples.of));
+  text += line + units_text(v) + other_definitions_text(v);
+  text += "worst        " + worst_text(v.worst, v.diagonal_mm) + "\n";
+  if (const CheckedCandidate* first = v.first_contact()) {
+    std::snprintf(line, sizeof line,
+                  "contacts     panels cross in %llu of them, first at %g deg (draw %llu, %s)\n",
+                  number(v.contacts()), *first->first_contact_deg, number(first->draw),
+                  first->contact.c_str());
+    text += line;
+  } else {
+    text += "contacts     none: no two panels without a common vertex cross\n";
+  }
+  return text + "findings     " + (v.good() ? "none" : std::to_string(v.findings.size())) + "\n";
+}
+
+Json verification_json(const Verification& v) {
+  Json checked = Json::array();
+  for (const CheckedCandidate& candidate : v.checked) {
+    const bool crosses = candidate.first_contact_deg.has_value();
+    checked.push_back({{"draw", candidate.draw},
+                       {"first_contact_deg", crosses ? Json(*candidate.first_contact_deg) : Json()},
+                       {"panels", crosses ? Json(candidate.contact) : Json()}});
+  }
+  return {{"campaign", v.campaign},
+          {"digest", v.digest},
+          {"candidates", v.candidates},
+          {"checked", checked},
+          {"fault_samples", {{"checked", v.fault_samples.checked}, {"of", v.fault_samples.of}}},
+          {"units",
+           {{"checked", v.units.checked},
+            {"of", v.units.of},
+            {"draws", v.draws_again},
+            {"decided_now", v.decided_now},
+            {"seed", v.units.checked > 0 ? Json(v.seed) : Json()},
+            {"chance_to_find_one", v.chance_to_find_one()}}},
+          {"not_comparable",
+           {{"candidates", v.not_comparable}, {"columns", Json(v.other_definitions)}}},
+          {"good", v.good()},
+          {"findings", findings_json(v.findings)},
+          {"worst", worst_json(v.worst, v.diagonal_mm)}};
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,64 @@
+#include "search/draws/draw.hpp"
+
+#include <Random123/philox.h>
+
+#include <algorithm>
+
+namespace misalign::search {
+namespace {
+
+double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
+  if (misalignment.levels == schema::Levels::ternary) {
+    const int level = static_cast<int>((3 * static_cast<std::uint64_t>(word)) >> 32) - 1;
+    return level * misalignment.amplitude_mm;
+  }
+  return ((word + 0.5) / 2147483648.0 - 1.0) * misalignment.amplitude_mm;
+}
+
+}  // namespace
+
+std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
+                                          std::uint32_t block, std::uint32_t stream) {
+  const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
+  const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); };
+  const r123::Philox4x32::ctr_type counter = {{low(draw), high(draw), block, stream}};
+  const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
+  const auto words = r123::Philox4x32{}(counter, key);
+  return {words[0], words[1], words[2], words[3]};
+}
+
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 double* shifts_mm, std::uint32_t stream) {
+  const std::size_t words = 2 * misalignment.vertices.size();
+  for (std::size_t k = 0; k < words; k += 4) {
+    const auto block = philox_block(seed, draw, static_cast<std::uint32_t>(k / 4), stream);
+    const std::size_t count = std::min<std::size_t>(4, words - k);
+    for (std::size_t i = 0; i < count; ++i) {
+      shifts_mm[k + i] = shift_mm(misalignment, block[i]);
+    }
+  }
+}
+
+void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 Eigen::Matrix2Xd& shifts_mm) {
+  Eigen::Matrix2Xd drawn(2, misalignment.vertices.size());
+  draw_shifts(misalignment, seed, draw, drawn.data());
+  for (std::size_t k = 0; k < misalignment.vertices.size(); ++k) {
+    shifts_mm.col(misalignment.vertices[k]) = drawn.col(static_cast<Eigen::Index>(k));
+  }
+}
+
+Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t draw) {
+  Eigen::Matrix2Xd shifts_mm =
+      Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count());
+  draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
+  return shifts_mm;
+}
+
+bool random_numbers_as_published() {
+  using Block = std::array<std::uint32_t, 4>;
+  return philox_block(0, 0, 0, 0) == Block{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8} &&
+         philox_block(1, 0, 0, 0) == Block{0xe3e80670, 0xe50a0ebc, 0x95f222c0, 0xb615aa27};
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,56 @@
+#include "search/ranks/ledger.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace misalign::search {
+
+Ledger::Ledger(const DrawRange& wanted, const std::vector<DrawRange>& done) : end_(wanted.hi) {
+  std::uint64_t next = wanted.lo;
+  for (const DrawRange& range : done) {
+    if (range.lo >= wanted.hi) break;
+    open({next, range.lo});
+    next = std::max(next, range.hi);
+  }
+  open({next, wanted.hi});
+}
+
+void Ledger::open(const DrawRange& range) {
+  if (range.lo >= range.hi) return;
+  open_[range.lo] = range.hi;
+  open_draws_ += range.size();
+}
+
+std::optional<DrawRange> Ledger::take(std::uint64_t most) {
+  assert(most >= 1);
+  if (open_.empty()) return std::nullopt;
+  const auto [lo, hi] = *open_.begin();
+  const DrawRange taken{lo, hi - lo > most ? lo + most : hi};
+  open_.erase(open_.begin());
+  if (taken.hi < hi) open_[taken.hi] = hi;
+  open_draws_ -= taken.size();
+  draws_given_out_ += taken.size();
+  given_out_.insert(taken.lo);
+  return taken;
+}
+
+void Ledger::finish(const DrawRange& taken, std::uint64_t done_to) {
+  assert(given_out_.contains(taken.lo) && done_to >= taken.lo && done_to <= taken.hi);
+  draws_given_out_ -= taken.size();
+  given_out_.erase(taken.lo);
+  open({done_to, std::min(taken.hi, end_)});
+}
+
+void Ledger::cut(std::uint64_t end) {
+  if (end >= end_) return;
+  end_ = end;
+  while (!open_.empty() && open_.rbegin()->second > end) {
+    const auto last = std::prev(open_.end());
+    const DrawRange range{last->first, last->second};
+    open_draws_ -= range.size();
+    open_.erase(last);
+    open({range.lo, std::min(range.hi, end)});
+  }
+}
+
+}  // namespace misalign::search

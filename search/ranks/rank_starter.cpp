@@ -1,0 +1,218 @@
+#include "search/ranks/rank_starter.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "schema/files/input.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+namespace {
+
+constexpr const char* kStarterVariable = "MISALIGN_STARTER";
+// Ignored by whoever does not wait for it, should the number of the process be another's by now.
+constexpr int kHereIAm = SIGURG;
+
+using schema::UserError;
+
+// Without --ranks and its value.
+std::vector<std::string> words_of_a_rank(const std::vector<std::string>& words, bool with_bar) {
+  std::vector<std::string> kept;
+  bool only_arguments = false;
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    only_arguments = only_arguments || words[k] == "--";
+    const bool alone = words[k] == "--ranks";
+    if (only_arguments || (!alone && words[k].rfind("--ranks=", 0) != 0)) {
+      kept.push_back(words[k]);
+      continue;
+    }
+    if (alone) ++k;
+    if (with_bar) kept.insert(kept.end(), {"--progress", "bar"});
+  }
+  return kept;
+}
+
+std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>& words,
+                                      bool with_bar) {
+  const std::string count = std::to_string(ranks);
+  // As many slots as ranks, also where there are fewer cores.
+  std::vector<std::string> command = {"mpirun",
+                                      "--host",
+                                      "localhost:" + count,
+                                      "--bind-to",
+                                      "none",
+                                      "-n",
+                                      count,
+                                      std::filesystem::read_symlink("/proc/self/exe").string()};
+  const std::vector<std::string> own = words_of_a_rank(words, with_bar);
+  command.insert(command.end(), own.begin(), own.end());
+  return command;
+}
+
+// In the child: mpirun, or the reason why not into the pipe.
+[[noreturn]] void become_mpirun(const std::vector<std::string>& command, const sigset_t& mask,
+                                pid_t starter, int reason) {
+  // A group of its own: Ctrl-C is for the starter, which says it to rank 0. And nothing to read:
+  // mpirun would take what was meant for others.
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != starter) _exit(1);
+  const int nothing = open("/dev/null", O_RDONLY);
+  if (nothing > 0) dup2(nothing, STDIN_FILENO);
+  setenv(kStarterVariable, std::to_string(starter).c_str(), 1);
+  setenv("COLUMNS", std::to_string(terminal_width(STDERR_FILENO)).c_str(), 1);
+  // What a rank has said needs no eleven lines about its exit code. Open MPI 4 and 5 each know one
+  // of these, where --quiet is an option of 4 alone.
+  setenv("OMPI_MCA_orte_execute_quiet", "1", 1);
+  setenv("PRTE_MCA_prte_execute_quiet", "1", 1);
+  if (geteuid() == 0) {  // who runs this as root has decided so
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  }
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+  execvp(arguments[0], arguments.data());
+  const int error = errno;
+  [[maybe_unused]] const auto written = write(reason, &error, sizeof error);
+  _exit(127);
+}
+
+// Returns mpirun's process; UserError if there is no such program.
+pid_t started(const std::vector<std::string>& command, const sigset_t& mask) {
+  int pipe_ends[2];
+  if (pipe2(pipe_ends, O_CLOEXEC) != 0) {
+    throw UserError(schema::kExitFailure, std::string("no pipe can be made (") +
+                                              std::strerror(errno) + "); close some programs");
+  }
+  const pid_t starter = getpid(), launcher = fork();
+  if (launcher == 0) become_mpirun(command, mask, starter, pipe_ends[1]);
+  const int fork_error = errno;
+  close(pipe_ends[1]);
+  int error = launcher < 0 ? fork_error : 0;
+  if (launcher > 0 && read(pipe_ends[0], &error, sizeof error) != sizeof error) error = 0;
+  close(pipe_ends[0]);
+  if (error == 0) return launcher;
+  if (launcher > 0) waitpid(launcher, nullptr, 0);
+  throw UserError(schema::kExitFailure,
+                  error == ENOENT
+                      ? "--ranks: there is no mpirun in PATH (it starts the ranks); install Open "
+                        "MPI's programs (Debian: openmpi-bin), or leave --ranks out: one core"
+                      : std::string("--ranks: mpirun cannot be started (") + std::strerror(error) +
+                            "); leave --ranks out: one core");
+}
+
+// Waits for mpirun and passes signals on.
+class Starter {
+ public:
+  Starter(pid_t launcher, const sigset_t& watched) : launcher_(launcher), watched_(watched) {}
+
+  // mpirun's status as of waitpid.
+  int wait() {
+    int status = 0;
+    while (waitpid(launcher_, &status, WNOHANG) != launcher_) {
+      siginfo_t info;
+      if (sigwaitinfo(&watched_, &info) > 0) pass_on(info);
+    }
+    return status;
+  }
+
+  /// 0, SIGINT or SIGTERM: what asked the search to leave, the last one.
+  int asked_by() const { return asked_by_; }
+  bool asked_twice() const { return asked_twice_; }
+  bool ranks_began() const { return rank_zero_ > 0; }
+
+ private:
+  void pass_on(const siginfo_t& info) {
+    switch (info.si_signo) {
+      case kHereIAm:
+        rank_zero_ = info.si_pid;
+        // It may have been asked before it could listen.
+        if (asked_by_) kill(rank_zero_, SIGTERM);
+        break;
+      case SIGINT:
+      case SIGTERM:
+        ask_to_leave(info.si_signo);
+        break;
+      case SIGUSR1:
+      case SIGUSR2:
+        kill(launcher_, info.si_signo);
+        break;
+      case SIGTSTP:
+        std::fputs(
+            "Ctrl-Z: this goes on (ranks that stand still are taken for lost); Ctrl-C ends it, and "
+            "the same command goes on later\n",
+            stderr);
+        break;
+      default:  // a child has ended
+        break;
+    }
+  }
+
+  // Rank 0 lets the others go, and mpirun, asked by nobody, ends as they end. A second time, or
+  // while rank 0 cannot be reached for long: mpirun ends them.
+  void ask_to_leave(int signal) {
+    asked_twice_ = asked_by_ != 0;
+    asked_by_ = signal;
+    if (asked_twice_) kill(launcher_, SIGTERM);
+    if (rank_zero_ > 0) kill(rank_zero_, SIGTERM);
+  }
+
+  const pid_t launcher_;
+  const sigset_t watched_;
+  pid_t rank_zero_ = 0;
+  int asked_by_ = 0;
+  bool asked_twice_ = false;
+};
+
+int exit_code(int status, const Starter& starter, int ranks) {
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (starter.asked_twice()) return 128 + starter.asked_by();
+  if (starter.asked_by() && (code == 0 || code == kLeftWithStarter)) return 0;
+  if (!starter.ranks_began() && !starter.asked_by()) {
+    const std::string count = std::to_string(ranks);
+    throw UserError(schema::kExitFailure, "mpirun could not start " + count + " ranks (exit code " +
+                                              std::to_string(code) + "); mpirun --host localhost:" +
+                                              count + " -n " + count + " true says why");
+  }
+  if (code <= 128) return code;  // a rank has said why
+  throw UserError(schema::kExitFailure,
+                  std::string("a rank was ended from outside (") + strsignal(code - 128) +
+                      "; memory may have run out); what was committed is good, and the same "
+                      "command goes on");
+}
+
+}  // namespace
+
+int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with_bar) {
+  sigset_t watched, before;
+  sigemptyset(&watched);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGCHLD, SIGTSTP, int{kHereIAm}}) {
+    sigaddset(&watched, signal);
+  }
+  pthread_sigmask(SIG_BLOCK, &watched, &before);
+  Starter starter(started(mpirun_words(ranks, words, with_bar), before), watched);
+  const int status = starter.wait();
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return exit_code(status, starter, ranks);
+}
+
+bool has_starter() { return std::getenv(kStarterVariable) != nullptr; }
+
+void tell_starter() {
+  const char* const starter = std::getenv(kStarterVariable);
+  const int process = starter ? std::atoi(starter) : 0;
+  if (process > 1) kill(process, kHereIAm);
+}
+
+}  // namespace misalign::search

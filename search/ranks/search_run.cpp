@@ -1,0 +1,248 @@
+#include "search/ranks/search_run.hpp"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "search/draws/draw.hpp"
+#include "search/terminal/failure.hpp"
+#include "search/draws/nothing_found.hpp"
+#include "search/ranks/rank_starter.hpp"
+#include "search/ranks/run_info.hpp"
+#include "search/verbs/status.hpp"
+#include "search/ranks/stop_signal.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/ranks/worker.hpp"
+
+namespace misalign::search {
+namespace {
+
+schema::Campaign resolved_campaign(const SearchOptions& options) {
+  if (!random_numbers_as_published()) {
+    throw schema::UserError(schema::kExitFailure,
+                            "the random-number generator does not give its published numbers (this "
+                            "build is broken); build it again and run the tests");
+  }
+  schema::Campaign campaign = schema::read_campaign_file(options.campaign_path);
+  if (options.seed) campaign.seed = *options.seed;
+  if (options.accepted) campaign.stop.accepted = options.accepted;
+  if (options.relative_error) campaign.stop.relative_error = options.relative_error;
+  if (options.max_time_s) campaign.stop.wall_s = options.max_time_s;
+  // A range asked for by hand is meant as a whole, unless --draws says otherwise.
+  if (options.range || options.draws) campaign.stop.draws = options.draws;
+  return campaign;
+}
+
+schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campaign) {
+  schema::Goal goal;
+  if (options.range) goal.range = *options.range;
+  goal.draws = campaign.stop.draws;
+  goal.accepted = campaign.stop.accepted;
+  goal.relative_error = campaign.stop.relative_error;
+  return goal;
+}
+
+// What a rank is, for rank 0 to compare.
+struct RankInfo {
+  std::string host, golden_verdicts;
+};
+
+std::vector<RankInfo> gather_ranks(const MpiSession& mpi, solver::InstructionSet set) {
+  std::vector<RankInfo> ranks;
+  const auto hosts = mpi.gather(host_name()), verdicts = mpi.gather(golden_verdicts(set));
+  for (std::size_t k = 0; k < hosts.size(); ++k) ranks.push_back({hosts[k], verdicts[k]});
+  return ranks;
+}
+
+// The fingerprint of all ranks; UserError (5) if they differ and must not.
+std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds) {
+  std::set<std::string> different;
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    different.insert(ranks[k].golden_verdicts);
+    if (different.size() > 1 && builds == schema::Builds::same) {
+      throw schema::UserError(schema::kExitOtherCampaign,
+                              "rank " + std::to_string(k) + " on " + ranks[k].host +
+                                  " gives other verdicts on the golden draws than rank 0 on " +
+                                  ranks[0].host +
+                                  " (another build, or a broken machine); put the same program on "
+                                  "every host, or use --allow-mixed-builds if you know that the "
+                                  "difference does no harm");
+    }
+  }
+  std::string all;
+  for (const std::string& verdicts : different) all += (all.empty() ? "" : " ") + verdicts;
+  return all;
+}
+
+std::string place_of(const SearchOptions& options, const schema::Campaign& campaign) {
+  if (!options.catalogue_path.empty()) return options.catalogue_path;
+  std::error_code ignored;  // opening the catalogue says what is wrong
+  std::filesystem::create_directories("results", ignored);
+  return default_catalogue_path(campaign);
+}
+
+// Judges again what no run could decide so far.
+void retry_undecided(Trial& trial, schema::Catalogue& catalogue) {
+  const std::vector<std::uint64_t> draws = catalogue.undecided();
+  std::size_t decided = 0;
+  for (const std::uint64_t draw : draws) {
+    if (stop_wish() != StopWish::none) break;
+    const schema::UnitRecord unit = judge_again(trial, draw);
+    if (!unit.undecided.empty()) continue;
+    catalogue.settle(unit);
+    ++decided;
+  }
+  spdlog::info("{} of {} undecided draws are decided now", decided, draws.size());
+}
+
+// Rank 0 of a search, as far as nobody else needs to know of it.
+class RankZero {
+ public:
+  explicit RankZero(const SearchOptions& options)
+      : options_(options),
+        trial_(resolved_campaign(options), options.instruction_set),
+        catalogue_(place_of(options, trial_.campaign()), trial_.campaign(), trial_.mechanism(),
+                   options.storage) {
+    if (catalogue_.storage() == schema::Storage::network) {
+      spdlog::warn(
+          "{}: lies on a file system that machines share ({}), where a write-ahead log is not "
+          "safe: "
+          "a rollback journal and an exclusive lock are used, and status and query have to wait "
+          "until this run ends",
+          catalogue_.path(), schema::file_system_of(catalogue_.path()).name);
+    }
+  }
+
+  const schema::Campaign& campaign() const { return trial_.campaign(); }
+
+  void begin(const std::vector<RankInfo>& ranks) {
+    goal_ = goal_of(options_, campaign());
+    catalogue_.begin_run(
+        run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
+        options_.builds);
+    spdlog::info("campaign {} ({}), {} rank{}, catalogue {}", campaign().name,
+                 schema::identity(campaign()).substr(0, 8), ranks.size(),
+                 ranks.size() == 1 ? "" : "s", catalogue_.path());
+    if (is_talkative() && !options_.command_for_all.empty()) {
+      spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
+                   options_.command_for_all);
+    }
+    if (options_.retry_undecided) retry_undecided(trial_, catalogue_);
+  }
+
+  // Returns the exit code.
+  int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
+    CoordinatorOptions settings;
+    settings.unit_size.draws = options_.unit_draws;
+    settings.unit_bytes = options_.unit_bytes;
+    settings.max_time_s = campaign().stop.wall_s;
+    settings.progress = options_.progress;
+    const RunEnd end = run_coordinator(mpi, heartbeat, trial_, catalogue_, goal_, settings);
+    catalogue_.end_run(run_end_name(end));
+    const schema::CommitCost& cost = catalogue_.cost();
+    spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
+                  cost.longest_s);
+    print_summary(end);
+    return end == RunEnd::lost ? schema::kExitFailure : 0;
+  }
+
+ private:
+  void print_summary(RunEnd end) const {
+    const auto database = schema::open_for_reading(catalogue_.path());
+    const schema::CatalogueState state = schema::read_state(*database);
+    const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
+                                              static_cast<double>(state.draws)
+                                        : 0.0;
+    put_format("%s: %s, %llu draws, %llu accepted (%.4g %%), %llu undecided, digest %s\n",
+               schema::printable(catalogue_.path()).c_str(), run_end_name(end),
+               static_cast<unsigned long long>(state.draws),
+               static_cast<unsigned long long>(state.accepted), rate,
+               static_cast<unsigned long long>(state.undecided), state.digest.c_str());
+    std::fflush(stdout);
+    if (!is_talkative()) return;
+    for (const std::string& sentence : nothing_found(*database, state)) {
+      spdlog::info("{}", sentence);
+    }
+    spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
+  }
+
+  bool is_talkative() const {
+    return options_.progress != ProgressStyle::none && options_.progress != ProgressStyle::json;
+  }
+
+  const SearchOptions& options_;
+  Trial trial_;
+  schema::Catalogue catalogue_;
+  schema::Goal goal_;
+};
+
+// The exit code of `work`, 0 if it throws nothing; what it throws is said.
+template <class Work>
+int exit_code_of(const Work& work) {
+  try {
+    work();
+    return 0;
+  } catch (const std::exception& error) {
+    const Failure failure = failure_of(error);
+    spdlog::error("{}", failure.sentence);
+    return failure.exit_code;
+  }
+}
+
+// Rank 0 alone reads files. The others get its exit code, the campaign as it resolved it, and once
+// every rank has said what it is, its exit code again.
+int run_rank_zero(const SearchOptions& options, MpiSession& mpi) {
+  std::optional<RankZero> zero;
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(exit_code_of([&] { zero.emplace(options); }))) return code;
+  mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
+  const std::vector<RankInfo> ranks = gather_ranks(mpi, options.instruction_set);
+  if (const int code = mpi.broadcast(exit_code_of([&] { zero->begin(ranks); }))) return code;
+  int exit_code = 0;
+  const int failure = exit_code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
+  mpi.meet();
+  return failure ? failure : exit_code;
+}
+
+int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(0)) return code;
+  const std::string resolved = mpi.broadcast(std::string());
+  int refused = 0;
+  const int failure = exit_code_of([&] {
+    Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
+                options.instruction_set);
+    gather_ranks(mpi, options.instruction_set);
+    refused = mpi.broadcast(0);
+    if (!refused) run_worker(mpi, trial, options.unit_bytes);
+  });
+  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
+  if (!refused) mpi.meet();
+  return refused;
+}
+
+}  // namespace
+
+std::string default_catalogue_path(const schema::Campaign& campaign) {
+  return "results/" + campaign.name + "-" + schema::identity(campaign).substr(0, 8) + ".db";
+}
+
+int run_search(const SearchOptions& wished) {
+  SearchOptions options = wished;
+  options.progress = resolved(wished.progress, is_terminal(STDERR_FILENO) && terminal_is_able(),
+                              launched_by_mpi());
+  hold_signals();
+  MpiSession mpi;
+  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
+  const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
+  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s, mpi.ranks() > 1 ? leave_code : 0);
+  if (mpi.rank() == 0) tell_starter();
+  return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,33 @@
+// `misalign search`: campaign file to catalogue, alone or under mpirun.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "search/ranks/coordinator.hpp"
+
+namespace misalign::search {
+
+struct SearchOptions {
+  std::string campaign_path;
+  std::string catalogue_path;  ///< empty: results/NAME-<8 hex digits>.db
+  std::optional<std::uint64_t> draws, accepted, seed;
+  std::optional<double> max_time_s, relative_error;
+  std::optional<schema::DrawRange> range;
+  std::optional<std::uint64_t> unit_draws;
+  std::size_t unit_bytes = kMostUnit_bytes;
+  ProgressStyle progress = ProgressStyle::automatic;
+  std::optional<schema::Storage> storage;  ///< instead of what the file system says
+  schema::Builds builds = schema::Builds::same;
+  bool retry_undecided = false;
+  std::string command_for_all;  ///< what would use every core, if this does not
+  solver::InstructionSet instruction_set = solver::available_instruction_sets().back();
+};
+
+/// Runs or resumes; returns the exit code.
+int run_search(const SearchOptions& options);
+
+/// "results/miura-6x6-1a2b3c4d.db"
+std::string default_catalogue_path(const schema::Campaign& campaign);
+
+}  // namespace misalign::search

@@ -1,0 +1,84 @@
+#include "search/ranks/stop_signal.hpp"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <ctime>
+#include <initializer_list>
+
+#include "search/terminal/progress.hpp"
+
+namespace misalign::search {
+namespace {
+
+volatile std::sig_atomic_t drain_seen = 0, leave_seen = 0, status_seen = 0;
+timer_t leave_timer;
+itimerspec leave_after{};
+int leave_code = 0;
+
+extern "C" {
+
+void note_drain(int) { drain_seen = 1; }
+void note_status(int) { status_seen = 1; }
+void end_here(int) {
+  leave_live_line();
+  _exit(leave_code);
+}
+
+void note_leave(int signal) {
+  if (leave_seen) {
+    leave_live_line();
+    _exit(128 + signal);
+  }
+  leave_seen = 1;
+  timer_settime(leave_timer, 0, &leave_after, nullptr);
+}
+
+}  // extern "C"
+
+sigset_t watched_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2}) sigaddset(&set, signal);
+  return set;
+}
+
+}  // namespace
+
+void hold_signals() {
+  const sigset_t watched = watched_signals();
+  pthread_sigmask(SIG_BLOCK, &watched, nullptr);
+}
+
+void watch_for_signals(double leave_s, int code) {
+  leave_code = code;
+  double whole_s = 0;
+  const double part_s = std::modf(leave_s, &whole_s);
+  leave_after.it_value = {static_cast<time_t>(whole_s), static_cast<long>(part_s * 1e9)};
+  sigevent event{};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGALRM;
+  timer_create(CLOCK_MONOTONIC, &event, &leave_timer);
+  std::signal(SIGALRM, end_here);
+  std::signal(SIGTERM, note_leave);
+  std::signal(SIGINT, note_leave);
+  std::signal(SIGUSR1, note_drain);
+  std::signal(SIGUSR2, note_status);
+  const sigset_t watched = watched_signals();
+  pthread_sigmask(SIG_UNBLOCK, &watched, nullptr);
+}
+
+StopWish stop_wish() {
+  if (leave_seen) return StopWish::leave;
+  return drain_seen ? StopWish::drain : StopWish::none;
+}
+
+bool status_wish() {
+  if (!status_seen) return false;
+  status_seen = 0;
+  return true;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,25 @@
+// A folding path for people: verdict, each diagonal as a sparkline, and on request its lengths.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/exchange/folding_json.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+
+/// One of eight heights for each value, between the least and the largest; all low if those agree.
+std::string sparkline(const std::vector<double>& values, bool utf8);
+
+struct FoldingTextOptions {
+  int width = 80;
+  bool utf8 = false;
+  /// The lengths every 10 degrees and at D, however wide that gets; without it only if they fit.
+  bool table = false;
+  Paint paint{false};
+};
+
+std::string folding_text(const schema::FoldingView& view, const FoldingTextOptions& options);
+
+}  // namespace misalign::search

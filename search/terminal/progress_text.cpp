@@ -1,0 +1,159 @@
+#include "search/terminal/progress_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "schema/files/input.hpp"
+#include "search/terminal/duration.hpp"
+
+namespace misalign::search {
+
+using schema::shown_number;
+
+std::string short_number(double value) {
+  constexpr std::array<const char*, 7> kUnits = {"", " k", " M", " G", " T", " P", " E"};
+  std::size_t unit = 0;
+  while (value >= 999.5 && unit + 1 < kUnits.size()) {
+    value /= 1000;
+    ++unit;
+  }
+  if (unit == 0) return shown_number("%.3g", value);
+  return shown_number(value < 9.995   ? "%.2f"
+                      : value < 99.95 ? "%.1f"
+                                      : "%.0f",
+                      value) +
+         kUnits[unit];
+}
+
+namespace {
+
+double rate(const ProgressCounts& counts) {
+  const auto draws = static_cast<double>(counts.standing.draws);
+  return draws > 0 ? static_cast<double>(counts.standing.accepted) / draws : 0;
+}
+
+std::uint64_t wanted(const ProgressCounts& counts) {
+  return counts.standing.draws + counts.draws_left;
+}
+
+std::optional<double> draws_left_s(const ProgressReport& report) {
+  if (report.counts.limited && report.counts.draws_left == 0) return 0;
+  if (!report.counts.limited || !(report.draws_per_s > 0)) return std::nullopt;
+  return static_cast<double>(report.counts.draws_left) / report.draws_per_s;
+}
+
+// Until the draws are done or the run's time is over, whichever comes first.
+std::optional<double> left_s(const ProgressReport& report) {
+  const auto draws_s = draws_left_s(report);
+  if (!report.counts.max_time_s) return draws_s;
+  const double time_s = std::max(*report.counts.max_time_s - report.elapsed_s, 0.0);
+  return draws_s ? std::min(*draws_s, time_s) : time_s;
+}
+
+}  // namespace
+
+ProgressStyle resolved(ProgressStyle style, bool able_terminal, bool under_launcher) {
+  if (style != ProgressStyle::automatic) return style;
+  return able_terminal && !under_launcher ? ProgressStyle::bar : ProgressStyle::plain;
+}
+
+std::string plain_line(const ProgressReport& report) {
+  const ProgressCounts& counts = report.counts;
+  std::string line = duration(report.elapsed_s) + ": " + std::to_string(counts.standing.draws);
+  if (counts.limited) line += " of " + std::to_string(wanted(counts));
+  line += " draws, " +
+          shown_number("%.4g", report.last ? report.draws_per_s_mean : report.draws_per_s) +
+          " draws/s, " + std::to_string(counts.standing.accepted) + " accepted (" +
+          shown_number("%.4g", 100 * rate(counts)) + " %)";
+  if (const auto& best = counts.standing.best) {
+    line += ", best " + shown_number(best->deploys_from_deg) + " deg (draw " +
+            std::to_string(best->draw) + ")";
+  }
+  const auto left = left_s(report);
+  if (left && *left > 0) line += ", " + duration(*left) + " left";
+  return line;
+}
+
+std::string bar_line(const ProgressReport& report, int width) {
+  const ProgressCounts& counts = report.counts;
+  const auto draws = static_cast<double>(counts.standing.draws);
+  std::string done = short_number(draws);
+  if (counts.limited) {
+    const auto all = static_cast<double>(wanted(counts));
+    // Rounded down: 100 % is when nothing is left.
+    const double percent = all > 0 ? std::floor(100 * draws / all) : 100;
+    done += " of " + short_number(all) + " draws (" + shown_number("%.0f", percent) + " %)";
+  } else {
+    done += " draws";
+  }
+  const auto left = left_s(report);
+  const std::string time =
+      !report.last && left ? duration(*left) + " left" : duration(report.elapsed_s);
+  const std::string speed =
+      short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s";
+  const std::string accepted =
+      short_number(static_cast<double>(counts.standing.accepted)) + " accepted";
+  const std::string share = " (" + shown_number("%.3g", 100 * rate(counts)) + " %)";
+  std::string best, best_draw;
+  if (counts.standing.best) {
+    best = ", best " + shown_number(counts.standing.best->deploys_from_deg) + " deg";
+    best_draw = " (draw " + std::to_string(counts.standing.best->draw) + ")";
+  }
+  // From everything to the least.
+  const std::vector<std::string> lines = {
+      done + ", " + speed + ", " + accepted + share + best + best_draw + ", " + time,
+      done + ", " + speed + ", " + accepted + share + best + ", " + time,
+      done + ", " + speed + ", " + accepted + best + ", " + time,
+      done + ", " + speed + ", " + accepted + ", " + time,
+      done + ", " + speed + ", " + time,
+      done + ", " + time,
+      done};
+  const auto room = static_cast<std::size_t>(std::max(width, 0));
+  for (const std::string& line : lines) {
+    if (line.size() <= room) return line;
+  }
+  return lines.back().substr(0, room);
+}
+
+std::string json_line(const ProgressReport& report) {
+  const ProgressCounts& counts = report.counts;
+  schema::Json best, left;
+  if (const auto& found = counts.standing.best) {
+    best = {{"deploys_from_deg", found->deploys_from_deg}, {"draw", found->draw}};
+  }
+  if (const auto seconds = left_s(report)) left = *seconds;
+  const schema::Json draws_left = counts.limited ? schema::Json(counts.draws_left) : schema::Json();
+  return schema::Json{
+      {"elapsed_s", report.elapsed_s},
+      {"draws", counts.standing.draws},
+      {"draws_left", draws_left},
+      {"draws_per_s", report.draws_per_s},
+      {"draws_per_s_mean", report.draws_per_s_mean},
+      {"accepted", counts.standing.accepted},
+      {"rate", counts.standing.draws > 0 ? schema::Json(rate(counts)) : schema::Json()},
+      {"best", best},
+      {"left_s", left},
+      {"last", report.last}}
+      .dump();
+}
+
+void RecentSpeed::see(double elapsed_s, std::uint64_t draws) {
+  constexpr double kWindow_s = 15, kApart_s = 0.2;
+  if (elapsed_s - points_.back().elapsed_s < kApart_s && points_.size() > 1) {
+    points_.back() = {std::max(elapsed_s, points_.back().elapsed_s), draws};
+  } else {
+    points_.push_back({elapsed_s, draws});
+  }
+  while (points_.size() > 2 && elapsed_s - points_[1].elapsed_s >= kWindow_s) points_.pop_front();
+}
+
+double RecentSpeed::draws_per_s() const {
+  const double seconds = points_.back().elapsed_s - points_.front().elapsed_s;
+  return seconds > 0 ? static_cast<double>(points_.back().draws - points_.front().draws) / seconds
+                     : 0;
+}
+
+}  // namespace misalign::search

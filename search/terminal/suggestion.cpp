@@ -1,0 +1,53 @@
+#include "search/terminal/suggestion.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "schema/files/input.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Letters to add, leave out, change, or swap with their neighbour.
+std::size_t letters_off(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> off(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        off[i][j] = i + j;
+        continue;
+      }
+      const bool same = a[i - 1] == b[j - 1];
+      off[i][j] =
+          std::min({off[i - 1][j] + 1, off[i][j - 1] + 1, off[i - 1][j - 1] + (same ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        off[i][j] = std::min(off[i][j], off[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return off[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string nearest_word(const std::string& typed, const std::vector<std::string>& known) {
+  std::string nearest;
+  std::size_t fewer_than = typed.size() / 3 + 1;
+  for (const std::string& word : known) {
+    const bool begins = typed.size() > 2 && word.rfind(typed, 0) == 0;
+    const std::size_t off = begins ? 1 : letters_off(typed, word);
+    if (off >= fewer_than) continue;
+    fewer_than = off;
+    nearest = word;
+  }
+  return nearest;
+}
+
+std::string unknown_word(const std::string& typed, const std::string& kind,
+                         const std::vector<std::string>& known) {
+  const std::string meant = nearest_word(typed, known);
+  return schema::printable(schema::utf8(typed)) + " is no " + kind +
+         (meant.empty() ? "" : " (did you mean " + meant + "?)");
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,176 @@
+#include "search/terminal/terminal.hpp"
+
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace misalign::search {
+namespace {
+
+ColorWish color_wish = ColorWish::automatic;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+constexpr const char *kBold = "1", *kDim = "2", *kGood = "32", *kBad = "31", *kEnd = "0";
+
+std::string mark(const char* code) { return std::string("\x1b[") + code + "m"; }
+
+// How many bytes of a mark of Paint begin here; 0 if none does.
+std::size_t mark_at(std::string_view text) {
+  for (const char* code : {kBold, kDim, kGood, kBad, kEnd}) {
+    if (text.starts_with(mark(code))) return mark(code).size();
+  }
+  return 0;
+}
+
+std::string for_people(std::string_view text) {
+  if (!paint_for(STDOUT_FILENO).is_on()) return schema::printable_lines(text);
+  std::string shown;
+  while (!text.empty()) {  // from mark to mark
+    const std::size_t marked = mark_at(text);
+    const std::size_t end = marked > 0 ? marked : std::min(text.find('\x1b', 1), text.size());
+    const std::string_view part = text.substr(0, end);
+    shown += marked > 0 ? std::string(part) : schema::printable_lines(part);
+    text.remove_prefix(end);
+  }
+  return shown;
+}
+
+void write_out(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+}  // namespace
+
+bool is_terminal(int file) { return isatty(file) == 1; }
+
+int terminal_width(int file) {
+  winsize size{};
+  if (ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  const int columns = std::atoi(environment("COLUMNS").c_str());
+  return columns > 0 ? columns : 80;
+}
+
+bool terminal_is_able() {
+  const std::string name = environment("TERM");
+  return !name.empty() && name != "dumb";
+}
+
+bool locale_is_utf8() {
+  for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    std::string locale = environment(name);
+    if (locale.empty()) continue;  // the first that is set counts
+    std::erase(locale, '-');
+    std::transform(locale.begin(), locale.end(), locale.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return locale.find("utf8") != std::string::npos;
+  }
+  return false;
+}
+
+bool colors_wanted(ColorWish wish, bool to_terminal) {
+  if (wish != ColorWish::automatic) return wish == ColorWish::always;
+  return to_terminal && terminal_is_able() && environment("NO_COLOR").empty();
+}
+
+std::string Paint::marked(const char* code, const std::string& text) const {
+  return on_ ? mark(code) + text + mark(kEnd) : text;
+}
+
+std::string Paint::bold(const std::string& text) const { return marked(kBold, text); }
+std::string Paint::dim(const std::string& text) const { return marked(kDim, text); }
+std::string Paint::good(const std::string& text) const { return marked(kGood, text); }
+std::string Paint::bad(const std::string& text) const { return marked(kBad, text); }
+
+void wish_colors(ColorWish wish) { color_wish = wish; }
+
+Paint paint_for(int file) { return Paint(colors_wanted(color_wish, is_terminal(file))); }
+
+std::string pager_command() {
+  const char* wished = std::getenv("PAGER");
+  const std::string command = wished ? wished : "less";
+  return command == "cat" ? "" : command;
+}
+
+void put(const std::string& text) { write_out(for_people(text)); }
+
+void put_format(const char* format, ...) {
+  std::va_list words, again;
+  va_start(words, format);
+  va_copy(again, words);
+  const int size = std::vsnprintf(nullptr, 0, format, words);
+  std::string text(static_cast<std::size_t>(std::max(size, 0)) + 1, '\0');
+  std::vsnprintf(text.data(), text.size(), format, again);
+  va_end(again);
+  va_end(words);
+  text.pop_back();
+  put(text);
+}
+
+void put_json(const schema::Json& json, int indent) {
+  put_json(json.dump(indent, ' ', false, schema::Json::error_handler_t::replace) + "\n");
+}
+
+void put_json(const std::string& json) { write_out(schema::printable_json(json)); }
+
+void put_csv(const std::string& rows) {
+  write_out(is_terminal(STDOUT_FILENO) ? schema::printable_csv(rows) : rows);
+}
+
+Show::Show(bool paged) {
+  const std::string command = paged && is_terminal(STDOUT_FILENO) ? pager_command() : "";
+  std::fflush(stdout);
+  if (command.empty()) return;
+  // As git does: end at once if all fits, colors, long lines cut, the screen left as it is.
+  setenv("LESS", "FRSX", /*overwrite=*/0);
+  pager_ = popen(command.c_str(), "w");
+  if (!pager_) return;
+  // Ctrl-C is the pager's, and it may be left before it has read everything. Only now: the pager
+  // would inherit it.
+  on_interrupt_ = std::signal(SIGINT, SIG_IGN);
+  on_pipe_ = std::signal(SIGPIPE, SIG_IGN);
+}
+
+Show::~Show() {
+  if (pager_ && close_pager()) write_out(begin_);
+}
+
+// Whether there was no such pager: then nothing was shown.
+bool Show::close_pager() {
+  const int status = pclose(pager_);
+  pager_ = nullptr;
+  std::signal(SIGINT, on_interrupt_);
+  std::signal(SIGPIPE, on_pipe_);
+  return WIFEXITED(status) && (WEXITSTATUS(status) == 126 || WEXITSTATUS(status) == 127);
+}
+
+bool Show::write(const std::string& text) {
+  constexpr std::size_t kMoreThanAPipeHolds = 1 << 20;
+  if (was_left_) return false;
+  const std::string shown = for_people(text);
+  if (pager_) {
+    if (begin_.size() < kMoreThanAPipeHolds) begin_ += shown;
+    if (std::fputs(shown.c_str(), pager_) >= 0 && std::fflush(pager_) == 0) return true;
+    was_left_ = !close_pager();
+    if (was_left_) return false;
+  }
+  write_out(pager_ || begin_.empty() ? shown : std::exchange(begin_, ""));
+  return std::ferror(stdout) == 0;
+}
+
+bool reader_has_gone() {
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,137 @@
+#include "search/terminal/tolerance_text.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "search/terminal/duration.hpp"
+#include "search/terminal/progress_text.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+constexpr double kQuantiles[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
+
+Json share_json(std::uint64_t hits, const MiscutCopies& copies) {
+  const ShareOfTrials share = share_of(hits, copies);
+  return {{"copies", hits},
+          {"share", share.share},
+          {"share_low", share.low},
+          {"share_high", share.high}};
+}
+
+std::string share_line(const Tolerance& t, double deg, std::uint64_t hits) {
+  const ShareOfTrials share = share_of(hits, t.copies);
+  char line[200];
+  std::snprintf(line, sizeof line, "still from %-6g %llu, %.4g %% (95 %%: %.4g to %.4g)\n", deg,
+                number(hits), 100 * share.share, 100 * share.low, 100 * share.high);
+  return line;
+}
+
+std::string vertices_text(const Tolerance& t) {
+  char line[200];
+  std::snprintf(line, sizeof line,
+                "one vertex alone, %llu copies each, the most harmful first\n"
+                "vertex  still from %g  mean loss, deg\n",
+                number(t.vertices.front().copies.trials), t.threshold_deg);
+  std::string text = line;
+  for (const VertexTolerance& vertex : t.vertices) {
+    const std::uint64_t survivors = vertex.copies.from(t.threshold_sample);
+    std::snprintf(line, sizeof line, "%-6s %12.4g %% %15.4g\n",
+                  solver::vertex_label(vertex.vertex).c_str(),
+                  100 * share_of(survivors, vertex.copies).share, t.mean_loss_deg(vertex.copies));
+    text += line;
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string tolerance_text(const NamedTolerance& named) {
+  const Tolerance& t = named.tolerance;
+  char line[200];
+  std::string text = t.vertices.empty() ? "" : vertices_text(t);
+  std::snprintf(
+      line, sizeof line, "%s, deploys from %g deg; %llu copies, every vertex off by up to %g mm\n",
+      named.name.c_str(), t.own_sample * t.sample_deg, number(t.copies.trials), t.amplitude_mm);
+  text += line;
+  text += "deploy from      ";
+  for (const double share : kQuantiles) {
+    std::snprintf(line, sizeof line, " %g deg (%g %%)", t.copies.quantile(share) * t.sample_deg,
+                  100 * share);
+    text += line;
+  }
+  text += "\n";
+  if (t.copies.undecided > 0) {
+    std::snprintf(line, sizeof line, "undecided         %llu: the intervals allow for both\n",
+                  number(t.copies.undecided));
+    text += line;
+  }
+  if (t.own_sample > t.threshold_sample) {
+    text += share_line(t, t.own_sample * t.sample_deg, t.copies.from(t.own_sample));
+  }
+  return text + share_line(t, t.threshold_deg, t.survivors());
+}
+
+std::string tolerances_text(std::vector<NamedTolerance> several) {
+  const auto share = [](const NamedTolerance& named) {
+    return share_of(named.tolerance.survivors(), named.tolerance.copies);
+  };
+  std::stable_sort(several.begin(), several.end(),
+                   [&](const auto& a, const auto& b) { return share(a).share < share(b).share; });
+  const Tolerance& first = several.front().tolerance;
+  char line[200];
+  std::snprintf(line, sizeof line,
+                "%llu copies each, every vertex off by up to %g mm; the most tolerant last\n"
+                "%-24s  deploys from  still from %-6g 95 %%\n",
+                number(first.copies.trials), first.amplitude_mm, "", first.threshold_deg);
+  std::string text = line;
+  for (const NamedTolerance& named : several) {
+    const Tolerance& t = named.tolerance;
+    const ShareOfTrials survive = share(named);
+    std::snprintf(line, sizeof line, "%-24s  %12g  %15.4g %% %.4g to %.4g\n", named.name.c_str(),
+                  t.own_sample * t.sample_deg, 100 * survive.share, 100 * survive.low,
+                  100 * survive.high);
+    text += line;
+  }
+  return text;
+}
+
+Json tolerance_json(const Tolerance& t) {
+  Json quantiles = Json::array(), vertices = Json::array();
+  for (const double share : kQuantiles) {
+    quantiles.push_back(
+        {{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}});
+  }
+  for (const VertexTolerance& vertex : t.vertices) {
+    Json json = share_json(vertex.copies.from(t.threshold_sample), vertex.copies);
+    json["vertex"] = solver::vertex_label(vertex.vertex);
+    json["trials"] = vertex.copies.trials;
+    json["undecided"] = vertex.copies.undecided;
+    json["mean_loss_deg"] = t.mean_loss_deg(vertex.copies);
+    vertices.push_back(json);
+  }
+  Json json = {{"amplitude_mm", t.amplitude_mm},
+               {"trials", t.copies.trials},
+               {"undecided", t.copies.undecided},
+               {"deploys_from_deg", t.own_sample * t.sample_deg},
+               {"threshold_deg", t.threshold_deg},
+               {"from_threshold", share_json(t.survivors(), t.copies)},
+               {"from_own", share_json(t.copies.from(t.own_sample), t.copies)},
+               {"mean_loss_deg", t.mean_loss_deg(t.copies)},
+               {"quantiles", quantiles}};
+  if (!t.vertices.empty()) json["vertices"] = vertices;
+  return json;
+}
+
+std::string copies_line(const CopiesDone& copies, double elapsed_s) {
+  const auto done = static_cast<double>(copies.done), all = static_cast<double>(copies.all);
+  std::string line = short_number(done) + " of " + short_number(all) + " copies";
+  if (elapsed_s <= 0 || copies.done == 0) return line;
+  return line + ", " + short_number(done / elapsed_s) + "/s, " +
+         duration((all - done) * elapsed_s / done) + " left";
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,310 @@
+#include "search/verbs/bench.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "search/draws/draw.hpp"
+#include "search/draws/stopwatch.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/draws/trial.hpp"
+#include "solver/reference/reference.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::DrawRange;
+using schema::Json;
+
+// The frozen reference on a campaign's draws.
+class ReferenceRun {
+ public:
+  ReferenceRun(const schema::Campaign& campaign, const solver::Mechanism& mechanism,
+               double longest_step_deg = solver::PathPlanOptions{}.longest_step_deg)
+      : campaign_(campaign),
+        base_(campaign.pattern.base),
+        plan_(solver::plan_path(mechanism, base_.folding, base_.sheet.vertices_mm,
+                                path_options(campaign, longest_step_deg))),
+        reference_(mechanism, plan_),
+        shifts_mm_(Eigen::Matrix2Xd::Zero(2, base_.sheet.vertex_count())) {}
+
+  solver::Verdict judge(std::uint64_t draw) {
+    draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm_);
+    return reference_.judge(base_.sheet.vertices_mm + shifts_mm_);
+  }
+  const solver::PathResult& path() const { return reference_.path(); }
+
+ private:
+  static solver::PathPlanOptions path_options(const schema::Campaign& campaign,
+                                              double longest_step_deg) {
+    solver::PathPlanOptions options = campaign.path();
+    options.longest_step_deg = longest_step_deg;
+    return options;
+  }
+
+  const schema::Campaign& campaign_;
+  const solver::PerforatedSheet& base_;
+  const solver::PathPlan plan_;
+  solver::Reference reference_;
+  Eigen::Matrix2Xd shifts_mm_;
+};
+
+// One instruction set on a campaign's draws: all that a search does but the catalogue.
+class LaneRun {
+ public:
+  LaneRun(const schema::Campaign& campaign, solver::InstructionSet set) : trial_(campaign, set) {}
+
+  // Blocks for so long; the first ones small, as a search's are.
+  void run(double seconds) {
+    const Stopwatch watch;
+    UnitWork work(trial_, {next_, schema::kEndOfDraws});
+    while (watch.seconds() < seconds) work.run_next_block();
+    const schema::UnitRecord unit = work.take();
+    next_ = unit.range.hi;
+    speed_.draws += unit.range.size();
+    speed_.seconds += unit.seconds;
+    for (const schema::Candidate& candidate : unit.candidates) {
+      accepted_.push_back(candidate.draw);
+    }
+  }
+
+  bool accepted(std::uint64_t draw) const {
+    return std::binary_search(accepted_.begin(), accepted_.end(), draw);
+  }
+  bool wants(const solver::Verdict& verdict) const { return trial_.campaign().accepts(verdict); }
+  SolverSpeed speed() const {
+    SolverSpeed speed = speed_;
+    const solver::Effort screening = trial_.batch().screening_effort();
+    const solver::Effort judging = trial_.batch().judging_effort();
+    speed.effort = {screening.solves + judging.solves, screening.iterations + judging.iterations};
+    return speed;
+  }
+
+ private:
+  Trial trial_;
+  std::uint64_t next_ = 0;
+  SolverSpeed speed_;
+  std::vector<std::uint64_t> accepted_;
+};
+
+// Where the reference and the lanes differ, the reference goes again in steps of this. In steps of
+// a whole degree it can cross a fold limit to another branch without a crease moving by 20 degrees.
+constexpr double kCarefulStep_deg = 0.02;
+
+Json speed_json(const SolverSpeed& speed) {
+  const double draws = static_cast<double>(speed.draws);
+  return {{"draws", speed.draws},
+          {"draws_per_s", speed.draws_per_s()},
+          {"solves_per_draw", static_cast<double>(speed.effort.solves) / draws},
+          {"iterations_per_draw", static_cast<double>(speed.effort.iterations) / draws}};
+}
+
+Json report_json(const SpeedReport& report) {
+  Json lanes = Json::array();
+  for (const auto& [set, speed] : report.lanes) {
+    Json entry = speed_json(speed);
+    entry["instruction_set"] = solver::instruction_set_name(set);
+    entry["ratio"] = speed.draws_per_s() / report.reference.draws_per_s();
+    entry["disagreements"] = speed.disagreements;
+    lanes.push_back(entry);
+  }
+  return {{"reference", speed_json(report.reference)}, {"lanes", lanes}};
+}
+
+Json report_json(const AgreementReport& report) {
+  return {{"draws", report.draws},
+          {"undecided", report.undecided},
+          {"verdicts_differ", report.verdicts_differ},
+          {"reference_jumped", report.reference_jumped},
+          {"decisions", report.decisions},
+          {"decisions_differ", report.decisions_differ},
+          {"differing_draws", report.differing_draws}};
+}
+
+void print_speed(const SpeedReport& report) {
+  put_format("%-10s %12s %8s %12s %16s %14s\n", "solver", "draws/s", "ratio", "solves/draw",
+             "iterations/draw", "disagreements");
+  const auto row = [&](const char* name, const SolverSpeed& speed) {
+    const double draws = static_cast<double>(speed.draws);
+    put_format("%-10s %12.0f %8.0f %12.2f %16.2f %14llu\n", name, speed.draws_per_s(),
+               speed.draws_per_s() / report.reference.draws_per_s(),
+               static_cast<double>(speed.effort.solves) / draws,
+               static_cast<double>(speed.effort.iterations) / draws,
+               static_cast<unsigned long long>(speed.disagreements));
+  };
+  row("reference", report.reference);
+  for (const auto& [set, speed] : report.lanes) row(solver::instruction_set_name(set), speed);
+  put_format("disagreements: on the reference's %llu draws\n",
+             static_cast<unsigned long long>(report.reference.draws));
+}
+
+void print_agreement(const AgreementReport& report) {
+  put_format(
+      "%llu draws: %llu verdicts differ (in %llu more the reference had jumped), %llu of %llu "
+      "decisions differ, %llu undecided\n",
+      static_cast<unsigned long long>(report.draws),
+      static_cast<unsigned long long>(report.verdicts_differ),
+      static_cast<unsigned long long>(report.reference_jumped),
+      static_cast<unsigned long long>(report.decisions_differ),
+      static_cast<unsigned long long>(report.decisions),
+      static_cast<unsigned long long>(report.undecided));
+  for (const std::uint64_t draw : report.differing_draws) {
+    put_format("  differs: draw %llu\n", static_cast<unsigned long long>(draw));
+  }
+}
+
+// Collects what the fast path decides at one threshold after another.
+class Comparison {
+ public:
+  Comparison(const schema::Campaign& campaign, solver::InstructionSet set)
+      : campaign_(campaign), set_(set) {}
+
+  AgreementReport run(std::uint64_t draws) {
+    report_.draws = draws;
+    judge_all(draws);
+    for (double angle_deg = 10; angle_deg <= campaign_.end_deg; angle_deg += 10) {
+      const int threshold = static_cast<int>(angle_deg / campaign_.sample_deg + 0.5);
+      if (threshold >= 1) decide(threshold, [](const solver::Verdict&) { return true; });
+    }
+    const int last = static_cast<int>(campaign_.end_deg / campaign_.sample_deg * (1 + 1e-9));
+    for (int d = 0; d <= last; ++d) {
+      const auto has_d = [&](const solver::Verdict& expected) {
+        return expected.deploys_from_sample == d;
+      };
+      if (std::none_of(expected_.begin(), expected_.end(), has_d)) continue;
+      if (d >= 1) decide(d, has_d);
+      if (d < last) decide(d + 1, has_d);
+    }
+    return report_;
+  }
+
+ private:
+  void judge_all(std::uint64_t draws) {
+    Trial trial(campaign_, set_);
+    ReferenceRun reference(campaign_, trial.mechanism());
+    ReferenceRun careful(campaign_, trial.mechanism(), kCarefulStep_deg);
+    for (std::uint64_t lo = 0; lo < draws; lo += trial.largest_block()) {
+      const DrawRange block{lo, std::min(draws, lo + trial.largest_block())};
+      const auto& verdicts = trial.judge(block);
+      full_path_.insert(full_path_.end(), verdicts.begin(), verdicts.end());
+    }
+    for (std::uint64_t draw = 0; draw < draws; ++draw) {
+      expected_.push_back(reference.judge(draw));
+      const solver::Verdict& found = full_path_[draw];
+      if (found.first_fault == solver::Fault::undecided) ++report_.undecided;
+      if (same(expected_.back(), found)) continue;
+      expected_.back() = careful.judge(draw);
+      if (same(expected_.back(), found)) {
+        ++report_.reference_jumped;
+      } else {
+        ++report_.verdicts_differ;
+        note(draw);
+      }
+    }
+  }
+
+  static bool same(const solver::Verdict& a, const solver::Verdict& b) {
+    return a.deploys_from_sample == b.deploys_from_sample && a.first_fault == b.first_fault &&
+           a.where == b.where;
+  }
+
+  // The fast path accepts what its tests leave and its full path takes as far as the threshold.
+  template <class Chosen>
+  void decide(int threshold, const Chosen& is_chosen) {
+    const solver::SheetFamily family(campaign_.pattern.base, campaign_.misalignment.vertices,
+                                     campaign_.path(), threshold);
+    const auto batch = solver::make_batch(set_, family);
+    solver::ShiftBlock block;
+    std::vector<std::uint64_t> in_block;
+    const auto flush = [&] {
+      block.sheets = static_cast<int>(in_block.size());
+      if (in_block.empty()) return;
+      const auto& screened = batch->screen(block);
+      for (std::size_t i = 0; i < in_block.size(); ++i) {
+        const std::uint64_t draw = in_block[i];
+        const bool accepts = screened[i].fault == solver::Fault::none &&
+                             full_path_[draw].deploys_from_sample >= threshold;
+        ++report_.decisions;
+        if (accepts == (expected_[draw].deploys_from_sample >= threshold)) continue;
+        ++report_.decisions_differ;
+        note(draw);
+      }
+      block.shifts_mm.clear();
+      in_block.clear();
+    };
+    constexpr std::size_t kBlock = 4096;
+    for (std::uint64_t draw = 0; draw < expected_.size(); ++draw) {
+      if (!is_chosen(expected_[draw])) continue;
+      in_block.push_back(draw);
+      block.shifts_mm.resize(in_block.size() * 2 * family.shifted().size());
+      draw_shifts(campaign_.misalignment, campaign_.seed, draw,
+                  block.shifts_mm.data() + block.shifts_mm.size() - 2 * family.shifted().size());
+      if (in_block.size() == kBlock) flush();
+    }
+    flush();
+  }
+
+  void note(std::uint64_t draw) {
+    if (report_.differing_draws.size() < 20) report_.differing_draws.push_back(draw);
+  }
+
+  const schema::Campaign& campaign_;
+  const solver::InstructionSet set_;
+  AgreementReport report_;
+  std::vector<solver::Verdict> expected_, full_path_;
+};
+
+}  // namespace
+
+SpeedReport measure_speed(const schema::Campaign& campaign, double seconds) {
+  constexpr int kRounds = 3;
+  SpeedReport report;
+  std::vector<std::unique_ptr<LaneRun>> runs;
+  const auto sets = solver::available_instruction_sets();
+  for (const auto set : sets) runs.push_back(std::make_unique<LaneRun>(campaign, set));
+  const solver::SheetFamily family(campaign.pattern.base, campaign.misalignment.vertices,
+                                   campaign.path(), campaign.threshold_sample());
+  ReferenceRun reference(campaign, family.mechanism());
+  std::vector<solver::Verdict> expected;
+  for (int round = 0; round < kRounds; ++round) {
+    const Stopwatch watch;
+    do {
+      expected.push_back(reference.judge(expected.size()));
+      report.reference.effort.solves += reference.path().newton_solves;
+      report.reference.effort.iterations += reference.path().newton_iterations;
+    } while (watch.seconds() < seconds / kRounds);
+    report.reference.seconds += watch.seconds();
+    for (const auto& run : runs) run->run(seconds / kRounds);
+  }
+  report.reference.draws = expected.size();
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    SolverSpeed speed = runs[i]->speed();
+    for (std::uint64_t draw = 0; draw < std::min(speed.draws, report.reference.draws); ++draw) {
+      if (runs[i]->accepted(draw) != runs[i]->wants(expected[draw])) ++speed.disagreements;
+    }
+    report.lanes.emplace_back(sets[i], speed);
+  }
+  return report;
+}
+
+AgreementReport compare_verdicts(const schema::Campaign& campaign, std::uint64_t draws,
+                                 solver::InstructionSet set) {
+  return Comparison(campaign, set).run(draws);
+}
+
+bool bench(const BenchOptions& options) {
+  const schema::Campaign campaign = options.campaign_path.empty()
+                                        ? schema::default_campaign()
+                                        : schema::read_campaign_file(options.campaign_path);
+  if (options.agree_draws) {
+    const AgreementReport report = compare_verdicts(campaign, *options.agree_draws,
+                                                    solver::available_instruction_sets().back());
+    options.json ? put_json(report_json(report)) : print_agreement(report);
+    return report.verdicts_differ + report.decisions_differ + report.undecided == 0;
+  }
+  const SpeedReport report = measure_speed(campaign, options.seconds);
+  options.json ? put_json(report_json(report)) : print_speed(report);
+  return std::all_of(report.lanes.begin(), report.lanes.end(),
+                     [](const auto& lane) { return lane.second.disagreements == 0; });
+}
+
+}  // namespace misalign::search

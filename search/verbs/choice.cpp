@@ -1,0 +1,227 @@
+#include "search/verbs/choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/sql_tokens.hpp"
+#include "solver/design/spread.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
+  return schema::reading(database, [&] {
+    const SQLite::Statement candidates(database, "SELECT * FROM candidates LIMIT 0");
+    std::vector<std::string> columns;
+    for (int k = 0; k < candidates.getColumnCount(); ++k) {
+      columns.emplace_back(candidates.getColumnName(k));
+    }
+    return columns;
+  });
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+Json rows_of(SQLite::Database& database, const std::string& sql) {
+  return Json::parse(schema::query_table(database, sql, schema::TableStyle::json));
+}
+
+std::vector<std::uint64_t> draws_of_rows(const SQLite::Database& database, const Json& rows) {
+  std::vector<std::uint64_t> draws;
+  for (const Json& row : rows) {
+    const Json& draw = row.at("draw");
+    if (!draw.is_number_unsigned()) {
+      throw schema::damaged(database, "a candidate's draw is " + draw.dump());
+    }
+    draws.push_back(draw.get<std::uint64_t>());
+  }
+  return draws;
+}
+
+// Rows of unequal length and meaning made comparable: each coordinate over its standard deviation,
+// divided so that the whole block counts like one coordinate.
+Eigen::MatrixXd standardized(const std::vector<std::vector<double>>& points) {
+  const auto rows = static_cast<Eigen::Index>(points.front().size());
+  Eigen::MatrixXd block(rows, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    block.col(static_cast<Eigen::Index>(k)) = Eigen::VectorXd::Map(points[k].data(), rows);
+  }
+  block.colwise() -= Eigen::VectorXd(block.rowwise().mean());
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const double deviation =
+        std::sqrt(block.row(row).squaredNorm() / static_cast<double>(block.cols()));
+    if (deviation > 0) block.row(row) /= deviation * std::sqrt(static_cast<double>(rows));
+  }
+  return block;
+}
+
+// Elongations of the diagonals at D, one list per row.
+std::vector<std::vector<double>> elongations_of(const SQLite::Database& database,
+                                                const Json& rows) {
+  std::vector<std::vector<double>> elongations;
+  for (const Json& row : rows) {
+    const Json list = schema::json_of(row.at("elongation"));
+    const bool numbers = list.is_array() && !list.empty() &&
+                         std::all_of(list.begin(), list.end(), std::mem_fn(&Json::is_number));
+    if (!numbers || (!elongations.empty() && elongations[0].size() != list.size())) {
+      throw schema::damaged(database, "a candidate's elongations are none");
+    }
+    elongations.push_back(list.get<std::vector<double>>());
+  }
+  return elongations;
+}
+
+// Shifts of every vertex that any of them shifts, x and y, one list per row.
+std::vector<std::vector<double>> shifts_of(const SQLite::Database& database, const Json& rows) {
+  std::map<std::string, std::size_t> place;  // of a vertex in the lists
+  std::vector<Json> displacements;
+  for (const Json& row : rows) {
+    displacements.push_back(schema::json_of(row.at("displacements_mm")));
+    if (!displacements.back().is_object()) {
+      throw schema::damaged(database, "a candidate's displacements are none");
+    }
+    for (const auto& [label, shift] : displacements.back().items()) {
+      if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+          !shift[1].is_number()) {
+        throw schema::damaged(database, "a candidate's displacement is " + shift.dump());
+      }
+      place.emplace(label, place.size());
+    }
+  }
+  std::vector<std::vector<double>> shifts;
+  for (const Json& of_one : displacements) {
+    shifts.emplace_back(2 * place.size(), 0.0);
+    for (const auto& [label, shift] : of_one.items()) {
+      shifts.back()[2 * place[label]] = shift[0].get<double>();
+      shifts.back()[2 * place[label] + 1] = shift[1].get<double>();
+    }
+  }
+  return shifts;
+}
+
+// Where candidates lie for a spread, a column for each of the rows: by their shifts, and by what
+// the diagonals do of it, which counts as much.
+Eigen::MatrixXd places_of(const SQLite::Database& database, const Json& rows) {
+  const Eigen::MatrixXd shifts = standardized(shifts_of(database, rows));
+  const Eigen::MatrixXd elongations = standardized(elongations_of(database, rows));
+  Eigen::MatrixXd places(shifts.rows() + elongations.rows(), shifts.cols());
+  places << shifts, elongations;
+  return places;
+}
+
+// That it is an expression by itself, so that what it says is about the rows of candidates, and
+// what is wrong with it is said of the condition, not of a query around it.
+void check_condition(SQLite::Database& database, const std::string& where) {
+  const auto refuse = [&](const std::string& why) {
+    throw schema::UserError(schema::kExitUsage, "--where " + schema::printable(where) +
+                                                    ": is no condition on the columns " +
+                                                    joined(columns_of_candidates(database)) + why +
+                                                    "; try \"stroke_max < 0.08\"");
+  };
+  const std::string reason = schema::reason_not_to_enclose(where);
+  if (!reason.empty()) refuse(" (" + reason + ")");
+  try {
+    // In brackets it must end, behind an operator it must begin as an expression.
+    rows_of(database, "SELECT 1 FROM candidates WHERE (" + where + "\n) LIMIT 0");
+    rows_of(database, "SELECT 1 FROM candidates WHERE 0 OR " + where + "\nLIMIT 0");
+  } catch (const schema::UserError& error) {
+    if (error.exit_code() != schema::kExitUsage) throw;
+    refuse("");
+  }
+}
+
+void check_column(SQLite::Database& database, const std::string& by) {
+  const std::vector<std::string> columns = columns_of_candidates(database);
+  if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--by " + by + ": is no column of a candidate; choose one of " + joined(columns));
+}
+
+// Of those that `all` selects, so many: in the order that "best" means, or by a column, the largest
+// first, and the best first among equals.
+std::vector<std::uint64_t> best_draws(SQLite::Database& database, const std::string& all,
+                                      const std::optional<std::string>& by, std::uint64_t most) {
+  const std::string best = schema::best_order(), head = "ORDER BY ";
+  const std::string order = by ? head + *by + " DESC, " + best.substr(head.size()) : best;
+  return draws_of_rows(database,
+                       rows_of(database, all + " " + order + " LIMIT " + std::to_string(most)));
+}
+
+std::string joined(const std::vector<std::uint64_t>& draws) {
+  std::string text;
+  for (const std::uint64_t draw : draws) text += (text.empty() ? "" : ", ") + std::to_string(draw);
+  return text;
+}
+
+// The rows of these draws, each at its draw's place.
+Json in_order_of(const SQLite::Database& database, const std::vector<std::uint64_t>& draws,
+                 const Json& rows) {
+  std::map<std::uint64_t, const Json*> row_of;
+  for (const Json& row : rows) row_of[row.at("draw").get<std::uint64_t>()] = &row;
+  Json ordered = Json::array();
+  for (const std::uint64_t draw : draws) {
+    const auto row = row_of.find(draw);
+    if (row == row_of.end()) {
+      throw schema::damaged(database, "draw " + std::to_string(draw) + " has no row");
+    }
+    ordered.push_back(*row->second);
+  }
+  return ordered;
+}
+
+std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
+  if (!choice.draws.empty()) {
+    std::vector<std::uint64_t> draws;
+    for (const std::uint64_t draw : choice.draws) {
+      const std::string sql = "SELECT draw FROM candidate WHERE draw = " + std::to_string(draw);
+      if (!rows_of(database, sql).empty()) draws.push_back(draw);
+    }
+    return draws;
+  }
+  if (!choice.where.empty()) check_condition(database, choice.where);
+  const std::string all =
+      "SELECT draw FROM candidates" +
+      (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");  // which ends a comment
+  if (!choice.best && !choice.diverse) {
+    return draws_of_rows(database, rows_of(database, all + " ORDER BY draw"));
+  }
+  if (choice.by) check_column(database, *choice.by);
+  if (choice.best) return best_draws(database, all, choice.by, *choice.best);
+  const std::vector<std::uint64_t> among = best_draws(database, all, choice.by, kDiverseAmong);
+  const Json rows = in_order_of(database, among,
+                                rows_of(database,
+                                        "SELECT draw, displacements_mm, elongation FROM candidate "
+                                        "WHERE draw IN (" +
+                                            joined(among) + ")"));
+  if (rows.empty()) return {};
+  std::vector<std::uint64_t> spread;
+  for (const int k : solver::farthest_first(places_of(database, rows), *choice.diverse)) {
+    spread.push_back(among[static_cast<std::size_t>(k)]);
+  }
+  return spread;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice) {
+  const std::vector<std::uint64_t> draws = chosen(database, choice);
+  if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
+    throw schema::UserError(schema::kExitUsage,
+                            database.getFilename() + ": holds no such candidate; `misalign query " +
+                                database.getFilename() +
+                                " best` shows those that it holds, `misalign replay` any draw");
+  }
+  return draws;
+}
+
+}  // namespace misalign::search

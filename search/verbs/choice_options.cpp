@@ -1,0 +1,64 @@
+#include "search/verbs/choice_options.hpp"
+
+#include <limits>
+
+#include "search/terminal/shell_word.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+CLI::Validator a_condition() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return text.empty() ? "the condition is empty" : std::string();
+      },
+      "");
+}
+
+}  // namespace
+
+ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
+  ChoiceOptions options{};
+  options.best = group.add_option("--best", choice.best, "so many, the best first")
+                     ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
+                     ->type_name("K");
+  options.diverse =
+      group
+          .add_option("--diverse", choice.diverse,
+                      "so many that differ most, among the best " + std::to_string(kDiverseAmong))
+          ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
+          ->excludes(options.best)
+          ->type_name("K");
+  options.where =
+      group
+          .add_option(
+              "--where", choice.where,
+              "those for which this SQL condition holds; with --best or --diverse: of those")
+          ->type_name("SQL")
+          ->check(a_condition());
+  options.by =
+      verb.add_option("--by", choice.by,
+                      "column that the best are sorted by, largest first [as query `best` does]")
+          ->type_name("COLUMN");
+  return options;
+}
+
+void check_by(const Choice& choice) {
+  if (!choice.by || choice.best || choice.diverse) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--by has no meaning without --best or --diverse; take it out, or add one "
+      "of them");
+}
+
+std::string text_of(const Choice& choice) {
+  std::string text;
+  if (choice.best) text += " --best " + std::to_string(*choice.best);
+  if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
+  if (choice.by) text += " --by " + shell_word(*choice.by);
+  if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
+  return text;
+}
+
+}  // namespace misalign::search

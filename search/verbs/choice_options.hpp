@@ -1,0 +1,23 @@
+// --best, --diverse, --where and --by of the verbs that take chosen candidates.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "search/verbs/choice.hpp"
+
+namespace misalign::search {
+
+struct ChoiceOptions {
+  CLI::Option *best, *diverse, *where, *by;
+};
+
+/// Adds them to the verb, all but --by inside its group; --draw is the verb's own.
+ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice);
+
+/// UserError (2) where --by is given and nothing that it could sort for.
+void check_by(const Choice& choice);
+
+/// The options that were given, as a shell takes them: " --best 3 --where 'stroke_max < 0.05'".
+std::string text_of(const Choice& choice);
+
+}  // namespace misalign::search
