@@ -1,5 +1,5 @@
-#include "search/verbs/cli.hpp"
 #include "search/ranks/process_start.hpp"
+#include "search/verbs/cli.hpp"
 
 int main(int argc, char** argv) {
   misalign::search::prepare_process();

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "schema/exchange/folding_json.hpp"
 #include "schema/catalogue/since.hpp"
+#include "schema/exchange/folding_json.hpp"
 
 namespace misalign::schema {
 namespace {

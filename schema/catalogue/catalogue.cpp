@@ -6,13 +6,13 @@
 #include <chrono>
 #include <filesystem>
 
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/connection.hpp"
-#include "schema/files/file_name.hpp"
-#include "schema/exchange/folding_json.hpp"
-#include "schema/files/output_file.hpp"
 #include "schema/catalogue/unit_copier.hpp"
+#include "schema/exchange/folding_json.hpp"
+#include "schema/files/carried_files.hpp"
+#include "schema/files/file_name.hpp"
+#include "schema/files/output_file.hpp"
 
 namespace misalign::schema {
 namespace {

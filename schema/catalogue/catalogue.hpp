@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "schema/campaign/campaign.hpp"
-#include "schema/catalogue/database.hpp"
 #include "schema/campaign/goal.hpp"
+#include "schema/catalogue/database.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "schema/catalogue/yield.hpp"

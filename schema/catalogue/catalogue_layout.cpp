@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
+#include "schema/files/carried_files.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <string_view>
 
-#include "schema/files/file_calls.hpp"
 #include "schema/catalogue/journal_check.hpp"
+#include "schema/files/file_calls.hpp"
 
 namespace misalign::schema {
 namespace {

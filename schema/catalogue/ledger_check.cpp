@@ -8,10 +8,10 @@
 
 #include "schema/catalogue/campaign_check.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "schema/files/hexadecimal.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/yield_check.hpp"
+#include "schema/files/hexadecimal.hpp"
 
 namespace misalign::schema {
 namespace {

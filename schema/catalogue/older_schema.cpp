@@ -3,9 +3,9 @@
 #include <cassert>
 #include <string>
 
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/fault_sample.hpp"
 #include "schema/catalogue/since.hpp"
+#include "schema/files/carried_files.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/database.hpp"
-#include "schema/files/output_file.hpp"
 #include "schema/catalogue/yield.hpp"
+#include "schema/files/output_file.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/files/base64.hpp"
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/unit_writer.hpp"
+#include "schema/files/base64.hpp"
+#include "schema/files/carried_files.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

@@ -2,8 +2,8 @@
 // the data that goes into it.
 #pragma once
 
-#include "schema/exchange/actuation_json.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/exchange/actuation_json.hpp"
 
 namespace misalign::schema {
 

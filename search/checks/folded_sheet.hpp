@@ -3,8 +3,8 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "solver/design/actuation.hpp"
-#include "solver/linear/elimination.hpp"
 #include "solver/design/fold_lines.hpp"
+#include "solver/linear/elimination.hpp"
 
 namespace misalign::search {
 

@@ -5,8 +5,8 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "search/checks/chosen_sheet.hpp"
-#include "solver/verdict/metrics.hpp"
 #include "solver/design/shaped_path.hpp"
+#include "solver/verdict/metrics.hpp"
 
 namespace misalign::search {
 namespace {

@@ -8,8 +8,8 @@
 #include "schema/catalogue/ledger_check.hpp"
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/contact.hpp"
-#include "solver/linear/elimination.hpp"
 #include "solver/design/fold_lines.hpp"
+#include "solver/linear/elimination.hpp"
 #include "solver/verdict/history.hpp"
 
 namespace misalign::search {

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "schema/catalogue/catalogue.hpp"
+#include "search/draws/trial.hpp"
 #include "search/ranks/dispatcher.hpp"
 #include "search/ranks/heartbeat.hpp"
 #include "search/terminal/progress.hpp"
-#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 

@@ -9,14 +9,14 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
-#include "search/terminal/failure.hpp"
 #include "search/draws/nothing_found.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
-#include "search/verbs/status.hpp"
 #include "search/ranks/stop_signal.hpp"
-#include "search/terminal/terminal.hpp"
 #include "search/ranks/worker.hpp"
+#include "search/terminal/failure.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/status.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,8 +1,8 @@
 // Ranks above 0: work off ranges until an empty one comes.
 #pragma once
 
-#include "search/ranks/mpi_session.hpp"
 #include "search/draws/trial.hpp"
+#include "search/ranks/mpi_session.hpp"
 
 namespace misalign::search {
 

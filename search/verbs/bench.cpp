@@ -5,8 +5,8 @@
 
 #include "search/draws/draw.hpp"
 #include "search/draws/stopwatch.hpp"
-#include "search/terminal/terminal.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/terminal.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

@@ -16,9 +16,9 @@
 #include "schema/campaign/draw_range.hpp"
 #include "schema/files/input.hpp"
 #include "search/ranks/build_info.hpp"
+#include "search/ranks/mpi_session.hpp"
 #include "search/terminal/failure.hpp"
 #include "search/terminal/help_format.hpp"
-#include "search/ranks/mpi_session.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "search/terminal/terminal.hpp"
@@ -162,8 +162,9 @@ bool rank_zero_speaks(const CLI::App& app) {
   return verb && verb->get_name() == "search" && launched_rank() != 0;
 }
 
-// A launcher ends every rank as soon as one exits with an error: rank 0 too, which on a busy machine
-// may not have spoken yet. So the others wait to be ended, and after this long leave by themselves.
+// A launcher ends every rank as soon as one exits with an error: rank 0 too, which on a busy
+// machine may not have spoken yet. So the others wait to be ended, and after this long leave by
+// themselves.
 int leave_it_to_rank_zero(int exit_code) {
   std::this_thread::sleep_for(std::chrono::seconds(10));
   return exit_code;

@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "search/checks/machine_check.hpp"
+#include "search/draws/trial.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 int run_doctor(const std::string& directory, bool json) {

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "schema/exchange/actuation_json.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/yield.hpp"
+#include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "schema/exchange/fold_export.hpp"
 #include "schema/exchange/history_table.hpp"
 #include "schema/files/output_file.hpp"
 #include "schema/files/text_file.hpp"
-#include "schema/catalogue/yield.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "search/terminal/terminal.hpp"

@@ -1,8 +1,8 @@
 // `misalign export`: chosen candidates, or a pattern, as files.
 #pragma once
 
-#include "search/verbs/choice.hpp"
 #include "search/checks/folded_sheet.hpp"
+#include "search/verbs/choice.hpp"
 
 namespace misalign::search {
 

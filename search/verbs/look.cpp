@@ -8,9 +8,9 @@
 #include <map>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "search/draws/trial.hpp"
 #include "search/terminal/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/draws/trial.hpp"
 #include "solver/pattern/perforation.hpp"
 
 namespace misalign::search {

@@ -9,14 +9,14 @@
 
 #include "schema/catalogue/result_table.hpp"
 #include "search/checks/chosen_sheet.hpp"
-#include "search/verbs/look.hpp"
-#include "search/draws/nothing_found.hpp"
 #include "search/checks/pattern_check.hpp"
-#include "search/verbs/status.hpp"
+#include "search/checks/verify.hpp"
+#include "search/draws/nothing_found.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/look.hpp"
+#include "search/verbs/status.hpp"
 #include "search/verbs/verbs.hpp"
-#include "search/checks/verify.hpp"
 
 namespace misalign::search {
 

@@ -7,15 +7,15 @@
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "schema/report/report.hpp"
 #include "schema/files/text_file.hpp"
-#include "search/ranks/build_info.hpp"
-#include "search/verbs/choice_options.hpp"
+#include "schema/report/report.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
+#include "search/ranks/build_info.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "search/verbs/status.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/choice_options.hpp"
+#include "search/verbs/status.hpp"
 
 namespace misalign::search {
 namespace {

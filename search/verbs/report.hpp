@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "search/verbs/choice.hpp"
 #include "search/checks/folded_sheet.hpp"
+#include "search/verbs/choice.hpp"
 
 namespace misalign::search {
 

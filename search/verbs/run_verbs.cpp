@@ -5,20 +5,20 @@
 #include <charconv>
 #include <cstdio>
 
-#include "schema/catalogue/catalogue_state.hpp"
 #include "schema/campaign/key_list.hpp"
-#include "search/verbs/bench.hpp"
-#include "search/verbs/completion.hpp"
-#include "search/verbs/doctor.hpp"
-#include "search/terminal/help_format.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
+#include "search/draws/trial.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/search_run.hpp"
+#include "search/terminal/help_format.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/draws/trial.hpp"
+#include "search/verbs/bench.hpp"
+#include "search/verbs/completion.hpp"
+#include "search/verbs/doctor.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

@@ -3,12 +3,12 @@
 
 #include "schema/campaign/campaign.hpp"
 #include "schema/exchange/plain_export.hpp"
+#include "search/checks/chosen_sheet.hpp"
+#include "search/terminal/terminal.hpp"
 #include "search/verbs/actuators.hpp"
 #include "search/verbs/choice_options.hpp"
-#include "search/checks/chosen_sheet.hpp"
 #include "search/verbs/export.hpp"
 #include "search/verbs/report.hpp"
-#include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

@@ -2,8 +2,8 @@
 // checked against.
 #pragma once
 
-#include "solver/verdict/history.hpp"
 #include "solver/kinematics/shape_check.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::solver {
 

@@ -6,10 +6,10 @@
 #include <array>
 #include <vector>
 
+#include "solver/kinematics/rotation.hpp"
 #include "solver/pattern/base_folding.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 #include "solver/pattern/half_angle.hpp"
-#include "solver/kinematics/rotation.hpp"
 
 namespace misalign::solver {
 

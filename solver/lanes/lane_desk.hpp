@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "solver/continuation/start.hpp"
+#include "solver/continuation/tracker.hpp"
 #include "solver/lanes/batch.hpp"
 #include "solver/verdict/dense_look.hpp"
 #include "solver/verdict/history.hpp"
-#include "solver/continuation/start.hpp"
 #include "solver/verdict/stop_copy.hpp"
-#include "solver/continuation/tracker.hpp"
 
 namespace misalign::solver {
 

@@ -11,8 +11,8 @@
 #include <limits>
 
 #include "solver/kinematics/diagonals.hpp"
-#include "solver/lanes/lane_desk.hpp"
 #include "solver/kinematics/lane_math.hpp"
+#include "solver/lanes/lane_desk.hpp"
 
 namespace misalign::solver {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "solver/linear/elimination.hpp"
 #include "solver/kinematics/lane_math.hpp"
+#include "solver/linear/elimination.hpp"
 
 namespace misalign::solver {
 

@@ -2,8 +2,8 @@
 // of elimination, the full path, and the angles at which the fast tests look.
 #pragma once
 
-#include "solver/verdict/history.hpp"
 #include "solver/linear/sparse_lu.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::solver {
 

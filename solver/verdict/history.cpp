@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/continuation/start.hpp"
+#include "solver/continuation/tracker.hpp"
 #include "solver/verdict/dense_look.hpp"
 #include "solver/verdict/miscut_margin.hpp"
 #include "solver/verdict/recording_client.hpp"
-#include "solver/continuation/start.hpp"
-#include "solver/continuation/tracker.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "solver/kinematics/isometry.hpp"
 #include "solver/continuation/path.hpp"
+#include "solver/kinematics/isometry.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "solver/verdict/flat_gradient.hpp"
 #include "solver/linear/sparse_lu.hpp"
+#include "solver/verdict/flat_gradient.hpp"
 
 namespace misalign::solver {
 

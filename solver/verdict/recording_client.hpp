@@ -4,11 +4,11 @@
 
 #include <array>
 
+#include "solver/continuation/tracker.hpp"
+#include "solver/linear/singular_value.hpp"
 #include "solver/verdict/dense_look.hpp"
 #include "solver/verdict/history.hpp"
-#include "solver/linear/singular_value.hpp"
 #include "solver/verdict/stop_copy.hpp"
-#include "solver/continuation/tracker.hpp"
 
 namespace misalign::solver {
 

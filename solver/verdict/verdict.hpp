@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "solver/verdict/between.hpp"
 #include "solver/continuation/path.hpp"
+#include "solver/verdict/between.hpp"
 
 namespace misalign::solver {
 

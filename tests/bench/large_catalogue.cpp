@@ -10,12 +10,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/verbs/status.hpp"
+#include "schema/files/carried_files.hpp"
 #include "search/draws/stopwatch.hpp"
+#include "search/verbs/status.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 
 namespace misalign::bench {

@@ -4,8 +4,8 @@
 
 #include "search/draws/draw.hpp"
 #include "search/draws/trial.hpp"
-#include "solver/reference/reference.hpp"
 #include "solver/continuation/tracker.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign {
 namespace {

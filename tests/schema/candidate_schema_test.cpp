@@ -1,6 +1,6 @@
 // candidate.schema.json describes what `misalign export` writes.
-#include "schema/exchange/actuation_json.hpp"
 #include "schema/catalogue/yield.hpp"
+#include "schema/exchange/actuation_json.hpp"
 #include "schema_agreement.hpp"
 #include "solver/linear/elimination.hpp"
 

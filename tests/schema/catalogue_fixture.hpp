@@ -13,11 +13,11 @@
 #include <map>
 #include <random>
 
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/result_table.hpp"
+#include "schema/files/carried_files.hpp"
 
 namespace misalign::schema {
 

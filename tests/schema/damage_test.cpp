@@ -1,9 +1,9 @@
 // Damaged catalogues: a sentence for whoever reads one or goes on writing it, and nothing worse.
 #include "catalogue_fixture.hpp"
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/survival.hpp"
 #include "schema/exchange/plain_export.hpp"
 #include "schema/report/report.hpp"
-#include "schema/catalogue/survival.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdlib>
 
 #include "catalogue_fixture.hpp"
-#include "schema/catalogue/connection.hpp"
 #include "schema/campaign/pattern_file.hpp"
-#include "schema/exchange/plain_export.hpp"
+#include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
+#include "schema/exchange/plain_export.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -14,9 +14,9 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "schema/files/carried_files.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/exchange/folding_json.hpp"
+#include "schema/files/carried_files.hpp"
 
 namespace misalign::schema {
 

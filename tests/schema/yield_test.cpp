@@ -4,8 +4,8 @@
 #include <boost/math/special_functions/beta.hpp>
 
 #include "catalogue_fixture.hpp"
-#include "schema/exchange/plain_export.hpp"
 #include "schema/catalogue/yield_check.hpp"
+#include "schema/exchange/plain_export.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "search/terminal/duration.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/duration.hpp"
 
 namespace misalign::search {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
-#include "search/draws/trial.hpp"
 #include "search/checks/verify.hpp"
+#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 namespace {

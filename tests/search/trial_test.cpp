@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "search/draws/draw.hpp"
 #include "search/checks/folded_sheet.hpp"
+#include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
 #include "solver/reference/reference.hpp"
 

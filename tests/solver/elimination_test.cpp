@@ -5,8 +5,8 @@
 #include <set>
 
 #include "sheets.hpp"
-#include "solver/linear/newton.hpp"
 #include "solver/continuation/tracker.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "blocks.hpp"
 #include "solver/linear/newton.hpp"
-#include "solver/reference/reference.hpp"
 #include "solver/linear/singular_value.hpp"
+#include "solver/reference/reference.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solver/verdict/history.hpp"
 #include "solver/pattern/miura.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::solver {
 

@@ -8,9 +8,9 @@
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/fold_export.hpp"
 #include "search/checks/chosen_sheet.hpp"
-#include "search/draws/draw.hpp"
 #include "search/checks/folded_sheet.hpp"
 #include "search/checks/pattern_check.hpp"
+#include "search/draws/draw.hpp"
 #include "tests/stress/folder.hpp"
 #include "tests/stress/mutations.hpp"
 

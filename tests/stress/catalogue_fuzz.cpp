@@ -10,14 +10,14 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "schema/exchange/plain_export.hpp"
 #include "schema/report/report.hpp"
-#include "schema/catalogue/result_table.hpp"
-#include "search/verbs/choice.hpp"
 #include "search/checks/merge.hpp"
-#include "search/verbs/status.hpp"
-#include "search/draws/trial.hpp"
 #include "search/checks/verify.hpp"
+#include "search/draws/trial.hpp"
+#include "search/verbs/choice.hpp"
+#include "search/verbs/status.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
 #include "tests/stress/folder.hpp"
 

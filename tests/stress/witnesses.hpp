@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "curve.hpp"
-#include "solver/verdict/family.hpp"
 #include "solver/continuation/start.hpp"
+#include "solver/verdict/family.hpp"
 
 namespace misalign::stress {
 

@@ -12,8 +12,8 @@
 #include "search/draws/draw.hpp"
 #include "search/draws/tolerance.hpp"
 #include "search/draws/trial.hpp"
-#include "solver/verdict/flat_gradient.hpp"
 #include "solver/linear/newton.hpp"
+#include "solver/verdict/flat_gradient.hpp"
 
 namespace misalign::search {
 namespace {
