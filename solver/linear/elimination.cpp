@@ -244,7 +244,7 @@ std::vector<Values> jacobians(const Mechanism& mechanism, const BaseFolding& fol
 }
 
 // To |value| if that is larger, to infinity if it is not a number.
-void raise(double& norm, double value) {
+void take_larger(double& norm, double value) {
   if (!(std::abs(value) <= norm)) norm = std::isnan(value) ? HUGE_VAL : std::abs(value);
 }
 
@@ -256,7 +256,7 @@ double worst_backward_error(const Elimination& plan, const std::vector<JacobianE
   std::vector<double> rhs(n), rest(n), row_sums(n), y(n + 1), x(n + 1);
   const auto largest = [](const std::vector<double>& values) {
     double norm = 0;
-    for (const double value : values) raise(norm, value);
+    for (const double value : values) take_larger(norm, value);
     return norm;
   };
   SparseLu<double> lu(plan);
@@ -274,7 +274,7 @@ double worst_backward_error(const Elimination& plan, const std::vector<JacobianE
       rest[entries[e].row] -= jacobians[e][s] * x[entries[e].column];
       row_sums[entries[e].row] += std::abs(jacobians[e][s]);
     }
-    raise(worst, largest(rest) / (largest(row_sums) * largest(x) + largest(rhs)));
+    take_larger(worst, largest(rest) / (largest(row_sums) * largest(x) + largest(rhs)));
   }
   return worst;
 }
