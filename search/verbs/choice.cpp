@@ -7,7 +7,7 @@
 
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
-#include "solver/design/spread.hpp"
+#include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
 namespace {

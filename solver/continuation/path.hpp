@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/continuation/arc_length.hpp"
+#include "solver/reference/arc_length.hpp"
 
 namespace misalign::solver {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/verdict/screening.hpp"
+#include "solver/verdict/rejection_test.hpp"
 
 namespace misalign::solver {
 

@@ -3,10 +3,10 @@
 // own.
 #pragma once
 
-#include "solver/lanes/lane_desk.hpp"
 #include "solver/lanes/lane_test.hpp"
+#include "solver/lanes/observers.hpp"
+#include "solver/verdict/lane_recorder.hpp"
 #include "solver/verdict/miscut_margin.hpp"
-#include "solver/verdict/recording_client.hpp"
 
 namespace misalign::solver {
 

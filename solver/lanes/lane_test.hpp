@@ -12,7 +12,7 @@
 
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_math.hpp"
-#include "solver/lanes/lane_desk.hpp"
+#include "solver/lanes/observers.hpp"
 
 namespace misalign::solver {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "solver/continuation/start.hpp"
-#include "solver/continuation/tracker.hpp"
-#include "solver/verdict/dense_look.hpp"
+#include "solver/continuation/homotopy.hpp"
+#include "solver/continuation/path_follower.hpp"
+#include "solver/verdict/dense_state.hpp"
+#include "solver/verdict/lane_recorder.hpp"
 #include "solver/verdict/miscut_margin.hpp"
-#include "solver/verdict/recording_client.hpp"
 
 namespace misalign::solver {
 namespace {

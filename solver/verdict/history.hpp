@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/continuation/path.hpp"
-#include "solver/kinematics/isometry.hpp"
+#include "solver/kinematics/folded_shape.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {

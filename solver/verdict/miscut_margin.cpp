@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/verdict/dense_look.hpp"
+#include "solver/verdict/dense_state.hpp"
 
 namespace misalign::solver {
 

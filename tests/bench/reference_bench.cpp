@@ -4,7 +4,7 @@
 
 #include "search/draws/draw.hpp"
 #include "search/draws/trial.hpp"
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/path_follower.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "solver/design/spread.hpp"
+#include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "sheets.hpp"
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/path_follower.hpp"
 #include "solver/linear/newton.hpp"
 
 namespace misalign::solver {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "solver/continuation/start.hpp"
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/homotopy.hpp"
+#include "solver/continuation/path_follower.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

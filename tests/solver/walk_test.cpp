@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/continuation/course.hpp"
+#include "solver/continuation/step_control.hpp"
 
 namespace misalign::solver {
 namespace {

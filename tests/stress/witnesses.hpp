@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "curve.hpp"
-#include "solver/continuation/start.hpp"
-#include "solver/verdict/family.hpp"
+#include "solver/continuation/homotopy.hpp"
+#include "solver/verdict/model.hpp"
 
 namespace misalign::stress {
 

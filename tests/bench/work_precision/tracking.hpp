@@ -2,7 +2,7 @@
 // as many as a register has lanes. Every stop is a sample.
 #pragma once
 
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/path_follower.hpp"
 #include "tests/bench/work_precision/problem.hpp"
 
 namespace misalign::bench {

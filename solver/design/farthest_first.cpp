@@ -1,4 +1,4 @@
-#include "solver/design/spread.hpp"
+#include "solver/design/farthest_first.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "solver/lanes/lane_desk.hpp"
+#include "solver/lanes/observers.hpp"
 
 #include <algorithm>
 

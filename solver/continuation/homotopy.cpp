@@ -1,4 +1,4 @@
-#include "solver/continuation/start.hpp"
+#include "solver/continuation/homotopy.hpp"
 
 #include <algorithm>
 #include <cmath>

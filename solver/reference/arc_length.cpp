@@ -1,4 +1,4 @@
-#include "solver/continuation/arc_length.hpp"
+#include "solver/reference/arc_length.hpp"
 
 #include <algorithm>
 #include <cmath>

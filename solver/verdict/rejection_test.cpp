@@ -1,4 +1,4 @@
-#include "solver/verdict/screening.hpp"
+#include "solver/verdict/rejection_test.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solver/verdict/family.hpp"
+#include "solver/verdict/model.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solver/continuation/course.hpp"
+#include "solver/continuation/step_control.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/verdict/family.hpp"
+#include "solver/verdict/model.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {

@@ -1,7 +1,7 @@
 // The tracker of one lane against the reference: dense elimination with row exchange, the state
 // before as predictor, another corrector along the curve. They share the loops' equations and the
 // judge, nothing else.
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/path_follower.hpp"
 
 #include "blocks.hpp"
 

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "solver/continuation/course.hpp"
+#include "solver/continuation/step_control.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
 #include "solver/linear/sparse_lu.hpp"
@@ -135,4 +135,4 @@ class Tracker {
 
 }  // namespace misalign::solver
 
-#include "solver/continuation/tracker_impl.hpp"
+#include "solver/continuation/path_follower_impl.hpp"

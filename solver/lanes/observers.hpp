@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
-#include "solver/continuation/start.hpp"
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/homotopy.hpp"
+#include "solver/continuation/path_follower.hpp"
+#include "solver/continuation/path_point.hpp"
 #include "solver/lanes/batch.hpp"
-#include "solver/verdict/dense_look.hpp"
+#include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/history.hpp"
-#include "solver/verdict/stop_copy.hpp"
 
 namespace misalign::solver {
 

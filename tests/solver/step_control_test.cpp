@@ -1,6 +1,6 @@
 // The course alone, fed with made-up readings: what it believes, when it walks, and where a curve
 // that is known in closed form turns.
-#include "solver/continuation/course.hpp"
+#include "solver/continuation/step_control.hpp"
 
 #include <gtest/gtest.h>
 

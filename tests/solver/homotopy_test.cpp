@@ -1,6 +1,6 @@
 // Starts of sheets far from the base, against dense Newton steps in a thousand shares of the
 // shifts.
-#include "solver/continuation/start.hpp"
+#include "solver/continuation/homotopy.hpp"
 
 #include "blocks.hpp"
 

@@ -1,4 +1,4 @@
-#include "solver/kinematics/isometry.hpp"
+#include "solver/kinematics/folded_shape.hpp"
 
 #include <algorithm>
 

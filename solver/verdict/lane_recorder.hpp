@@ -4,11 +4,11 @@
 
 #include <array>
 
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/path_follower.hpp"
+#include "solver/continuation/path_point.hpp"
 #include "solver/linear/singular_value.hpp"
-#include "solver/verdict/dense_look.hpp"
+#include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/history.hpp"
-#include "solver/verdict/stop_copy.hpp"
 
 namespace misalign::solver {
 

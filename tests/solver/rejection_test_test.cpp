@@ -1,5 +1,5 @@
 // The fast tests' rules on made-up observations, every margin from both sides.
-#include "solver/verdict/screening.hpp"
+#include "solver/verdict/rejection_test.hpp"
 
 #include <cmath>
 #include <limits>

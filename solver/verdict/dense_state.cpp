@@ -1,4 +1,4 @@
-#include "solver/verdict/dense_look.hpp"
+#include "solver/verdict/dense_state.hpp"
 
 namespace misalign::solver {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/continuation/tracker.hpp"
+#include "solver/continuation/path_follower.hpp"
 
 namespace misalign::solver {
 template <class T>
