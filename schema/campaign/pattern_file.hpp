@@ -6,7 +6,7 @@
 #include <string>
 
 #include "schema/files/input.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/pattern/perforated_sheet.hpp"
 
 namespace misalign::schema {
 

@@ -31,9 +31,7 @@ std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
 }  // namespace
 
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
-    : campaign_(campaign),
-      sheets_(campaign.pattern, campaign.sampling(),
-              solver::margin_samples(campaign.sample_deg, campaign.threshold_sample())) {}
+    : campaign_(campaign), sheets_(campaign) {}
 
 solver::Verdict CandidateCheck::verdict(std::uint64_t draw) const {
   const solver::FlatVertices vertices_mm =

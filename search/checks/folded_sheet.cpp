@@ -1,7 +1,7 @@
 #include "search/checks/folded_sheet.hpp"
 
+#include "search/draws/models.hpp"
 #include "solver/pattern/half_angle.hpp"
-#include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::search {
 
@@ -16,25 +16,21 @@ SheetFolder::SheetFolder(const schema::Pattern& base, const schema::Sampling& sa
     : base_(base),
       sampling_(sampling),
       actuators_(actuators),
-      mechanism_(solver::build_mechanism(base.base.sheet, base.base.holes, base.base.folding)),
-      elimination_(
-          solver::plan_elimination(mechanism_, base.base.folding, base.base.sheet.vertices_mm)),
-      plan_(solver::plan_path(mechanism_, base.base.folding, base.base.sheet.vertices_mm,
-                              {sampling.sample_deg, sampling.end_deg, look_deg})),
-      panels_(solver::panels_of(base.base, mechanism_)) {}
+      model_(model_of(base, sampling, look_deg)),
+      panels_(solver::panels_of(base.base, mechanism())) {}
 
 SheetFolder::SheetFolder(const schema::Campaign& campaign, double look_deg)
-    : SheetFolder(campaign.pattern, campaign.sampling(), campaign.actuators, look_deg) {
-  margin_samples_ = solver::margin_samples(campaign.sample_deg, campaign.threshold_sample());
-}
+    : base_(campaign.pattern),
+      sampling_(campaign.sampling()),
+      actuators_(campaign.actuators),
+      model_(model_of(campaign, look_deg)),
+      panels_(solver::panels_of(base_.base, mechanism())) {}
 
 FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   FoldedSheet folded;
   folded.shifts_mm = shifts_mm;
   folded.vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-  folded.path =
-      solver::record_shapes(base_.base, mechanism_, elimination_, plan_, folded.vertices_mm,
-                            sampling_.between_samples, margin_samples_);
+  folded.path = solver::record_shapes(model_, folded.vertices_mm);
   folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
   if (folded.path.history.verdict.deploys_from_sample > 0) {
     folded.metrics =
@@ -44,7 +40,7 @@ FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
 }
 
 schema::FoldingView SheetFolder::view(const FoldedSheet& folded) const {
-  return {base_, folded.shifts_mm, mechanism_, folded.path.history, sampling_.sample_deg};
+  return {base_, folded.shifts_mm, mechanism(), folded.path.history, sampling_.sample_deg};
 }
 
 void SheetFolder::check_shapes(const FoldedSheet& folded, const std::vector<Eigen::Index>& rows,
@@ -65,7 +61,7 @@ void SheetFolder::check_shapes(const FoldedSheet& folded, const std::vector<Eige
   }
   const solver::ShapeErrors& worst = check.worst();
   const double limit_rad = solver::shape_tolerance(panels_);
-  const double limit_mm = limit_rad * mechanism_.panel_width_mm;
+  const double limit_mm = limit_rad * mechanism().panel_width_mm;
   if (worst.length_mm <= limit_mm && worst.planarity_mm <= limit_mm &&
       worst.angle_deg <= limit_rad / solver::kRadPerDeg && worst.wrong_sign < 0) {
     return;

@@ -45,17 +45,14 @@ class SheetFolder {
   const schema::Pattern& base() const { return base_; }
   const schema::Sampling& sampling() const { return sampling_; }
   const solver::Actuators& actuators() const { return actuators_; }
-  const solver::Mechanism& mechanism() const { return mechanism_; }
+  const solver::Mechanism& mechanism() const { return model_.mechanism(); }
 
  private:
   const schema::Pattern& base_;
   const schema::Sampling sampling_;
   const solver::Actuators actuators_;
-  const solver::Mechanism mechanism_;
-  const solver::Elimination elimination_;
-  const solver::PathPlan plan_;
+  const solver::Model model_;
   const solver::Panels panels_;
-  std::vector<int> margin_samples_;  // up to the campaign's threshold; none without a campaign
 };
 
 }  // namespace misalign::search

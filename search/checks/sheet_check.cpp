@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "search/draws/models.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {
@@ -20,37 +20,34 @@ Finding exceeds(const std::string& where, const std::string& what, double value,
 
 }  // namespace
 
-SheetCheck::SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling,
-                       std::vector<int> margin_samples)
+SheetCheck::SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling)
     : base_(base),
       sampling_(sampling),
-      margin_samples_(std::move(margin_samples)),
-      mechanism_(solver::build_mechanism(base.base.sheet, base.base.holes, base.base.folding)),
-      elimination_(
-          solver::plan_elimination(mechanism_, base.base.folding, base.base.sheet.vertices_mm)),
-      plan_(solver::plan_path(mechanism_, base.base.folding, base.base.sheet.vertices_mm,
-                              {sampling.sample_deg, sampling.end_deg})),
-      tolerances_{mechanism_.panel_width_mm, sampling.sample_deg},
-      shape_(base.base.sheet, base.base.holes, mechanism_),
-      panels_(solver::panels_of(base.base, mechanism_)) {}
+      model_(model_of(base, sampling)),
+      tolerances_{mechanism().panel_width_mm, sampling.sample_deg},
+      panels_(solver::panels_of(base.base, mechanism())) {}
+
+SheetCheck::SheetCheck(const schema::Campaign& campaign)
+    : base_(campaign.pattern),
+      sampling_(campaign.sampling()),
+      model_(model_of(campaign)),
+      tolerances_{mechanism().panel_width_mm, campaign.sample_deg},
+      panels_(solver::panels_of(base_.base, mechanism())) {}
 
 FollowedSheet SheetCheck::follow(const solver::FlatVertices& vertices_mm) const {
   FollowedSheet sheet{vertices_mm, {}, {}};
-  sheet.history = solver::record_history(
-      base_.base, mechanism_, elimination_, plan_, vertices_mm,
-      {sampling_.between_samples,
-       [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
-         if (stop.sample == 0) return;
-         sheet.states.resize(stop.sample);
-         sheet.states.back() = state;
-       },
-       margin_samples_});
+  const solver::StopVisitor keep_state = [&](const solver::Stop& stop,
+                                             const solver::FoldState<double>& state) {
+    if (stop.sample == 0) return;
+    sheet.states.resize(stop.sample);
+    sheet.states.back() = state;
+  };
+  sheet.history = solver::record_history(model_, vertices_mm, &keep_state);
   return sheet;
 }
 
 solver::FoldingHistory SheetCheck::follow_densely(const solver::FlatVertices& vertices_mm) const {
-  return solver::record_densely(mechanism_, shape_, plan_, vertices_mm,
-                                {sampling_.between_samples, {}, margin_samples_});
+  return solver::record_densely(model_, vertices_mm);
 }
 
 void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& sheet,
@@ -59,18 +56,18 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
   solver::ShapeCheck shape_check(vertices_mm, panels_.corners, panels_.folds);
   ContactCheck contact_check(vertices_mm, panels_.corners);
   solver::SheetGeometry<double> geometry;
-  place(mechanism_, vertices_mm, geometry);
+  place(mechanism(), vertices_mm, geometry);
   std::vector<double> claimed_deg(panels_.folds.size());
   for (Eigen::Index k = 0; k < samples; ++k) {
     const solver::FoldState<double>& state = states[static_cast<std::size_t>(k)];
-    const Eigen::Matrix3Xd folded_mm = shape_.vertices_mm(geometry, state);
-    const Eigen::Matrix3Xd corners_mm = shape_.corners_mm(geometry, state);
+    const Eigen::Matrix3Xd folded_mm = model_.shape().vertices_mm(geometry, state);
+    const Eigen::Matrix3Xd corners_mm = model_.shape().corners_mm(geometry, state);
     for (std::size_t i = 0; i < panels_.folds.size(); ++i) {
       claimed_deg[i] = history.fold_angle_deg(k, static_cast<Eigen::Index>(i));
     }
     shape_check.see(folded_mm, corners_mm, claimed_deg);
-    for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
-      const solver::Diagonal& diagonal = mechanism_.diagonals[d];
+    for (int d = 0; d < mechanism().diagonal_count(); ++d) {
+      const solver::Diagonal& diagonal = mechanism().diagonals[d];
       const double length_mm = (folded_mm.col(diagonal.from) - folded_mm.col(diagonal.to)).norm();
       report.diagonal_mm =
           std::max(report.diagonal_mm, std::abs(length_mm - history.length_mm(k, d)));
@@ -90,7 +87,7 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
 
 void SheetCheck::add_shape_findings(const std::string& where, SheetReport& report) const {
   const double limit_rad = solver::shape_tolerance(panels_);
-  const double limit_mm = limit_rad * mechanism_.panel_width_mm;
+  const double limit_mm = limit_rad * mechanism().panel_width_mm;
   const double limit_deg = limit_rad / solver::kRadPerDeg;
   const solver::ShapeErrors& shape = report.shape;
   const auto compare = [&](const char* what, double value, double limit) {

@@ -9,7 +9,6 @@
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/contact.hpp"
 #include "solver/design/fold_lines.hpp"
-#include "solver/linear/elimination.hpp"
 #include "solver/verdict/history.hpp"
 
 namespace misalign::search {
@@ -39,10 +38,10 @@ schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm);
 
 class SheetCheck {
  public:
-  /// `base` must outlive this object. `margin_samples`: see RecordingOptions; none for a pattern,
-  /// which has no threshold.
-  SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling,
-             std::vector<int> margin_samples = {});
+  /// `base` must outlive this object.
+  SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling);
+  /// Of a campaign's draws; it must outlive this object.
+  explicit SheetCheck(const schema::Campaign& campaign);
   SheetCheck(const SheetCheck&) = delete;
   SheetCheck& operator=(const SheetCheck&) = delete;
 
@@ -55,7 +54,7 @@ class SheetCheck {
   void check_shapes(const std::string& where, const FollowedSheet& sheet, Eigen::Index samples,
                     SheetReport& report) const;
 
-  const solver::Mechanism& mechanism() const { return mechanism_; }
+  const solver::Mechanism& mechanism() const { return model_.mechanism(); }
   const ColumnTolerances& tolerances() const { return tolerances_; }
 
  private:
@@ -63,12 +62,8 @@ class SheetCheck {
 
   const schema::Pattern& base_;
   const schema::Sampling sampling_;
-  const std::vector<int> margin_samples_;
-  const solver::Mechanism mechanism_;
-  const solver::Elimination elimination_;
-  const solver::PathPlan plan_;
+  const solver::Model model_;
   const ColumnTolerances tolerances_;
-  const solver::FoldedShape shape_;
   const solver::Panels panels_;
 };
 

@@ -36,9 +36,9 @@ class Study {
       : campaign_(campaign),
         shifts_mm_(shifts_mm),
         options_(options),
-        family_(campaign.pattern.base, all_vertices(campaign.pattern.base.sheet), campaign.path(),
-                campaign.threshold_sample(), campaign.between_samples) {
-    const int vertices = family_.mechanism().vertices;
+        model_(campaign.pattern.base, all_vertices(campaign.pattern.base.sheet), campaign.path(),
+               campaign.threshold_sample(), campaign.between_samples) {
+    const int vertices = model_.mechanism().vertices;
     for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
       tolerances_.push_back({options.amplitude_mm,
                              campaign.sample_deg,
@@ -82,7 +82,7 @@ class Study {
     copies_.all += trials;
   }
 
-  std::unique_ptr<solver::Batch> batch() const { return solver::make_batch(options_.set, family_); }
+  std::unique_ptr<solver::Batch> batch() const { return solver::make_batch(options_.set, model_); }
 
   void judge_the_sheets() {
     const auto own_batch = batch();
@@ -91,7 +91,7 @@ class Study {
       const std::size_t last = std::min(first + kCopiesAtOnce, shifts_mm_.size());
       block.sheets = static_cast<int>(last - first);
       for (std::size_t k = first; k < last; ++k) append(shifts_mm_[k], block);
-      const auto verdicts = judge_to_the_end(family_, *own_batch, block);
+      const auto& verdicts = own_batch->judge(block);
       for (std::size_t k = first; k < last; ++k) {
         tolerances_[k].own_sample = verdicts[k - first].deploys_from_sample;
       }
@@ -140,7 +140,7 @@ class Study {
       append(shifts_mm + errors_mm, block);
     }
     MiscutCopies copies;
-    for (const solver::Verdict& verdict : judge_to_the_end(family_, own_batch, block)) {
+    for (const solver::Verdict& verdict : own_batch.judge(block)) {
       copies.add(verdict);
     }
     return copies;
@@ -159,7 +159,7 @@ class Study {
   const schema::Campaign& campaign_;
   const std::vector<Eigen::Matrix2Xd>& shifts_mm_;
   const ToleranceOptions& options_;
-  const solver::SheetFamily family_;
+  const solver::Model model_;
   std::vector<Piece> pieces_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
-#include <span>
+#include <optional>
 
 #include "schema/catalogue/digest.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/models.hpp"
 #include "search/draws/stopwatch.hpp"
 
 namespace misalign::search {
@@ -18,21 +18,22 @@ constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diag
 
 }  // namespace
 
-std::vector<solver::Verdict> judge_to_the_end(const solver::SheetFamily& family,
-                                              solver::Batch& batch,
-                                              const solver::ShiftBlock& block) {
-  std::vector<solver::Verdict> verdicts = batch.judge(block);
-  for (int sheet = 0; sheet < block.sheets; ++sheet) {
-    if (verdicts[sheet].first_fault != solver::Fault::undecided) continue;
-    const solver::PerforatedSheet& base = family.base();
-    const solver::FoldedShape shape(base.sheet, base.holes, family.mechanism());
-    solver::FlatVertices vertices_mm;
-    family.displace(block.of(sheet), vertices_mm);
-    verdicts[sheet] = solver::record_densely(family.mechanism(), shape, family.path(), vertices_mm,
-                                             {family.bump_is_fault(), {}})
-                          .verdict;
-  }
-  return verdicts;
+void Draws::clear() {
+  numbers.clear();
+  shifts.shifts_mm.clear();
+  shifts.sheets = 0;
+}
+
+void Draws::add(std::uint64_t number, std::span<const double> shifts_mm) {
+  numbers.push_back(number);
+  shifts.shifts_mm.insert(shifts.shifts_mm.end(), shifts_mm.begin(), shifts_mm.end());
+  ++shifts.sheets;
+}
+
+void Draws::add(const Draws& others, std::size_t k) { add(others.numbers[k], others.shifts_mm(k)); }
+
+std::span<const double> Draws::shifts_mm(std::size_t k) const {
+  return {shifts.of(static_cast<int>(k)), shifts.shifts_mm.size() / size()};
 }
 
 Trial::Trial(schema::Campaign campaign)
@@ -40,103 +41,112 @@ Trial::Trial(schema::Campaign campaign)
 
 Trial::Trial(schema::Campaign campaign, solver::InstructionSet set)
     : campaign_(std::move(campaign)),
-      family_(campaign_.pattern.base, campaign_.misalignment.vertices, campaign_.path(),
-              campaign_.threshold_sample(), campaign_.between_samples),
-      batch_(solver::make_batch(set, family_)) {}
+      model_(model_of(campaign_)),
+      batch_(solver::make_batch(set, model_)) {}
 
 std::uint64_t Trial::largest_block() const {
   const std::uint64_t numbers =
-      2 * family_.shifted().size() + 3 * family_.mechanism().diagonals.size();
+      2 * model_.shifted().size() + 3 * model_.mechanism().diagonals.size();
   return std::clamp<std::uint64_t>(kMostNumbers / numbers, 8, kMostDraws);
 }
 
 std::size_t Trial::bytes_of_candidate() const {
-  const auto shifts = 2 * static_cast<std::size_t>(family_.mechanism().vertices);
+  const auto shifts = 2 * static_cast<std::size_t>(model_.mechanism().vertices);
   return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
-         sizeof(double) * (shifts + family_.mechanism().diagonals.size() + 2);
+         sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2);
 }
 
-template <class SomeDraws>
-void Trial::displace(const SomeDraws& draws) {
-  const std::size_t per_sheet = 2 * family_.shifted().size();
-  block_.sheets = static_cast<int>(std::size(draws));
-  block_.shifts_mm.resize(per_sheet * std::size(draws));
-  double* shifts_mm = block_.shifts_mm.data();
-  for (const std::uint64_t draw : draws) {
-    draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm);
-    shifts_mm += per_sheet;
-  }
-}
-
-void Trial::screen(const schema::DrawRange& block, schema::UnitRecord& unit,
-                   const schema::FaultSampleRule& sampled) {
-  const auto draws = std::views::iota(block.lo, block.hi);
-  displace(draws);
-  const std::vector<solver::Screened>& screened = batch_->screen(block_);
-  for (const std::uint64_t draw : draws) {
-    const solver::Screened& seen = screened[draw - block.lo];
-    if (seen.fault == solver::Fault::none || sampled.holds(draw)) {
-      waiting_.push_back(draw);
+void Trial::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
+                     const schema::FaultSampleRule& sampled, const PathsAreDue& paths_are_due) {
+  const auto reject = [&](solver::Fault fault, int sample) {
+    ++unit.rejected;
+    ++unit.screened[{static_cast<int>(fault), sample}];
+  };
+  // Draw -> displaced pattern.
+  make(range);
+  // Rejected for certain, or waiting for the full path.
+  const std::vector<solver::Screened>& seen = batch_->screen(made_.shifts);
+  for (std::size_t k = 0; k < made_.size(); ++k) {
+    if (seen[k].fault == solver::Fault::none || sampled.holds(made_.numbers[k])) {
+      waiting_.add(made_, k);
     } else {
-      ++unit.rejected;
-      ++unit.screened[{static_cast<int>(seen.fault), seen.sample}];
+      reject(seen[k].fault, seen[k].sample);
     }
   }
-}
-
-void Trial::settle(schema::UnitRecord& unit, const schema::FaultSampleRule& sampled) {
-  displace(waiting_);
-  verdicts_ = judge_to_the_end(family_, *batch_, block_);
-  Draws accepted;
+  if (waiting_.size() == 0 || !paths_are_due(waiting_.size())) return;
+  // Path -> diagonals -> verdict.
+  const std::vector<solver::Verdict>& verdicts = batch_->judge(waiting_.shifts);
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
-    const std::uint64_t draw = waiting_[k];
-    const solver::Verdict& verdict = verdicts_[k];
+    const solver::Verdict& verdict = verdicts[k];
+    const std::uint64_t draw = waiting_.numbers[k];
     if (sampled.holds(draw)) unit.fault_sample.push_back({draw, verdict});
     if (verdict.first_fault == solver::Fault::undecided) {
       unit.undecided.push_back({draw, verdict});
     } else if (campaign_.accepts(verdict)) {
-      accepted.push_back(draw);
+      accepted_.add(waiting_, k);
     } else {
-      ++unit.rejected;
-      ++unit.screened[{static_cast<int>(verdict.first_fault), verdict.fault_sample()}];
+      reject(verdict.first_fault, verdict.fault_sample());
     }
   }
   waiting_.clear();
-  add_candidates(accepted, unit);
+  // Metrics -> unit.
+  add_candidates(unit);
 }
 
-void Trial::add_candidates(const Draws& accepted, schema::UnitRecord& unit) {
-  solver::FlatVertices vertices_mm;
-  for (std::size_t first = 0; first < accepted.size(); first += kHistoriesAtOnce) {
-    const std::span some =
-        std::span(accepted).subspan(first, std::min(kHistoriesAtOnce, accepted.size() - first));
-    displace(some);
-    const std::vector<solver::FoldingHistory>& histories = batch_->record(block_);
-    for (std::size_t k = 0; k < some.size(); ++k) {
-      family_.displace(block_.of(static_cast<int>(k)), vertices_mm);
-      const auto metrics =
-          solver::measure(family_.base(), vertices_mm, histories[k], campaign_.sample_deg);
-      unit.candidates.push_back({some[k], metrics, shifts_mm(some[k])});
-      ++unit.accepted;
-    }
+void Trial::make(const schema::DrawRange& range) {
+  const std::size_t per_sheet = 2 * model_.shifted().size();
+  made_.numbers.resize(range.size());
+  made_.shifts.sheets = static_cast<int>(range.size());
+  made_.shifts.shifts_mm.resize(per_sheet * range.size());
+  double* shifts_mm = made_.shifts.shifts_mm.data();
+  for (std::uint64_t draw = range.lo; draw < range.hi; ++draw, shifts_mm += per_sheet) {
+    made_.numbers[draw - range.lo] = draw;
+    draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm);
   }
 }
 
+void Trial::add_candidates(schema::UnitRecord& unit) {
+  solver::FlatVertices vertices_mm;
+  Draws some;
+  for (std::size_t first = 0; first < accepted_.size(); first += kHistoriesAtOnce) {
+    some.clear();
+    const std::size_t last = std::min(first + kHistoriesAtOnce, accepted_.size());
+    for (std::size_t k = first; k < last; ++k) some.add(accepted_, k);
+    const std::vector<solver::FoldingHistory>& histories = batch_->record(some.shifts);
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      model_.displace(some.shifts_mm(k).data(), vertices_mm);
+      unit.candidates.push_back(
+          {some.numbers[k],
+           solver::measure(model_.base(), vertices_mm, histories[k], campaign_.sample_deg),
+           per_vertex(some.shifts_mm(k))});
+      ++unit.accepted;
+    }
+  }
+  accepted_.clear();
+}
+
+Eigen::Matrix2Xd Trial::per_vertex(std::span<const double> shifts_mm) const {
+  Eigen::Matrix2Xd columns_mm = Eigen::Matrix2Xd::Zero(2, mechanism().vertices);
+  std::size_t k = 0;
+  for (const int vertex : model_.shifted()) {
+    columns_mm.col(vertex) << shifts_mm[k], shifts_mm[k + 1];
+    k += 2;
+  }
+  return columns_mm;
+}
+
 const std::vector<solver::Verdict>& Trial::judge(const schema::DrawRange& block) {
-  displace(std::views::iota(block.lo, block.hi));
-  verdicts_ = judge_to_the_end(family_, *batch_, block_);
-  return verdicts_;
+  make(block);
+  return batch_->judge(made_.shifts);
 }
 
 solver::FoldingHistory Trial::history(std::uint64_t draw) {
-  displace(Draws{draw});
-  return std::move(batch_->record(block_).front());
+  make({draw, draw + 1});
+  return std::move(batch_->record(made_.shifts).front());
 }
 
 Eigen::Matrix2Xd Trial::shifts_mm(std::uint64_t draw) const {
-  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, family_.mechanism().vertices);
-  draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm);
-  return shifts_mm;
+  return shifts_of_draw(campaign_, draw);
 }
 
 std::string golden_verdicts(solver::InstructionSet set) {
@@ -174,27 +184,32 @@ bool UnitWork::is_full() const {
 void UnitWork::run_next_block() {
   constexpr double kShort_s = 0.015, kLong_s = 0.08, kPaths_s = 0.08;
   const Stopwatch watch;
-  const std::uint64_t draws = std::min(block_draws_, range_.hi - next_);
-  trial_.screen({next_, next_ + draws}, record_, sampled_);
-  next_ += draws;
-  record_.range.hi = next_;
-  if (finished() || static_cast<double>(trial_.waiting()) * seconds_per_path_ > kPaths_s) settle();
+  const schema::DrawRange block{next_, next_ + std::min(block_draws_, range_.hi - next_)};
+  next_ = record_.range.hi = block.hi;
+  evaluate(block, [&](std::size_t waiting) {
+    return finished() || static_cast<double>(waiting) * seconds_per_path_ > kPaths_s;
+  });
   record_.seconds += watch.seconds();
   if (watch.seconds() < kShort_s) block_draws_ = std::min(2 * block_draws_, trial_.largest_block());
   if (watch.seconds() > kLong_s) block_draws_ = std::max<std::uint64_t>(block_draws_ / 2, 1);
 }
 
-void UnitWork::settle() {
-  if (trial_.waiting() == 0) return;
-  const double paths = static_cast<double>(trial_.waiting());
-  const Stopwatch watch;
-  trial_.settle(record_, sampled_);
-  seconds_per_path_ = watch.seconds() / paths;
+// Measures what a full path takes, where some are followed.
+void UnitWork::evaluate(const schema::DrawRange& block, const Trial::PathsAreDue& paths_are_due) {
+  std::optional<Stopwatch> watch;
+  std::size_t paths = 0;
+  trial_.evaluate(block, record_, sampled_, [&](std::size_t waiting) {
+    if (!paths_are_due(waiting)) return false;
+    paths = waiting;
+    watch.emplace();
+    return true;
+  });
+  if (watch) seconds_per_path_ = watch->seconds() / static_cast<double>(paths);
 }
 
 schema::UnitRecord UnitWork::take() {
   const Stopwatch watch;
-  settle();
+  evaluate({next_, next_}, [](std::size_t) { return true; });
   record_.seconds += watch.seconds();
   return std::move(record_);
 }

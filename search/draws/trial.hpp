@@ -1,17 +1,28 @@
-// The science of draws: draw -> displaced pattern -> fast tests -> path -> diagonals -> verdict ->
-// metrics.
+// The science of draws: draw -> displaced pattern -> rejected for certain -> path -> diagonals ->
+// verdict -> metrics -> unit.
 #pragma once
+
+#include <functional>
+#include <span>
 
 #include "schema/catalogue/unit_writer.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
 
-/// Verdicts of the block's sheets, each on its full path: in lanes, and the few paths that those
-/// lose by dense matrices.
-std::vector<solver::Verdict> judge_to_the_end(const solver::SheetFamily& family,
-                                              solver::Batch& batch,
-                                              const solver::ShiftBlock& block);
+/// Draws and their shifts, which travel with them.
+struct Draws {
+  std::vector<std::uint64_t> numbers;
+  solver::ShiftBlock shifts;
+
+  std::size_t size() const { return numbers.size(); }
+  void clear();
+  /// Another one, with these shifts of all shifted vertices in turn.
+  void add(std::uint64_t number, std::span<const double> shifts_mm);
+  /// The k-th of others.
+  void add(const Draws& others, std::size_t k);
+  std::span<const double> shifts_mm(std::size_t k) const;
+};
 
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class Trial {
@@ -24,16 +35,16 @@ class Trial {
 
   /// How many draws a block may have at most: what it needs stays within a few megabytes.
   std::uint64_t largest_block() const;
-  /// Adds to `unit` what the fast tests reject of a range no larger than that; the other draws wait
-  /// for their full paths. So do those of the fault sample, by its rule.
-  void screen(const schema::DrawRange& block, schema::UnitRecord& unit,
-              const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
+  /// Evaluates a range of draws no larger than that. What the rejection tests reject for certain is
+  /// added to `unit` at once; the other draws, and those of the fault sample by its rule, wait for
+  /// their full paths until `paths_are_due` says yes to their number: the more there are, the
+  /// fuller the lanes. An empty range only follows what waits.
+  using PathsAreDue = std::function<bool(std::size_t waiting)>;
+  void evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
+                const schema::FaultSampleRule& sampled, const PathsAreDue& paths_are_due);
   std::size_t waiting() const { return waiting_.size(); }
   /// What one candidate takes in a message, in bytes; rather more.
   std::size_t bytes_of_candidate() const;
-  /// Follows the full paths of all draws that wait: the more there are, the fuller the lanes.
-  void settle(schema::UnitRecord& unit,
-              const schema::FaultSampleRule& sampled = schema::FaultSampleRule());
 
   /// Verdicts of a range of draws no larger than a block, each on its full path.
   const std::vector<solver::Verdict>& judge(const schema::DrawRange& block);
@@ -43,21 +54,19 @@ class Trial {
   Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
 
   const schema::Campaign& campaign() const { return campaign_; }
-  const solver::Mechanism& mechanism() const { return family_.mechanism(); }
+  const solver::Model& model() const { return model_; }
+  const solver::Mechanism& mechanism() const { return model_.mechanism(); }
   const solver::Batch& batch() const { return *batch_; }
 
  private:
-  using Draws = std::vector<std::uint64_t>;
-  template <class SomeDraws>
-  void displace(const SomeDraws& draws);
-  void add_candidates(const Draws& accepted, schema::UnitRecord& unit);
+  void make(const schema::DrawRange& range);
+  void add_candidates(schema::UnitRecord& unit);
+  Eigen::Matrix2Xd per_vertex(std::span<const double> shifts_mm) const;
 
   const schema::Campaign campaign_;
-  const solver::SheetFamily family_;
+  const solver::Model model_;
   std::unique_ptr<solver::Batch> batch_;
-  solver::ShiftBlock block_;
-  std::vector<solver::Verdict> verdicts_;  // of the block's sheets
-  Draws waiting_;
+  Draws made_, waiting_, accepted_;
 };
 
 /// Fingerprint of this build's verdicts on fixed draws of a small sheet, in these registers: whole
@@ -88,7 +97,7 @@ class UnitWork {
   schema::UnitRecord take();
 
  private:
-  void settle();
+  void evaluate(const schema::DrawRange& block, const Trial::PathsAreDue& paths_are_due);
 
   Trial& trial_;
   schema::DrawRange range_;

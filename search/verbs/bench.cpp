@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "search/draws/draw.hpp"
+#include "search/draws/models.hpp"
 #include "search/draws/stopwatch.hpp"
 #include "search/draws/trial.hpp"
 #include "search/terminal/terminal.hpp"
@@ -24,7 +25,7 @@ class ReferenceRun {
         base_(campaign.pattern.base),
         plan_(solver::plan_path(mechanism, base_.folding, base_.sheet.vertices_mm,
                                 path_options(campaign, longest_step_deg))),
-        reference_(mechanism, plan_),
+        reference_(mechanism, plan_, campaign.between_samples),
         shifts_mm_(Eigen::Matrix2Xd::Zero(2, base_.sheet.vertex_count())) {}
 
   solver::Verdict judge(std::uint64_t draw) {
@@ -210,8 +211,8 @@ class Comparison {
   // The fast path accepts what its tests leave and its full path takes as far as the threshold.
   template <class Chosen>
   void decide(int threshold, const Chosen& is_chosen) {
-    const solver::SheetFamily family(campaign_.pattern.base, campaign_.misalignment.vertices,
-                                     campaign_.path(), threshold);
+    const solver::Model family(campaign_.pattern.base, campaign_.misalignment.vertices,
+                               campaign_.path(), threshold, campaign_.between_samples);
     const auto batch = solver::make_batch(set_, family);
     solver::ShiftBlock block;
     std::vector<std::uint64_t> in_block;
@@ -261,9 +262,8 @@ SpeedReport measure_speed(const schema::Campaign& campaign, double seconds) {
   std::vector<std::unique_ptr<LaneRun>> runs;
   const auto sets = solver::available_instruction_sets();
   for (const auto set : sets) runs.push_back(std::make_unique<LaneRun>(campaign, set));
-  const solver::SheetFamily family(campaign.pattern.base, campaign.misalignment.vertices,
-                                   campaign.path(), campaign.threshold_sample());
-  ReferenceRun reference(campaign, family.mechanism());
+  const solver::Model model = model_of(campaign);
+  ReferenceRun reference(campaign, model.mechanism());
   std::vector<solver::Verdict> expected;
   for (int round = 0; round < kRounds; ++round) {
     const Stopwatch watch;

@@ -91,18 +91,14 @@ void print_perforations(const Json& one, const Json& others) {
 void fold(const FoldOptions& options) {
   const auto [pattern, sampling, exported] =
       schema::read_sampled_pattern_file(options.pattern_path);
-  const solver::Mechanism mechanism =
-      solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding);
   solver::PathPlanOptions path;
   path.sample_deg = sampling.sample_deg;
   path.end_deg =
       std::min(options.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
   path.look_deg = options.step_deg;
-  const auto plan =
-      solver::plan_path(mechanism, pattern.base.folding, pattern.base.sheet.vertices_mm, path);
-  const auto history = solver::record_history(pattern.base, mechanism, plan, pattern.vertices_mm(),
-                                              {sampling.between_samples, {}});
-  const schema::FoldingView view{pattern, pattern.shifts_mm, mechanism, history,
+  const solver::Model model(pattern.base, path, sampling.between_samples);
+  const auto history = solver::record_history(model, pattern.vertices_mm());
+  const schema::FoldingView view{pattern, pattern.shifts_mm, model.mechanism(), history,
                                  sampling.sample_deg};
   options.json ? put_json(schema::folding_json(view)) : print_folding(view, options.table);
 }

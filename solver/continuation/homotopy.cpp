@@ -1,182 +1,115 @@
 #include "solver/continuation/homotopy.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 namespace misalign::solver {
 namespace {
 
-constexpr double kClosure = NewtonOptions{}.closure_tolerance;
-constexpr int kMostCorrections = 8;
-
-// Steps in the share of the shifts; below the shortest the branch is likely to turn.
-constexpr double kFirstStep = 0.1, kShortestStep = 1e-3;
-
-// Creases at the first stop may turn by this share of the pilot's own angle from one step to the
-// next: what goes farther has left the branch.
-constexpr double kLongestTurn = 0.5;
-
-// Of the walk, in joint angles measured by the pilot's and in shares together.
-constexpr double kLongestWalkStep = 0.05, kShortestWalkStep = 1e-7;
-constexpr int kMostWalkSteps = 2000;
+// Shares at which the shifts stop growing for a moment: every tenth of them.
+constexpr int kShares = 10;
 
 // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
 // tangent.
 constexpr double kDifference = 1e-5;
 
+// Everything is as small as the pilot's angle at the first stop.
+StepControlOptions options_for(const HalfAngle<double>& pilot) {
+  const double unit_rad = 2 * pilot.s;
+  StepControlOptions options;
+  options.longest_start_share = std::numeric_limits<double>::infinity();  // it starts on the branch
+  // Creases at the first stop may turn by this share of the pilot's own angle from one share to the
+  // next: what goes farther has left the branch.
+  options.longest_half_sine = 0.5 * pilot.s;
+  options.least_tangent_cosine = 0.9;
+  options.arc.longest_step_rad = 0.05 * unit_rad;
+  options.arc.shortest_step_rad = 1e-7 * unit_rad;
+  options.arc.least_tangent_cosine = 0.9;
+  options.arc.most_steps = 2000;
+  options.arc.limit_tolerance_rad = 1e-3 * unit_rad;
+  return options;
+}
+
+// From no share to all of them, carried by angles from 0 to the pilot's at the first stop.
+PathPlan shares_of(const PathPlan& path, const Mechanism& mechanism) {
+  PathPlan shares;
+  const Stop& first = path.stops.front();
+  for (int k = 0; k <= kShares; ++k) {
+    const double angle_deg = k == kShares ? first.pilot_deg : first.pilot_deg * k / kShares;
+    shares.stops.push_back(
+        {angle_deg, k == kShares ? first.pilot : half_angle_of_deg(angle_deg), 0, false});
+  }
+  shares.start = path.start;
+  shares.start.creases[mechanism.pilot] = {1, 0};
+  return shares;
+}
+
+// One path, whose end is all that is wanted of it.
+struct OnePath {
+  PathStart start;
+  bool begun = false;
+  PathEnd end = PathEnd::start_lost;
+
+  bool next(PathStart& path, int) {
+    if (std::exchange(begun, true)) return false;
+    path = start;
+    return true;
+  }
+  bool see(const Stop&, int) { return true; }
+  void ended(const PathResult& path, int) { end = path.end; }
+};
+
 }  // namespace
 
-StartFinder::StartFinder(const Mechanism& mechanism, const Elimination& elimination,
-                         const PathPlan& plan, const FlatVertices& base_vertices_mm)
+GrowingShifts::GrowingShifts(const Mechanism& mechanism, const HalfAngle<double>& pilot,
+                             const FlatVertices& base_vertices_mm)
     : mechanism_(mechanism),
-      plan_(plan),
+      pilot_(pilot),
       base_vertices_mm_(base_vertices_mm),
-      lu_(elimination),
-      entries_(jacobian_entries(mechanism)),
-      residual_(mechanism.equations),
-      other_residual_(mechanism.equations),
-      values_(entries_.size()),
-      y_(mechanism.unknowns),
-      turn_(mechanism.unknowns),
-      move_(mechanism.unknowns),
-      last_move_(mechanism.unknowns) {}
+      system_(mechanism),
+      before_(mechanism.equations),
+      after_(mechanism.equations),
+      jacobian_(system_.jacobian()) {}
 
-StartFinder::~StartFinder() = default;
-
-StartEnd StartFinder::find(const FlatVertices& vertices_mm) {
-  shifts_mm_ = vertices_mm - base_vertices_mm_;
-  state_ = trial_ = plan_.start;
-  branch_sign_ = 0;
-  if (!correct(0)) return StartEnd::lost;
-  std::fill(last_move_.begin(), last_move_.end(), 0.0);
-  double share = 0, last_step = 1;
-  for (double step = kFirstStep; share < 1;) {
-    step = std::min(step, 1 - share);
-    for (std::size_t k = 0; k < move_.size(); ++k) move_[k] = last_move_[k] * step / last_step;
-    trial_ = state_;
-    advance(mechanism_, move_.data(), trial_);
-    if (correct(share + step)) {
-      state_ = trial_;
-      share += step;
-      last_step = step;
-      last_move_ = move_;
-      step *= 2;
-    } else {
-      step *= 0.5;
-      if (step < kShortestStep) return walk(share);
-    }
-  }
-  return StartEnd::found;
-}
-
-// Residual and Jacobian of the sheet with this share of its shifts, into residual_ and lu_.
-double StartFinder::evaluate_at(double share, const FoldState<double>& state) {
+void GrowingShifts::place_at(double share) {
   vertices_mm_ = base_vertices_mm_ + share * shifts_mm_;
   place(mechanism_, vertices_mm_, geometry_);
-  return evaluate(mechanism_, geometry_, state, residual_.data(), lu_.entries());
 }
 
-// Newton's method from `trial_`; adds to `move_` what it turns.
-bool StartFinder::correct(double share) {
-  for (int k = 0;; ++k) {
-    const double open = evaluate_at(share, trial_);
-    lu_.factorize();
-    if (open <= kClosure) break;
-    if (k == kMostCorrections || !std::isfinite(open)) return false;
-    lu_.forward(residual_.data(), y_.data());
-    lu_.backward(y_.data(), y_[mechanism_.equations - 1] / lu_.partner_coefficient(), 0.0,
-                 turn_.data());
-    for (double& turn : turn_) turn = -turn;
-    advance(mechanism_, turn_.data(), trial_);
-    std::transform(turn_.begin(), turn_.end(), move_.begin(), move_.begin(), std::plus<>());
+double GrowingShifts::evaluate(const SheetGeometry<double>&, const FoldState<double>& state) {
+  const HalfAngle<double>& carrier = state.creases[mechanism_.pilot];
+  const double share = carrier.s / pilot_.s;
+  const double share_per_rad = 0.5 * carrier.c / pilot_.s;
+  state_ = state;
+  state_.creases[mechanism_.pilot] = pilot_;
+  place_at(share - kDifference);
+  solver::evaluate(mechanism_, geometry_, state_, before_.data(), nullptr);
+  place_at(share + kDifference);
+  solver::evaluate(mechanism_, geometry_, state_, after_.data(), nullptr);
+  place_at(share);
+  const double open_by = system_.evaluate(geometry_, state_);
+  jacobian_ = system_.jacobian();
+  for (int i = 0; i < mechanism_.equations; ++i) {
+    jacobian_(i, mechanism_.unknowns - 1) =
+        (after_[i] - before_[i]) / (2 * kDifference) * share_per_rad;
   }
-  const int sign = lu_.determinant_sign() < 0 ? -1 : 1;
-  if (branch_sign_ == 0) branch_sign_ = sign;
-  return sign == branch_sign_ &&
-         largest_half_sine(state_, trial_) <= kLongestTurn * plan_.stops.front().pilot.s;
+  return open_by;
 }
 
-// By pseudo-arclength in the joints and the share together, from `state_` on: until the share
-// turns, or is whole.
-StartEnd StartFinder::walk(double share) {
-  const Eigen::Index n = mechanism_.equations;
-  const double unit_rad = 2 * plan_.stops.front().pilot.s;  // joints count by it
-  bordered_.resize(n + 1, n + 1);
-  if (!solve_) solve_ = std::make_unique<DenseSolve>(n + 1);
-  rhs_.resize(n + 1);
-  tangent_ = Eigen::VectorXd::Unit(n + 1, n);
-  trial_ = state_;
-  if (!find_tangent(share)) return StartEnd::lost;
-  double ds = 0.1 * kLongestWalkStep;
-  for (int steps = 0; steps < kMostWalkSteps && ds > kShortestWalkStep; ++steps) {
-    trial_ = state_;
-    double at = share;
-    step_ = ds * tangent_;
-    bool is_closed = false;
-    for (int k = 0; k <= kMostCorrections && !is_closed; ++k) {
-      for (Eigen::Index j = 0; j < n; ++j) turn_[j] = step_[j] * unit_rad;
-      turn_[n] = 0;
-      advance(mechanism_, turn_.data(), trial_);
-      at += step_[n];
-      is_closed = evaluate_at(at, trial_) <= kClosure;
-      if (is_closed) break;
-      rhs_.head(n) = -Eigen::Map<const Eigen::VectorXd>(residual_.data(), n);
-      rhs_[n] = 0;
-      step_ = solve_->solve(rhs_);
-      if (!step_.allFinite() || step_.cwiseAbs().maxCoeff() > 1) break;
-    }
-    last_tangent_ = tangent_;
-    if (!is_closed || !find_tangent(at) || tangent_.dot(last_tangent_) < 0.9) {
-      tangent_ = last_tangent_;
-      trial_ = state_;
-      find_tangent(share);
-      ds *= 0.5;
-      continue;
-    }
-    if (tangent_[n] <= 0) return StartEnd::branch_ended;
-    state_ = trial_;
-    share = at;
-    if (share >= 1) {
-      std::fill(move_.begin(), move_.end(), 0.0);
-      const bool landed = correct(1);
-      state_ = trial_;
-      return landed ? StartEnd::found : StartEnd::lost;
-    }
-    ds = std::min(1.5 * ds, kLongestWalkStep);
-  }
-  return StartEnd::lost;
+ShiftHomotopy::ShiftHomotopy(const Mechanism& mechanism, const PathPlan& plan,
+                             const FlatVertices& base_vertices_mm)
+    : mechanism_(mechanism),
+      path_(plan),
+      equations_(mechanism, plan.stops.front().pilot, base_vertices_mm),
+      shares_(shares_of(plan, mechanism)),
+      follower_(mechanism, DenseClosure(equations_), options_for(plan.stops.front().pilot)) {
+  place(mechanism, base_vertices_mm, base_geometry_);
 }
 
-// The bordered matrix at `trial_`, and from it the unit tangent that goes on as `tangent_` does.
-bool StartFinder::find_tangent(double share) {
-  const Eigen::Index n = mechanism_.equations;
-  const double unit_rad = 2 * plan_.stops.front().pilot.s;
-  evaluate_at(share - kDifference, trial_);
-  other_residual_ = residual_;
-  evaluate_at(share + kDifference, trial_);
-  bordered_.setZero();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    bordered_(i, n) = (residual_[i] - other_residual_[i]) / (2 * kDifference);
-  }
-  vertices_mm_ = base_vertices_mm_ + share * shifts_mm_;
-  place(mechanism_, vertices_mm_, geometry_);
-  evaluate(mechanism_, geometry_, trial_, residual_.data(), values_.data());
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
-    if (entries_[e].column < n) {
-      bordered_(entries_[e].row, entries_[e].column) = values_[e] * unit_rad;
-    }
-  }
-  bordered_.row(n) = tangent_;
-  solve_->factorize(bordered_);
-  rhs_.setZero();
-  rhs_[n] = 1;
-  const Eigen::VectorXd& next = solve_->solve(rhs_);
-  if (!next.allFinite()) return false;
-  tangent_ = next / next.norm();
-  bordered_.row(n) = tangent_;
-  solve_->factorize(bordered_);
-  return true;
+PathEnd ShiftHomotopy::find(const FlatVertices& vertices_mm) {
+  equations_.begin(vertices_mm);
+  OnePath path{{&base_geometry_, &shares_.start, &shares_}};
+  follower_.run(path);
+  state_ = follower_.state();
+  state_.creases[mechanism_.pilot] = path_.stops.front().pilot;
+  return path.end;
 }
 
 }  // namespace misalign::solver

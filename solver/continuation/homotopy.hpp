@@ -1,55 +1,66 @@
 // Where a path starts when its sheet is too far from the base for Newton's method: from the base
 // sheet to the sheet itself, the shifts growing from nothing to all of themselves, the pilot held
 // at the first stop (a homotopy in the shifts; Allgower & Georg, Introduction to Numerical
-// Continuation Methods, ch. 1).
+// Continuation Methods, ch. 1). It is a path like any other, whose pilot is the share of the
+// shifts.
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-
-#include "solver/continuation/path.hpp"
-#include "solver/linear/sparse_lu.hpp"
+#include "solver/continuation/path_follower.hpp"
+#include "solver/linear/dense_closure.hpp"
 
 namespace misalign::solver {
 
-enum class StartEnd {
-  found,         ///< `state` is the path's own state at the first stop
-  branch_ended,  ///< the branch of the base folding turns (found by arc length) before the shifts
-                 ///< are whole: this sheet has no such folding next to flat
-  lost           ///< neither was found: a numerical failure
+/// Loop closure of the sheet with a share of its shifts, for a DenseClosure. The pilot crease of a
+/// state stands for the share: half_sine / that of the first stop. The joint itself is held there.
+class GrowingShifts {
+ public:
+  /// All must outlive this object.
+  GrowingShifts(const Mechanism& mechanism, const HalfAngle<double>& pilot,
+                const FlatVertices& base_vertices_mm);
+
+  /// The sheet whose shifts grow.
+  void begin(const FlatVertices& vertices_mm) { shifts_mm_ = vertices_mm - base_vertices_mm_; }
+
+  double evaluate(const SheetGeometry<double>&, const FoldState<double>& state);
+  const Eigen::VectorXd& residual() const { return system_.residual(); }
+  /// equations x unknowns; the last column by the angle that stands for the share.
+  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+
+ private:
+  void place_at(double share);
+
+  const Mechanism& mechanism_;
+  const HalfAngle<double> pilot_;
+  const FlatVertices& base_vertices_mm_;
+  ClosureSystem system_;
+  FlatVertices shifts_mm_, vertices_mm_;
+  SheetGeometry<double> geometry_;
+  FoldState<double> state_;
+  std::vector<double> before_, after_;
+  Eigen::MatrixXd jacobian_;
 };
 
-class StartFinder {
+class ShiftHomotopy {
  public:
   /// All must outlive this object. `base_vertices_mm` are those of the unshifted sheet.
-  StartFinder(const Mechanism& mechanism, const Elimination& elimination, const PathPlan& plan,
-              const FlatVertices& base_vertices_mm);
-  ~StartFinder();
+  ShiftHomotopy(const Mechanism& mechanism, const PathPlan& plan,
+                const FlatVertices& base_vertices_mm);
 
-  /// Follows the branch to the sheet with these vertices.
-  StartEnd find(const FlatVertices& vertices_mm);
+  /// Follows the branch to the sheet with these vertices. end_reached: state() is the path's own
+  /// state at the first stop. fold_limit: the branch of the base folding turns before the shifts
+  /// are whole, so this sheet has no such folding next to flat. Otherwise neither was found: a
+  /// numerical failure.
+  PathEnd find(const FlatVertices& vertices_mm);
   const FoldState<double>& state() const { return state_; }
 
  private:
-  double evaluate_at(double share, const FoldState<double>& state);
-  bool correct(double share);
-  StartEnd walk(double share);
-  bool find_tangent(double share);
-
   const Mechanism& mechanism_;
-  const PathPlan& plan_;
-  const FlatVertices& base_vertices_mm_;
-  SparseLu<double> lu_;
-  std::vector<JacobianEntry> entries_;
-  FlatVertices shifts_mm_, vertices_mm_;
-  SheetGeometry<double> geometry_;
-  FoldState<double> state_, trial_;
-  int branch_sign_ = 0;  // of the determinant on the branch
-  std::vector<double> residual_, other_residual_, values_, y_, turn_, move_, last_move_;
-  // Of the walk: [J without the pilot, change with the share; tangent], dense.
-  Eigen::MatrixXd bordered_;
-  std::unique_ptr<DenseSolve> solve_;
-  Eigen::VectorXd rhs_, step_, tangent_, last_tangent_;
+  const PathPlan& path_;
+  GrowingShifts equations_;
+  const PathPlan shares_;
+  PathFollower<double, DenseClosure<GrowingShifts>> follower_;
+  SheetGeometry<double> base_geometry_;
+  FoldState<double> state_;
 };
 
 }  // namespace misalign::solver

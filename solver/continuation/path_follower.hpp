@@ -2,137 +2,309 @@
 // angle; a lane takes the next sheet as soon as its own path has ended. With T = double it follows
 // one path, and that is the definition: a lane has its bits, whatever its neighbours do.
 //
-// Stops are reached by extrapolation and Newton's method with the pilot held. Where that fails or
-// leaves this half of the curve, the lane walks along the curve itself: Euler predictor,
-// Moore-Penrose corrector (Allgower & Georg, Introduction to Numerical Continuation Methods, ch. 3
-// and 6). Course decides which.
+// Predictor: along the last three tangents (Adams-Bashforth). Corrector: Newton's method with the
+// pilot held. Where that fails or leaves this half of the curve, the lane goes along the arc: Euler
+// predictor, Moore-Penrose corrector (Allgower & Georg, Introduction to Numerical Continuation
+// Methods, ch. 3 and 6). StepControl decides which; the policy Closure solves the linear equations.
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
+#include "solver/continuation/path_point.hpp"
 #include "solver/continuation/step_control.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
-#include "solver/linear/sparse_lu.hpp"
+#include "solver/linear/sparse_closure.hpp"
 
 namespace misalign::solver {
 
 /// One path to follow: the sheet, and a state near the plan's stop number `first_stop`.
-struct Departure {
+struct PathStart {
   const SheetGeometry<double>* geometry;
-  const FoldState<double>* start;
+  const FoldState<double>* state;
   const PathPlan* plan;
   std::size_t first_stop = 0;
   int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
 };
 
-template <class T>
-class Tracker {
+/// `Closure` is a SparseClosure<T>, or for T = double a DenseClosure.
+template <class T, class Closure = SparseClosure<T>>
+class PathFollower {
  public:
   static constexpr int kWidth = kLanes<T>;
 
-  /// Both must outlive this object, which owns its memory from the start.
-  Tracker(const Mechanism& mechanism, const Elimination& elimination,
-          const CourseOptions& options = {});
+  /// Owns its memory from the start; `mechanism` must outlive it.
+  PathFollower(const Mechanism& mechanism, Closure closure, const StepControlOptions& options = {});
+  /// By an elimination in its fixed order, which must outlive this object too.
+  PathFollower(const Mechanism& mechanism, const Elimination& elimination,
+               const StepControlOptions& options = {})
+      : PathFollower(mechanism, Closure(mechanism, elimination), options) {}
 
-  /// Follows paths until `client` has no more of them. It has
-  ///   bool next(Departure&, int lane)    the next path, for this lane; false: none is left
-  ///   bool visit(const Stop&, int lane)  at each stop to be seen; false: seen enough
+  /// Follows paths until `observer` has no more of them. It has
+  ///   bool next(PathStart&, int lane)   the next path, for this lane; false: none is left
+  ///   bool see(const Stop&, int lane)   at each stop to be seen; false: seen enough
   ///   void ended(const PathResult&, int lane)
-  /// and may ask in `visit` for the state and what follows from it; if it has `arrivals(const T&)`,
-  /// that is called first, with 1 in each lane at a stop and 0 in the others. Allocates nothing.
-  template <class Client>
-  void run(Client& client) {
-    for (int i = 0; i < kWidth; ++i) load(client, i);
+  /// If it has `PathPoint& point()`, what was found at the stop is there when it is told to see;
+  /// slopes, which cost more than lengths, if its `wants_slopes()`. If it has `arrivals(const T&)`,
+  /// that is called before any `see`, with 1 in each lane at a stop and 0 in the others. Allocates
+  /// nothing.
+  template <class Observer>
+  void run(Observer& observer) {
+    for (int i = 0; i < kWidth; ++i) load(observer, i);
     while (any_under_way()) {
       iterate();
       for (int i = 0; i < kWidth; ++i) {
-        moves_[i] = courses_[i].under_way() ? courses_[i].after(reading(i)) : Move{};
+        steps_[i] = controls_[i].under_way() ? controls_[i].after(report(i)) : PathStep{};
       }
       believe();
-      if constexpr (requires(T lanes) { client.arrivals(lanes); }) client.arrivals(arrivals());
+      if constexpr (requires(T lanes) { observer.arrivals(lanes); }) observer.arrivals(arrivals());
       for (int i = 0; i < kWidth; ++i) {
-        if (moves_[i].arrived) go_on(client, i);
-        if (moves_[i].ended) {
-          client.ended(courses_[i].result(), i);
-          load(client, i);
+        if (steps_[i].arrived) go_on(observer, i);
+        if (steps_[i].ended) {
+          observer.ended(controls_[i].result(), i);
+          load(observer, i);
         }
       }
-      depart();
+      predict();
     }
   }
 
   /// The sheets of all lanes, and their states at the last points they found.
   const SheetGeometry<T>& geometry() const { return geometry_; }
   const FoldState<T>& state() const { return last_; }
-  /// The state at the stop of a lane.
-  void copy_state(int i, FoldState<double>& state) const { copy_lane(last_, i, state); }
-  /// Its diagonals, panel widths.
-  void copy_lengths(int i, double* lengths) const;
-  /// Factors of the Jacobian there, but for the last correction (1e-12 / its singular values).
-  const SparseLu<T>& factors() const { return lu_; }
-  /// Change of its diagonals per radian of the pilot; returns how far the tangent is from one, the
-  /// largest entry of J times it.
-  double copy_slopes(int i, double* slopes);
-  /// The pilot's entry of its unit tangent there: 0 at a fold limit.
-  double pilot_rate(int i) const { return lane(tangents_[0][unknowns_ - 1], i); }
+  /// The equations there, but for the last correction (1e-12 / the Jacobian's singular values).
+  const Closure& closure() const { return closure_; }
 
  private:
-  template <class Client>
-  void load(Client& client, int i) {
-    moves_[i] = {};
-    Departure departure{};
-    if (!client.next(departure, i)) return;
-    put(departure, i);
-    courses_[i].begin(*departure.plan, departure.first_stop, departure.forward_sign);
+  template <class Observer>
+  void load(Observer& observer, int i) {
+    steps_[i] = {};
+    PathStart start{};
+    if (!observer.next(start, i)) return;
+    put(start, i);
+    controls_[i].begin(*start.plan, start.first_stop, start.forward_sign);
   }
 
-  template <class Client>
-  void go_on(Client& client, int i) {
-    const Stop& stop = courses_[i].target();
-    if (stop.visit && !client.visit(stop, i)) {
-      moves_[i] = courses_[i].stop();
+  template <class Observer>
+  void go_on(Observer& observer, int i) {
+    const Stop& stop = controls_[i].target();
+    if constexpr (requires { observer.point(); }) {
+      if (stop.visit) copy_point(i, observer.wants_slopes(), observer.point());
+    }
+    if (stop.visit && !observer.see(stop, i)) {
+      steps_[i] = controls_[i].stop();
     } else {
-      moves_[i] = courses_[i].proceed();
+      steps_[i] = controls_[i].proceed();
     }
   }
 
   T arrivals() const {
     T arrived(0);
-    for (int i = 0; i < kWidth; ++i) lane(arrived, i) = moves_[i].arrived ? 1 : 0;
+    for (int i = 0; i < kWidth; ++i) lane(arrived, i) = steps_[i].arrived ? 1 : 0;
     return arrived;
   }
 
   bool any_under_way() const {
-    for (const Course& course : courses_) {
-      if (course.under_way()) return true;
+    for (const StepControl& control : controls_) {
+      if (control.under_way()) return true;
     }
     return false;
   }
 
-  void put(const Departure& departure, int i);
+  void put(const PathStart& start, int i);
   MISALIGN_FLATTEN void iterate();
-  MISALIGN_FLATTEN void find_slopes();
-  void solve();
-  Reading reading(int i) const;
+  void correct();
+  NewtonReport report(int i) const;
   MISALIGN_FLATTEN void believe();
-  void depart();
+  void predict();
+  MISALIGN_FLATTEN void find_lengths();
+  MISALIGN_FLATTEN void find_slopes();
+  void copy_point(int i, bool with_slopes, PathPoint& point);
 
   const Mechanism& mechanism_;
   const int unknowns_;
-  SparseLu<T> lu_;
+  Closure closure_;
   SheetGeometry<T> geometry_;
   FoldState<T> trial_, last_, ahead_;
-  std::vector<T> residual_, y_, correction_, null_, move_, lengths_, slopes_;
+  std::vector<T> correction_, null_, move_, lengths_, slopes_, misfits_;
   std::array<std::vector<T>, 3> tangents_;  // newest first
   T open_, largest_correction_, misfit_, determinant_sign_, orientation_, cosine_,
       largest_half_sine_;
-  bool slopes_known_ = false;
-  std::array<Course, kWidth> courses_;
-  std::array<Move, kWidth> moves_;
+  bool lengths_known_ = false, slopes_known_ = false;
+  std::array<StepControl, kWidth> controls_;
+  std::array<PathStep, kWidth> steps_;
 };
 
-}  // namespace misalign::solver
+template <class T, class Closure>
+PathFollower<T, Closure>::PathFollower(const Mechanism& mechanism, Closure closure,
+                                       const StepControlOptions& options)
+    : mechanism_(mechanism),
+      unknowns_(mechanism.unknowns),
+      closure_(std::move(closure)),
+      geometry_(lane_geometry<T>(mechanism)),
+      trial_(flat_state<T>(mechanism)),
+      last_(trial_),
+      ahead_(trial_),
+      correction_(mechanism.unknowns, T(0)),
+      null_(correction_),
+      move_(correction_),
+      lengths_(mechanism.diagonals.size(), T(0)),
+      slopes_(lengths_),
+      misfits_(mechanism.equations, T(0)),
+      tangents_{correction_, correction_, correction_} {
+  controls_.fill(StepControl(options));
+}
 
-#include "solver/continuation/path_follower_impl.hpp"
+template <class T, class Closure>
+void PathFollower<T, Closure>::put(const PathStart& start, int i) {
+  closure_.restart(i);
+  put_lane(*start.geometry, geometry_, i);
+  put_lane(*start.state, trial_, i);
+  const HalfAngle<double>& pilot = start.plan->stops[start.first_stop].pilot;
+  lane(trial_.creases[mechanism_.pilot].c, i) = pilot.c;
+  lane(trial_.creases[mechanism_.pilot].s, i) = pilot.s;
+  put_lane(*start.state, last_, i);
+}
+
+// One Newton iteration of every lane, and what its step control wants to know.
+template <class T, class Closure>
+void PathFollower<T, Closure>::iterate() {
+  open_ = closure_.linearize(geometry_, trial_);
+  correct();
+  largest_correction_ = T(0);
+  for (T& turn : correction_) {
+    turn = -turn;
+    largest_correction_ = larger(largest_correction_, magnitude(turn));
+  }
+  advance(mechanism_, correction_.data(), trial_);
+  largest_half_sine_ = T(0);
+  for (std::size_t k = 0; k < trial_.creases.size(); ++k) {
+    largest_half_sine_ = larger(largest_half_sine_,
+                                magnitude(half_sine_between(trial_.creases[k], last_.creases[k])));
+  }
+}
+
+// The unit tangent, and the correction: with the pilot held, or for lanes on the arc the shortest.
+template <class T, class Closure>
+void PathFollower<T, Closure>::correct() {
+  using std::sqrt;
+  T on_arc(0);
+  for (int i = 0; i < kWidth; ++i) lane(on_arc, i) = controls_[i].on_arc() ? 1 : 0;
+  closure_.solve(on_arc, correction_.data());
+  closure_.null_vector(null_.data());
+  T square(0), along(0);
+  cosine_ = T(0);
+  for (int j = 0; j < unknowns_; ++j) {
+    square = square + null_[j] * null_[j];
+    along = along + null_[j] * correction_[j];
+    cosine_ = cosine_ + null_[j] * tangents_[0][j];
+  }
+  const T scale = T(1) / sqrt(square);
+  cosine_ = cosine_ * scale;
+  along = select(on_arc > T(0), along / square, T(0));
+  for (int j = 0; j < unknowns_; ++j) {
+    correction_[j] = correction_[j] - along * null_[j];
+    null_[j] = null_[j] * scale;
+  }
+  orientation_ = closure_.orientation();
+  determinant_sign_ = select(null_[unknowns_ - 1] < T(0), -orientation_, orientation_);
+}
+
+template <class T, class Closure>
+NewtonReport PathFollower<T, Closure>::report(int i) const {
+  const auto pilot_of = [&](const FoldState<T>& state) {
+    const HalfAngle<T>& pilot = state.creases[mechanism_.pilot];
+    return HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)};
+  };
+  return {lane(open_, i),
+          lane(largest_correction_, i),
+          lane(determinant_sign_, i) < 0 ? -1 : 1,
+          lane(orientation_, i) < 0 ? -1 : 1,
+          lane(null_[unknowns_ - 1], i),
+          lane(cosine_, i),
+          lane(largest_half_sine_, i),
+          pilot_of(last_),
+          pilot_of(trial_)};
+}
+
+// Keeps the states, tangents and diagonals of the lanes that found a point of their curve.
+template <class T, class Closure>
+void PathFollower<T, Closure>::believe() {
+  T believed(0), sign(1);
+  bool any = false;
+  for (int i = 0; i < kWidth; ++i) {
+    lane(believed, i) = steps_[i].believe ? 1 : 0;
+    lane(sign, i) = steps_[i].tangent_sign;
+    any = any || steps_[i].believe;
+  }
+  if (!any) return;
+  replace(believed, trial_, last_);
+  const auto chosen = believed > T(0);
+  for (int j = 0; j < unknowns_; ++j) {
+    tangents_[2][j] = select(chosen, tangents_[1][j], tangents_[2][j]);
+    tangents_[1][j] = select(chosen, tangents_[0][j], tangents_[1][j]);
+    tangents_[0][j] = select(chosen, sign * null_[j], tangents_[0][j]);
+  }
+  lengths_known_ = slopes_known_ = false;
+}
+
+// Sets the lanes that depart on their way: `last` moved along the tangents. A turn by d is entered
+// as 2 tan(d / 2), to third order, because `advance` turns by 2 atan of half its entry.
+template <class T, class Closure>
+void PathFollower<T, Closure>::predict() {
+  T departs(0), along[3] = {T(0), T(0), T(0)};
+  bool any = false;
+  for (int i = 0; i < kWidth; ++i) {
+    lane(departs, i) = steps_[i].depart ? 1 : 0;
+    for (int k = 0; k < 3; ++k) lane(along[k], i) = steps_[i].along[k];
+    any = any || steps_[i].depart;
+  }
+  if (!any) return;
+  for (int j = 0; j < unknowns_; ++j) {
+    const T turn =
+        along[0] * tangents_[0][j] + along[1] * tangents_[1][j] + along[2] * tangents_[2][j];
+    move_[j] = turn + turn * turn * turn * T(1.0 / 12);
+  }
+  ahead_ = last_;
+  advance(mechanism_, move_.data(), ahead_);
+  replace(departs, ahead_, trial_);
+  for (int i = 0; i < kWidth; ++i) {
+    if (!steps_[i].hold) continue;
+    lane(trial_.creases[mechanism_.pilot].c, i) = steps_[i].pilot.c;
+    lane(trial_.creases[mechanism_.pilot].s, i) = steps_[i].pilot.s;
+  }
+}
+
+template <class T, class Closure>
+void PathFollower<T, Closure>::find_lengths() {
+  folded_lengths(mechanism_, geometry_, last_, lengths_.data());
+  lengths_known_ = true;
+}
+
+template <class T, class Closure>
+void PathFollower<T, Closure>::find_slopes() {
+  folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
+                            slopes_.data(), misfits_.data());
+  misfit_ = T(0);
+  for (const T& rest : misfits_) misfit_ = larger(misfit_, magnitude(rest));
+  lengths_known_ = slopes_known_ = true;
+}
+
+// What follows from the states is found for all lanes at once, on first demand.
+template <class T, class Closure>
+void PathFollower<T, Closure>::copy_point(int i, bool with_slopes, PathPoint& point) {
+  copy_lane(last_, i, point.state);
+  point.pilot_rate = lane(tangents_[0][unknowns_ - 1], i);
+  if (with_slopes && !slopes_known_) find_slopes();
+  if (!lengths_known_) find_lengths();
+  for (std::size_t k = 0; k < lengths_.size(); ++k) point.lengths[k] = lane(lengths_[k], i);
+  if (!with_slopes) return;
+  for (std::size_t k = 0; k < slopes_.size(); ++k) {
+    point.slopes[k] = lane(slopes_[k], i) / point.pilot_rate;
+  }
+  point.misfit = lane(misfit_, i) / point.pilot_rate;
+}
+
+}  // namespace misalign::solver

@@ -1,4 +1,4 @@
-// One lane's share of what a tracker found at a stop.
+// What was found at a stop of one path.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,15 @@
 
 namespace misalign::solver {
 
-struct StopCopy {
-  explicit StopCopy(const Mechanism& mechanism);
-  ~StopCopy();
+struct PathPoint {
+  explicit PathPoint(const Mechanism& mechanism);
+  ~PathPoint();
 
   FoldState<double> state;
   std::vector<double> lengths, slopes;  ///< of the diagonals: panel widths, per radian of pilot
   double pilot_rate = 1;                ///< the pilot's entry of the unit tangent
+  double misfit =
+      0;  ///< how far the tangent is from one, per radian of pilot: what slopes are worth
 };
 
 }  // namespace misalign::solver

@@ -1,37 +1,53 @@
-// What a path does next, decided from a few numbers after each Newton iteration: reach the next
-// stop with the pilot held, or walk along the curve until the pilot comes to it or turns. No
-// mechanism, no vector: the same decisions for a single path and for a lane among others.
+// Step control of a path: what it does next, decided from a few numbers after each Newton
+// iteration. It reaches the next stop with the pilot held, or goes along the arc until the pilot
+// comes to it or reaches a limit point. No mechanism, no vector: the same decisions for a single
+// path, for a lane among others and for a homotopy, whatever solves the equations.
 #pragma once
 
+#include <limits>
+
 #include "solver/continuation/path.hpp"
+#include "solver/linear/newton.hpp"
 
 namespace misalign::solver {
 
-struct CourseOptions {
+/// Of the way along the arc (pseudo-arclength continuation: Keller; Allgower & Georg, Introduction
+/// to Numerical Continuation Methods, ch. 6). Lengths are Euclidean, over all unknowns.
+struct ArcOptions {
+  double longest_step_rad = 0.1;
+  double shortest_step_rad = 1e-9;      ///< below it the path has stalled
+  double least_tangent_cosine = 0.966;  ///< 15 degrees between the tangents of neighbouring points
+  int most_steps = 5000;                ///< from one stop to the next
+  /// How well the pilot's largest value is known: 6e-8 degrees; 0.001 is asked for.
+  double limit_tolerance_rad = 1e-9;
+};
+
+struct StepControlOptions {
   double closure_tolerance = NewtonOptions{}.closure_tolerance;
-  /// The same of the points between stops that a walk goes over.
-  double walk_closure_tolerance = NewtonOptions{}.closure_tolerance;
+  /// The same of the points between stops, on the arc.
+  double arc_closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// Extrapolated stops converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
   /// Of a crease from one stop to the next, sin(half of it), and of all its corrections together
-  /// (rad): what has gone farther is not believed without a walk.
-  double longest_half_sine = kJumpHalfSine;
+  /// (rad): what has gone farther is looked for along the arc. Steps of 1 degree move a crease by 1
+  /// to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is a jump to another branch.
+  double longest_half_sine = 0.17364817766693033;
   double longest_correction_rad = 2 * kPi;
   /// Of a path's first stop: all corrections together, as a share of the pilot's angle there. What
   /// is farther from the base folding may belong to another branch: of 2,400 sheets with sector
   /// angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
   double longest_start_share = 0.5;
-  /// Between the tangents of neighbouring stops: where they differ more, a turn may lie between
-  /// them. As for the walk, 15 degrees.
-  double least_tangent_cosine = ArcLengthOptions{}.least_tangent_cosine;
-  /// A turn that leaves at least this share of the way to the plan's end is not located any better.
-  double turn_certain_share = 1;
-  /// Of the walk along the curve: the same as for the reference's.
-  ArcLengthOptions walk;
+  /// Between the tangents of neighbouring stops: where they differ more, a limit point may lie
+  /// between them. As on the arc, 15 degrees.
+  double least_tangent_cosine = ArcOptions{}.least_tangent_cosine;
+  /// A limit point that leaves at least this share of the way to the plan's end is not located any
+  /// better.
+  double limit_certain_share = 1;
+  ArcOptions arc;
 };
 
 /// What is known after an iteration; `state` is the corrected one, `last` the last one believed.
-struct Reading {
+struct NewtonReport {
   double open_by;            ///< before the correction
   double correction_rad;     ///< its largest entry
   int determinant_sign;      ///< of the Jacobian without the pilot's column
@@ -43,7 +59,7 @@ struct Reading {
 };
 
 /// What to do with the lane now.
-struct Move {
+struct PathStep {
   bool believe = false;     ///< `state` becomes `last`, its tangent the newest
   double tangent_sign = 1;  ///< with which the tangent is kept
   bool arrived = false;     ///< at the stop: to be seen before `proceed`
@@ -54,39 +70,40 @@ struct Move {
   HalfAngle<double> pilot{1, 0};
 };
 
-class Course {
+class StepControl {
  public:
-  explicit Course(const CourseOptions& options = {}) : options_(options) {}
+  explicit StepControl(const StepControlOptions& options = {}) : options_(options) {}
 
   /// A path whose start lies near the plan's stop number `first_stop`. Stops ascend, or descend
-  /// where no walk is needed. `forward_sign` is the determinant's on this half of the curve, 0 if
-  /// it is not known yet.
+  /// where the arc is not needed. `forward_sign` is the determinant's on this half of the curve, 0
+  /// if it is not known yet.
   void begin(const PathPlan& plan, std::size_t first_stop, int forward_sign);
-  Move after(const Reading& reading);
+  PathStep after(const NewtonReport& report);
   /// From the stop where it arrived to the next one.
-  Move proceed();
+  PathStep proceed();
   /// The visitor has seen enough.
-  Move stop() { return end(PathEnd::stopped); }
+  PathStep stop() { return end(PathEnd::stopped); }
 
   bool under_way() const { return phase_ != Phase::idle; }
   /// Whether the corrector is free to move the pilot.
-  bool walking() const { return phase_ == Phase::walking; }
+  bool on_arc() const { return phase_ == Phase::arc; }
   const Stop& target() const { return plan_->stops[stop_]; }
   int forward_sign() const { return forward_sign_; }
   const PathResult& result() const { return result_; }
 
  private:
-  enum class Phase { idle, stepping, walking, landing };
+  enum class Phase { idle, stepping, arc, landing };
 
-  Move converged(const Reading& reading);
-  Move walked(const Reading& reading);
-  Move arrive(const Reading& reading, double tangent_sign);
-  Move not_there(const Reading& reading);
-  Move begin_walk(const Reading& reading);
-  Move walk_on(const HalfAngle<double>& last_pilot);
-  Move end(PathEnd end);
+  PathStep converged(const NewtonReport& report);
+  PathStep found_on_arc(const NewtonReport& report);
+  PathStep arrive(const NewtonReport& report, double tangent_sign);
+  PathStep not_there(const NewtonReport& report);
+  PathStep begin_arc(const NewtonReport& report);
+  PathStep go_along(const HalfAngle<double>& last_pilot);
+  PathStep at_limit_point(double rise_rad, const HalfAngle<double>& last_pilot);
+  PathStep end(PathEnd end);
 
-  CourseOptions options_;
+  StepControlOptions options_;
   const PathPlan* plan_ = nullptr;
   std::size_t stop_ = 0;
   Phase phase_ = Phase::idle;
@@ -97,8 +114,9 @@ class Course {
   int tangents_ = 0;                     // known at the stops before, newest first
   double tangent_pilot_[3] = {1, 1, 1};  // their pilot entries
   double step_rad_[2] = {0, 0};          // pilot steps between those stops
-  double ds_ = 0, bend_ = 0;             // of the walk: see ArcLength
-  int walk_steps_ = 0;
+  double ds_ = 0;                        // on the arc: the next step
+  double bend_ = 0;    // fall of the tangent's pilot entry per unit of length, past a limit point
+  int arc_steps_ = 0;  // since the last stop
   PathResult result_{};
 };
 

@@ -2,8 +2,9 @@
 // checked against.
 #pragma once
 
+#include "solver/kinematics/mechanism.hpp"
 #include "solver/kinematics/shape_check.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/pattern/perforated_sheet.hpp"
 
 namespace misalign::solver {
 

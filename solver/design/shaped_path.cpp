@@ -39,26 +39,19 @@ Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& 
   return angle_deg.rows();
 }
 
-ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
-                         const Elimination& elimination, const PathPlan& plan,
-                         const FlatVertices& vertices_mm, bool bump_is_fault,
-                         const std::vector<int>& margin_samples) {
-  const FoldedShape shape(base.sheet, base.holes, mechanism);
+ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm) {
   SheetGeometry<double> geometry;
-  place(mechanism, vertices_mm, geometry);
+  place(model.mechanism(), vertices_mm, geometry);
   ShapedPath path;
   std::size_t row = 0;
   double last_deg = 0;
-  path.history = record_history(base, mechanism, elimination, plan, vertices_mm,
-                                {bump_is_fault,
-                                 [&](const Stop& stop, const FoldState<double>& state) {
-                                   if (stop.pilot_deg <= last_deg) row = 0;  // followed once more
-                                   last_deg = stop.pilot_deg;
-                                   path.shapes_mm.resize(std::max(path.shapes_mm.size(), row + 1));
-                                   path.shapes_mm[row++] =
-                                       laid_over(shape.vertices_mm(geometry, state), vertices_mm);
-                                 },
-                                 margin_samples});
+  const StopVisitor keep_shape = [&](const Stop& stop, const FoldState<double>& state) {
+    if (stop.pilot_deg <= last_deg) row = 0;  // followed once more
+    last_deg = stop.pilot_deg;
+    path.shapes_mm.resize(std::max(path.shapes_mm.size(), row + 1));
+    path.shapes_mm[row++] = laid_over(model.shape().vertices_mm(geometry, state), vertices_mm);
+  };
+  path.history = record_history(model, vertices_mm, &keep_shape);
   path.shapes_mm.resize(path.history.stops.size());
   return path;
 }

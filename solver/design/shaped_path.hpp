@@ -21,9 +21,6 @@ Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& 
 
 /// As record_history. Each shape is turned and moved, as it is, to where it lies best over the flat
 /// sheet at z = 0 (least squares over the vertices; Kabsch 1976), so that neighbours differ little.
-ShapedPath record_shapes(const PerforatedSheet& base, const Mechanism& mechanism,
-                         const Elimination& elimination, const PathPlan& plan,
-                         const FlatVertices& vertices_mm, bool bump_is_fault = false,
-                         const std::vector<int>& margin_samples = {});
+ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm);
 
 }  // namespace misalign::solver

@@ -27,16 +27,16 @@ std::vector<InstructionSet> available_instruction_sets() {
   return sets;
 }
 
-std::unique_ptr<Batch> make_batch(InstructionSet set, const SheetFamily& family) {
+std::unique_ptr<Batch> make_batch(InstructionSet set, const Model& model) {
   switch (set) {
 #ifdef MISALIGN_X86
     case InstructionSet::avx512:
-      return make_avx512_batch(family);
+      return make_avx512_batch(model);
     case InstructionSet::avx2:
-      return make_avx2_batch(family);
+      return make_avx2_batch(model);
 #endif
     default:
-      return make_baseline_batch(family);
+      return make_baseline_batch(model);
   }
 }
 

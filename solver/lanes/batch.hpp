@@ -1,4 +1,4 @@
-// Many sheets of one family at once, in the widest registers there are: the fast tests that turn
+// Many sheets of one model at once, in the widest registers there are: the fast tests that turn
 // most of them away, and the full path of the others.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/verdict/history.hpp"
 #include "solver/verdict/rejection_test.hpp"
 
 namespace misalign::solver {
@@ -21,7 +22,7 @@ const char* instruction_set_name(InstructionSet set);
 /// Of this build and this machine, narrowest first.
 std::vector<InstructionSet> available_instruction_sets();
 
-/// Shifts of a block of sheets, mm: x and y of each of the family's shifted vertices in turn.
+/// Shifts of a block of sheets, mm: x and y of each of the model's shifted vertices in turn.
 struct ShiftBlock {
   std::vector<double> shifts_mm;  ///< sheet by sheet
   int sheets = 0;
@@ -41,18 +42,17 @@ class Batch {
 
   /// One result per sheet: rejected for certain, or not decided.
   virtual const std::vector<Screened>& screen(const ShiftBlock& block) = 0;
-  /// Verdicts of all sheets on their full paths; `undecided` where the path was lost, which another
-  /// solver may settle.
+  /// Verdicts of all sheets on their full paths. A path that is lost is followed again by dense
+  /// matrices; what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
-  /// Whole histories, past faults: for the few sheets that are worth it. A path that is lost here
-  /// is followed again by dense matrices.
+  /// Whole histories, past faults: for the few sheets that are worth it.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
   /// Of everything so far.
   virtual Effort screening_effort() const = 0;
   virtual Effort judging_effort() const = 0;
 };
 
-/// `family` must outlive the batch. The verdicts are the same for every instruction set.
-std::unique_ptr<Batch> make_batch(InstructionSet set, const SheetFamily& family);
+/// `model` must outlive the batch. The verdicts are the same for every instruction set.
+std::unique_ptr<Batch> make_batch(InstructionSet set, const Model& model);
 
 }  // namespace misalign::solver

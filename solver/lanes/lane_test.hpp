@@ -24,11 +24,11 @@ struct OpenSheet {
 template <class T>
 class LaneTest {
  public:
-  explicit LaneTest(const SheetFamily& family);
+  explicit LaneTest(const Model& model);
 
   /// Looks at every open sheet at the angle of the test with this index and tells `rules` what it
-  /// sees (a Screening). Of the sheets that are not decided then, `approach` keeps a state that can
-  /// be trusted, the far one if there is a choice (an ApproachDesk).
+  /// sees (a RejectionTest). Of the sheets that are not decided then, `approach` keeps a state that
+  /// can be trusted, the far one if there is a choice (an ApproachObserver).
   template <class Rules, class Approach>
   void run(int test, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
            Approach& approach) {
@@ -52,7 +52,7 @@ class LaneTest {
   template <class Rules, class Approach>
   void report(int test, OpenSheet* open, int count, Rules& rules, Approach& approach);
 
-  const SheetFamily& family_;
+  const Model& model_;
   const Mechanism& mechanism_;
   // Per test: what TestAngle has, in this precision, the base folding in every lane; and its
   // rounding.
@@ -71,9 +71,9 @@ class LaneTest {
 };
 
 template <class T>
-LaneTest<T>::LaneTest(const SheetFamily& family)
-    : family_(family),
-      mechanism_(family.mechanism()),
+LaneTest<T>::LaneTest(const Model& model)
+    : model_(model),
+      mechanism_(model.mechanism()),
       state_(flat_state<T>(mechanism_)),
       residual_(mechanism_.equations, T(0)),
       y_(mechanism_.unknowns, T(0)),
@@ -81,20 +81,19 @@ LaneTest<T>::LaneTest(const SheetFamily& family)
       flat_(mechanism_.diagonals.size(), T(0)),
       lengths_(flat_),
       slopes_(flat_),
-      lu_(family.elimination()) {
+      lu_(model.elimination()) {
   lane_flat_.resize(flat_.size());
   lane_lengths_.resize(flat_.size());
   lane_slopes_.resize(flat_.size());
-  for (const TestAngle& test : family.tests()) {
+  for (const TestAngle& test : model.tests()) {
     FoldState<T>& base = base_.emplace_back(state_);
     for (int i = 0; i < kLanes<T>; ++i) put_lane(test.base, base, i);
     base_factors_.emplace_back(test.factors);
     lengths_per_closure_.emplace_back(test.lengths_per_closure.begin(),
                                       test.lengths_per_closure.end());
-    rounding_.push_back(
-        rounding_error(std::numeric_limits<Real>::epsilon(), family.extent(), test));
+    rounding_.push_back(rounding_error(std::numeric_limits<Real>::epsilon(), model.extent(), test));
   }
-  const double* const flat_mm = family.base().sheet.vertices_mm.data();
+  const double* const flat_mm = model.base().sheet.vertices_mm.data();
   for (int v = 0; v < mechanism_.vertices; ++v) {
     const double x_mm = flat_mm[2 * v] - flat_mm[0], y_mm = flat_mm[2 * v + 1] - flat_mm[1];
     base_x_.push_back(T(static_cast<Real>(x_mm / mechanism_.panel_width_mm)));
@@ -113,7 +112,7 @@ void LaneTest<T>::load(const ShiftBlock& block, const OpenSheet* open, int count
   std::array<const double*, kLanes<T>> shifts;
   for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(open[i < count ? i : 0].sheet);
   int k = 0;
-  for (const int vertex : family_.shifted()) {
+  for (const int vertex : model_.shifted()) {
     T dx, dy;
     for (int i = 0; i < kLanes<T>; ++i) {
       lane(dx, i) = static_cast<Real>(shifts[i][k]);
@@ -136,7 +135,7 @@ template <class T>
 void LaneTest<T>::solve(int test) {
   const int n = mechanism_.equations;
   const SparseLu<Real>& factors = base_factors_[test];
-  const bool with_slopes = family_.tests()[test].with_slopes;
+  const bool with_slopes = model_.tests()[test].with_slopes;
   state_ = base_[test];
   evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
   factors.forward(residual_.data(), y_.data());
@@ -197,7 +196,7 @@ T LaneTest<T>::correct_slopes(int test) {
 template <class T>
 template <class Rules, class Approach>
 void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, Approach& approach) {
-  const TestAngle& angle = family_.tests()[test];
+  const TestAngle& angle = model_.tests()[test];
   if (test == 0) flat_lengths(mechanism_, geometry_, flat_.data());
   for (int i = 0; i < count; ++i) {
     const int sheet = open[i].sheet;
@@ -208,8 +207,8 @@ void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, App
     effort_.solves += 1;
     effort_.iterations += angle.with_slopes ? 2 : 1;
     const double first = lane(first_correction_, i), second = lane(second_correction_, i);
-    const auto error = angle.with_slopes ? newton_error(first, second, family_.length_per_rad())
-                                         : chord_error(first, second, family_.length_per_rad());
+    const auto error = angle.with_slopes ? newton_error(first, second, model_.length_per_rad())
+                                         : chord_error(first, second, model_.length_per_rad());
     if (!error || (lane(determinant_sign_, i) < 0) != (angle.determinant_sign < 0)) continue;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
       lane_lengths_[k] = lane(lengths_[k], i);
@@ -218,7 +217,7 @@ void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, App
     rules.observe(sheet, {angle.sample, lane_lengths_.data(), *error + rounding_[test],
                           angle.with_slopes ? lane_slopes_.data() : nullptr,
                           slope_error(lane(slope_correction_, i)) + rounding_[test]});
-    if ((test == family_.departs_from() || open[i].kept_state < 0) && !rules.decided(sheet)) {
+    if ((test == model_.departs_from() || open[i].kept_state < 0) && !rules.decided(sheet)) {
       copy_lane(state_, i, approach.keep(test, open[i].kept_state));
     }
   }

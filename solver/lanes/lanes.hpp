@@ -8,10 +8,10 @@
 
 namespace misalign::solver {
 
-std::unique_ptr<Batch> make_baseline_batch(const SheetFamily& family);
+std::unique_ptr<Batch> make_baseline_batch(const Model& model);
 #ifdef MISALIGN_X86
-std::unique_ptr<Batch> make_avx2_batch(const SheetFamily& family);
-std::unique_ptr<Batch> make_avx512_batch(const SheetFamily& family);
+std::unique_ptr<Batch> make_avx2_batch(const Model& model);
+std::unique_ptr<Batch> make_avx512_batch(const Model& model);
 #endif
 
 }  // namespace misalign::solver

@@ -6,9 +6,9 @@
 
 namespace misalign::solver {
 
-std::unique_ptr<Batch> make_avx2_batch(const SheetFamily& family) {
+std::unique_ptr<Batch> make_avx2_batch(const Model& model) {
   return std::make_unique<
-      LaneBatch<xsimd::batch<double, xsimd::avx2>, xsimd::batch<float, xsimd::avx2>>>(family);
+      LaneBatch<xsimd::batch<double, xsimd::avx2>, xsimd::batch<float, xsimd::avx2>>>(model);
 }
 
 }  // namespace misalign::solver

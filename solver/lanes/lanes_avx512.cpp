@@ -6,9 +6,9 @@
 
 namespace misalign::solver {
 
-std::unique_ptr<Batch> make_avx512_batch(const SheetFamily& family) {
+std::unique_ptr<Batch> make_avx512_batch(const Model& model) {
   return std::make_unique<
-      LaneBatch<xsimd::batch<double, xsimd::avx512f>, xsimd::batch<float, xsimd::avx512f>>>(family);
+      LaneBatch<xsimd::batch<double, xsimd::avx512f>, xsimd::batch<float, xsimd::avx512f>>>(model);
 }
 
 }  // namespace misalign::solver

@@ -6,9 +6,9 @@
 
 namespace misalign::solver {
 
-std::unique_ptr<Batch> make_baseline_batch(const SheetFamily& family) {
+std::unique_ptr<Batch> make_baseline_batch(const Model& model) {
   return std::make_unique<LaneBatch<xsimd::batch<double, xsimd::default_arch>,
-                                    xsimd::batch<float, xsimd::default_arch>>>(family);
+                                    xsimd::batch<float, xsimd::default_arch>>>(model);
 }
 
 }  // namespace misalign::solver

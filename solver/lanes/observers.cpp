@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "solver/verdict/miscut_margin.hpp"
-
 namespace misalign::solver {
 namespace {
 
@@ -14,231 +12,153 @@ void count(const PathResult& path, Effort& effort) {
 
 }  // namespace
 
-StopCopy::StopCopy(const Mechanism& mechanism)
-    : state(flat_state<double>(mechanism)),
-      lengths(mechanism.diagonals.size()),
-      slopes(mechanism.diagonals.size()) {}
+ShiftedSheets::ShiftedSheets(const Model& model) : model_(model) {}
 
-StopCopy::~StopCopy() = default;
+ShiftedSheets::~ShiftedSheets() = default;
 
-LaneSheets::LaneSheets(const SheetFamily& family, int lanes)
-    : family_(family),
-      sheet_of_lane_(lanes),
-      finder_(family.mechanism(), family.elimination(), family.path(),
-              family.base().sheet.vertices_mm) {}
-
-LaneSheets::~LaneSheets() = default;
-
-void LaneSheets::begin(const ShiftBlock& block) {
+const SheetBlock& ShiftedSheets::of(const ShiftBlock& block) {
   block_ = &block;
-  next_ = 0;
-  found_count_ = next_found_ = 0;
+  return *this;
 }
 
-bool LaneSheets::put_next(Departure& departure, int lane) {
-  const FoldState<double>* start = &family_.path().start;
-  if (next_ < block_->sheets) {
-    put(next_++, lane);
-  } else if (next_found_ < found_count_) {
-    const Found& found = found_[next_found_++];
-    put(found.sheet, lane);
-    start = &found.start;
-  } else {
-    return false;
-  }
-  departure = {&geometry_, start, &family_.path(), 0, 0};
+int ShiftedSheets::sheets() const { return block_->sheets; }
+
+void ShiftedSheets::place(int sheet, FlatVertices& vertices_mm) const {
+  model_.displace(block_->of(sheet), vertices_mm);
+}
+
+JudgingObserver::JudgingObserver(const Model& model, int lanes)
+    : model_(model),
+      queue_(model, lanes),
+      judges_(lanes, Judge(model.mechanism(), model.bump_is_fault())),
+      point_(model.mechanism()),
+      residual_(model.mechanism().equations),
+      dense_state_(model.mechanism()),
+      dense_follower_(model.mechanism()) {}
+
+JudgingObserver::~JudgingObserver() = default;
+
+void JudgingObserver::begin(const SheetBlock& block) {
+  verdicts_.assign(static_cast<std::size_t>(block.sheets()), {});
+  for_dense_.clear();
+  queue_.begin(block);
+}
+
+bool JudgingObserver::next(PathStart& start, int lane) {
+  if (!queue_.put_next(start, lane)) return false;
+  flat_lengths(model_.mechanism(), queue_.geometry(), point_.lengths.data());
+  judges_[lane].begin(point_.lengths);
   return true;
 }
 
-bool LaneSheets::has_ended(PathResult& path, int lane) {
-  if (path.end != PathEnd::start_lost) return true;
-  const int sheet = sheet_of_lane_[lane];
-  for (std::size_t k = 0; k < found_count_; ++k) {
-    if (found_[k].sheet == sheet) return true;
-  }
-  const StartEnd end = finder_.find(vertices_mm_of_lane(lane));
-  if (end == StartEnd::branch_ended) path.end = PathEnd::fold_limit;
-  if (end != StartEnd::found) return true;
-  if (found_count_ == found_.size()) found_.push_back({sheet, finder_.state()});
-  Found& found = found_[found_count_++];
-  found.sheet = sheet;
-  found.start = finder_.state();
-  return false;
-}
-
-void LaneSheets::put(int sheet, int lane) {
-  sheet_of_lane_[lane] = sheet;
-  family_.displace(block_->of(sheet), vertices_mm_);
-  place(family_.mechanism(), vertices_mm_, geometry_);
-}
-
-const FlatVertices& LaneSheets::vertices_mm_of_lane(int lane) {
-  family_.displace(block_->of(sheet_of_lane_[lane]), vertices_mm_);
-  return vertices_mm_;
-}
-
-DenseLooks::DenseLooks(const Mechanism& mechanism)
-    : mechanism_(mechanism), residual_(mechanism.equations) {}
-
-DenseLooks::~DenseLooks() = default;
-
-const DenseLook& DenseLooks::at(const FlatVertices& vertices_mm, const FoldState<double>& state) {
-  if (!look_) look_ = std::make_unique<DenseLook>(mechanism_);
-  place(mechanism_, vertices_mm, geometry_);
-  look_->at(geometry_, state);
-  return *look_;
-}
-
-double DenseLooks::open_by(const FlatVertices& vertices_mm, const FoldState<double>& state) {
-  place(mechanism_, vertices_mm, geometry_);
-  return evaluate(mechanism_, geometry_, state, residual_.data(), nullptr);
-}
-
-JudgingDesk::JudgingDesk(const SheetFamily& family, int lanes)
-    : family_(family),
-      sheets_(family, lanes),
-      judges_(lanes, Judge(family.mechanism(), family.bump_is_fault())),
-      found_(family.mechanism()),
-      shape_(family.base().sheet, family.base().holes, family.mechanism()),
-      dense_(family.mechanism()) {}
-
-JudgingDesk::~JudgingDesk() = default;
-
-void JudgingDesk::begin(const ShiftBlock& block) {
-  sheets_.begin(block);
-  verdicts_.assign(block.sheets, {});
-}
-
-bool JudgingDesk::next(Departure& departure, int lane) {
-  if (!sheets_.put_next(departure, lane)) return false;
-  flat_lengths(family_.mechanism(), sheets_.geometry(), found_.lengths.data());
-  judges_[lane].begin(found_.lengths);
-  return true;
-}
-
-bool JudgingDesk::visit(const Stop& stop, int lane, double misfit) {
+bool JudgingObserver::see(const Stop& stop, int lane) {
   if (stop.sample == 0) return true;
-  const bool is_poor = !(misfit <= kLargestMisfit) ||
-                       (stop.pilot_deg > kPoorFactorsFrom_deg &&
-                        !(dense_.open_by(sheets_.vertices_mm_of_lane(lane), found_.state) <=
-                          NewtonOptions{}.closure_tolerance));
-  if (is_poor) {
-    const DenseLook& dense = dense_.at(sheets_.vertices_mm_of_lane(lane), found_.state);
-    found_.state = dense.state();
-    found_.lengths = dense.lengths();
-    found_.slopes = dense.slopes();
-    found_.pilot_rate = dense.pilot_rate();
+  if (!is_dense_ && is_poor(stop, lane)) {
+    place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
+    dense_state_.find(geometry_, point_.state, point_);
   }
-  return judges_[lane].see(stop, found_.state, found_.lengths,
-                           wants_slopes() ? &found_.slopes : nullptr, found_.pilot_rate);
+  return judges_[lane].see(stop, point_.state, point_.lengths,
+                           wants_slopes() ? &point_.slopes : nullptr, point_.pilot_rate);
 }
 
-void JudgingDesk::ended(PathResult path, int lane) {
-  count(path, effort_);
-  if (!sheets_.has_ended(path, lane)) return;
-  Verdict& verdict = verdicts_[sheets_.of_lane(lane)];
-  verdict = judges_[lane].conclude(path);
-  if (!is_for_dense_to_confirm(verdict, path)) return;
-  const Verdict dense =
-      record_densely(family_.mechanism(), shape_, family_.path(), sheets_.vertices_mm_of_lane(lane),
-                     {family_.bump_is_fault(), {}})
-          .verdict;
-  if (dense.first_fault != Fault::undecided) verdict = dense;
+bool JudgingObserver::is_poor(const Stop& stop, int lane) {
+  if (wants_slopes() && !(point_.misfit <= kLargestMisfit)) return true;
+  if (stop.pilot_deg <= kPoorFactorsFrom_deg) return false;
+  place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
+  const double open_by =
+      evaluate(model_.mechanism(), geometry_, point_.state, residual_.data(), nullptr);
+  return !(open_by <= NewtonOptions{}.closure_tolerance);
 }
 
-RecordingDesk::RecordingDesk(const SheetFamily& family, int lanes)
-    : family_(family),
-      options_{family.bump_is_fault(),
-               {},
-               solver::margin_samples(family.sample_deg(), family.threshold_sample())},
-      shape_(family.base().sheet, family.base().holes, family.mechanism()),
-      sheets_(family, lanes),
-      recordings_(lanes, Recording(family.mechanism(), options_)) {}
-
-RecordingDesk::~RecordingDesk() = default;
-
-void RecordingDesk::begin(const ShiftBlock& block) {
-  sheets_.begin(block);
-  histories_.resize(block.sheets);
+void JudgingObserver::ended(PathResult path, int lane) {
+  if (!is_dense_) count(path, effort_);
+  if (!queue_.has_ended(path, lane)) return;
+  const int sheet = queue_.of_lane(lane);
+  const Verdict verdict = judges_[lane].conclude(path);
+  if (!is_dense_) {
+    verdicts_[sheet] = verdict;
+    if (is_for_dense_matrices(verdict, path)) for_dense_.push_back({sheet, path});
+    return;
+  }
+  const auto before = std::find_if(for_dense_.begin(), for_dense_.end(),
+                                   [&](const ForDense& one) { return one.sheet == sheet; });
+  if (dense_verdict_counts(verdicts_[sheet], before->path, verdict)) verdicts_[sheet] = verdict;
 }
 
-bool RecordingDesk::next(Departure& departure, int lane) {
-  if (!sheets_.put_next(departure, lane)) return false;
-  recordings_[lane].begin(sheets_.vertices_mm());
-  return true;
+void JudgingObserver::fall_back() {
+  if (for_dense_.empty()) return;
+  std::vector<int> sheets;
+  for (const ForDense& one : for_dense_) sheets.push_back(one.sheet);
+  queue_.begin_again(sheets);
+  is_dense_ = true;
+  dense_follower_.run(*this);
+  is_dense_ = false;
 }
 
-void RecordingDesk::ended(PathResult path, int lane) {
-  if (!sheets_.has_ended(path, lane)) return;
-  FoldingHistory& history = histories_[sheets_.of_lane(lane)];
-  history = confirmed(recordings_[lane].conclude(path), family_.mechanism(), shape_, family_.path(),
-                      recordings_[lane].vertices_mm(), options_);
-}
-
-// After a correction from this far open, lengths are known to 1e-10 panel widths; of a walk only
+// After a correction from this far open, lengths are known to 1e-10 panel widths; on the arc only
 // the way on is wanted.
-constexpr double kStopClosure = 1e-7, kWalkClosure = 1e-3;
+constexpr double kStopClosure = 1e-7, kArcClosure = 1e-3;
 
 // What two thirds of a step's way to 150 degrees and steps of 5 degrees beyond it move the creases
 // of paths that stay on their curve, with room (rad; sine of half of it).
 constexpr double kLongestHalfSine = 0.5, kLongestCorrection_rad = 0.15;
 
-CourseOptions approach_options() {
-  CourseOptions options;
+StepControlOptions approach_options() {
+  StepControlOptions options;
   options.closure_tolerance = kStopClosure;
-  options.walk_closure_tolerance = kWalkClosure;
-  options.walk.turn_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
-  options.turn_certain_share = 0.5;  // half the way to the threshold
+  options.arc_closure_tolerance = kArcClosure;
+  options.arc.limit_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
+  options.limit_certain_share = 0.5;  // half the way to the threshold
   options.longest_half_sine = kLongestHalfSine;
   options.longest_correction_rad = kLongestCorrection_rad;
   options.least_tangent_cosine = 0;
   return options;
 }
 
-ApproachDesk::ApproachDesk(const SheetFamily& family, int lanes)
-    : family_(family), sheets_(family, lanes), found_(family.mechanism()) {}
+ApproachObserver::ApproachObserver(const Model& model, int lanes)
+    : model_(model), queue_(model, lanes), point_(model.mechanism()) {}
 
-ApproachDesk::~ApproachDesk() = default;
+ApproachObserver::~ApproachObserver() = default;
 
-void ApproachDesk::begin(const ShiftBlock& block, Screening& screening) {
-  sheets_.begin(block);
-  screening_ = &screening;
+void ApproachObserver::begin(const SheetBlock& block, RejectionTest& rejection) {
+  queue_.begin(block);
+  rejection_ = &rejection;
   waiting_.clear();
   next_ = 0;
   kept_count_ = 0;
 }
 
-FoldState<double>& ApproachDesk::keep(int test, int& kept) {
+FoldState<double>& ApproachObserver::keep(int test, int& kept) {
   if (kept < 0) kept = kept_count_++;
-  if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, found_.state});
+  if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, point_.state});
   kept_[kept].test = test;
   return kept_[kept].state;
 }
 
-bool ApproachDesk::next(Departure& departure, int lane) {
+bool ApproachObserver::next(PathStart& start, int lane) {
   if (next_ == waiting_.size()) return false;
   const Work& work = waiting_[next_++];
-  sheets_.put(work.sheet, lane);
+  queue_.put(work.sheet, lane);
   const Kept& kept = kept_[work.kept];
-  const TestAngle& test = family_.tests()[kept.test];
-  const auto& stops = family_.approach().stops;
+  const TestAngle& test = model_.tests()[kept.test];
+  const auto& stops = model_.approach().stops;
   const auto first = std::find_if(stops.begin(), stops.end(),
                                   [&](const Stop& stop) { return stop.sample == test.sample; });
-  departure = {&sheets_.geometry(), &kept.state, &family_.approach(),
-               static_cast<std::size_t>(first - stops.begin()), test.determinant_sign};
+  start = {&queue_.geometry(), &kept.state, &model_.approach(),
+           static_cast<std::size_t>(first - stops.begin()), test.determinant_sign};
   return true;
 }
 
-bool ApproachDesk::visit(const Stop& stop, int lane) {
-  const int sheet = sheets_.of_lane(lane);
-  screening_->observe(sheet, {stop.sample, found_.lengths.data(), kPathLengthError,
-                              found_.slopes.data(), kPathSlopeError});
-  screening_->observe(sheet, stop.sample, found_.state);
-  return !screening_->decided(sheet);
+bool ApproachObserver::see(const Stop& stop, int lane) {
+  const int sheet = queue_.of_lane(lane);
+  rejection_->observe(sheet, {stop.sample, point_.lengths.data(), kPathLengthError,
+                              point_.slopes.data(), kPathSlopeError});
+  rejection_->observe(sheet, stop.sample, point_.state);
+  return !rejection_->decided(sheet);
 }
 
-void ApproachDesk::ended(const PathResult& path, int lane) {
-  screening_->path_ended(sheets_.of_lane(lane), path);
+void ApproachObserver::ended(const PathResult& path, int lane) {
+  rejection_->path_ended(queue_.of_lane(lane), path);
   count(path, effort_);
 }
 

@@ -4,21 +4,27 @@
 
 namespace misalign::solver {
 
-Reference::Reference(const Mechanism& mechanism, const PathPlan& plan)
+Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, bool bump_is_fault)
     : mechanism_(mechanism),
       plan_(plan),
       tracker_(mechanism),
-      judge_(mechanism),
-      lengths_(mechanism.diagonals.size()) {}
+      bump_is_fault_(bump_is_fault),
+      judge_(mechanism, bump_is_fault),
+      dense_state_(mechanism),
+      point_(mechanism) {}
 
 Verdict Reference::judge(const FlatVertices& vertices_mm) {
   place(mechanism_, vertices_mm, geometry_);
-  flat_lengths(mechanism_, geometry_, lengths_.data());
-  judge_.begin(lengths_);
+  flat_lengths(mechanism_, geometry_, point_.lengths.data());
+  judge_.begin(point_.lengths);
   path_ = tracker_.follow(geometry_, plan_, [&](const Stop& stop, const FoldState<double>& state) {
     if (stop.sample == 0) return true;
-    folded_lengths(mechanism_, geometry_, state, lengths_.data());
-    return judge_.see(stop, state, lengths_);
+    if (bump_is_fault_) {
+      dense_state_.find(geometry_, state, point_);
+      return judge_.see(stop, state, point_.lengths, &point_.slopes, point_.pilot_rate);
+    }
+    folded_lengths(mechanism_, geometry_, state, point_.lengths.data());
+    return judge_.see(stop, state, point_.lengths);
   });
   return judge_.conclude(path_);
 }

@@ -5,14 +5,17 @@
 
 #include <vector>
 
-#include "solver/verdict/history.hpp"
+#include "solver/reference/path_tracker.hpp"
+#include "solver/verdict/dense_state.hpp"
+#include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
 
 class Reference {
  public:
   /// Both must outlive this object, which allocates nothing once it has judged a sheet.
-  Reference(const Mechanism& mechanism, const PathPlan& plan);
+  /// `bump_is_fault`: see Judge.
+  Reference(const Mechanism& mechanism, const PathPlan& plan, bool bump_is_fault = false);
 
   Verdict judge(const FlatVertices& vertices_mm);
 
@@ -23,9 +26,11 @@ class Reference {
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   PathTracker tracker_;
+  const bool bump_is_fault_;
   Judge judge_;
   SheetGeometry<double> geometry_;
-  std::vector<double> lengths_;
+  DenseState dense_state_;  // for slopes, which bumps are seen by
+  PathPoint point_;
   PathResult path_{};
 };
 

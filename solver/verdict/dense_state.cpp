@@ -2,35 +2,46 @@
 
 namespace misalign::solver {
 
-DenseLook::DenseLook(const Mechanism& mechanism)
-    : mechanism_(mechanism),
-      system_(mechanism),
-      newton_(mechanism),
-      factors_(mechanism.equations),
-      smallest_(mechanism.equations),
-      rates_(mechanism.unknowns),
-      misfit_(mechanism.equations),
-      lengths_(mechanism.diagonals.size()),
-      slopes_(mechanism.diagonals.size()) {}
+struct DenseState::Matrices {
+  explicit Matrices(const Mechanism& mechanism)
+      : system(mechanism),
+        newton(mechanism),
+        factors(mechanism.equations),
+        smallest(mechanism.equations),
+        rates(mechanism.unknowns),
+        misfit(mechanism.equations) {}
 
-DenseLook::~DenseLook() = default;
+  ClosureSystem system;
+  Newton newton;
+  DenseSolve factors;
+  SmallestSingularValue<double> smallest;
+  FoldState<double> trial;
+  Eigen::VectorXd rates, misfit;
+};
 
-void DenseLook::at(const SheetGeometry<double>& geometry, const FoldState<double>& state) {
-  state_ = state;
-  open_by_ = system_.evaluate(geometry, state_);
+DenseState::DenseState(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+DenseState::~DenseState() = default;
+
+void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
+                      PathPoint& point) {
+  if (!matrices_) matrices_ = std::make_unique<Matrices>(mechanism_);
+  auto& [system, newton, factors, smallest, trial, rates, misfit] = *matrices_;
+  point.state = state;
+  open_by_ = system.evaluate(geometry, point.state);
   if (open_by_ > NewtonOptions{}.closure_tolerance) {
-    trial_ = state;
-    if (newton_.correct(geometry, trial_).end == NewtonEnd::converged) state_ = trial_;
-    open_by_ = system_.evaluate(geometry, state_);
+    trial = point.state;
+    if (newton.correct(geometry, trial).end == NewtonEnd::converged) point.state = trial;
+    open_by_ = system.evaluate(geometry, point.state);
   }
-  factors_.factorize(system_.jacobian().leftCols(mechanism_.equations));
-  singular_value_ = smallest_.of(factors_);
-  Eigen::Map<Eigen::VectorXd> rates(rates_.data(), mechanism_.unknowns);
-  rates.head(mechanism_.equations) = -factors_.solve(system_.jacobian().col(mechanism_.equations));
+  factors.factorize(system.jacobian().leftCols(mechanism_.equations));
+  singular_value_ = smallest.of(factors);
+  rates.head(mechanism_.equations) = -factors.solve(system.jacobian().col(mechanism_.equations));
   rates[mechanism_.equations] = 1;  // the pilot's, last
-  pilot_rate_ = 1 / rates.norm();
-  folded_lengths_and_slopes(mechanism_, geometry, state_, rates_.data(), lengths_.data(),
-                            slopes_.data(), misfit_.data());
+  point.pilot_rate = 1 / rates.norm();
+  folded_lengths_and_slopes(mechanism_, geometry, point.state, rates.data(), point.lengths.data(),
+                            point.slopes.data(), misfit.data());
+  point.misfit = misfit.cwiseAbs().maxCoeff();
 }
 
 }  // namespace misalign::solver

@@ -1,10 +1,10 @@
-// What a state says beyond its own numbers, from dense factors of its Jacobian: the yardstick of
-// the fixed order's, and the way out where that order does not suit (at 180 degrees its
-// pivots vanish).
+// Lengths, rates of change and the least singular value of a state, from dense factors of its
+// Jacobian: where the fixed order's are not worth their name (at 180 degrees its pivots vanish).
 #pragma once
 
-#include <vector>
+#include <memory>
 
+#include "solver/continuation/path_point.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/linear/singular_value.hpp"
@@ -19,31 +19,27 @@ inline constexpr double kPoorFactorsFrom_deg = 179;
 /// radian of pilot) what follows from them is asked of dense ones.
 inline constexpr double kLargestMisfit = 1e-9;
 
-class DenseLook {
+/// Its matrices are made when first needed.
+class DenseState {
  public:
-  explicit DenseLook(const Mechanism& mechanism);
-  ~DenseLook();
+  /// `mechanism` must outlive this object.
+  explicit DenseState(const Mechanism& mechanism);
+  ~DenseState();
 
-  /// Looks at a solution, or what is near one: closes it first, its pilot held, if it is open.
-  void at(const SheetGeometry<double>& geometry, const FoldState<double>& state);
-
-  const FoldState<double>& state() const { return state_; }  ///< closed
+  /// Everything about a solution, or what is near one: closes it first, its pilot held, if it is
+  /// open. `state` may be the point's own.
+  void find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
+            PathPoint& point);
 
   double open_by() const { return open_by_; }
   double singular_value() const { return singular_value_; }
-  const std::vector<double>& lengths() const { return lengths_; }  ///< panel widths
-  const std::vector<double>& slopes() const { return slopes_; }    ///< per radian of pilot
-  double pilot_rate() const { return pilot_rate_; }  ///< the pilot's entry of the unit tangent
 
  private:
+  struct Matrices;
+
   const Mechanism& mechanism_;
-  ClosureSystem system_;
-  Newton newton_;
-  FoldState<double> state_, trial_;
-  DenseSolve factors_;
-  SmallestSingularValue<double> smallest_;
-  double open_by_ = 0, singular_value_ = 0, pilot_rate_ = 1;
-  std::vector<double> rates_, misfit_, lengths_, slopes_;
+  std::unique_ptr<Matrices> matrices_;
+  double open_by_ = 0, singular_value_ = 0;
 };
 
 }  // namespace misalign::solver

@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "solver/continuation/homotopy.hpp"
-#include "solver/continuation/path_follower.hpp"
-#include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/lane_recorder.hpp"
-#include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -18,104 +14,56 @@ Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
   return Eigen::Map<const RowMajor>(values.data(), static_cast<Eigen::Index>(rows), columns);
 }
 
-// One sheet for a tracker of one lane.
-class SingleRecording {
+class OneSheet final : public SheetBlock {
  public:
-  SingleRecording(const Mechanism& mechanism, const PathPlan& plan, const FlatVertices& vertices_mm,
-                  StartFinder& finder, const RecordingOptions& options)
-      : plan_(plan),
-        vertices_mm_(vertices_mm),
-        finder_(finder),
-        start_(&plan.start),
-        recording_(mechanism, options) {
-    place(mechanism, vertices_mm, geometry_);
-  }
-  bool next(Departure& departure, int) {
-    if (!start_) return false;
-    recording_.begin(vertices_mm_);
-    departure = {&geometry_, std::exchange(start_, nullptr), &plan_};
-    return true;
-  }
-  Recording& of_lane(int) { return recording_; }
-  // Where the base folding is too far off, once more from a start that is found from there.
-  void ended(PathResult path, int) {
-    if (path.end == PathEnd::start_lost && !has_searched_) {
-      has_searched_ = true;
-      const StartEnd end = finder_.find(vertices_mm_);
-      if (end == StartEnd::branch_ended) path.end = PathEnd::fold_limit;
-      if (end == StartEnd::found) {
-        start_ = &finder_.state();
-        return;
-      }
-    }
-    history_ = recording_.conclude(path);
-  }
-  FoldingHistory take() { return std::move(history_); }
+  explicit OneSheet(const FlatVertices& vertices_mm) : vertices_mm_(vertices_mm) {}
+  int sheets() const override { return 1; }
+  void place(int, FlatVertices& vertices_mm) const override { vertices_mm = vertices_mm_; }
 
  private:
-  const PathPlan& plan_;
   const FlatVertices& vertices_mm_;
-  StartFinder& finder_;
-  const FoldState<double>* start_;  // to depart from next
-  bool has_searched_ = false;
-  SheetGeometry<double> geometry_;
-  Recording recording_;
-  FoldingHistory history_;
 };
 
 }  // namespace
 
-Recording::Recording(const Mechanism& mechanism, RecordingOptions options)
-    : mechanism_(mechanism),
-      visit_(std::move(options.visit)),
-      margin_samples_(std::move(options.margin_samples)),
-      judge_(mechanism, options.bump_is_fault) {}
+Recording::Recording(const Model& model, const StopVisitor* visit)
+    : model_(model), visit_(visit), judge_(model.mechanism(), model.bump_is_fault()) {}
 
 void Recording::begin(const FlatVertices& vertices_mm) {
-  vertices_mm_ = vertices_mm;
+  const Mechanism& mechanism = model_.mechanism();
   lengths_mm_.clear();
   slopes_mm_per_deg_.clear();
   angles_deg_.clear();
   history_ = {};
   SheetGeometry<double> geometry;
-  place(mechanism_, vertices_mm_, geometry);
-  history_.flat_mm.resize(mechanism_.diagonals.size());
-  flat_lengths(mechanism_, geometry, history_.flat_mm.data());
+  place(mechanism, vertices_mm, geometry);
+  history_.flat_mm.resize(mechanism.diagonals.size());
+  flat_lengths(mechanism, geometry, history_.flat_mm.data());
   judge_.begin(history_.flat_mm);
-  for (double& length : history_.flat_mm) length *= mechanism_.panel_width_mm;
+  for (double& length : history_.flat_mm) length *= mechanism.panel_width_mm;
 }
 
-void Recording::see(const SeenStop& seen) {
-  const double width_mm = mechanism_.panel_width_mm;
-  if (seen.stop.sample > 0) {
-    judge_.see(seen.stop, seen.state, seen.lengths, &seen.slopes, seen.pilot_rate);
+void Recording::see(const Stop& stop, const PathPoint& point, const SolveQuality& quality) {
+  const double width_mm = model_.mechanism().panel_width_mm;
+  if (stop.sample > 0) {
+    judge_.see(stop, point.state, point.lengths, &point.slopes, point.pilot_rate);
   }
-  history_.stops.push_back(seen.stop);
-  for (const double length : seen.lengths) lengths_mm_.push_back(length * width_mm);
-  for (const double slope : seen.slopes) {
+  history_.stops.push_back(stop);
+  for (const double length : point.lengths) lengths_mm_.push_back(length * width_mm);
+  for (const double slope : point.slopes) {
     slopes_mm_per_deg_.push_back(slope * width_mm * kRadPerDeg);
   }
-  for (const auto& rho : seen.state.creases)
-    angles_deg_.push_back(mechanism_.side * angle_deg(rho));
-  history_.open_by.push_back(seen.open_by);
-  history_.singular_value_min.push_back(seen.singular_value_min);
-  history_.isometry_error_mm.push_back(seen.isometry_error * width_mm);
-  if (std::binary_search(margin_samples_.begin(), margin_samples_.end(), seen.stop.sample)) {
-    history_.margin_states.push_back(seen.state);
+  for (const auto& rho : point.state.creases) {
+    angles_deg_.push_back(model_.mechanism().side * angle_deg(rho));
   }
-  if (visit_) visit_(seen.stop, seen.state);
-}
-
-void Recording::see_densely(const Stop& stop, const FoldState<double>& state,
-                            const FoldedShape& shape) {
-  if (!dense_) dense_ = std::make_shared<DenseLook>(mechanism_);
-  SheetGeometry<double> geometry;
-  place(mechanism_, vertices_mm_, geometry);
-  dense_->at(geometry, state);
-  FoldedPoints<double> points;
-  shape.place(geometry, dense_->state(), points);
-  see({stop, dense_->state(), dense_->lengths(), dense_->slopes(), dense_->pilot_rate(),
-       dense_->open_by(), dense_->singular_value(), shape.isometry_error(geometry, points)});
+  history_.open_by.push_back(quality.open_by);
+  history_.singular_value_min.push_back(quality.singular_value_min);
+  history_.isometry_error_mm.push_back(quality.isometry_error * width_mm);
+  const std::vector<int>& samples = model_.margin_samples();
+  if (std::binary_search(samples.begin(), samples.end(), stop.sample)) {
+    history_.margin_states.push_back(point.state);
+  }
+  if (visit_) (*visit_)(stop, point.state);
 }
 
 FoldingHistory Recording::conclude(const PathResult& path) {
@@ -128,62 +76,21 @@ FoldingHistory Recording::conclude(const PathResult& path) {
   return std::move(history_);
 }
 
-// False turns were seen within 1e-4 degrees of 180.
-bool is_for_dense_to_confirm(const Verdict& verdict, const PathResult& path) {
-  return verdict.first_fault == Fault::fold_limit && path.fold_limit_deg > 180 - 1e-3;
+FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
+                              const StopVisitor* visit) {
+  PathFollower<double> follower(model.mechanism(), model.elimination());
+  Recorder<double> recorder(model, follower, visit);
+  return std::move(recorder.record(OneSheet(vertices_mm)).front());
 }
 
-FoldingHistory confirmed(FoldingHistory history, const Mechanism& mechanism,
-                         const FoldedShape& shape, const PathPlan& plan,
-                         const FlatVertices& vertices_mm, const RecordingOptions& options) {
-  if (!history.lost() && !is_for_dense_to_confirm(history.verdict, history.path)) return history;
-  FoldingHistory dense = record_densely(mechanism, shape, plan, vertices_mm, options);
-  if (!history.lost()) return dense.verdict.first_fault == Fault::undecided ? history : dense;
-  // What was known of its samples before it was lost stays said.
-  if (history.verdict.first_fault != Fault::undecided) dense.verdict = history.verdict;
-  return dense;
-}
-
-FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
-                              const PathPlan& plan, const FlatVertices& vertices_mm,
-                              const RecordingOptions& options) {
-  return record_history(base, mechanism,
-                        plan_elimination(mechanism, base.folding, base.sheet.vertices_mm), plan,
-                        vertices_mm, options);
-}
-
-FoldingHistory record_history(const PerforatedSheet& base, const Mechanism& mechanism,
-                              const Elimination& elimination, const PathPlan& plan,
-                              const FlatVertices& vertices_mm, const RecordingOptions& options) {
-  const FoldedShape shape(base.sheet, base.holes, mechanism);
-  Tracker<double> tracker(mechanism, elimination);
-  StartFinder finder(mechanism, elimination, plan, base.sheet.vertices_mm);
-  SingleRecording single(mechanism, plan, vertices_mm, finder, options);
-  RecordingClient<double, SingleRecording> client(mechanism, shape, tracker, single);
-  tracker.run(client);
-  FoldingHistory history = confirmed(single.take(), mechanism, shape, plan, vertices_mm, options);
-  if (!options.margin_samples.empty() &&
-      history.margin_states.size() == options.margin_samples.size()) {
-    history.miscut_margin_mm =
-        miscut_margin_mm(mechanism, elimination, vertices_mm, history.margin_states);
-  }
-  return history;
-}
-
-FoldingHistory record_densely(const Mechanism& mechanism, const FoldedShape& shape,
-                              const PathPlan& plan, const FlatVertices& vertices_mm,
-                              const RecordingOptions& options) {
-  SheetGeometry<double> geometry;
-  place(mechanism, vertices_mm, geometry);
-  Recording recording(mechanism, options);
-  recording.begin(vertices_mm);
-  PathTracker tracker(mechanism);
-  const PathResult path =
-      tracker.follow(geometry, plan, [&](const Stop& stop, const FoldState<double>& state) {
-        recording.see_densely(stop, state, shape);
-        return true;
-      });
-  return recording.conclude(path);
+FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm,
+                              const StopVisitor* visit) {
+  RecordingObserver observer(model, 1, visit);
+  DenseFollower follower(model.mechanism());
+  const OneSheet sheet(vertices_mm);
+  observer.begin(sheet);
+  follower.run(observer);
+  return std::move(observer.histories().front());
 }
 
 }  // namespace misalign::solver

@@ -1,55 +1,51 @@
-// Full paths of sheets that somebody looks at, for a tracker of any width: looks closer at the
-// stops of all lanes together, and hands each to the recording of its lane.
+// Recordings from a path follower of any width: looks closer at the stops of all lanes together,
+// and hands each to the recording of its lane; then how far off the sheets may be cut.
 #pragma once
 
 #include <array>
 
-#include "solver/continuation/path_follower.hpp"
-#include "solver/continuation/path_point.hpp"
 #include "solver/linear/singular_value.hpp"
-#include "solver/verdict/dense_state.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/verdict/miscut_margin.hpp"
+#include "solver/verdict/recording_observer.hpp"
 
 namespace misalign::solver {
 
-/// `Desk` says which sheet is next (`next`), whose recording a lane writes (`of_lane`), and takes
-/// the end of each path (`ended`). Lanes arrive at their stops one by one: each one's state and
-/// factors are kept until it arrives again or its path ends, and then all that are kept are looked
-/// at in one go; with dense factors (`see_densely`) where the kept ones are worth nothing.
-template <class T, class Desk>
-class RecordingClient {
+/// Lanes arrive at their stops one by one: each one's state and factors are kept until it arrives
+/// again or its path ends, and then all that are kept are looked at in one go; with dense factors
+/// where the kept ones are worth nothing.
+template <class T>
+class LaneRecorder {
  public:
-  RecordingClient(const Mechanism& mechanism, const FoldedShape& shape, Tracker<T>& tracker,
-                  Desk& desk)
-      : mechanism_(mechanism),
-        shape_(shape),
-        tracker_(tracker),
-        desk_(desk),
-        kept_state_(flat_state<T>(mechanism)),
-        kept_factors_(tracker.factors()),
+  /// All must outlive this object.
+  LaneRecorder(const Model& model, PathFollower<T>& follower, RecordingObserver& observer)
+      : mechanism_(model.mechanism()),
+        shape_(model.shape()),
+        follower_(follower),
+        observer_(observer),
+        kept_state_(flat_state<T>(mechanism_)),
+        kept_factors_(follower.closure().factors()),
         square_factors_(kept_factors_),
-        smallest_(mechanism.equations),
-        residual_(mechanism.equations, T(0)),
-        work_(mechanism.unknowns, T(0)),
+        smallest_(mechanism_.equations),
+        residual_(mechanism_.equations, T(0)),
+        work_(mechanism_.unknowns, T(0)),
         rates_(work_),
-        lengths_(mechanism.diagonals.size(), T(0)),
-        slopes_(lengths_),
-        copy_(mechanism) {}
+        lengths_(mechanism_.diagonals.size(), T(0)),
+        slopes_(lengths_) {}
 
-  bool next(Departure& departure, int lane) {
+  bool next(PathStart& start, int lane) {
     smallest_.restart(lane);
-    return desk_.next(departure, lane);
+    return observer_.next(start, lane);
   }
 
   void arrivals(const T& arrived) {
     bool again = false;
     for (int i = 0; i < kLanes<T>; ++i) again = again || lane(arrived, i) * lane(waits_, i) > 0;
     if (again) look();
-    replace(arrived, tracker_.state(), kept_state_);
-    kept_factors_.replace(arrived, tracker_.factors());
+    replace(arrived, follower_.state(), kept_state_);
+    kept_factors_.replace(arrived, follower_.closure().factors());
   }
 
-  bool visit(const Stop& stop, int i) {
+  bool see(const Stop& stop, int i) {
     stops_[i] = stop;
     lane(waits_, i) = 1;
     return true;
@@ -57,12 +53,12 @@ class RecordingClient {
 
   void ended(const PathResult& path, int i) {
     if (lane(waits_, i) > 0) look();
-    desk_.ended(path, i);
+    observer_.ended(path, i);
   }
 
  private:
   MISALIGN_FLATTEN void look() {
-    const SheetGeometry<T>& geometry = tracker_.geometry();
+    const SheetGeometry<T>& geometry = follower_.geometry();
     const T open_by = evaluate(mechanism_, geometry, kept_state_, residual_.data(), nullptr);
     const T singular_value = smallest_.of(square_factors_, waits_);
     kept_factors_.null_vector(
@@ -79,26 +75,27 @@ class RecordingClient {
     const T isometry_error = shape_.isometry_error(geometry, points_);
     for (int i = 0; i < kLanes<T>; ++i) {
       if (!(lane(waits_, i) > 0)) continue;
-      copy_lane(kept_state_, i, copy_.state);
-      if (stops_[i].pilot_deg <= kPoorFactorsFrom_deg && lane(misfit, i) <= kLargestMisfit) {
-        for (std::size_t k = 0; k < lengths_.size(); ++k) {
-          copy_.lengths[k] = lane(lengths_[k], i);
-          copy_.slopes[k] = lane(slopes_[k], i);
-        }
-        desk_.of_lane(i).see({stops_[i], copy_.state, copy_.lengths, copy_.slopes,
-                              lane(pilot_rate, i), lane(open_by, i), lane(singular_value, i),
-                              lane(isometry_error, i)});
-      } else {
-        desk_.of_lane(i).see_densely(stops_[i], copy_.state, shape_);
+      PathPoint& point = observer_.point();
+      copy_lane(kept_state_, i, point.state);
+      if (stops_[i].pilot_deg > kPoorFactorsFrom_deg || !(lane(misfit, i) <= kLargestMisfit)) {
+        observer_.see(stops_[i], i);
+        continue;
       }
+      for (std::size_t k = 0; k < lengths_.size(); ++k) {
+        point.lengths[k] = lane(lengths_[k], i);
+        point.slopes[k] = lane(slopes_[k], i);
+      }
+      point.pilot_rate = lane(pilot_rate, i);
+      observer_.of_lane(i).see(
+          stops_[i], point, {lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
     }
     waits_ = T(0);
   }
 
   const Mechanism& mechanism_;
   const FoldedShape& shape_;
-  Tracker<T>& tracker_;
-  Desk& desk_;
+  PathFollower<T>& follower_;
+  RecordingObserver& observer_;
   T waits_ = T(0);  // 1: the lane's kept state has not been looked at
   FoldState<T> kept_state_;
   SparseLu<T> kept_factors_;
@@ -107,7 +104,70 @@ class RecordingClient {
   FoldedPoints<T> points_;
   std::vector<T> residual_, work_, rates_, lengths_, slopes_;
   std::array<Stop, kLanes<T>> stops_{};
-  StopCopy copy_;
+};
+
+/// Whole histories of blocks of sheets.
+template <class T>
+class Recorder {
+ public:
+  /// Both must outlive this object.
+  Recorder(const Model& model, PathFollower<T>& follower, const StopVisitor* visit = nullptr)
+      : model_(model),
+        follower_(follower),
+        observer_(model, kLanes<T>, visit),
+        lanes_(model, follower, observer_),
+        margin_(model.mechanism(), model.elimination()),
+        geometry_(lane_geometry<T>(model.mechanism())),
+        state_(flat_state<T>(model.mechanism())) {}
+
+  std::vector<FoldingHistory>& record(const SheetBlock& block) {
+    observer_.begin(block);
+    follower_.run(lanes_);
+    observer_.fall_back();
+    const std::size_t all = model_.margin_samples().size();
+    with_margin_.clear();
+    for (int sheet = 0; all > 0 && sheet < block.sheets(); ++sheet) {
+      if (observer_.histories()[sheet].margin_states.size() == all) with_margin_.push_back(sheet);
+    }
+    for (std::size_t first = 0; first < with_margin_.size(); first += kLanes<T>) {
+      find_margins(block, first);
+    }
+    return observer_.histories();
+  }
+
+ private:
+  // Of as many sheets as there are lanes, or those that are left.
+  void find_margins(const SheetBlock& block, std::size_t first) {
+    const auto sheet_of_lane = [&](int i) {
+      return with_margin_[std::min(first + static_cast<std::size_t>(i), with_margin_.size() - 1)];
+    };
+    for (int i = 0; i < kLanes<T>; ++i) {
+      block.place(sheet_of_lane(i), one_vertices_mm_);
+      place(model_.mechanism(), one_vertices_mm_, one_geometry_);
+      put_lane(one_geometry_, geometry_, i);
+    }
+    margin_.begin(geometry_);
+    for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
+      for (int i = 0; i < kLanes<T>; ++i) {
+        put_lane(observer_.histories()[sheet_of_lane(i)].margin_states[k], state_, i);
+      }
+      margin_.see(state_);
+    }
+    for (int i = 0; i < kLanes<T>; ++i) {
+      observer_.histories()[sheet_of_lane(i)].miscut_margin_mm = margin_.mm(i);
+    }
+  }
+
+  const Model& model_;
+  PathFollower<T>& follower_;
+  RecordingObserver observer_;
+  LaneRecorder<T> lanes_;
+  MiscutMargin<T> margin_;
+  std::vector<int> with_margin_;
+  FlatVertices one_vertices_mm_;  // of a single lane
+  SheetGeometry<double> one_geometry_;
+  SheetGeometry<T> geometry_;
+  FoldState<T> state_;
 };
 
 }  // namespace misalign::solver

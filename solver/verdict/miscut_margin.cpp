@@ -17,15 +17,4 @@ std::vector<int> margin_samples(double sample_deg, int threshold_sample) {
   return samples;
 }
 
-std::optional<double> miscut_margin_mm(const Mechanism& mechanism, const Elimination& elimination,
-                                       const FlatVertices& vertices_mm,
-                                       const std::vector<FoldState<double>>& states) {
-  SheetGeometry<double> geometry;
-  place(mechanism, vertices_mm, geometry);
-  MiscutMargin<double> margin(mechanism, elimination);
-  margin.begin(geometry);
-  for (const FoldState<double>& state : states) margin.see(state);
-  return margin.mm(0);
-}
-
 }  // namespace misalign::solver

@@ -112,9 +112,4 @@ class MiscutMargin {
   T failed_ = T(0);  // no number any more where the solver failed
 };
 
-/// Of one sheet whose states at margin_samples are these; none where the solver failed.
-std::optional<double> miscut_margin_mm(const Mechanism& mechanism, const Elimination& elimination,
-                                       const FlatVertices& vertices_mm,
-                                       const std::vector<FoldState<double>>& states);
-
 }  // namespace misalign::solver

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/verdict/miscut_margin.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -63,16 +65,20 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
 
 }  // namespace
 
-SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& shifted,
-                         const PathPlanOptions& path, int threshold_sample, bool bump_is_fault)
+Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
+             const PathPlanOptions& path, int threshold_sample, bool bump_is_fault)
     : base_(base),
       mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
-      elimination_(plan_elimination(mechanism_, base.folding, base.sheet.vertices_mm)),
+      elimination_(plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
+      shape_(base_.sheet, base_.holes, mechanism_),
       shifted_(shifted),
       path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
       bump_is_fault_(bump_is_fault),
+      margin_samples_(threshold_sample > 0
+                          ? solver::margin_samples(path.sample_deg, threshold_sample)
+                          : std::vector<int>()),
       extent_((base.sheet.vertices_mm.colwise() - base.sheet.vertices_mm.col(0).eval())
                   .cwiseAbs()
                   .maxCoeff() /
@@ -81,7 +87,7 @@ SheetFamily::SheetFamily(const PerforatedSheet& base, const std::vector<int>& sh
   choose_tests();
 }
 
-void SheetFamily::choose_tests() {
+void Model::choose_tests() {
   const auto sample_at = [&](double angle_deg) {
     return static_cast<int>(std::floor(angle_deg / sample_deg_ * (1 + 1e-9)));
   };
@@ -125,7 +131,7 @@ void SheetFamily::choose_tests() {
   add_stops(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
 }
 
-void SheetFamily::displace(const double* shifts_mm, FlatVertices& vertices_mm) const {
+void Model::displace(const double* shifts_mm, FlatVertices& vertices_mm) const {
   vertices_mm = base_.sheet.vertices_mm;
   for (const int vertex : shifted_) {
     vertices_mm.col(vertex) += Eigen::Vector2d(shifts_mm[0], shifts_mm[1]);

@@ -1,9 +1,12 @@
-// What all sheets of one campaign share, made ready once: the base sheet, its mechanism, the order
-// of elimination, the full path, and the angles at which the fast tests look.
+// What all sheets of one campaign, or of one pattern, share: the base sheet with its holes, its
+// mechanism, the order of elimination, the full path, and the angles of the rejection tests. Made
+// ready once and passed on.
 #pragma once
 
+#include "solver/continuation/path.hpp"
+#include "solver/kinematics/folded_shape.hpp"
 #include "solver/linear/sparse_lu.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/pattern/perforated_sheet.hpp"
 
 namespace misalign::solver {
 
@@ -19,24 +22,32 @@ struct TestAngle {
   bool with_slopes;  ///< whether the diagonals' rates of change are looked at as well
 };
 
-class SheetFamily {
+class Model {
  public:
   /// `shifted` are the vertices that differ from sheet to sheet; D of at least `threshold_sample`
-  /// is wanted, which a bump between samples ends if it is a fault.
-  SheetFamily(const PerforatedSheet& base, const std::vector<int>& shifted,
-              const PathPlanOptions& path, int threshold_sample, bool bump_is_fault = false);
-  SheetFamily(const SheetFamily&) = delete;
-  SheetFamily& operator=(const SheetFamily&) = delete;
+  /// is wanted, which a bump between samples ends if it is a fault. Without a threshold (0) there
+  /// are no rejection tests, and no margin against miscuts.
+  Model(const PerforatedSheet& base, const std::vector<int>& shifted, const PathPlanOptions& path,
+        int threshold_sample, bool bump_is_fault = false);
+  /// A sheet that is looked at for itself.
+  explicit Model(const PerforatedSheet& base, const PathPlanOptions& path = {},
+                 bool bump_is_fault = false)
+      : Model(base, {}, path, 0, bump_is_fault) {}
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
 
   const PerforatedSheet& base() const { return base_; }
   const Mechanism& mechanism() const { return mechanism_; }
   const Elimination& elimination() const { return elimination_; }
+  const FoldedShape& shape() const { return shape_; }
   const std::vector<int>& shifted() const { return shifted_; }
   /// Every sample to the end.
   const PathPlan& path() const { return path_; }
   double sample_deg() const { return sample_deg_; }
   int threshold_sample() const { return threshold_sample_; }
   bool bump_is_fault() const { return bump_is_fault_; }
+  /// Where the stretches of MiscutMargin end; none without a threshold.
+  const std::vector<int>& margin_samples() const { return margin_samples_; }
 
   /// The far one, then the near one; none where the threshold is close to flat.
   const std::vector<TestAngle>& tests() const { return tests_; }
@@ -58,11 +69,13 @@ class SheetFamily {
   const PerforatedSheet base_;
   const Mechanism mechanism_;
   const Elimination elimination_;
+  const FoldedShape shape_;
   const std::vector<int> shifted_;
   const PathPlan path_;
   const double sample_deg_;
   const int threshold_sample_;
   const bool bump_is_fault_;
+  const std::vector<int> margin_samples_;
   std::vector<TestAngle> tests_;
   PathPlan approach_;
   int departs_from_ = 0;

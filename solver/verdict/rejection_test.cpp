@@ -61,12 +61,12 @@ double rounding_error(double epsilon, double extent, const TestAngle& test) {
 
 double slope_error(double correction) { return kSlopeSafety * correction + kPathSlopeError; }
 
-Screening::Screening(const SheetFamily& family)
-    : family_(family), diagonals_(family.mechanism().diagonals.size()) {}
+RejectionTest::RejectionTest(const Model& model)
+    : model_(model), diagonals_(model.mechanism().diagonals.size()) {}
 
-Screening::~Screening() = default;
+RejectionTest::~RejectionTest() = default;
 
-void Screening::begin(int sheets) {
+void RejectionTest::begin(int sheets) {
   const std::size_t count = static_cast<std::size_t>(sheets);
   screened_.assign(count, {});
   flat_.resize(count * diagonals_);
@@ -76,11 +76,11 @@ void Screening::begin(int sheets) {
   direction_.assign(count * diagonals_, 0);
 }
 
-void Screening::set_flat(int sheet, const double* lengths) {
+void RejectionTest::set_flat(int sheet, const double* lengths) {
   std::copy_n(lengths, diagonals_, flat_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
 }
 
-void Screening::observe(int sheet, const Observation& observation) {
+void RejectionTest::observe(int sheet, const Observation& observation) {
   if (sees_both(sheet, observation)) {
     screened_[sheet] = {Fault::not_monotone, observation.sample};
     return;
@@ -91,15 +91,15 @@ void Screening::observe(int sheet, const Observation& observation) {
               earlier_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
 }
 
-bool Screening::sees_both(int sheet, const Observation& now) {
+bool RejectionTest::sees_both(int sheet, const Observation& now) {
   const std::size_t first = static_cast<std::size_t>(sheet) * diagonals_;
   const bool has_earlier = earlier_sample_[sheet] > 0 && earlier_sample_[sheet] != now.sample;
   const double since = now.sample > earlier_sample_[sheet] ? 1 : -1;
   // Of so many steps one at least is longer than the band.
-  const double flat_margin = now.length_error + kStepBand_widths * family_.threshold_sample();
+  const double flat_margin = now.length_error + kStepBand_widths * model_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
-  const bool slopes_count = now.slopes && family_.sample_deg() <= kLongestSampleForSlopes_deg &&
-                            now.sample < family_.threshold_sample();
+  const bool slopes_count = now.slopes && model_.sample_deg() <= kLongestSampleForSlopes_deg &&
+                            now.sample < model_.threshold_sample();
   const double slope_margin = now.slope_error + kLeastSlope_widths_per_deg / kRadPerDeg;
   for (std::size_t i = 0; i < diagonals_; ++i) {
     bool grows = direction_[first + i] > 0, shrinks = direction_[first + i] < 0;
@@ -116,9 +116,9 @@ bool Screening::sees_both(int sheet, const Observation& now) {
   return false;
 }
 
-void Screening::observe(int sheet, int sample, const FoldState<double>& state) {
+void RejectionTest::observe(int sheet, int sample, const FoldState<double>& state) {
   constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg - kAngleMargin_rad;
-  const std::vector<Crease>& creases = family_.mechanism().creases;
+  const std::vector<Crease>& creases = model_.mechanism().creases;
   for (std::size_t k = 0; k < creases.size(); ++k) {
     if (state.creases[k].c < least_cosine) screened_[sheet] = {Fault::over_folded, sample};
     if (state.creases[k].s * creases[k].assignment < -kAngleMargin_rad) {
@@ -127,11 +127,11 @@ void Screening::observe(int sheet, int sample, const FoldState<double>& state) {
   }
 }
 
-void Screening::path_ended(int sheet, const PathResult& path) {
-  const double threshold_deg = family_.threshold_sample() * family_.sample_deg();
+void RejectionTest::path_ended(int sheet, const PathResult& path) {
+  const double threshold_deg = model_.threshold_sample() * model_.sample_deg();
   if (path.end == PathEnd::fold_limit && path.fold_limit_deg < threshold_deg - kLimitMargin_deg) {
     screened_[sheet] = {Fault::fold_limit,
-                        static_cast<int>(path.fold_limit_deg / family_.sample_deg()) + 1};
+                        static_cast<int>(path.fold_limit_deg / model_.sample_deg()) + 1};
   }
 }
 

@@ -51,10 +51,10 @@ double rounding_error(double epsilon, double extent, const TestAngle& test);
 double slope_error(double correction);
 
 /// The memory of a block of sheets while they are tested.
-class Screening {
+class RejectionTest {
  public:
-  explicit Screening(const SheetFamily& family);
-  ~Screening();
+  explicit RejectionTest(const Model& model);
+  ~RejectionTest();
 
   /// Forgets everything; room for `sheets` of them.
   void begin(int sheets);
@@ -74,7 +74,7 @@ class Screening {
  private:
   bool sees_both(int sheet, const Observation& observation);
 
-  const SheetFamily& family_;
+  const Model& model_;
   const std::size_t diagonals_;
   std::vector<Screened> screened_;
   std::vector<double> flat_, earlier_;  // per sheet and diagonal

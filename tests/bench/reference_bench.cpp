@@ -56,9 +56,10 @@ BENCHMARK(full_path)->Unit(benchmark::kMillisecond)->Iterations(200);
 
 void full_path_with_metrics(benchmark::State& state) {
   Draws draws;
+  const solver::Model model(draws.base, draws.campaign.path());
   for (auto _ : state) {
     const auto& vertices = draws.next();
-    const auto history = solver::record_history(draws.base, draws.mechanism, draws.plan, vertices);
+    const auto history = solver::record_history(model, vertices);
     benchmark::DoNotOptimize(solver::measure(draws.base, vertices, history, 1));
   }
 }
@@ -130,7 +131,7 @@ struct OnePath {
   const solver::SheetGeometry<double>& geometry;
   const solver::PathPlan& plan;
   bool departed = false;
-  bool next(solver::Departure& departure, int) {
+  bool next(solver::PathStart& departure, int) {
     if (departed) return false;
     departed = true;
     departure = {&geometry, &plan.start, &plan};
@@ -142,7 +143,7 @@ struct OnePath {
 
 void full_path_sparse(benchmark::State& state) {
   Parts p;
-  solver::Tracker<double> tracker(p.mechanism, p.elimination);
+  solver::PathFollower<double> tracker(p.mechanism, p.elimination);
   for (auto _ : state) {
     solver::place(p.mechanism, p.next(), p.geometry);
     OnePath path{p.geometry, p.plan};

@@ -19,12 +19,8 @@ Json table1_candidate() {
           shift[1].get<double>();
     }
     const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-    const auto plan =
-        solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign.path());
     const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
-    const auto path = solver::record_shapes(
-        base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
-        plan, vertices_mm);
+    const auto path = solver::record_shapes(solver::Model(base, campaign.path()), vertices_mm);
     const auto metrics = solver::measure(base, vertices_mm, path.history, campaign.sample_deg);
     const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
                            campaign.sample_deg};

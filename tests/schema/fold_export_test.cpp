@@ -33,10 +33,7 @@ struct Exported {
     solver::PathPlanOptions options;
     options.end_deg = std::floor(base.folding.end_deg());
     options.look_deg = step_deg;
-    path = solver::record_shapes(
-        base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
-        solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, options),
-        pattern.vertices_mm());
+    path = solver::record_shapes(solver::Model(base, options), pattern.vertices_mm());
     rows = rows_to_show(view(), path, step_deg);
     fold = folded_fold_json(view(), path, rows, "a test", {{"draw", 7}});
   }
@@ -250,13 +247,10 @@ TEST_P(FoldExport, ReadAgainGivesTheSameVerdict) {
   std::filesystem::remove(file);
   EXPECT_EQ(again.vertices_mm(), exported_.pattern.vertices_mm());
   EXPECT_EQ(again.base.holes, exported_.pattern.base.holes);
-  const auto mechanism =
-      solver::build_mechanism(again.base.sheet, again.base.holes, again.base.folding);
   solver::PathPlanOptions options;
   options.end_deg = std::floor(again.base.folding.end_deg());
-  const auto plan =
-      solver::plan_path(mechanism, again.base.folding, again.base.sheet.vertices_mm, options);
-  const auto history = solver::record_history(again.base, mechanism, plan, again.vertices_mm());
+  const auto history =
+      solver::record_history(solver::Model(again.base, options), again.vertices_mm());
   const solver::Verdict& before = exported_.path.history.verdict;
   EXPECT_EQ(history.verdict.deploys_from_sample, before.deploys_from_sample);
   EXPECT_EQ(history.verdict.first_fault, before.first_fault);

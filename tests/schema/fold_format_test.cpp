@@ -19,10 +19,7 @@ Pattern good(const Json& pattern) {
 }
 
 solver::FoldingHistory history_of(const Pattern& pattern) {
-  const auto& base = pattern.base;
-  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-  const auto plan = solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, {});
-  return solver::record_history(base, mechanism, plan, pattern.vertices_mm());
+  return solver::record_history(solver::Model(pattern.base), pattern.vertices_mm());
 }
 
 /// The shifts of one draw on 4 x 4 by label, and the pattern with them.

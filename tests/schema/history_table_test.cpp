@@ -47,11 +47,7 @@ class HistoryTable : public testing::Test {
       : pattern_(read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
         mechanism_(solver::build_mechanism(pattern_.base.sheet, pattern_.base.holes,
                                            pattern_.base.folding)),
-        path_(solver::record_shapes(pattern_.base, mechanism_,
-                                    solver::plan_elimination(mechanism_, pattern_.base.folding,
-                                                             pattern_.base.sheet.vertices_mm),
-                                    solver::plan_path(mechanism_, pattern_.base.folding,
-                                                      pattern_.base.sheet.vertices_mm, {1, 40, 0}),
+        path_(solver::record_shapes(solver::Model(pattern_.base, {1, 40, 0}),
                                     pattern_.vertices_mm())),
         actuation_(solver::actuate({20, {}}, path_, pattern_.vertices_mm())),
         view_{pattern_, pattern_.shifts_mm, mechanism_, path_.history, 1} {}

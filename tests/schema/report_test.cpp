@@ -49,10 +49,7 @@ TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
   const Pattern pattern = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
   const auto& base = pattern.base;
   const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-  const auto plan = solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, {});
-  const auto path = solver::record_shapes(
-      base, mechanism, solver::plan_elimination(mechanism, base.folding, base.sheet.vertices_mm),
-      plan, pattern.vertices_mm());
+  const auto path = solver::record_shapes(solver::Model(base), pattern.vertices_mm());
   const auto actuation = solver::actuate({}, path, pattern.vertices_mm());
   const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
   const Json detail =

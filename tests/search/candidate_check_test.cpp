@@ -21,9 +21,7 @@ class CandidateRows : public testing::Test {
   }
   static std::vector<Json> rows() {
     Trial trial(campaign());
-    schema::UnitRecord unit;
-    trial.screen({0, 40}, unit);
-    trial.settle(unit);
+    const schema::UnitRecord unit = work_off(trial, {0, 40});
     std::vector<Json> rows;
     for (const schema::Candidate& candidate : unit.candidates) {
       Json row = schema::metrics_json(candidate.metrics);

@@ -99,9 +99,7 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
     const schema::Campaign campaign = schema::read_campaign_file(
         MISALIGN_SOURCE_DIR "/search/campaigns/" + std::string(name) + ".json");
     const solver::PerforatedSheet& base = campaign.pattern.base;
-    const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-    const auto plan = solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, {1, 120});
-    const solver::FoldedShape shape(base.sheet, base.holes, mechanism);
+    const solver::Model model(base, {1, 120});
     std::vector<std::array<int, 4>> panels;
     for (int f = 0; f < base.sheet.facet_count(); ++f) {
       if (!std::binary_search(base.holes.begin(), base.holes.end(), f)) {
@@ -117,28 +115,28 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
       draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
       const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
       solver::SheetGeometry<double> geometry;
-      solver::place(mechanism, vertices_mm, geometry);
+      solver::place(model.mechanism(), vertices_mm, geometry);
       ContactCheck check(vertices_mm, panels);
-      solver::record_history(
-          base, mechanism, plan, vertices_mm,
-          {false, [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
-             if (stop.sample % 3 != 0) return;
-             const Eigen::Matrix3Xd corners = shape.corners_mm(geometry, state);
-             bool expected = false;
-             for (int a = 0; a < static_cast<int>(panels.size()); ++a) {
-               for (int b = 0; b < a; ++b) {
-                 if (shared(a, b)) continue;
-                 expected = expected || edge_through(corners, a, b) || edge_through(corners, b, a);
-               }
-             }
-             const auto found = check.crossing(corners);
-             EXPECT_EQ(found.has_value(), expected)
-                 << name << ", draw " << draw << " at " << stop.pilot_deg;
-             if (found) {
-               EXPECT_FALSE(shared(found->first, found->second));
-             }
-             ++(expected ? crossing : clear);
-           }});
+      const solver::StopVisitor compare = [&](const solver::Stop& stop,
+                                              const solver::FoldState<double>& state) {
+        if (stop.sample % 3 != 0) return;
+        const Eigen::Matrix3Xd corners = model.shape().corners_mm(geometry, state);
+        bool expected = false;
+        for (int a = 0; a < static_cast<int>(panels.size()); ++a) {
+          for (int b = 0; b < a; ++b) {
+            if (shared(a, b)) continue;
+            expected = expected || edge_through(corners, a, b) || edge_through(corners, b, a);
+          }
+        }
+        const auto found = check.crossing(corners);
+        EXPECT_EQ(found.has_value(), expected)
+            << name << ", draw " << draw << " at " << stop.pilot_deg;
+        if (found) {
+          EXPECT_FALSE(shared(found->first, found->second));
+        }
+        ++(expected ? crossing : clear);
+      };
+      solver::record_history(model, vertices_mm, &compare);
     }
   }
   EXPECT_GE(crossing, 10);

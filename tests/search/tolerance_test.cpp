@@ -25,10 +25,7 @@ class ToleranceTest : public testing::Test {
   /// A draw that deploys from the threshold.
   static std::uint64_t candidate() {
     Trial trial(campaign());
-    schema::UnitRecord unit;
-    trial.screen({0, 40}, unit);
-    trial.settle(unit);
-    return unit.candidates.at(2).draw;
+    return work_off(trial, {0, 40}).candidates.at(2).draw;
   }
   ToleranceOptions options(double amplitude_mm, std::uint64_t trials) const {
     ToleranceOptions all;

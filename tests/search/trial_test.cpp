@@ -23,13 +23,6 @@ std::string words_of(const solver::Verdict& verdict) {
          solver::fault_name(verdict.first_fault) + " " + std::to_string(verdict.where);
 }
 
-schema::UnitRecord run(Trial& trial, const schema::DrawRange& range) {
-  schema::UnitRecord unit;
-  trial.screen(range, unit);
-  trial.settle(unit);
-  return unit;
-}
-
 // The frozen reference's verdict on one draw: dense matrices, every degree.
 solver::Verdict reference_verdict(const schema::Campaign& campaign, const Trial& trial,
                                   std::uint64_t draw) {
@@ -44,7 +37,7 @@ solver::Verdict reference_verdict(const schema::Campaign& campaign, const Trial&
 // on what else is in the block.
 TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
   Trial trial(small_campaign());
-  const schema::UnitRecord unit = run(trial, {0, 60});
+  const schema::UnitRecord unit = work_off(trial, {0, 60});
   EXPECT_EQ(unit.accepted + unit.rejected, 60u);
   EXPECT_GT(unit.accepted, 10u);
   std::size_t next = 0;
@@ -65,7 +58,7 @@ TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
     EXPECT_LE(m.residual_max, 1e-12);
 
     Trial fresh(small_campaign());
-    const schema::UnitRecord again = run(fresh, {draw, draw + 1});
+    const schema::UnitRecord again = work_off(fresh, {draw, draw + 1});
     ASSERT_EQ(again.candidates.size(), 1u);
     EXPECT_EQ(again.candidates[0].metrics.stretch_sq_mm2, m.stretch_sq_mm2);
     EXPECT_EQ(again.candidates[0].metrics.singular_value_min, m.singular_value_min);
@@ -76,7 +69,7 @@ TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
 // Metrics again from the history, by loops of their own.
 TEST(Trial, MetricsFromTheHistory) {
   Trial trial(small_campaign());
-  const schema::UnitRecord unit = run(trial, {0, 20});
+  const schema::UnitRecord unit = work_off(trial, {0, 20});
   ASSERT_FALSE(unit.candidates.empty());
   const solver::Metrics& m = unit.candidates[0].metrics;
   const auto history = trial.history(unit.candidates[0].draw);
@@ -152,7 +145,7 @@ TEST(Trial, UnitsThatAreFullGoOnInOthers) {
 // first fault, at a threshold that almost all of them miss.
 TEST(Trial, FaultSampleHasTheFirstFault) {
   Trial trial(small_campaign(180));
-  const schema::UnitRecord unit = run(trial, {1000, 3100});
+  const schema::UnitRecord unit = work_off(trial, {1000, 3100});
   ASSERT_EQ(unit.fault_sample.size(), 3u);
   for (const schema::DrawVerdict& sampled : unit.fault_sample) {
     EXPECT_EQ(sampled.draw % 1024, 0u);
@@ -183,10 +176,8 @@ TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
   solver::PathPlanOptions finely;
   finely.end_deg = history.verdict.deploys_from_sample;
   finely.look_deg = 0.02;
-  const auto fine = solver::record_history(
-      base, trial.mechanism(),
-      solver::plan_path(trial.mechanism(), base.folding, base.sheet.vertices_mm, finely),
-      base.sheet.vertices_mm + trial.shifts_mm(kDraw));
+  const auto fine = solver::record_history(solver::Model(base, finely),
+                                           base.sheet.vertices_mm + trial.shifts_mm(kDraw));
   const Eigen::Index d = history.between.bump_where;
   const Eigen::Index last = fine.length_mm.rows() - 1;
   const double sign = fine.length_mm(last, d) > fine.flat_mm[d] ? 1 : -1;
@@ -219,16 +210,16 @@ TEST(Trial, InstructionSetsAndBlocksAgree) {
     return draws;
   };
   Trial widest(small_campaign());
-  const auto expected = draws_of(run(widest, {500, 900}));
+  const auto expected = draws_of(work_off(widest, {500, 900}));
   EXPECT_GT(expected.size(), 100u);
   for (const auto set : solver::available_instruction_sets()) {
     Trial trial(small_campaign(), set);
     schema::UnitRecord unit;
     for (std::uint64_t lo = 500; lo < 900; lo += 57) {
-      trial.screen({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit);
-      if (lo % 2 == 0) trial.settle(unit);
+      trial.evaluate({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit, schema::FaultSampleRule(),
+                     [&](std::size_t) { return lo % 2 == 0; });
     }
-    trial.settle(unit);
+    trial.evaluate({900, 900}, unit, schema::FaultSampleRule(), [](std::size_t) { return true; });
     EXPECT_EQ(draws_of(unit), expected) << solver::instruction_set_name(set);
   }
 }

@@ -18,7 +18,7 @@ TEST_P(Acceptance, IsTheReferences) {
   const ShiftBlock block = sheets.draws(GetParam().draws / kFewer, kSeed);
   const PathPlan plan = sheets.plan();
   Reference reference(sheets.mechanism, plan);
-  const SheetFamily any_threshold = sheets.with_threshold(180);
+  const Model any_threshold = sheets.with_threshold(180);
   const auto judging = make_batch(available_instruction_sets().back(), any_threshold);
   const std::vector<Verdict> judged = judging->judge(block);
   std::vector<int> deploys_from;
@@ -33,7 +33,7 @@ TEST_P(Acceptance, IsTheReferences) {
   int to_reject = 0, rejected = 0;
   for (const int threshold : thresholds) {
     SCOPED_TRACE("threshold " + std::to_string(threshold));
-    const SheetFamily family = sheets.with_threshold(threshold);
+    const Model family = sheets.with_threshold(threshold);
     LaneBatch<double, float> scalar(family);
     const std::vector<Screened>& screened = scalar.screen(block);
     for (int i = 0; i < block.sheets; ++i) {

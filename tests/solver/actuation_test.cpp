@@ -26,10 +26,7 @@ struct Table1 : testing::Test {
     options.sample_deg = sample_deg;
     options.look_deg = look_deg;
     options.end_deg = end_deg;
-    const Elimination elimination =
-        plan_elimination(sheet.mechanism, sheet.base.folding, sheet.base.sheet.vertices_mm);
-    return record_shapes(sheet.base, sheet.mechanism, elimination, sheet.plan(options),
-                         vertices_mm);
+    return record_shapes(Model(sheet.base, options), vertices_mm);
   }
 
   TestSheet sheet;

@@ -70,7 +70,7 @@ class BatchAllocation : public testing::TestWithParam<InstructionSet> {};
 TEST_P(BatchAllocation, NoneInAWarmBatch) {
   if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(165);
+  const Model family = sheets.with_threshold(165);
   const auto batch = make_batch(GetParam(), family);
   ShiftBlock block = sheets.draws(600, kSeed);
   const ShiftBlock large = sheets.draws(10, kSeed, 8);

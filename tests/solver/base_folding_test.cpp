@@ -269,8 +269,8 @@ TEST(BaseFolding, PilotThatIsAMountain) {
   EXPECT_EQ(below.base.folding.assignment(), above.base.folding.assignment());
 
   const FlatVertices vertices_mm = above.shifted(golden("table1_odd.json")["displacements_mm"]);
-  const auto one = record_history(above.base, above.mechanism, above.plan(), vertices_mm);
-  const auto other = record_history(below.base, below.mechanism, below.plan(), vertices_mm);
+  const auto one = above.history(vertices_mm);
+  const auto other = below.history(vertices_mm);
   EXPECT_EQ(one.verdict.deploys_from_sample, 156);
   EXPECT_EQ(other.verdict.deploys_from_sample, one.verdict.deploys_from_sample);
   EXPECT_EQ(other.verdict.first_fault, one.verdict.first_fault);

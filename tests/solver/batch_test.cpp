@@ -15,9 +15,7 @@ using ScalarBatch = LaneBatch<double, float>;
 
 class BatchTest : public testing::TestWithParam<InstructionSet> {
  protected:
-  std::unique_ptr<Batch> batch(const SheetFamily& family) const {
-    return make_batch(GetParam(), family);
-  }
+  std::unique_ptr<Batch> batch(const Model& family) const { return make_batch(GetParam(), family); }
 };
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchTest,
@@ -33,7 +31,7 @@ TEST(InstructionSets, BaselineIsThereEverywhere) {
 
 TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(160);
+  const Model family = sheets.with_threshold(160);
   const auto batch = this->batch(family);
   ScalarBatch scalar(family);
   for (const int count : {1, 2, 3, 7, 8, 9, 17, 40}) {
@@ -49,7 +47,7 @@ TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
 
 TEST_P(BatchTest, NothingToDo) {
   const TestFamily sheets(4, 4);
-  const SheetFamily family = sheets.with_threshold(150);
+  const Model family = sheets.with_threshold(150);
   const auto batch = this->batch(family);
   const ShiftBlock none;
   EXPECT_TRUE(batch->screen(none).empty());
@@ -61,7 +59,7 @@ TEST_P(BatchTest, NothingToDo) {
 // coordinates that are no number, and vertices that fall on each other.
 TEST_P(BatchTest, FailingNeighboursChangeNothing) {
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(160);
+  const Model family = sheets.with_threshold(160);
   const auto batch = this->batch(family);
   const ShiftBlock healthy = sheets.draws(24, kSeed);
   const std::vector<std::string> alone = words(ScalarBatch(family).judge(healthy));
@@ -109,7 +107,7 @@ TEST_P(BatchTest, FailingNeighboursChangeNothing) {
 // Whatever blocks they come in, in whatever order.
 TEST_P(BatchTest, BlocksDoNotMatter) {
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(155);
+  const Model family = sheets.with_threshold(155);
   const auto batch = this->batch(family);
   const ShiftBlock block = sheets.draws(120 / kFewer, kSeed);
   const std::vector<std::string> verdicts = words(batch->judge(block));

@@ -66,7 +66,7 @@ TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
   int bumps = 0, smooth = 0;
   for (int i = 0; i < block.sheets; ++i) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
-    const auto coarse = record_history(sheets.base, sheets.mechanism, sheets.plan(), vertices_mm);
+    const auto coarse = sheets.history(vertices_mm);
     const Between& seen = coarse.between;
     const bool has_bump = seen.back_where >= 0;
     if (coarse.verdict.deploys_from_sample < 10 || (has_bump ? bumps : smooth) >= 2) continue;
@@ -74,8 +74,7 @@ TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
     PathPlanOptions finely;
     finely.end_deg = coarse.verdict.deploys_from_sample;
     finely.look_deg = 0.01;
-    const auto fine =
-        record_history(sheets.base, sheets.mechanism, sheets.plan(finely), vertices_mm);
+    const auto fine = sheets.history(vertices_mm, finely);
     // The first way back of any diagonal by more than the band, in mm.
     double first_deg = -1;
     int where = -1;
@@ -112,14 +111,13 @@ TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
 // With the bump a fault, D is the sample before it, and lanes and dense matrices agree.
 TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
   const TestFamily sheets(6, 6);
-  const SheetFamily strict(sheets.base, sheets.shifted_vertices, {}, 150, true);
-  const SheetFamily lenient = sheets.with_threshold(150);
+  const Model strict(sheets.base, sheets.shifted_vertices, {}, 150, true);
+  const Model lenient = sheets.with_threshold(150);
   const ShiftBlock block = sheets.draws(1000 / kFewer, kSeed);
-  const auto judge = [&](const SheetFamily& family) {
+  const auto judge = [&](const Model& family) {
     return make_batch(available_instruction_sets().back(), family)->judge(block);
   };
   const std::vector<Verdict> with = judge(strict), without = judge(lenient);
-  const FoldedShape shape(sheets.base.sheet, sheets.base.holes, sheets.mechanism);
   int faults = 0;
   for (int i = 0; i < block.sheets; ++i) {
     if (with[i].first_fault != Fault::bump) {
@@ -128,8 +126,7 @@ TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
     }
     if (++faults > 5) continue;
     EXPECT_LT(with[i].deploys_from_sample, without[i].deploys_from_sample);
-    const auto history =
-        record_densely(sheets.mechanism, shape, lenient.path(), sheets.vertices(block, i));
+    const auto history = record_densely(lenient, sheets.vertices(block, i));
     EXPECT_EQ(with[i].where, history.between.back_where);
     EXPECT_EQ(with[i].deploys_from_sample, static_cast<int>(history.between.back_deg));
   }

@@ -48,8 +48,8 @@ struct TestFamily : TestSheet {
         shifted_vertices(which == Shifted::interior ? interior_vertices(base.sheet)
                                                     : ring_vertices(base.sheet)) {}
 
-  SheetFamily with_threshold(int sample, const PathPlanOptions& path = {}) const {
-    return SheetFamily(base, shifted_vertices, path, sample);
+  Model with_threshold(int sample, const PathPlanOptions& path = {}) const {
+    return Model(base, shifted_vertices, path, sample);
   }
 
   ShiftBlock draws(int sheets, unsigned seed, double amplitude_mm = 0.4) const {

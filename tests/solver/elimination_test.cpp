@@ -266,18 +266,18 @@ TEST(Elimination, TwoPlansOfASheetAreEqual) {
   EXPECT_EQ(a.targets, b.targets);
 }
 
-struct OnePath {
+struct OneRun {
   const SheetGeometry<double>& geometry;
   const PathPlan& plan;
   bool given = false;
   PathResult result{};
 
-  bool next(Departure& departure, int) {
+  bool next(PathStart& departure, int) {
     if (std::exchange(given, true)) return false;
     departure = {&geometry, &plan.start, &plan};
     return true;
   }
-  bool visit(const Stop&, int) { return true; }
+  bool see(const Stop&, int) { return true; }
   void ended(const PathResult& path, int) { result = path; }
 };
 
@@ -295,13 +295,13 @@ TEST(SparseLu, NewtonConvergesOnALargeMisalignedSheet) {
   }
   SheetGeometry<double> geometry;
   place(sheet.mechanism, vertices, geometry);
-  Tracker<double> tracker(sheet.mechanism, elimination);
+  PathFollower<double> tracker(sheet.mechanism, elimination);
   for (const int first_deg : {1, 60}) {
     PathPlan plan{{}, sheet.folded(first_deg)};
     for (int k = first_deg; k <= first_deg + 5; ++k) {
       plan.stops.push_back({1.0 * k, half_angle_of_deg(k), k, true});
     }
-    OnePath path{geometry, plan};
+    OneRun path{geometry, plan};
     tracker.run(path);
     EXPECT_EQ(path.result.end, PathEnd::end_reached);
     EXPECT_EQ(path.result.arc_steps, 0);

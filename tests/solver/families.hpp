@@ -7,6 +7,7 @@
 #include "blocks.hpp"
 #include "schema/campaign/fold_format.hpp"
 #include "schema/campaign/pattern_file.hpp"
+#include "solver/reference/arc_length.hpp"
 
 namespace misalign::solver {
 
@@ -50,8 +51,8 @@ struct CarriedFamily {
     return plan_path(mechanism, base.folding, base.sheet.vertices_mm, options);
   }
 
-  SheetFamily with(const PathPlanOptions& options) const {
-    return SheetFamily(base, shifted_vertices, options, 1);
+  Model with(const PathPlanOptions& options) const {
+    return Model(base, shifted_vertices, options, 1);
   }
   /// Shifts of 0.4 mm on panels of 80 mm.
   ShiftBlock draws(int sheets, unsigned seed) const {

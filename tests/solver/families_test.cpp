@@ -15,7 +15,7 @@ constexpr int kSheets = kFewer > 1 ? 1 : 4;
 class Families : public testing::TestWithParam<std::string> {};
 
 // Diagonals of the paths' every tenth degree to 150 (beyond it another branch may be near, see
-// SheetFamily) or to the fold limit by the tracker, and from coordinates that start near the base
+// Model) or to the fold limit by the tracker, and from coordinates that start near the base
 // folding at 1 degree and know nothing of it afterwards. Closed to 1e-12, lengths are open by 1e-12
 // panel widths over the smallest singular value, which is 1e-4 beside a fold limit: 1e-6 mm. But
 // the last correction of either solver squares what was left, and 1e-16 does no harm: worst of
@@ -27,7 +27,7 @@ TEST_P(Families, DiagonalsAreThoseOfVertexCoordinates) {
     PathPlanOptions options;
     options.sample_deg = 10;
     options.end_deg = std::min(150.0, family.end_deg());
-    const PathPlan plan = family.plan(options);
+    const Model model(family.base, options);
     const FoldedShape shape(family.base.sheet, family.base.holes, family.mechanism);
     const auto start = base_state(family.mechanism, family.base.folding,
                                   family.base.sheet.vertices_mm, half_angle_of_deg(1));
@@ -36,7 +36,7 @@ TEST_P(Families, DiagonalsAreThoseOfVertexCoordinates) {
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
       const FlatVertices flat_mm = family.vertices(block, i);
-      const auto history = record_history(family.base, family.mechanism, plan, flat_mm);
+      const auto history = record_history(model, flat_mm);
       EXPECT_GE(history.stops.size(), 5u);
       place(family.mechanism, flat_mm, geometry);
       VertexCoordinates coordinates(family.base, flat_mm, shape.vertices_mm(geometry, start), 1);
@@ -68,7 +68,7 @@ std::optional<Eigen::RowVectorXd> lengths_at(const FoldingHistory& history, doub
 std::vector<FoldingHistory> record(const CarriedFamily& family, PathPlanOptions options,
                                    const ShiftBlock& block) {
   options.end_deg = family.end_deg();
-  const SheetFamily sheets = family.with(options);
+  const Model sheets = family.with(options);
   return std::move(make_batch(available_instruction_sets().back(), sheets)->record(block));
 }
 
@@ -149,7 +149,7 @@ TEST_P(Families, FixedOrderFollowsEveryPath) {
   const CarriedFamily family(GetParam());
   PathPlanOptions options;
   options.end_deg = family.end_deg();
-  const SheetFamily sheets = family.with(options);
+  const Model sheets = family.with(options);
   const auto batch = make_batch(available_instruction_sets().back(), sheets);
   for (const Verdict& verdict : batch->judge(family.draws(100 / kFewer, kSeed))) {
     EXPECT_NE(verdict.first_fault, Fault::undecided);
@@ -166,15 +166,18 @@ class Walked {
         start_(start),
         elimination_(
             plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm)),
-        tracker_(family.mechanism, elimination_) {
-    tracker_.run(*this);
+        follower_(family.mechanism, elimination_),
+        point_(family.mechanism) {
+    follower_.run(*this);
   }
-  bool next(Departure& departure, int) {
-    departure = {&geometry_, &start_, &plan_};
-    return !std::exchange(departed_, true);
+  bool next(PathStart& start, int) {
+    start = {&geometry_, &start_, &plan_};
+    return !std::exchange(started_, true);
   }
-  bool visit(const Stop&, int lane) {
-    tracker_.copy_state(lane, states.emplace_back(start_));
+  PathPoint& point() { return point_; }
+  bool wants_slopes() const { return false; }
+  bool see(const Stop&, int) {
+    states.push_back(point_.state);
     return true;
   }
   void ended(const PathResult& result, int) { path = result; }
@@ -187,8 +190,9 @@ class Walked {
   const PathPlan& plan_;
   const FoldState<double>& start_;
   const Elimination elimination_;
-  Tracker<double> tracker_;
-  bool departed_ = false;
+  PathFollower<double> follower_;
+  PathPoint point_;
+  bool started_ = false;
 };
 
 // Up to nine tenths of the way and back down, degree by degree: every crease at every stop is where
@@ -201,15 +205,13 @@ TEST_P(Families, ThereAndBackAgain) {
     options.end_deg = family.end_deg();
     const PathPlan plan = family.plan(options);
     const ShiftBlock block = family.draws(kSheets, kSeed);
-    const Elimination elimination =
-        plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm);
-    StartFinder finder(family.mechanism, elimination, plan, family.base.sheet.vertices_mm);
+    ShiftHomotopy homotopy(family.mechanism, plan, family.base.sheet.vertices_mm);
     SheetGeometry<double> geometry;
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
       place(family.mechanism, family.vertices(block, i), geometry);
-      ASSERT_EQ(finder.find(family.vertices(block, i)), StartEnd::found);
-      const Walked up(family, geometry, plan, finder.state());
+      ASSERT_EQ(homotopy.find(family.vertices(block, i)), PathEnd::end_reached);
+      const Walked up(family, geometry, plan, homotopy.state());
       const auto stops = static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(up.states.size()));
       ASSERT_GE(stops, 45);
       PathPlan down;

@@ -13,8 +13,7 @@ class GoldenTable1 : public testing::TestWithParam<const char*> {};
 TEST_P(GoldenTable1, LengthsVerdictAndFoldLimit) {
   const Json table = golden(GetParam());
   const TestSheet sheet(table["rows"], table["columns"], table["holes"]);
-  const auto history = record_history(sheet.base, sheet.mechanism, sheet.plan(),
-                                      sheet.shifted(table["displacements_mm"]));
+  const auto history = sheet.history(sheet.shifted(table["displacements_mm"]));
   EXPECT_EQ(history.verdict.deploys_from_sample, table["deploys_from_deg"].get<int>());
   EXPECT_EQ(fault_name(history.verdict.first_fault), table["first_fault"].get<std::string>());
   EXPECT_NEAR(history.path.fold_limit_deg, table["fold_limit_deg"].get<double>(),
@@ -71,8 +70,7 @@ TEST(Golden, IsometryOnEverySampleAtEveryPanelSize) {
   for (const double width_mm : {20.0, 80.0, 160.0}) {
     const auto check = [&](const Json& set, const Json& displacements_mm) {
       const TestSheet sheet(set["rows"], set["columns"], set["holes"], width_mm);
-      const auto history = record_history(sheet.base, sheet.mechanism, sheet.plan(),
-                                          sheet.shifted(displacements_mm));
+      const auto history = sheet.history(sheet.shifted(displacements_mm));
       ASSERT_FALSE(history.stops.empty());
       ++patterns;
       for (const double error_mm : history.isometry_error_mm) {

@@ -3,13 +3,14 @@
 #include "solver/continuation/homotopy.hpp"
 
 #include "blocks.hpp"
+#include "solver/reference/arc_length.hpp"
 
 namespace misalign::solver {
 namespace {
 
 // The branch in steps so small that Newton cannot leave it: the share up to which it goes, and the
 // state there.
-double follow_in_small_steps(const TestFamily& sheets, const SheetFamily& family,
+double follow_in_small_steps(const TestFamily& sheets, const Model& family,
                              const FlatVertices& vertices_mm, FoldState<double>& state) {
   constexpr int kSteps = 1000;
   Newton newton(family.mechanism());
@@ -37,27 +38,26 @@ class Starts : public testing::TestWithParam<double> {};
 
 TEST_P(Starts, AreThoseOfTheBranchOfTheBaseFolding) {
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(1);
-  StartFinder finder(family.mechanism(), family.elimination(), family.path(),
-                     sheets.base.sheet.vertices_mm);
+  const Model family = sheets.with_threshold(1);
+  ShiftHomotopy homotopy(family.mechanism(), family.path(), sheets.base.sheet.vertices_mm);
   const ShiftBlock block = sheets.draws(60 / kFewer, kSeed, GetParam());
   int found = 0, ended = 0;
   for (int i = 0; i < block.sheets; ++i) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
     FoldState<double> expected;
     const double share = follow_in_small_steps(sheets, family, vertices_mm, expected);
-    switch (finder.find(vertices_mm)) {
-      case StartEnd::found:
+    switch (homotopy.find(vertices_mm)) {
+      case PathEnd::end_reached:
         ++found;
         EXPECT_EQ(share, 1) << "sheet " << i;
         // Both closed to 1e-12, over a singular value of 1e-4 and more.
-        EXPECT_LT(largest_half_sine(finder.state(), expected), 1e-8) << "sheet " << i;
+        EXPECT_LT(largest_half_sine(homotopy.state(), expected), 1e-8) << "sheet " << i;
         break;
-      case StartEnd::branch_ended:
+      case PathEnd::fold_limit:
         ++ended;
         EXPECT_LT(share, 1) << "sheet " << i;
         break;
-      case StartEnd::lost:
+      default:
         ADD_FAILURE() << "sheet " << i << " was lost";
     }
   }
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Amplitudes, Starts, testing::Values(0.4, 8.0, 11.0),
 // A block with such sheets gives what each of them gives alone, and none is undecided.
 TEST(LargeShifts, AreDecidedInLanes) {
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(100);
+  const Model family = sheets.with_threshold(100);
   const ShiftBlock block = sheets.draws(40 / kFewer, kSeed, 10);
   for (const InstructionSet set : available_instruction_sets()) {
     const auto batch = make_batch(set, family);
@@ -85,9 +85,7 @@ TEST(LargeShifts, AreDecidedInLanes) {
       EXPECT_EQ(words(together[i]), words(batch->judge(chosen_of(block, {i}))[0]));
       // Histories go on past the fault.
       const Verdict recorded = histories[i].verdict;
-      const Verdict single =
-          record_history(sheets.base, family.mechanism(), family.path(), sheets.vertices(block, i))
-              .verdict;
+      const Verdict single = record_history(family, sheets.vertices(block, i)).verdict;
       for (const Verdict& other : {recorded, single}) {
         EXPECT_EQ(other.deploys_from_sample, together[i].deploys_from_sample) << "sheet " << i;
         EXPECT_EQ(other.first_fault, together[i].first_fault) << "sheet " << i;

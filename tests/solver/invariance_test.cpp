@@ -41,19 +41,10 @@ class Seen {
     for (const int v : family.shifted_vertices) shifted.push_back(view_.number[v]);
     PathPlanOptions options;
     options.end_deg = family.end_deg();
-    const SheetFamily sheets(family_.base, shifted, options, 1);
+    const Model sheets(family_.base, shifted, options, 1);
     const auto batch = make_batch(available_instruction_sets().back(), sheets);
     std::vector<std::string> all;
-    for (const Verdict& verdict : batch->judge(block)) {
-      const int i = static_cast<int>(all.size());
-      // As a search does: what the fixed order cannot follow is judged by dense matrices.
-      all.push_back(words_of(
-          verdict.first_fault != Fault::undecided
-              ? verdict
-              : record_history(family_.base, family_.mechanism, sheets.path(),
-                               displaced(family_.base.sheet.vertices_mm, shifted, block, i))
-                    .verdict));
-    }
+    for (const Verdict& verdict : batch->judge(block)) all.push_back(words_of(verdict));
     return all;
   }
 

@@ -56,8 +56,7 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
     PathPlanOptions fine;
     fine.sample_deg = 0.1;
     fine.end_deg = family_.tests()[0].sample + 0.1;
-    const auto history = record_history(sheets_.base, sheets_.mechanism, sheets_.plan(fine),
-                                        sheets_.vertices(block_, sheet));
+    const auto history = sheets_.history(sheets_.vertices(block_, sheet), fine);
     return history.length_mm / sheets_.mechanism.panel_width_mm;
   }
 
@@ -107,7 +106,7 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
   // Of central differences over a tenth of a degree: h^2 / 6 of third derivatives up to 10.
   static constexpr double kDifferenceError = 5e-6;
   const TestFamily sheets_;
-  const SheetFamily family_;
+  const Model family_;
   const ShiftBlock block_;
 };
 

@@ -51,10 +51,10 @@ double margin_by_differences_mm(const TestSheet& sheet, const FlatVertices& flat
   SheetGeometry<double> geometry;
   place(sheet.mechanism, flat_mm, geometry);
   std::map<int, Eigen::Matrix3Xd> folded_mm;
-  record_history(sheet.base, sheet.mechanism, sheet.plan(), flat_mm,
-                 {false, [&](const Stop& stop, const FoldState<double>& state) {
-                    folded_mm[stop.sample] = shape.vertices_mm(geometry, state);
-                  }});
+  const StopVisitor keep_shape = [&](const Stop& stop, const FoldState<double>& state) {
+    folded_mm[stop.sample] = shape.vertices_mm(geometry, state);
+  };
+  record_history(Model(sheet.base), flat_mm, &keep_shape);
   Eigen::VectorXd last_mm;
   Eigen::MatrixXd last_rows;
   double least_mm = 1e9;
@@ -81,35 +81,19 @@ double margin_by_differences_mm(const TestSheet& sheet, const FlatVertices& flat
   return least_mm;
 }
 
-// Histories with margins, by the scalar code.
-class Histories {
- public:
-  explicit Histories(const TestSheet& sheet)
-      : sheet_(sheet),
-        elimination_(
-            plan_elimination(sheet.mechanism, sheet.base.folding, sheet.base.sheet.vertices_mm)),
-        plan_(sheet.plan()) {}
-  FoldingHistory of(const FlatVertices& vertices_mm,
-                    const std::vector<int>& samples = margin_samples(1, kThreshold)) const {
-    return record_history(sheet_.base, sheet_.mechanism, elimination_, plan_, vertices_mm,
-                          {false, {}, samples});
-  }
-
- private:
-  const TestSheet& sheet_;
-  const Elimination elimination_;
-  const PathPlan plan_;
-};
+// A history with its margin up to this sample, by the scalar code.
+FoldingHistory history_to(const TestSheet& sheet, int threshold, const FlatVertices& vertices_mm) {
+  return record_history(Model(sheet.base, {}, {}, threshold), vertices_mm);
+}
 
 TEST(MiscutMargin, EqualsDifferencesOfVertexCoordinates) {
   const TestFamily sheets(4, 4);
-  const Histories histories(sheets);
   const ShiftBlock block = sheets.draws(12, kSeed);
   double worst = 0;
   int seen = 0;
   for (int i = 0; i < block.sheets && seen < 2; ++i) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
-    const FoldingHistory history = histories.of(vertices_mm);
+    const FoldingHistory history = history_to(sheets, kThreshold, vertices_mm);
     if (history.verdict.deploys_from_sample < kThreshold) continue;
     ++seen;
     const double expected_mm = margin_by_differences_mm(sheets, vertices_mm);
@@ -126,11 +110,9 @@ TEST(MiscutMargin, NoneWhereThePathEndsBefore) {
   const TestFamily sheets(6, 6);
   const Json table = golden("table1_odd.json");
   const FlatVertices vertices_mm = sheets.shifted(table.at("displacements_mm"));
-  const Histories histories(sheets);
-  EXPECT_TRUE(histories.of(vertices_mm, margin_samples(1, 156)).miscut_margin_mm);
-  EXPECT_FALSE(histories.of(vertices_mm, margin_samples(1, 157)).miscut_margin_mm)
-      << "beyond its fold limit";
-  EXPECT_FALSE(histories.of(vertices_mm, {}).miscut_margin_mm) << "not asked for";
+  EXPECT_TRUE(history_to(sheets, 156, vertices_mm).miscut_margin_mm);
+  EXPECT_FALSE(history_to(sheets, 157, vertices_mm).miscut_margin_mm) << "beyond its fold limit";
+  EXPECT_FALSE(history_to(sheets, 0, vertices_mm).miscut_margin_mm) << "not asked for";
 }
 
 // A number that is none would be less than nothing, and so leave the margin of the best sheet of
@@ -140,10 +122,15 @@ TEST(MiscutMargin, NoneWhereTheSolverFailed) {
   const Elimination elimination =
       plan_elimination(sheets.mechanism, sheets.base.folding, sheets.base.sheet.vertices_mm);
   const FlatVertices vertices_mm = sheets.vertices(sheets.draws(1, kSeed), 0);
-  const FoldingHistory history = Histories(sheets).of(vertices_mm, margin_samples(1, 60));
+  const FoldingHistory history = history_to(sheets, 60, vertices_mm);
   ASSERT_TRUE(history.miscut_margin_mm);
+  SheetGeometry<double> geometry;
+  place(sheets.mechanism, vertices_mm, geometry);
   const auto margin_mm = [&](const std::vector<FoldState<double>>& states) {
-    return miscut_margin_mm(sheets.mechanism, elimination, vertices_mm, states);
+    MiscutMargin<double> margin(sheets.mechanism, elimination);
+    margin.begin(geometry);
+    for (const FoldState<double>& state : states) margin.see(state);
+    return margin.mm(0);
   };
   EXPECT_EQ(margin_mm(history.margin_states), history.miscut_margin_mm);
   for (std::size_t failed = 0; failed < history.margin_states.size(); ++failed) {
@@ -161,7 +148,7 @@ TEST(MiscutMargin, EveryLaneFailsByItself) {
   const Elimination elimination =
       plan_elimination(sheets.mechanism, sheets.base.folding, sheets.base.sheet.vertices_mm);
   const FlatVertices vertices_mm = sheets.vertices(sheets.draws(1, kSeed), 0);
-  const FoldingHistory history = Histories(sheets).of(vertices_mm, margin_samples(1, 60));
+  const FoldingHistory history = history_to(sheets, 60, vertices_mm);
   using T = xsimd::batch<double>;
   SheetGeometry<double> geometry;
   place(sheets.mechanism, vertices_mm, geometry);
@@ -186,12 +173,13 @@ TEST(MiscutMargin, EveryLaneFailsByItself) {
 
 TEST(MiscutMargin, LanesAreTheScalarCode) {
   const TestFamily sheets(6, 6);
-  const SheetFamily family = sheets.with_threshold(kThreshold);
-  const Histories scalar(sheets);
+  const Model family = sheets.with_threshold(kThreshold);
   for (const int count : {1, 11}) {  // less than a register, and more than one
     const ShiftBlock block = sheets.draws(count, kSeed + static_cast<unsigned>(count));
     std::vector<FoldingHistory> alone;
-    for (int i = 0; i < count; ++i) alone.push_back(scalar.of(sheets.vertices(block, i)));
+    for (int i = 0; i < count; ++i) {
+      alone.push_back(record_history(family, sheets.vertices(block, i)));
+    }
     for (const auto set : available_instruction_sets()) {
       const auto batch = make_batch(set, family);
       const auto& histories = batch->record(block);

@@ -45,7 +45,7 @@ TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
   SheetGeometry<double> geometry;
   place(sheet.mechanism, vertices, geometry);
   const PathPlan plan = sheet.plan();
-  const auto history = record_history(sheet.base, sheet.mechanism, plan, vertices);
+  const auto history = sheet.history(vertices);
   ClosureSystem system(sheet.mechanism);
   PathTracker tracker(sheet.mechanism);
   std::size_t row = 0;
@@ -65,7 +65,7 @@ TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
 // there.
 TEST(Numerics, SmallestSingularValueAtTheFoldedEnd) {
   const TestFamily sheets(4, 4);
-  const SheetFamily family = sheets.with_threshold(1);
+  const Model family = sheets.with_threshold(1);
   const ShiftBlock block = sheets.draws(60, kSeed);
   const auto batch = make_batch(available_instruction_sets().back(), family);
   const auto& histories = batch->record(block);

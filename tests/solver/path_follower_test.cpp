@@ -1,9 +1,10 @@
-// The tracker of one lane against the reference: dense elimination with row exchange, the state
-// before as predictor, another corrector along the curve. They share the loops' equations and the
-// judge, nothing else.
+// The path follower of one lane against the reference: dense elimination with row exchange, the
+// state before as predictor, another corrector along the curve. They share the loops' equations and
+// the judge, nothing else.
 #include "solver/continuation/path_follower.hpp"
 
 #include "blocks.hpp"
+#include "solver/reference/path_tracker.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -15,9 +16,9 @@ struct Followed {
   std::vector<std::vector<double>> lengths;  // per sample and diagonal, panel widths
 };
 
-class Recorder {
+class PathRecord {
  public:
-  Recorder(const Mechanism& mechanism, const SheetGeometry<double>& geometry)
+  PathRecord(const Mechanism& mechanism, const SheetGeometry<double>& geometry)
       : mechanism_(mechanism),
         geometry_(geometry),
         judge_(mechanism),
@@ -47,31 +48,27 @@ class Recorder {
   Followed followed_;
 };
 
-/// The tracker's client for a single sheet.
-struct OnePath : Recorder {
-  OnePath(const Mechanism& mechanism, const SheetGeometry<double>& geometry, const PathPlan& plan,
-          const Tracker<double>& tracker)
-      : Recorder(mechanism, geometry),
-        plan_(plan),
-        tracker_(tracker),
-        state_(flat_state<double>(mechanism)) {}
+/// The observer of a single sheet's path.
+struct OnePath : PathRecord {
+  OnePath(const Mechanism& mechanism, const SheetGeometry<double>& geometry, const PathPlan& plan)
+      : PathRecord(mechanism, geometry), plan_(plan), point_(mechanism) {}
 
-  bool next(Departure& departure, int) {
+  bool next(PathStart& start, int) {
     if (given_) return false;
-    departure = {&geometry_, &plan_.start, &plan_, 0, 0};
+    start = {&geometry_, &plan_.start, &plan_, 0, 0};
     return given_ = true;
   }
-  bool visit(const Stop& stop, int lane) {
-    tracker_.copy_state(lane, state_);
-    tracker_.copy_lengths(lane, lengths_.data());
-    return see(stop, state_);
+  PathPoint& point() { return point_; }
+  bool wants_slopes() const { return false; }
+  bool see(const Stop& stop, int) {
+    lengths_ = point_.lengths;
+    return PathRecord::see(stop, point_.state);
   }
   void ended(const PathResult& path, int) { conclude(path); }
 
  private:
   const PathPlan& plan_;
-  const Tracker<double>& tracker_;
-  FoldState<double> state_;
+  PathPoint point_;
   bool given_ = false;
 };
 
@@ -88,26 +85,26 @@ class TwoTrackers {
 
   Followed by_tracker(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
-    OnePath one(sheet_.mechanism, geometry_, plan_, tracker_);
+    OnePath one(sheet_.mechanism, geometry_, plan_);
     tracker_.run(one);
     return one.followed();
   }
   Followed by_reference(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
-    Recorder recorder(sheet_.mechanism, geometry_);
-    recorder.conclude(
+    PathRecord seen(sheet_.mechanism, geometry_);
+    seen.conclude(
         reference_.follow(geometry_, plan_, [&](const Stop& stop, const FoldState<double>& state) {
-          folded_lengths(sheet_.mechanism, geometry_, state, recorder.lengths().data());
-          return recorder.see(stop, state);
+          folded_lengths(sheet_.mechanism, geometry_, state, seen.lengths().data());
+          return seen.see(stop, state);
         }));
-    return recorder.followed();
+    return seen.followed();
   }
 
  private:
   const TestSheet& sheet_;
   const PathPlan plan_;
   const Elimination elimination_;
-  Tracker<double> tracker_;
+  PathFollower<double> tracker_;
   PathTracker reference_;
   SheetGeometry<double> geometry_;
 };

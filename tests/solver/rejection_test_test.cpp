@@ -59,12 +59,12 @@ class ScreeningTest : public testing::Test {
 
   ScreeningTest() { begin(screening_); }
 
-  void begin(Screening& screening) {
+  void begin(RejectionTest& screening) {
     screening.begin(2);
     for (const int sheet : {0, kSheet}) screening.set_flat(sheet, flat_.data());
   }
   /// Diagonal 2 longer than flat by `by`, with this slope; the others do not move.
-  bool rejects(Screening& screening, int sample, double by, double slope = 0,
+  bool rejects(RejectionTest& screening, int sample, double by, double slope = 0,
                double length_error = 0, double slope_error = 0) {
     std::array<double, 4> lengths = flat_, slopes = {};
     lengths[2] += by;
@@ -83,12 +83,12 @@ class ScreeningTest : public testing::Test {
   }
 
   TestFamily sheets_{4, 4};
-  SheetFamily family_{sheets_.base, sheets_.shifted_vertices, {}, kThreshold};
+  Model family_{sheets_.base, sheets_.shifted_vertices, {}, kThreshold};
   // Powers of two, so that small differences are exact to 1e-16.
   std::array<double, 4> flat_ = {1, 1, 1, 1};
   // What all steps up to the threshold may hide.
   const double band_ = kStepBand_widths * kThreshold;
-  Screening screening_{family_};
+  RejectionTest screening_{family_};
 };
 
 TEST_F(ScreeningTest, GrownThenShrunkIsRejected) {
@@ -141,8 +141,8 @@ TEST_F(ScreeningTest, StepBandFromBothSides) {
 // The band is that of every step up to the threshold, wherever the test looks.
 TEST_F(ScreeningTest, StepBandGrowsWithTheThreshold) {
   for (const int threshold : {20, 180}) {
-    const SheetFamily family = sheets_.with_threshold(threshold);
-    Screening screening(family);
+    const Model family = sheets_.with_threshold(threshold);
+    RejectionTest screening(family);
     for (const double by : {0.98, 1.02}) {
       begin(screening);
       EXPECT_FALSE(rejects(screening, 5, 1e-3));
@@ -181,8 +181,8 @@ TEST_F(ScreeningTest, SlopesAreIgnoredForCoarseSamples) {
   for (const double sample_deg : {1.0, 2.0, 2.5, 5.0}) {
     PathPlanOptions path;
     path.sample_deg = sample_deg;
-    const SheetFamily family = sheets_.with_threshold(30, path);
-    Screening screening(family);
+    const Model family = sheets_.with_threshold(30, path);
+    RejectionTest screening(family);
     begin(screening);
     EXPECT_EQ(rejects(screening, 10, 1e-3, -0.1), sample_deg <= 2) << sample_deg;
     begin(screening);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "solver/linear/newton.hpp"
 #include "solver/pattern/miura.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "solver/verdict/history.hpp"
@@ -47,6 +48,11 @@ struct TestSheet {
   FoldState<double> folded(double pilot_deg) const {
     return base_state(mechanism, base.folding, base.sheet.vertices_mm,
                       half_angle_of_deg(pilot_deg));
+  }
+  /// The whole path of a sheet with these vertices.
+  FoldingHistory history(const FlatVertices& vertices_mm,
+                         const PathPlanOptions& options = {}) const {
+    return record_history(Model(base, options), vertices_mm);
   }
   /// The base with {"A10": [x, y], ...} added, in proportion to the panels.
   FlatVertices shifted(const Json& displacements_mm) const {

@@ -1,5 +1,5 @@
-// The course's walk along a curve that is known: the pilot as a parabola over one other unknown,
-// with a top, a forward half and a backward half. The test is its corrector.
+// Step control along the arc of a curve that is known: the pilot as a parabola over one other
+// unknown, with a top, a forward half and a backward half. The test is its corrector.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace misalign::solver {
 namespace {
 
-constexpr ArcLengthOptions kUsual;
+constexpr ArcOptions kArc;
 
-PathPlan plan_of(const std::vector<double>& angles_deg) {
+PathPlan stops_at(const std::vector<double>& angles_deg) {
   PathPlan plan;
   for (const double angle_deg : angles_deg) {
     plan.stops.push_back({angle_deg, half_angle_of_deg(angle_deg), 0, true});
@@ -36,14 +36,14 @@ HalfAngle<double> half_angle_of_rad(double angle) {
   return {std::cos(0.5 * angle), std::sin(0.5 * angle)};
 }
 
-/// Makes the moves of a course on a parabola, as a tracker would with exact arithmetic.
+/// Makes the steps of a control on a parabola, as a path follower would with exact arithmetic.
 class Walker {
  public:
-  Walker(const Parabola& curve, const CourseOptions& options = {})
-      : curve_(curve), course_(options) {}
+  Walker(const Parabola& curve, const StepControlOptions& options = {})
+      : curve_(curve), control_(options) {}
 
-  Course& course() { return course_; }
-  const PathResult& result() const { return course_.result(); }
+  StepControl& control() { return control_; }
+  const PathResult& result() const { return control_.result(); }
   double last() const { return last_; }
   double below_top_deg() const { return curve_.top_deg - curve_.pilot(last_) / kRadPerDeg; }
   double longest_step() const { return longest_step_; }
@@ -51,36 +51,36 @@ class Walker {
   /// From 10 degrees to where the path ends, or the last stop.
   void follow(const PathPlan& plan) {
     last_ = trial_ = curve_.forward_at(plan.stops[0].pilot_deg);
-    course_.begin(plan, 0, +1);
-    Move move = course_.after(reading());
+    control_.begin(plan, 0, +1);
+    PathStep move = control_.after(reading());
     while (!move.ended) {
       if (move.believe) last_ = trial_;
       if (move.arrived) {
-        move = course_.proceed();
+        move = control_.proceed();
         // No solution there, or too far for Newton with the pilot held: it says so.
-        if (!move.ended) move = course_.after(lost());
+        if (!move.ended) move = control_.after(lost());
       } else {
-        move = course_.after(depart(move));
+        move = control_.after(depart(move));
       }
     }
     if (move.believe) last_ = trial_;
   }
 
  private:
-  Reading depart(const Move& move) {
+  NewtonReport depart(const PathStep& move) {
     EXPECT_TRUE(move.depart);
     if (move.hold) {
-      EXPECT_FALSE(course_.walking());
-      trial_ = curve_.forward_at(course_.target().pilot_deg);
+      EXPECT_FALSE(control_.on_arc());
+      trial_ = curve_.forward_at(control_.target().pilot_deg);
     } else {
-      EXPECT_TRUE(course_.walking());
+      EXPECT_TRUE(control_.on_arc());
       longest_step_ = std::max(longest_step_, move.along[0]);
       trial_ = last_ + move.along[0] * curve_.tangent_u(last_);
     }
     return reading();
   }
   // Tangents come out with either sign; the bordered determinant takes theirs.
-  Reading reading() {
+  NewtonReport reading() {
     const int sign = (++readings_ % 3 == 0) ? -1 : 1;
     const double cosine = curve_.tangent_u(last_) * curve_.tangent_u(trial_) +
                           curve_.tangent_pilot(last_) * curve_.tangent_pilot(trial_);
@@ -94,14 +94,14 @@ class Walker {
             half_angle_of_rad(curve_.pilot(last_)),
             half_angle_of_rad(curve_.pilot(trial_))};
   }
-  Reading lost() {
-    Reading reading = this->reading();
+  NewtonReport lost() {
+    NewtonReport reading = this->reading();
     reading.open_by = std::nan("");
     return reading;
   }
 
   Parabola curve_;
-  Course course_;
+  StepControl control_;
   double last_ = 0, trial_ = 0, longest_step_ = 0;
   int readings_ = 0;
 };
@@ -109,10 +109,10 @@ class Walker {
 // Tops of every height over the last stop and of every width, with the tolerance of full paths and
 // with the approach's. The rest of the error is that of angles in degrees, 1e-13.
 TEST(Walk, FoldLimitIsTheParabolasTop) {
-  const PathPlan plan = plan_of({10, 60});
-  for (const double tolerance_deg : {kUsual.turn_tolerance_rad / kRadPerDeg, 0.1}) {
-    CourseOptions options;
-    options.walk.turn_tolerance_rad = tolerance_deg * kRadPerDeg;
+  const PathPlan plan = stops_at({10, 60});
+  for (const double tolerance_deg : {kArc.limit_tolerance_rad / kRadPerDeg, 0.1}) {
+    StepControlOptions options;
+    options.arc.limit_tolerance_rad = tolerance_deg * kRadPerDeg;
     double worst = 0;
     for (const double height_deg : {1e-5, 1e-3, 0.1, 1.0, 7.0, 30.0, 49.9}) {
       for (const double curvature : {0.1, 0.5, 2.0, 10.0, 50.0}) {
@@ -121,7 +121,7 @@ TEST(Walk, FoldLimitIsTheParabolasTop) {
         walker.follow(plan);
         EXPECT_EQ(walker.result().end, PathEnd::fold_limit);
         EXPECT_NEAR(walker.result().fold_limit_deg, 10 + height_deg, tolerance_deg);
-        EXPECT_LE(walker.longest_step(), kUsual.longest_step_rad);
+        EXPECT_LE(walker.longest_step(), kArc.longest_step_rad);
         EXPECT_LE(walker.last(), 0) << "the last point believed is on the forward half";
         EXPECT_LE(walker.below_top_deg(), tolerance_deg) << "which is why the limit can be trusted";
         worst = std::max(worst, std::abs(walker.result().fold_limit_deg - 10 - height_deg));
@@ -136,13 +136,13 @@ TEST(Walk, FoldLimitIsTheParabolasTop) {
 TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
   constexpr double kEnd_deg = 60;
   for (const double share : {0.5, 0.9, 0.99}) {
-    CourseOptions options;
-    options.turn_certain_share = share;
+    StepControlOptions options;
+    options.limit_certain_share = share;
     int roughly = 0;
     for (const double top_deg : {10.1, 17.0, 40.0, 59.9}) {
       for (const double curvature : {0.1, 0.5, 2.0, 10.0, 50.0}) {
         Walker walker({top_deg, curvature}, options);
-        walker.follow(plan_of({10, kEnd_deg}));
+        walker.follow(stops_at({10, kEnd_deg}));
         EXPECT_EQ(walker.result().end, PathEnd::fold_limit);
         const double way_deg = kEnd_deg - top_deg + walker.below_top_deg();
         EXPECT_LE(walker.below_top_deg(), std::max(1e-6, (1 - share) * way_deg));
@@ -160,13 +160,13 @@ TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
 TEST(Walk, LandsOnStopsBelowTheTop) {
   for (const double curvature : {0.1, 2.0, 50.0}) {
     Walker reaches({31, curvature});
-    reaches.follow(plan_of({10, 20, 30}));
+    reaches.follow(stops_at({10, 20, 30}));
     EXPECT_EQ(reaches.result().end, PathEnd::end_reached);
     EXPECT_EQ(reaches.result().fold_limit_deg, 30);
     EXPECT_EQ(reaches.last(), (Parabola{31, curvature}.forward_at(30)));
 
     Walker turns({29, curvature});
-    turns.follow(plan_of({10, 20, 30}));
+    turns.follow(stops_at({10, 20, 30}));
     EXPECT_EQ(turns.result().end, PathEnd::fold_limit);
     EXPECT_NEAR(turns.result().fold_limit_deg, 29, 1e-6);
   }
@@ -174,30 +174,29 @@ TEST(Walk, LandsOnStopsBelowTheTop) {
 
 // After a walk the rates before it say nothing: the next extrapolation is a straight line.
 TEST(Walk, ForgetsTheRatesBeforeIt) {
-  const PathPlan plan = plan_of({10, 20, 30, 40});
-  const Reading at_10 = {0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(10)};
-  Course course;
-  course.begin(plan, 0, 0);
-  course.after(at_10);
-  course.proceed();
-  Reading reading = at_10;
+  const PathPlan plan = stops_at({10, 20, 30, 40});
+  const NewtonReport at_10 = {0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(10)};
+  StepControl control;
+  control.begin(plan, 0, 0);
+  control.after(at_10);
+  control.proceed();
+  NewtonReport reading = at_10;
   reading.pilot = half_angle_of_deg(20);
-  course.after(reading);
-  EXPECT_NE(course.proceed().along[1], 0);
+  control.after(reading);
+  EXPECT_NE(control.proceed().along[1], 0);
   reading.last_pilot = reading.pilot;
   reading.open_by = std::nan("");
-  course.after(reading);
-  ASSERT_TRUE(course.walking());
+  control.after(reading);
+  ASSERT_TRUE(control.on_arc());
   reading.open_by = 0;
   reading.pilot = half_angle_of_deg(30.5);
-  const Move landing = course.after(reading);
+  const PathStep landing = control.after(reading);
   EXPECT_TRUE(landing.hold);
   // 10 of the 10.5 degrees; of half angles' sines, to a part in a thousand.
-  EXPECT_NEAR(landing.along[0], kUsual.longest_step_rad * 10 / 10.5,
-              1e-3 * kUsual.longest_step_rad);
+  EXPECT_NEAR(landing.along[0], kArc.longest_step_rad * 10 / 10.5, 1e-3 * kArc.longest_step_rad);
   reading.pilot = half_angle_of_deg(30);
-  EXPECT_TRUE(course.after(reading).arrived);
-  const Move next = course.proceed();
+  EXPECT_TRUE(control.after(reading).arrived);
+  const PathStep next = control.proceed();
   EXPECT_NEAR(next.along[0], 10 * kRadPerDeg / 0.25, 1e-15);
   EXPECT_EQ(next.along[1], 0);
   EXPECT_EQ(next.along[2], 0);
@@ -206,67 +205,68 @@ TEST(Walk, ForgetsTheRatesBeforeIt) {
 class WalkStepTest : public testing::Test {
  protected:
   WalkStepTest() {
-    course_.begin(plan_, 0, 0);
-    course_.after(on_curve_);
-    course_.proceed();
-    Reading lost = on_curve_;
+    control_.begin(plan_, 0, 0);
+    control_.after(on_curve_);
+    control_.proceed();
+    NewtonReport lost = on_curve_;
     lost.open_by = std::nan("");
-    step_ = course_.after(lost).along[0];
-    EXPECT_EQ(step_, kUsual.longest_step_rad);
+    step_ = control_.after(lost).along[0];
+    EXPECT_EQ(step_, kArc.longest_step_rad);
   }
-  void expect_half_a_step(const Reading& reading) {
-    const Move move = course_.after(reading);
-    EXPECT_TRUE(move.depart && course_.walking());
+  void expect_half_a_step(const NewtonReport& reading) {
+    const PathStep move = control_.after(reading);
+    EXPECT_TRUE(move.depart && control_.on_arc());
     EXPECT_FALSE(move.believe || move.hold || move.ended);
     step_ *= 0.5;
     EXPECT_EQ(move.along[0], step_);
   }
 
-  const PathPlan plan_ = plan_of({10, 40});
-  Course course_;
+  const PathPlan plan_ = stops_at({10, 40});
+  StepControl control_;
   double step_;
   // Found by the walk: 2 degrees on.
-  const Reading on_curve_ = {0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(12)};
+  const NewtonReport on_curve_ = {
+      0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(12)};
 };
 
 TEST_F(WalkStepTest, HalvesWhereTheCorrectorFails) {
-  Reading reading = on_curve_;
+  NewtonReport reading = on_curve_;
   reading.open_by = 1e-3;
-  course_.after(reading);
-  course_.after(reading);
+  control_.after(reading);
+  control_.after(reading);
   expect_half_a_step(reading);
   reading.open_by = std::nan("");
   expect_half_a_step(reading);
 }
 
 TEST_F(WalkStepTest, HalvesOnAnotherCurve) {
-  Reading reading = on_curve_;
+  NewtonReport reading = on_curve_;
   reading.orientation = -1;
   expect_half_a_step(reading);
   reading = on_curve_;
-  reading.tangent_cosine = 0.999 * kUsual.least_tangent_cosine;
+  reading.tangent_cosine = 0.999 * kArc.least_tangent_cosine;
   expect_half_a_step(reading);
   reading.tangent_cosine *= -1;  // the tangent the other way round, orientation not
   expect_half_a_step(reading);
 }
 
 TEST_F(WalkStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
-  Reading reading = on_curve_;
-  reading.tangent_cosine = kUsual.least_tangent_cosine;
-  Move move = course_.after(reading);
+  NewtonReport reading = on_curve_;
+  reading.tangent_cosine = kArc.least_tangent_cosine;
+  PathStep move = control_.after(reading);
   EXPECT_TRUE(move.believe && move.depart);
   EXPECT_EQ(move.tangent_sign, 1);
-  EXPECT_EQ(move.along[0], kUsual.longest_step_rad);  // no longer than that
+  EXPECT_EQ(move.along[0], kArc.longest_step_rad);  // no longer than that
 
   expect_half_a_step([&] {
-    Reading lost = on_curve_;
+    NewtonReport lost = on_curve_;
     lost.open_by = std::nan("");
     return lost;
   }());
   reading.tangent_cosine = -1;
   reading.orientation = -1;
   reading.tangent_pilot = -0.25;
-  move = course_.after(reading);
+  move = control_.after(reading);
   EXPECT_TRUE(move.believe);
   EXPECT_EQ(move.tangent_sign, -1);
   EXPECT_EQ(move.along[0], 1.5 * step_);
@@ -274,42 +274,42 @@ TEST_F(WalkStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
 
 // A landing is believed within the step that led over the stop, on the forward half.
 TEST_F(WalkStepTest, LandingFromBothSidesOfItsBound) {
-  Reading beyond = on_curve_;
+  NewtonReport beyond = on_curve_;
   beyond.pilot = half_angle_of_deg(41);
-  EXPECT_TRUE(course_.after(beyond).hold);
-  Reading landed = on_curve_;
+  EXPECT_TRUE(control_.after(beyond).hold);
+  NewtonReport landed = on_curve_;
   landed.pilot = half_angle_of_deg(40);
   landed.largest_half_sine = 1.001 * step_;
   expect_half_a_step(landed);
 
-  EXPECT_TRUE(course_.after(beyond).hold);
+  EXPECT_TRUE(control_.after(beyond).hold);
   landed.largest_half_sine = 0;
   landed.determinant_sign = -1;
   expect_half_a_step(landed);
 
-  EXPECT_TRUE(course_.after(beyond).hold);
+  EXPECT_TRUE(control_.after(beyond).hold);
   landed.determinant_sign = 1;
   landed.largest_half_sine = step_;
-  EXPECT_TRUE(course_.after(landed).arrived);
-  EXPECT_EQ(course_.result().fold_limit_deg, 40);
+  EXPECT_TRUE(control_.after(landed).arrived);
+  EXPECT_EQ(control_.result().fold_limit_deg, 40);
 }
 
 // 0.1 rad is below 1e-9 rad after 27 halvings.
 TEST_F(WalkStepTest, StallsBelowTheShortestStep) {
-  Reading reading = on_curve_;
+  NewtonReport reading = on_curve_;
   reading.open_by = std::nan("");
   for (int k = 1; k < 27; ++k) expect_half_a_step(reading);
-  EXPECT_TRUE(course_.after(reading).ended);
-  EXPECT_EQ(course_.result().end, PathEnd::stalled);
-  EXPECT_EQ(course_.result().fold_limit_deg, 10);  // the last stop solved
-  EXPECT_FALSE(course_.under_way());
+  EXPECT_TRUE(control_.after(reading).ended);
+  EXPECT_EQ(control_.result().end, PathEnd::stalled);
+  EXPECT_EQ(control_.result().fold_limit_deg, 10);  // the last stop solved
+  EXPECT_FALSE(control_.under_way());
 }
 
 TEST_F(WalkStepTest, StallsAfterTooManySteps) {
-  for (int k = 1; k < kUsual.max_steps; ++k) ASSERT_TRUE(course_.after(on_curve_).believe);
-  EXPECT_TRUE(course_.after(on_curve_).ended);
-  EXPECT_EQ(course_.result().end, PathEnd::stalled);
-  EXPECT_EQ(course_.result().arc_steps, kUsual.max_steps + 1);
+  for (int k = 1; k < kArc.most_steps; ++k) ASSERT_TRUE(control_.after(on_curve_).believe);
+  EXPECT_TRUE(control_.after(on_curve_).ended);
+  EXPECT_EQ(control_.result().end, PathEnd::stalled);
+  EXPECT_EQ(control_.result().arc_steps, kArc.most_steps + 1);
 }
 
 }  // namespace

@@ -73,16 +73,16 @@ Row run(const Setting& setting, int cases, unsigned seed) {
   solver::PathPlanOptions path = setting.path;
   path.end_deg = std::min(path.end_deg, base.folding.end_deg());
   const std::vector<int> shifted = solver::interior_vertices(base.sheet);
-  const SheetFamily family(base, shifted, path, 1);
+  const Model family(base, shifted, path, 1);
   const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
   // What the fast tests reject must not deploy from their threshold.
-  std::vector<std::unique_ptr<SheetFamily>> thresholds;
+  std::vector<std::unique_ptr<Model>> thresholds;
   std::vector<std::unique_ptr<solver::Batch>> screens;
   for (const double part : {0.3, 0.7, 0.85, 0.95}) {
     if (!setting.against_dense) break;
     const int sample = static_cast<int>(part * path.end_deg / path.sample_deg);
     if (sample < 2) continue;
-    thresholds.push_back(std::make_unique<SheetFamily>(base, shifted, path, sample));
+    thresholds.push_back(std::make_unique<Model>(base, shifted, path, sample));
     screens.push_back(
         solver::make_batch(solver::available_instruction_sets().back(), *thresholds.back()));
   }
@@ -167,7 +167,7 @@ struct TurnRow {
 
 TurnRow run_turns(const solver::PerforatedSheet& base, double share, int cases, unsigned seed) {
   const std::vector<int> shifted = solver::interior_vertices(base.sheet);
-  const SheetFamily family(base, shifted, {}, 1);
+  const Model family(base, shifted, {}, 1);
   const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
   const solver::Mechanism& mechanism = family.mechanism();
   TurnRow row;

@@ -6,12 +6,13 @@
 
 #include "curve.hpp"
 #include "solver/continuation/homotopy.hpp"
+#include "solver/reference/path_tracker.hpp"
 #include "solver/verdict/model.hpp"
 
 namespace misalign::stress {
 
 using solver::FlatVertices;
-using solver::SheetFamily;
+using solver::Model;
 using solver::Verdict;
 
 // The lengths of a history at its samples up to D, for comparison.
@@ -48,7 +49,7 @@ class Witness {
   double length_error() const { return length_error_; }  ///< panel widths
 
  protected:
-  Witness(const SheetFamily& family, const solver::PathPlan& plan)
+  Witness(const Model& family, const solver::PathPlan& plan)
       : plan_(plan),
         mechanism_(family.mechanism()),
         judge_(family.mechanism()),
@@ -81,7 +82,7 @@ class Witness {
 // The path by dense matrices from sample to sample.
 class DensePath : public Witness {
  public:
-  DensePath(const SheetFamily& family, const solver::PathPlan& plan)
+  DensePath(const Model& family, const solver::PathPlan& plan)
       : Witness(family, plan), tracker_(family.mechanism()) {}
 
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
@@ -100,18 +101,18 @@ class DensePath : public Witness {
 // matrices in steps of a degree and the lanes differ.
 class CurvePath : public Witness {
  public:
-  CurvePath(const SheetFamily& family, const solver::PathPlan& plan)
+  CurvePath(const Model& family, const solver::PathPlan& plan)
       : Witness(family, plan),
         newton_(family.mechanism()),
-        finder_(family.mechanism(), family.elimination(), plan, family.base().sheet.vertices_mm) {}
+        homotopy_(family.mechanism(), plan, family.base().sheet.vertices_mm) {}
 
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     using solver::PathEnd;
     begin(vertices_mm);
-    if (finder_.find(vertices_mm) != solver::StartEnd::found) {
+    if (homotopy_.find(vertices_mm) != PathEnd::end_reached) {
       return conclude({PathEnd::start_lost, 0, 0, 0, 0});
     }
-    Curve curve(mechanism_, geometry_, finder_.state());
+    Curve curve(mechanism_, geometry_, homotopy_.state());
     constexpr double kStep_rad = 0.02;
     for (const solver::Stop& stop : plan_.stops) {
       if (stop.sample == 0) continue;
@@ -139,7 +140,7 @@ class CurvePath : public Witness {
 
  private:
   solver::Newton newton_;
-  solver::StartFinder finder_;
+  solver::ShiftHomotopy homotopy_;
 };
 
 }  // namespace misalign::stress

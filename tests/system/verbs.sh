@@ -91,4 +91,9 @@ pattern 5 6 && "$program" perforations p.json > list || fail "perforations of 5 
 for shipped in "$source_dir"/search/campaigns/*.json; do
   "$program" config --check "$shipped" > /dev/null || fail "config --check $shipped"
 done
+# The reference judges by what the campaign accepts: of these 60 draws 21 go back between two samples.
+echo '{"pattern": {"family": "miura", "rows": 4, "columns": 4}, "misalignment": {"amplitude_mm": 2},
+       "path": {"sample_deg": 10}, "accept": {"deploys_from_deg": 150, "between_samples": true}}' > bumps.json
+"$program" bench bumps.json --agree 60 > agreement || fail "bench forgets accept.between_samples: $(cat agreement)"
+
 finish

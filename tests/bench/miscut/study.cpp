@@ -102,9 +102,9 @@ class Study {
       : campaign_(campaign),
         copies_(copies),
         amplitude_mm_(amplitude_mm),
-        family_(campaign.pattern.base, all_vertices(), campaign.path(), campaign.threshold_sample(),
-                campaign.between_samples),
-        batch_(solver::make_batch(solver::available_instruction_sets().back(), family_)) {}
+        model_(campaign.pattern.base, all_vertices(), campaign.path(), campaign.threshold_sample(),
+               campaign.between_samples),
+        batch_(solver::make_batch(solver::available_instruction_sets().back(), model_)) {}
 
   void row(const schema::Candidate& candidate) {
     std::vector<std::pair<std::string, double>> values;
@@ -141,12 +141,14 @@ class Study {
   // What is no metric: the same margin by other stretches, what other faults leave, and a share
   // that is foretold from all of it.
   void add_margins(const Eigen::Matrix2Xd& shifts_mm, Values& values) {
-    const solver::Mechanism& mechanism = family_.mechanism();
-    const FlatVertices vertices_mm = family_.base().sheet.vertices_mm + shifts_mm;
+    const solver::Mechanism& mechanism = model_.mechanism();
+    const FlatVertices vertices_mm = model_.base().sheet.vertices_mm + shifts_mm;
     std::vector<solver::FoldState<double>> states;
-    const auto history = solver::record_history(
-        family_.base(), mechanism, family_.elimination(), family_.path(), vertices_mm,
-        {false, [&](const solver::Stop&, const auto& state) { states.push_back(state); }});
+    const solver::StopVisitor keep_state = [&](const solver::Stop&,
+                                               const solver::FoldState<double>& state) {
+      states.push_back(state);
+    };
+    const auto history = solver::record_history(model_, vertices_mm, &keep_state);
     PathGradients gradients(mechanism, vertices_mm);
     const int threshold = campaign_.threshold_sample();
     std::vector<Eigen::MatrixXd> rows;
@@ -202,7 +204,7 @@ class Study {
          kind <= static_cast<int>(solver::Fault::undecided); ++kind) {
       faults[static_cast<solver::Fault>(kind)] = 0;
     }
-    for (const solver::Verdict& verdict : judge_to_the_end(family_, *batch_, block_)) {
+    for (const solver::Verdict& verdict : judge_to_the_end(model_, *batch_, block_)) {
       if (verdict.deploys_from_sample >= campaign_.threshold_sample()) {
         ++deploy;
       } else {
@@ -218,7 +220,7 @@ class Study {
   const schema::Campaign& campaign_;
   const std::uint64_t copies_;
   const double amplitude_mm_;
-  const solver::SheetFamily family_;
+  const solver::Model model_;
   const std::unique_ptr<solver::Batch> batch_;
   solver::ShiftBlock block_;
   bool has_header_ = false;
@@ -233,8 +235,8 @@ void run(const std::string& path, double from_deg, std::uint64_t candidates, std
   schema::UnitRecord unit;
   const std::uint64_t block = trial.largest_block() / 16;
   for (std::uint64_t lo = 0; unit.candidates.size() < candidates; lo += block) {
-    trial.screen({lo, lo + block}, unit);
-    trial.settle(unit);
+    const schema::UnitRecord more = work_off(trial, {lo, lo + block});
+    unit.candidates.insert(unit.candidates.end(), more.candidates.begin(), more.candidates.end());
   }
   for (std::uint64_t k = 0; k < candidates; ++k) study.row(unit.candidates[k]);
 }

@@ -11,7 +11,7 @@ constexpr double kLongestHalfSine = 0.5;
 
 }  // namespace
 
-PathDesk::PathDesk(const Problem& problem, const Demand& demand, int lanes)
+ProblemObserver::ProblemObserver(const Problem& problem, const Demand& demand, int lanes)
     : problem_(problem),
       elimination_(solver::plan_elimination(problem.mechanism(), problem.topology().folding,
                                             problem.topology().base_vertices_mm)),
@@ -20,13 +20,13 @@ PathDesk::PathDesk(const Problem& problem, const Demand& demand, int lanes)
                               {.sample_deg = static_cast<double>(demand.spacing_deg),
                                .end_deg = kEnd_deg,
                                .longest_step_deg = static_cast<double>(demand.spacing_deg)})),
-      lengths_(problem.mechanism().diagonals.size()),
+      point_(problem.mechanism()),
       sheet_of_lane_(static_cast<std::size_t>(lanes)) {
   options_.closure_tolerance = demand.tolerance;
   if (demand.spacing_deg > 1) options_.longest_half_sine = kLongestHalfSine;
 }
 
-void PathDesk::begin(std::vector<Track>& tracks) {
+void ProblemObserver::begin(std::vector<Track>& tracks) {
   tracks_ = &tracks;
   next_ = 0;
   for (Track& track : tracks) {
@@ -36,21 +36,21 @@ void PathDesk::begin(std::vector<Track>& tracks) {
   }
 }
 
-bool PathDesk::next(solver::Departure& departure, int lane) {
+bool ProblemObserver::next(solver::PathStart& start, int lane) {
   if (next_ == problem_.sheets().size()) return false;
   sheet_of_lane_[lane] = next_;
-  departure = {&problem_.sheets()[next_++].geometry, &plan_.start, &plan_};
+  start = {&problem_.sheets()[next_++].geometry, &plan_.start, &plan_};
   return true;
 }
 
-bool PathDesk::visit(int lane) {
+bool ProblemObserver::see(const solver::Stop&, int lane) {
   std::vector<double>& lengths = (*tracks_)[sheet_of_lane_[lane]].lengths;
-  lengths.insert(lengths.end(), lengths_.begin(), lengths_.end());
+  lengths.insert(lengths.end(), point_.lengths.begin(), point_.lengths.end());
   return true;
 }
 
 // Every iteration evaluates and corrects.
-void PathDesk::ended(const solver::PathResult& path, int lane) {
+void ProblemObserver::ended(const solver::PathResult& path, int lane) {
   Track& track = (*tracks_)[sheet_of_lane_[lane]];
   track.converged = path.end == solver::PathEnd::end_reached;
   track.effort = {path.newton_iterations, path.newton_iterations};

@@ -1,5 +1,5 @@
-// The production solver as a method of the study: solver::Tracker, on one sheet after another or on
-// as many as a register has lanes. Every stop is a sample.
+// The production solver as a method of the study: solver::PathFollower, on one sheet after another
+// or on as many as a register has lanes. Every stop is a sample.
 #pragma once
 
 #include "solver/continuation/path_follower.hpp"
@@ -8,29 +8,29 @@
 namespace misalign::bench {
 
 /// Hands out the problem's sheets and records their lengths. Compiled once, for every machine: the
-/// files with wider registers instantiate nothing but the tracker.
-class PathDesk {
+/// files with wider registers instantiate nothing but the path follower.
+class ProblemObserver {
  public:
-  PathDesk(const Problem& problem, const Demand& demand, int lanes);
+  ProblemObserver(const Problem& problem, const Demand& demand, int lanes);
 
   const solver::Mechanism& mechanism() const { return problem_.mechanism(); }
   const solver::Elimination& elimination() const { return elimination_; }
-  const solver::CourseOptions& options() const { return options_; }
+  const solver::StepControlOptions& options() const { return options_; }
 
   /// As many tracks as sheets.
   void begin(std::vector<Track>& tracks);
-  bool next(solver::Departure& departure, int lane);
-  /// What the lane's lengths are written to before `visit`.
-  double* lengths() { return lengths_.data(); }
-  bool visit(int lane);
+  bool next(solver::PathStart& start, int lane);
+  solver::PathPoint& point() { return point_; }
+  bool wants_slopes() const { return false; }
+  bool see(const solver::Stop&, int lane);
   void ended(const solver::PathResult& path, int lane);
 
  private:
   const Problem& problem_;
   const solver::Elimination elimination_;
   const solver::PathPlan plan_;
-  solver::CourseOptions options_;
-  std::vector<double> lengths_;
+  solver::StepControlOptions options_;
+  solver::PathPoint point_;
   std::vector<std::size_t> sheet_of_lane_;
   std::size_t next_ = 0;
   std::vector<Track>* tracks_ = nullptr;
@@ -40,29 +40,17 @@ template <class T>
 class Tracking {
  public:
   Tracking(const Problem& problem, const Demand& demand)
-      : desk_(problem, demand, solver::kLanes<T>),
-        tracker_(desk_.mechanism(), desk_.elimination(), desk_.options()) {}
+      : observer_(problem, demand, solver::kLanes<T>),
+        follower_(observer_.mechanism(), observer_.elimination(), observer_.options()) {}
 
   void follow(std::vector<Track>& tracks) {
-    desk_.begin(tracks);
-    Client client{desk_, tracker_};
-    tracker_.run(client);
+    observer_.begin(tracks);
+    follower_.run(observer_);
   }
 
  private:
-  struct Client {
-    PathDesk& desk;
-    solver::Tracker<T>& tracker;
-    bool next(solver::Departure& departure, int lane) { return desk.next(departure, lane); }
-    bool visit(const solver::Stop&, int lane) {
-      tracker.copy_lengths(lane, desk.lengths());
-      return desk.visit(lane);
-    }
-    void ended(const solver::PathResult& path, int lane) { desk.ended(path, lane); }
-  };
-
-  PathDesk desk_;
-  solver::Tracker<T> tracker_;
+  ProblemObserver observer_;
+  solver::PathFollower<T> follower_;
 };
 
 Run track_one_by_one(const Problem& problem, const Demand& demand);

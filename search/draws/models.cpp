@@ -1,0 +1,18 @@
+#include "search/draws/models.hpp"
+
+namespace misalign::search {
+
+solver::Model model_of(const schema::Campaign& campaign, double look_deg) {
+  solver::PathPlanOptions path = campaign.path();
+  path.look_deg = look_deg;
+  return {campaign.pattern.base, campaign.misalignment.vertices, path, campaign.threshold_sample(),
+          campaign.between_samples};
+}
+
+solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,
+                       double look_deg) {
+  return solver::Model(pattern.base, {sampling.sample_deg, sampling.end_deg, look_deg},
+                       sampling.between_samples);
+}
+
+}  // namespace misalign::search

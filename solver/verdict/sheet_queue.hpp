@@ -1,0 +1,62 @@
+// The sheets of a block on their way to the lanes of a path follower.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/continuation/homotopy.hpp"
+#include "solver/verdict/model.hpp"
+
+namespace misalign::solver {
+
+/// Sheets by their number from 0 on.
+class SheetBlock {
+ public:
+  virtual ~SheetBlock();
+  virtual int sheets() const = 0;
+  virtual void place(int sheet, FlatVertices& vertices_mm) const = 0;
+};
+
+/// Hands out sheets one after the other, each with the state it starts from: of the base folding,
+/// or where that is too far off, found from there.
+class SheetQueue {
+ public:
+  SheetQueue(const Model& model, int lanes);
+  ~SheetQueue();
+
+  /// `block` must live until its paths have ended.
+  void begin(const SheetBlock& block);
+  /// Only these of the block, from the start once more.
+  void begin_again(const std::vector<int>& sheets);
+  /// Puts the next sheet into this lane, to start along the model's path; false: there is none.
+  bool put_next(PathStart& start, int lane);
+  /// The path of this lane's sheet has ended. False if it only lost its start, and will go again
+  /// from a better one; where there is none, `path` says that it cannot fold next to flat.
+  bool has_ended(PathResult& path, int lane);
+  /// Puts this sheet into this lane.
+  void put(int sheet, int lane);
+  int of_lane(int lane) const { return sheet_of_lane_[lane]; }
+  const FlatVertices& vertices_mm_of_lane(int lane);
+  /// Of the sheet put last.
+  const FlatVertices& vertices_mm() const { return vertices_mm_; }
+  const SheetGeometry<double>& geometry() const { return geometry_; }
+
+ private:
+  const Model& model_;
+  const SheetBlock* block_ = nullptr;
+  std::vector<int> waiting_;
+  std::size_t next_ = 0;
+  std::vector<int> sheet_of_lane_;
+  std::unique_ptr<ShiftHomotopy> homotopy_;  // made when first needed
+  // Starts that it found, to go from when the block's own are done; grows to what a block needs.
+  struct Found {
+    int sheet;
+    FoldState<double> start;
+  };
+  std::vector<Found> found_;
+  std::size_t found_count_ = 0, next_found_ = 0;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+};
+
+}  // namespace misalign::solver
