@@ -1,4 +1,5 @@
-// A campaign: what is drawn, what is followed, what is accepted, and when to stop.
+// A campaign: which sheets are drawn, how their paths are followed, which draws are accepted, and
+// when to stop.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The pattern that an exported FOLD file carries beside its mesh, so that it can be folded again: a
-// shifted sheet without holes does not fold, so the mesh alone would not do.
+// The pattern that an exported FOLD file carries beside its mesh. The mesh alone could not be
+// folded again: a shifted sheet without holes does not fold.
 #pragma once
 
 #include "schema/campaign/pattern_file.hpp"

@@ -1,5 +1,4 @@
-// FOLD (the crease-pattern file format, version 1.2): the quadrilateral meshes of degree-4 vertices
-// among them.
+// Reads quadrilateral meshes of degree-4 vertices from FOLD 1.2, the crease-pattern file format.
 #pragma once
 
 #include "schema/files/input.hpp"

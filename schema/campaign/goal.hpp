@@ -1,4 +1,5 @@
-// What a campaign wants, and where that ends.
+// A campaign's goal (how many draws, how many accepted, how precise a rate), and the draw at which
+// it ends.
 #pragma once
 
 #include <cstdint>

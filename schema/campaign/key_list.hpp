@@ -1,4 +1,4 @@
-// The keys of a campaign as a table for people, made from campaign.schema.json.
+// Writes the keys of a campaign as a Markdown table, from campaign.schema.json.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How well a share is known from counting.
+// Confidence intervals of a share that was counted.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a catalogue says of its campaign and its runs, against what follows from the rest of it.
+// Checks what a catalogue says of its campaign and its runs against the rest of its rows.
 #pragma once
 
 #include <optional>

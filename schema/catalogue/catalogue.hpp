@@ -1,4 +1,4 @@
-// The catalogue of one campaign as its only writer sees it.
+// The catalogue of one campaign, opened for writing by one process.
 #pragma once
 
 #include <optional>

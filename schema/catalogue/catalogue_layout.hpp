@@ -1,5 +1,5 @@
-// The tables, views, triggers and indexes of a catalogue, as this program and its forebears make
-// them: a file that has others is not what its rows say.
+// The tables, views, triggers and indexes that a catalogue has in each schema version. A file with
+// any others is refused: its rows need not mean what they seem to.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

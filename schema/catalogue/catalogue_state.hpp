@@ -1,4 +1,4 @@
-// What readers ask of a catalogue.
+// Reads a catalogue: its campaign, goal and totals, the units that are done, single candidates.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Connections to SQLite, made safe: the file behind one may come from anywhere.
+// Connections to SQLite that are safe for a file of any origin.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,5 +1,4 @@
-// Opening SQLite files with sentences for what can go wrong, and reading without any risk of
-// writing.
+// Opens SQLite files, with a sentence for whatever goes wrong. Opening to read never writes.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,4 +1,4 @@
-// What lies beside a database, before SQLite acts on it.
+// Checks the journal and the log beside a database before SQLite acts on them.
 #pragma once
 
 #include <string>

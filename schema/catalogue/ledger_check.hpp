@@ -1,5 +1,5 @@
-// What a catalogue says of itself, checked without following any path: that nothing was added,
-// deleted or altered where the ledger would show it.
+// Checks a catalogue's ledger against the rest of its rows, without following any path: rows that
+// were added, deleted or altered show in the ledger's sums.
 #pragma once
 
 #include <optional>

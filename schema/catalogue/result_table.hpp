@@ -1,4 +1,4 @@
-// The rows of a query for people (aligned), for programs (JSON) and for spreadsheets (CSV).
+// Writes the rows of a query for people (aligned), programs (JSON) and spreadsheets (CSV).
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,5 +1,5 @@
-// SQL as SQLite divides it into words, so that two texts can be compared, and one can be put into
-// another without ending what is round it.
+// Splits SQL into the tokens that SQLite sees: to compare two texts, and to check that a text put
+// into another cannot end what is round it.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// How many draws deploy from at least each angle, as the fault sample has it; and a guess where it
-// has no draw any more.
+// Survival: how many draws deploy from each angle or beyond, counted in the fault sample, and
+// guessed beyond the largest D in it.
 #pragma once
 
 #include <map>

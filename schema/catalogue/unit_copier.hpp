@@ -1,4 +1,4 @@
-// Units of one catalogue into another, row by row as they are.
+// Copies units from one catalogue into another, row by row and unchanged.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,4 +1,4 @@
-// The rows of the ledger's units.
+// Writes a unit: its row in the ledger, its candidates, fault samples and undecided draws.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

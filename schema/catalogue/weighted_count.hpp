@@ -1,4 +1,5 @@
-// Rows that stand for several draws each: what they say of all draws, and how well.
+// Shares of all draws, and how precise they are, estimated from rows that stand for several draws
+// each.
 #pragma once
 
 #include <cstdint>

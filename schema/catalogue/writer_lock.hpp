@@ -1,4 +1,4 @@
-// Who may write a catalogue: one process at a time.
+// The lock that lets one process at a time write a catalogue.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The yields that `misalign tolerance` has found, as a catalogue keeps them.
+// The yields that `misalign tolerance` has counted, stored in a catalogue.
 #pragma once
 
 #include <vector>

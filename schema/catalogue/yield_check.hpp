@@ -1,4 +1,4 @@
-// Whether the yields that a catalogue keeps can be what was counted.
+// Checks a catalogue's yields: counts, shares and intervals must agree with each other.
 #pragma once
 
 #include "schema/catalogue/ledger_check.hpp"

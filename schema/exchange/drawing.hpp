@@ -1,4 +1,4 @@
-// Drawings of a pattern: the crease pattern for a cutter, and folded sheets for a modeller.
+// Draws a pattern: the crease pattern as SVG for a cutter, and folded sheets as OBJ for a modeller.
 #pragma once
 
 #include <string>

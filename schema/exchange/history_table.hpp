@@ -1,6 +1,5 @@
-// Histories of sheets as long tables: CSV with a row for each sheet, stop of its path and diagonal,
-// or crease. What pandas, R, MATLAB and spreadsheets group, filter and plot; any number of sheets
-// is one table.
+// Histories as long tables (CSV): a row for each sheet, angle and diagonal, or crease. Any number
+// of sheets make one table, which pandas, R, MATLAB and spreadsheets group, filter and plot.
 #pragma once
 
 #include <string>

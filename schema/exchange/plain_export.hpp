@@ -1,4 +1,4 @@
-// A catalogue for readers that know only an SQLite from before 2021.
+// Exports a catalogue in a form that SQLite versions from before 2021 can read.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

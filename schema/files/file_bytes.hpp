@@ -1,4 +1,4 @@
-// Files as bytes, whatever lies under their name and whatever the file system answers.
+// Reads files as bytes, whatever kind of file it is and however the file system fails.
 #pragma once
 
 #include <cerrno>

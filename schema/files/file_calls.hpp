@@ -1,4 +1,4 @@
-// What SQLite asks of the file system.
+// Corrects how SQLite handles interrupted and failing calls of the file system.
 #pragma once
 
 namespace misalign::schema {

@@ -1,4 +1,4 @@
-// How a file that is whole gets its name.
+// Gives a finished file its final name.
 #pragma once
 
 #include <string>

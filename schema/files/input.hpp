@@ -1,5 +1,4 @@
-// Refusing bad input at the door: every fault of a file at once, each as "problem (why);
-// suggestion".
+// Refuses bad input: collects all faults of a file, each as "problem (why); suggestion".
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Where a catalogue lies, and sentences for what can happen to it there.
+// The storage on which a catalogue lies, local or shared, and sentences for its failures.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

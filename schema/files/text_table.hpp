@@ -1,4 +1,4 @@
-// Rows of words and numbers, one below the other.
+// Aligned tables of words and numbers, as text.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What was asked, what came out of it, and the charts of where draws fail.
+// The overview: the campaign in words, its acceptance, and the charts of where draws fail.
 import {
   count,
   degrees,

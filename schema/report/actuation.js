@@ -1,5 +1,5 @@
-// What springs on the diagonals do along the way: energy, moment about the pilot crease, mechanical
-// advantage, and what follows from them in words.
+// Charts of what springs on the diagonals do during the folding (energy, moment about the pilot
+// crease, mechanical advantage), and the conclusions in words.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, deployment, path_of, range } from "./chart.js";
 import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";

@@ -1,5 +1,5 @@
-// What is picked, filtered and sorted, in the page's address after the #: a link, a reload or the
-// back button shows it again, also of a page opened from a file.
+// Keeps the selected draw, the filter and the order in the page's address, after the #. So a link,
+// a reload or the back button shows them again, also on a page opened from a file.
 
 const kQuiet_ms = 300; // what changes faster than that is one step of the back button
 const kNames = { draw: "picked", filter: "filter", sort: "sort", across: "across", up: "up" };

@@ -1,4 +1,4 @@
-// What is known about the picked draw in numbers and words, and the commands that go on from it.
+// The selected draw's metrics, in numbers and words, and the commands that continue from it.
 import { ends_of } from "./data.js";
 import { count, dashed, degrees, fault_words, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";

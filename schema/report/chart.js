@@ -1,5 +1,5 @@
-// Charts that are drawn as wide as their place, and again when that changes; and those along the way
-// of the folding, which share an axis and a rule that moves with the slider.
+// Charts that fill their place and are drawn again when its width changes. Charts over the pilot
+// angle share an axis, and a rule that moves with the slider.
 import * as Plot from "@observablehq/plot";
 import { degrees, h } from "./format.js";
 import { on_print, paper_share } from "./paper.js";

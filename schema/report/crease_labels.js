@@ -1,5 +1,5 @@
-// Where the numbers and names on a crease pattern stand, at any zoom: as large as can be read, and
-// none upon another. What finds no room appears when there is more of it.
+// Places the numbers and names on a crease pattern at any zoom: large enough to read, and none over
+// another. Labels without room appear when zooming in.
 import { clamp } from "./format.js";
 import { text_width } from "./text_size.js";
 

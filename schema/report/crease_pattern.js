@@ -1,5 +1,5 @@
-// The picked draw's crease pattern, as figure 12b of the paper: mountains, valleys, holes, their
-// diagonals with numbers, and the shifts as arrows, much enlarged.
+// The selected draw's crease pattern, as in figure 12b of the paper: mountains, valleys, holes,
+// their diagonals with numbers, and the shifts as arrows, much enlarged.
 import { label_px, number_px, place_labels } from "./crease_labels.js";
 import { ends_of, label_of } from "./data.js";
 import { clamp, h } from "./format.js";

@@ -1,4 +1,4 @@
-// The report's data as the program wrote them, and a picked draw's histories decoded.
+// Reads the data that the program wrote into the page, and decodes a draw's histories.
 
 function bytes_of(base64) {
   const text = atob(base64);

@@ -1,4 +1,4 @@
-// Files of what is shown of a picked draw: the numbers and pictures of its charts.
+// Saves the numbers and pictures of the selected draw's charts as files.
 import { actuation_rows } from "./actuation.js";
 import { label_of } from "./data.js";
 import { history_rows } from "./histories.js";

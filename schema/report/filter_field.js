@@ -1,4 +1,4 @@
-// The field above the table: reads conditions as they are typed, says what is wrong with them.
+// The field above the table: reads conditions as they are typed, and says what is wrong with them.
 import { parse_filter } from "./filter.js";
 import { count, h, plural } from "./format.js";
 import { metrics } from "./metrics.js";

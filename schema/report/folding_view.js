@@ -1,5 +1,5 @@
-// The sheet folding in space. Drawn by WebGL where there is one, else by a painter on a 2-D canvas:
-// the same camera and controls, panels from back to front.
+// The sheet folding in space. Drawn by WebGL where it is available, else on a 2-D canvas from back
+// to front, with the same camera and controls.
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { clamp, h } from "./format.js";

@@ -1,4 +1,4 @@
-// Numbers and words as a reader wants them, and the elements that they stand in.
+// Writes numbers and words for readers, and makes the elements that hold them.
 
 const kMinus = "\u2212";
 

@@ -1,4 +1,5 @@
-// Relative lengths of the diagonals along the folding, as figure 13b-d of the paper, and their list.
+// Relative lengths of the diagonals during the folding, as in figure 13b-d of the paper, and their
+// list.
 import * as Plot from "@observablehq/plot";
 import { folding_chart, nearest_sample, path_of, range } from "./chart.js";
 import { fixed, h, signed_percent } from "./format.js";

@@ -1,4 +1,4 @@
-// The picked draw: everything that is known of it, and the views that move together.
+// The selected draw: everything that is known of it, and the views that move together.
 import { make_actuation, show_actuation_words } from "./actuation.js";
 import {
   show_commands,

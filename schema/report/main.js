@@ -1,4 +1,4 @@
-// The page of `misalign report`: overview, choose, inspect.
+// The page of `misalign report`: sets up overview, choice of a candidate, and the selected draw.
 import { show_acceptance } from "./acceptance.js";
 import { follow_address } from "./address.js";
 import { read_candidates, read_report } from "./data.js";

@@ -1,4 +1,5 @@
-// Draws the folded sheet without WebGL: whole panels and lines, the farthest first.
+// Draws the folded sheet without WebGL: whole panels and lines, the farthest first (painter's
+// algorithm).
 import { Vector3 } from "three";
 import { colour } from "./theme.js";
 

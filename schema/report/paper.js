@@ -1,4 +1,4 @@
-// On paper: what is drawn for the width of a screen is drawn again for that of a sheet of A4.
+// Printing: what was drawn for the width of the screen is drawn again for that of an A4 page.
 
 const kPaper_px = 1000; // 700 between the margins of page.css: 12 px become 6 points
 

@@ -1,4 +1,4 @@
-// A drawing of the page as a file of its own: its styles written into it, its key below it.
+// Saves a drawing of the page as a file of its own, with its styles inside and its legend below.
 import { h } from "./format.js";
 import { text_width } from "./text_size.js";
 

@@ -1,5 +1,5 @@
-// Any two metrics of the candidates against each other: axes by Plot, points on a canvas, which stays
-// quick with tens of thousands of them.
+// Plots any two metrics of the candidates against each other: axes by Plot, points on a canvas,
+// which stays fast with tens of thousands of them.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room, when_wide } from "./chart.js";
 import { count, h, plural, power, powers, with_modifier } from "./format.js";

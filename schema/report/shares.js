@@ -1,4 +1,4 @@
-// Shares of the draws by the fault sample, whose rows stand for several draws each.
+// Shares of all draws, estimated from the fault sample, whose rows stand for several draws each.
 
 export function sum(rows, value = (row) => row.sampled) {
   return rows.reduce((total, row) => total + value(row), 0);

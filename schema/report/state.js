@@ -1,4 +1,4 @@
-// What the page shows at present, and who wants to know when it changes.
+// The page's state, and its listeners.
 
 export function make_state(values) {
   const listeners = new Map();

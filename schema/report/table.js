@@ -1,4 +1,4 @@
-// The candidates' table: any number of rows, of which only those in view are in the document.
+// The table of candidates. It may have any number of rows; only those in view are in the document.
 import { clamp, count, h, with_modifier } from "./format.js";
 import { metrics } from "./metrics.js";
 import { on_print } from "./paper.js";

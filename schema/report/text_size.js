@@ -1,4 +1,4 @@
-// How wide texts are, before they are in the document.
+// Measures the width of texts before they are in the document.
 
 const pen = document.createElement("canvas").getContext("2d");
 let family = null;

@@ -1,4 +1,5 @@
-// Light and dark: what the system prefers, unless the reader chose; remembered where storage works.
+// Light and dark: as the system prefers, unless the reader chose; the choice is remembered where
+// storage works.
 import { on_print } from "./paper.js";
 
 const kKey = "misalign-theme";

@@ -1,4 +1,5 @@
-// Whose folding is looked at: a campaign's draws, or the one sheet of a pattern file.
+// What differs between a campaign's page and that of a single pattern file: names, headings, the
+// overview.
 import { by_id, degrees, plural } from "./format.js";
 
 /** Whether the page is about a pattern file: no campaign, nothing to choose. */

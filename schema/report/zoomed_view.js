@@ -1,4 +1,4 @@
-// A drawing that is zoomed and moved: by wheel or two fingers, dragging, keys and buttons.
+// A drawing that can be zoomed and moved: by wheel or two fingers, dragging, keys and buttons.
 import { clamp, h } from "./format.js";
 
 const kMost = 24, // largest zoom; 1 shows all

@@ -1,4 +1,4 @@
-// By how much a candidate's columns may differ from machine to machine, or from solver to solver.
+// How much a candidate's columns may differ between machines, or between solvers.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Panels that pass through each other: the paper assumes that they do not.
+// Finds panels that pass through each other; the paper assumes that none do.
 #pragma once
 
 #include <Eigen/Core>

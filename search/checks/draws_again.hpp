@@ -1,4 +1,4 @@
-// Stored verdicts against the same draws judged again.
+// Judges draws again and compares with the stored verdicts.
 #pragma once
 
 #include "search/checks/candidate_check.hpp"

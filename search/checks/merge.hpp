@@ -1,4 +1,4 @@
-// `misalign merge`: catalogues of one campaign into one.
+// `misalign merge`: joins catalogues of one campaign.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// `misalign verify`: a catalogue against its own ledger, and what it holds computed again.
+// `misalign verify`: checks a catalogue against its own ledger, and computes what it holds again.
 #pragma once
 
 #include <optional>

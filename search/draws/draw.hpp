@@ -1,4 +1,4 @@
-// Draw d of a campaign: a pure function of (seed, d), whoever makes it and whenever.
+// Draw d of a campaign: a pure function of (seed, d).
 #pragma once
 
 #include <array>

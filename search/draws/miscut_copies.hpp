@@ -1,4 +1,4 @@
-// Verdicts on miscut copies of a sheet, counted.
+// Counts the verdicts on miscut copies of a sheet.
 #pragma once
 
 #include <cstdint>

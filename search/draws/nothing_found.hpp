@@ -1,5 +1,5 @@
-// What a campaign that accepted nothing has learned all the same: from which angle draws survive,
-// how rare an accepted one is at most, and what to try next.
+// What can be said of a campaign that accepted nothing: from which angle draws survive, how rare an
+// accepted one is at most, and what to try next.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// `misalign tolerance`: how a sheet fares when every vertex is cut a little beside its place.
+// `misalign tolerance`: judges copies of a sheet with every vertex cut a little off its place.
 #pragma once
 
 #include <functional>

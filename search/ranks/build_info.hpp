@@ -1,4 +1,4 @@
-// What this program was built from: provenance of every run.
+// What this program was built from, recorded with every run.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Rank 0: hands out ranges, is the only writer, and computes too where ranks are few.
+// Rank 0: hands out ranges of draws, alone writes the catalogue, and computes too if ranks are few.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Who works off which draws: a pure state machine, without clock, file or message.
+// Which rank computes which draws: a pure state machine, without clock, file or message.
 #pragma once
 
 #include "search/ranks/ledger.hpp"

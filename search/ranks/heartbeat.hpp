@@ -1,5 +1,5 @@
-// Whether the other ranks are still there: a thread of its own, so that neither a long path nor a
-// slow disk is taken for a lost host.
+// Detects lost ranks, in a thread of its own: neither a long path nor a slow disk may look like a
+// lost host.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// Which draws are done, given out and still open: a pure state machine, without clock, file or
-// rank.
+// Which draws are done, which are given out and which are open: a pure state machine, without
+// clock, file or rank.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What ranks send each other, as bytes. All ranks run the same program on the same kind of machine.
+// The messages between ranks, as bytes. All ranks run the same program on the same kind of machine.
 #pragma once
 
 #include <limits>

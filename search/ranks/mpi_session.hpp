@@ -1,4 +1,4 @@
-// All of MPI that the program uses.
+// The MPI calls that the program uses.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What this process must be before it opens anything.
+// Prepares the process before it opens any file: standard descriptors, and limits of file size.
 #pragma once
 
 namespace misalign::search {

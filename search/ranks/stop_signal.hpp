@@ -1,4 +1,5 @@
-// What signals ask of this rank. The handlers only set flags, but for two last resorts.
+// Signals that ask this rank to stop, or for a status line. Handlers only set flags, except for two
+// last resorts.
 #pragma once
 
 namespace misalign::search {

@@ -1,4 +1,4 @@
-// Ranks above 0: work off ranges until an empty one comes.
+// Ranks above 0: compute ranges of draws until an empty one comes.
 #pragma once
 
 #include "search/draws/trial.hpp"

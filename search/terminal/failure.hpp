@@ -1,5 +1,4 @@
-// What is said when something goes wrong, whoever threw it: a sentence, in no library's words
-// alone.
+// Turns any exception into a sentence for people, and never only into a library's words.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// How --help looks: GNU's way, so that help2man makes manual pages of it.
+// Formats --help as GNU programs do, so that help2man can make manual pages of it.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// Texts as a shell takes them for one word each.
+// Quotes texts so that a shell takes each as one word.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What somebody may have meant.
+// Suggests which known word a misspelt one may have meant.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What is known of the terminal, and what may be shown there.
+// The terminal: its width and colors, the pager, and everything that goes to standard output.
 #pragma once
 
 #include <cstdint>
