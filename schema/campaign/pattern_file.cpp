@@ -9,6 +9,7 @@
 #include "schema/campaign/fold_format.hpp"
 #include "schema/campaign/folding_fault.hpp"
 #include "schema/campaign/mesh_family.hpp"
+#include "solver/linear/mobility.hpp"
 #include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {

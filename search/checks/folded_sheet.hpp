@@ -4,7 +4,6 @@
 #include "schema/exchange/folding_json.hpp"
 #include "solver/design/actuation.hpp"
 #include "solver/design/fold_lines.hpp"
-#include "solver/linear/elimination.hpp"
 
 namespace misalign::search {
 

@@ -11,6 +11,7 @@
 #include "search/draws/trial.hpp"
 #include "search/terminal/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
+#include "solver/linear/mobility.hpp"
 #include "solver/pattern/perforation.hpp"
 
 namespace misalign::search {

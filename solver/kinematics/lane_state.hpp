@@ -1,8 +1,8 @@
 // Sheets and states of lanes: one lane's share in and out, and choices lane by lane.
 #pragma once
 
+#include "solver/kinematics/fold_state.hpp"
 #include "solver/kinematics/lane_math.hpp"
-#include "solver/kinematics/mechanism.hpp"
 
 namespace misalign::solver {
 

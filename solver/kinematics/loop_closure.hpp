@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "solver/kinematics/mechanism.hpp"
+#include "solver/kinematics/fold_state.hpp"
 
 namespace misalign::solver {
 

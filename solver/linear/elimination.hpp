@@ -1,5 +1,5 @@
-// The order in which the Jacobian of one topology is eliminated, found once: the pattern of its
-// nonzeros is the same for every draw, so no search and no memory are needed afterwards.
+// The symbolic half of a fixed-order elimination: what is multiplied by what, and where it goes.
+// The pattern of the nonzeros is the same for every draw, so it is found once.
 #pragma once
 
 #include <cstdint>
@@ -45,12 +45,9 @@ struct Elimination {
   std::size_t operations() const { return targets.size(); }
 };
 
-/// Markowitz' order (least fill first) within the parts of a nested dissection, among pivots that
-/// are large in their column on the base folding at ten angles from 1 to 178 degrees and keep their
-/// sign between them; how large is the least that solves well enough at ten other angles, on the
-/// base folding and off it. The partner is a crease far from the pilot that moves fast near the
-/// folded end. The same on every machine.
-Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& folding,
-                             const FlatVertices& base_vertices_mm);
+/// Every step of the elimination of a matrix with these nonzeros whose rows and columns go in this
+/// order: n rows, n + 1 columns, partner and pilot last.
+Elimination eliminate_in_order(const std::vector<JacobianEntry>& entries,
+                               const std::vector<int>& row_of, const std::vector<int>& column_of);
 
 }  // namespace misalign::solver

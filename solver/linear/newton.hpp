@@ -1,5 +1,5 @@
-// Newton-Raphson on loop closure with the pilot held: the corrector of the reference solver. Dense,
-// with partial pivoting, as the paper's MATLAB program would do it.
+// Loop closure by dense matrices with partial pivoting, and Newton-Raphson with the pilot held, as the
+// paper's MATLAB program would do it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,8 @@ namespace misalign::solver {
 
 struct NewtonOptions {
   /// Every loop's rotation (nine entries) and translation (panel widths) within this of closed. At
-  /// 1e-8 lengths are off by 8e-7 mm, at 1e-6 verdicts break; rounding leaves 1e-15 to 1e-14.
+  /// 1e-8 lengths are off by 8e-7 mm, at 1e-6 verdicts break; rounding leaves 1e-15 to 6e-14
+  /// (20 x 20).
   double closure_tolerance = 1e-12;
   /// Three are usual from 1 degree away; what needs more than this has lost its branch.
   int max_iterations = 15;

@@ -1,11 +1,10 @@
-// Which facets are holes, and how many degrees of freedom that leaves.
+// Which facets are holes, and how many degrees of freedom that leaves by counting.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "solver/pattern/base_folding.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::solver {
@@ -34,18 +33,5 @@ int holes_that_count_to_one(const CreasePattern& sheet);
 /// order. None if there are more than `most`, or the search for them is longer than a few seconds.
 std::optional<std::vector<std::vector<int>>> separate_facets(const CreasePattern& sheet, int count,
                                                              std::size_t most);
-
-/// What the Jacobian says where the base sheet is folded to generic angles.
-struct Mobility {
-  int unknowns, equations, rank;
-  int degrees_of_freedom() const { return unknowns - rank; }
-  /// One, and no constraint too many: shifted sheets fold too.
-  bool is_one() const { return rank == equations && degrees_of_freedom() == 1; }
-};
-
-/// Mobility by rank: the largest over pilot angles 40, 75 and 110 degrees (of 180; in proportion
-/// where the base ends earlier). `holes` must have no hole_faults.
-Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,
-                           const BaseFolding& folding);
 
 }  // namespace misalign::solver

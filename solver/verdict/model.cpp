@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/linear/pivot_order.hpp"
 #include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::solver {

@@ -20,14 +20,18 @@ constexpr double kLimitMargin_deg = 4 * kApproachTurn_deg;
 // Fold angles of a converged state are better than this by far (rad).
 constexpr double kAngleMargin_rad = 1e-8;
 
-// Of the second correction to the first: beyond it, nothing is believed.
+// Of the second correction to the first: beyond it, nothing is believed (2 of 1,000 sheets at 150
+// degrees).
 constexpr double kLargestRatio = 0.25;
 
-// Room for the constant K, and for how much of a rounding shows in a diagonal, to be this much
-// larger than they were seen to be: there by the corrections, here on the base folding.
+// Room for the constant K, and for how much of a rounding shows in a diagonal (0.2 of it at most
+// was seen), to be this much larger than they were found: there by the corrections, here on the
+// base folding.
 constexpr double kSafety = 10;
 
-// The same for a slope that is left of its correction.
+// The same for what is left of a slope's error, in corrections: the estimate that corrects it has
+// the base folding's weights. Beside the floors 1.9 were seen in double precision, 4.0 in single,
+// in 150,000 cases.
 constexpr double kSlopeSafety = 5;
 
 }  // namespace

@@ -46,8 +46,7 @@ std::optional<double> chord_error(double first_correction_rad, double second_cor
 /// What rounding may leave in a diagonal (panel widths) at a test's angle, for numbers that differ
 /// by `epsilon` next to 1: a loop closes to a few roundings of the sheet's extent.
 double rounding_error(double epsilon, double extent, const TestAngle& test);
-/// Error of slopes that were corrected by at most this much: the estimate that corrects them is
-/// made with the base folding's weights (2.9 times too small at most in 150,000 cases).
+/// Error of slopes that were corrected by at most this much: kSlopeSafety times that, and a floor.
 double slope_error(double correction);
 
 /// The memory of a block of sheets while they are tested.

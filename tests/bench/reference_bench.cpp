@@ -5,6 +5,7 @@
 #include "search/draws/draw.hpp"
 #include "search/draws/trial.hpp"
 #include "solver/continuation/path_follower.hpp"
+#include "solver/linear/pivot_order.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign {

@@ -2,7 +2,6 @@
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/actuation_json.hpp"
 #include "schema_agreement.hpp"
-#include "solver/linear/elimination.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -11,7 +11,6 @@
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "solver/design/fold_lines.hpp"
-#include "solver/linear/elimination.hpp"
 #include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "schema/exchange/actuation_json.hpp"
-#include "solver/linear/elimination.hpp"
 
 namespace misalign::schema {
 namespace {

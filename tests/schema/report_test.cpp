@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "schema/files/base64.hpp"
-#include "solver/linear/elimination.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

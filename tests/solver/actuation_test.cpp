@@ -8,7 +8,6 @@
 #include <random>
 
 #include "sheets.hpp"
-#include "solver/linear/elimination.hpp"
 #include "solver/verdict/metrics.hpp"
 #include "vertex_coordinates.hpp"
 

@@ -7,6 +7,7 @@
 #include "sheets.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/newton.hpp"
+#include "solver/linear/pivot_order.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "solver/continuation/homotopy.hpp"
 #include "solver/continuation/path_follower.hpp"
+#include "solver/linear/pivot_order.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

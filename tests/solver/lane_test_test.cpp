@@ -65,6 +65,7 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
     LaneTest<Real> lanes(family_);
     const int diagonals = sheets_.mechanism.diagonal_count();
     int seen = 0, looks = 0;
+    double most_left = 0;  // of a slope's error, over the correction that bounds it
     std::vector<double> length_errors, slope_errors;
     for (int sheet = 0; sheet < kSheets; ++sheet) {
       const Eigen::MatrixXd path = lengths_along_path(sheet);
@@ -86,8 +87,14 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
         }
         if (notes.slopes.empty()) continue;
         slope_errors.push_back(notes.slope_error);
+        const double floors =
+            slope_error(0) + rounding_error(std::numeric_limits<Real>::epsilon(), family_.extent(),
+                                            family_.tests()[test]);
         for (int d = 0; d < diagonals; ++d) {
           const double slope = (path(row + 1, d) - path(row - 1, d)) / (0.2 * kRadPerDeg);
+          const double left = std::abs(notes.slopes[d] - slope) - kDifferenceError - floors;
+          most_left = std::max(
+              most_left, left * (slope_error(1) - slope_error(0)) / (notes.slope_error - floors));
           EXPECT_NEAR(notes.slopes[d], slope, notes.slope_error + kDifferenceError)
               << "sheet " << sheet << ", test " << test << ", diagonal " << d;
         }
@@ -100,6 +107,7 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
     const auto middle = slope_errors.begin() + static_cast<std::ptrdiff_t>(slope_errors.size() / 2);
     std::nth_element(slope_errors.begin(), middle, slope_errors.end());
     EXPECT_LE(*middle, 2e-3);
+    RecordProperty("most_left_of_a_correction", scientific(most_left));
   }
 
   static constexpr int kSheets = 60 / kFewer;

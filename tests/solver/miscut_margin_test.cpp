@@ -6,6 +6,7 @@
 
 #include "blocks.hpp"
 #include "solver/kinematics/lane_state.hpp"
+#include "solver/linear/pivot_order.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

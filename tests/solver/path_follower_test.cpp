@@ -4,6 +4,7 @@
 #include "solver/continuation/path_follower.hpp"
 
 #include "blocks.hpp"
+#include "solver/linear/pivot_order.hpp"
 #include "solver/reference/path_tracker.hpp"
 
 namespace misalign::solver {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sheets.hpp"
+#include "solver/linear/mobility.hpp"
 
 namespace misalign::solver {
 namespace {

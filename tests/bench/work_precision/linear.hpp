@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/kinematics/loop_closure.hpp"
+#include "solver/linear/pivot_order.hpp"
 #include "solver/linear/sparse_lu.hpp"
 
 namespace misalign::bench {

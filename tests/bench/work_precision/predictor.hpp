@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/kinematics/mechanism.hpp"
+#include "solver/kinematics/fold_state.hpp"
 
 namespace misalign::bench {
 

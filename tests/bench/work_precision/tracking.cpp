@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "solver/linear/pivot_order.hpp"
+
 namespace misalign::bench {
 namespace {
 

@@ -1,0 +1,56 @@
+#include "solver/kinematics/fold_state.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Rotation on crossing an edge: -rho about the direction that has the facet one comes from on its
+// left.
+Quaternion<double> crossing_rotation(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+                                     const Crossing& crossing, const HalfAngle<double>& rho) {
+  const Edge& edge = mechanism.edges[crossing.edge];
+  const Eigen::Vector2d axis =
+      (vertices_mm.col(edge.b) - vertices_mm.col(edge.a)).normalized() * crossing.sense;
+  return {rho.c, -rho.s * axis.x(), -rho.s * axis.y(), 0.0};
+}
+
+}  // namespace
+
+FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
+                             const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot) {
+  const std::vector<HalfAngle<double>> angles = folding.fold_angles(pilot);
+  FoldState<double> state;
+  for (const Crease& crease : mechanism.creases) state.creases.push_back(angles[crease.edge]);
+  for (const BallJoint& ball : mechanism.balls) {
+    Quaternion<double> q{1, 0, 0, 0};
+    for (const Crossing& crossing : ball.through) {
+      q = q * crossing_rotation(mechanism, base_vertices_mm, crossing, angles[crossing.edge]);
+    }
+    state.balls.push_back(q.normalized());
+  }
+  return state;
+}
+
+void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+           SheetGeometry<double>& geometry) {
+  const std::size_t vertices = static_cast<std::size_t>(vertices_mm.cols());
+  geometry.x.resize(vertices);
+  geometry.y.resize(vertices);
+  geometry.axis_x.resize(mechanism.edges.size());
+  geometry.axis_y.resize(mechanism.edges.size());
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const Eigen::Vector2d from_first =
+        vertices_mm.col(static_cast<Eigen::Index>(v)) - vertices_mm.col(0);
+    geometry.x[v] = from_first.x() / mechanism.panel_width_mm;
+    geometry.y[v] = from_first.y() / mechanism.panel_width_mm;
+  }
+  for (std::size_t e = 0; e < mechanism.edges.size(); ++e) {
+    const Edge& edge = mechanism.edges[e];
+    const double dx = geometry.x[edge.b] - geometry.x[edge.a];
+    const double dy = geometry.y[edge.b] - geometry.y[edge.a];
+    const double length = std::sqrt(dx * dx + dy * dy);
+    geometry.axis_x[e] = dx / length;
+    geometry.axis_y[e] = dy / length;
+  }
+}
+
+}  // namespace misalign::solver
