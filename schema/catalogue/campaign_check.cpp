@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "schema/catalogue/since.hpp"
-#include "schema/exchange/folding_json.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -9,7 +9,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/unit_copier.hpp"
-#include "schema/exchange/folding_json.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/file_name.hpp"
 #include "schema/files/output_file.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/fault_sample.hpp"
 #include "schema/catalogue/since.hpp"
@@ -75,17 +76,6 @@ struct LastRun {
   }
 };
 
-std::vector<DrawRange> gaps_of(const DrawRange& wanted, const std::vector<DrawRange>& merged) {
-  std::vector<DrawRange> gaps;
-  std::uint64_t next = wanted.lo;
-  for (const DrawRange& range : merged) {
-    if (range.lo > next) gaps.push_back({next, range.lo});
-    next = std::max(next, range.hi);
-  }
-  if (next < wanted.hi) gaps.push_back({next, wanted.hi});
-  return gaps;
-}
-
 // The totals below the goal's end, by the units' own sums and in one pass, for there may be
 // millions: only the rows of the unit in which the end lies are looked at.
 void add_units(SQLite::Database& database, CatalogueState& state) {
@@ -121,12 +111,12 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
   SQLite::Statement undecided = rows_of("count(*)", "undecided");
   if (undecided.executeStep()) state.undecided += draw_of(undecided.getColumn(0));
 
-  const std::vector<DrawRange> merged = merged_up_to(ranges, state.goal_end);
+  const std::vector<DrawRange> merged = united(ranges, state.goal_end);
   for (const DrawRange& range : merged) state.draws += range.size();
   if (state.accepted + state.undecided > state.draws) {
     throw damaged(database, "a unit has draws that are accepted and undecided");
   }
-  state.gaps = gaps_of({state.goal.range.lo, state.goal_end}, merged);
+  state.gaps = without({{state.goal.range.lo, state.goal_end}}, merged);
   state.rejected = state.draws - state.accepted - state.undecided;
   state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
 }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "schema/catalogue/campaign_check.hpp"
+#include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/catalogue/unit_writer.hpp"
@@ -256,7 +257,7 @@ class LedgerCheck {
     std::vector<DrawRange> ranges;
     for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
     const std::string digest =
-        catalogue_digest(identity(campaign_), merged_up_to(ranges, state_->goal_end),
+        catalogue_digest(identity(campaign_), united(ranges, state_->goal_end),
                          counted_.accepted, state_->undecided, counted_.sum);
     if (digest != state_->digest) add("catalogue", "digest", state_->digest, digest);
   }

@@ -5,7 +5,7 @@
 
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "schema/exchange/folding_json.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 
 namespace misalign::schema {
 namespace {
