@@ -27,19 +27,17 @@ Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism
 
 std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
   if (verdict.where < 0) return "";
-  switch (verdict.first_fault) {
-    case solver::Fault::not_monotone:
-    case solver::Fault::bump:
-    case solver::Fault::inactive_diagonal:
-      return solver::line_label(mechanism.diagonals[verdict.where].from,
-                                mechanism.diagonals[verdict.where].to);
-    case solver::Fault::over_folded:
-    case solver::Fault::assignment_flipped:
+  switch (solver::entry_of(verdict.first_fault).shown_by) {
+    case solver::ShownBy::nothing:
+      return "";
+    case solver::ShownBy::crease:
       return solver::line_label(mechanism.creases[verdict.where].a,
                                 mechanism.creases[verdict.where].b);
-    default:
-      return "";
+    case solver::ShownBy::diagonal:
+      return solver::line_label(mechanism.diagonals[verdict.where].from,
+                                mechanism.diagonals[verdict.where].to);
   }
+  return "";
 }
 
 const char* undecided_cause(const solver::Verdict& verdict) {
