@@ -8,6 +8,7 @@
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/fault_sample.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/since.hpp"
 #include "solver/verdict/metrics.hpp"
 
@@ -133,12 +134,10 @@ CatalogueState state_of(SQLite::Database& database) {
   std::optional<SQLite::Transaction> snapshot;  // one moment for all that follows
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
-  // An older schema has no such column, and no goal of that kind.
-  const bool knows_errors = version_of(database) >= kRelativeErrorSince;
   SQLite::Statement campaign(
       database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
                             "goal_accepted, goal_end, ") +
-                    (knows_errors ? "goal_relative_error" : "NULL") +
+                    column_sql("campaign", "goal_relative_error", version_of(database)) +
                     ", json_extract(configuration, '$.seed'), json_extract(configuration, "
                     "'$.accept.deploys_from_deg') FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
@@ -211,15 +210,10 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
   });
 }
 
-std::string metrics_version_sql(int schema_version) {
-  if (schema_version < kRunSchemaSince) return "1";
-  return schema_version < kMetricsVersionSince ? "min(schema_version, 2)" : "metrics_version";
-}
-
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
-    const int schema_version = version_of(database);
-    SQLite::Statement row(database, "SELECT " + metrics_version_sql(schema_version) +
+    SQLite::Statement row(database, "SELECT " +
+                                        column_sql("run", "metrics_version", version_of(database)) +
                                         " FROM candidate JOIN unit ON unit.lo = candidate.unit "
                                         "JOIN run ON run.id = unit.run WHERE draw = ?");
     row.bind(1, stored(draw));
@@ -268,16 +262,7 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
     SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
     row.bind(1, stored(draw));
-    Json json;
-    if (!row.executeStep()) return json;
-    for (int k = 0; k < row.getColumnCount(); ++k) {
-      const SQLite::Column value = row.getColumn(k);
-      Json& into = json[utf8(row.getColumnName(k))];
-      if (value.isInteger()) into = value.getInt64();
-      if (value.isFloat()) into = value.getDouble();
-      if (value.isText()) into = text_of(value);
-    }
-    return json;
+    return row.executeStep() ? row_json(row) : Json();
   });
 }
 

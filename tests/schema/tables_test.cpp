@@ -1,13 +1,19 @@
 // The tables of faults and metrics against the files that know their names.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "schema/catalogue/since.hpp"
+#include "schema/files/carried_files.hpp"
 #include "schema/files/input.hpp"
+#include "schema/report/report.hpp"
 #include "solver/verdict/fault.hpp"
+#include "solver/verdict/metric_table.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -67,6 +73,107 @@ TEST(FaultTable, IsWhatAnExportMaySay) {
   EXPECT_EQ(allowed(schema), names);
   const Json::json_pointer of_draws("/dependencies/draw");
   EXPECT_EQ(allowed(schema.at(of_draws)), of_candidates);
+}
+
+TEST(MetricTable, HasEveryNameAndLabelOnce) {
+  std::set<std::string> names, labels;
+  for (const solver::MetricEntry& metric : solver::metric_table()) {
+    EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
+    EXPECT_TRUE(!metric.label || labels.insert(metric.label).second) << metric.name;
+    EXPECT_EQ(solver::find_metric(metric.name), &metric);
+    EXPECT_TRUE(metric.age.first <= metric.age.present &&
+                metric.age.present <= solver::kMetricsVersion)
+        << metric.name;
+  }
+  EXPECT_EQ(solver::find_metric("draw"), nullptr);
+  EXPECT_EQ(solver::metric_age("draw").present, 1);
+}
+
+struct Column {
+  std::string type;
+  bool may_be_null;
+  friend bool operator==(const Column&, const Column&) = default;
+};
+std::map<std::string, Column> candidate_columns(const std::string& sql) {
+  SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database.exec(sql);
+  std::map<std::string, Column> columns;
+  SQLite::Statement row(database,
+                        "SELECT name, type, \"notnull\" FROM pragma_table_info('candidate')");
+  while (row.executeStep()) {
+    columns[row.getColumn(0).getString()] = {row.getColumn(1).getString(),
+                                             row.getColumn(2).getInt() == 0};
+  }
+  for (const char* other : {"draw", "unit", "displacements_mm", "elongation"}) {
+    EXPECT_EQ(columns.erase(other), 1u) << other;
+  }
+  return columns;
+}
+
+TEST(MetricTable, IsTheColumnsOfEverySchema) {
+  std::string made = carried_text("schema/versions/1.sql");
+  for (int version = 1; version <= kSchemaVersion; ++version) {
+    std::map<std::string, Column> expected;
+    for (const solver::MetricEntry& metric : solver::metric_table()) {
+      const bool is_there = metric.schema_since <= version;
+      EXPECT_EQ(column_sql("candidate", metric.name, version),
+                is_there ? '"' + std::string(metric.name) + '"' : "NULL");
+      if (!is_there) continue;
+      const bool came_later = metric.schema_since > 1;  // null in rows from before
+      expected[metric.name] = {metric.is_whole() ? "INTEGER" : "REAL",
+                               metric.may_be_none() || came_later};
+    }
+    if (version > 1) made += carried_text("schema/migrations/" + std::to_string(version) + ".sql");
+    EXPECT_EQ(candidate_columns(made), expected) << version;
+    if (version < kSchemaVersion) continue;
+    EXPECT_EQ(candidate_columns(carried_text("schema/catalogue.sql")), expected);
+  }
+}
+
+// What candidate.schema.json says of one.
+Json property_of(const solver::MetricEntry& metric) {
+  const std::string unit = metric.unit;
+  const std::string shown = unit == "count"   ? "A count."
+                            : unit == "share" ? "No unit: 0.02 is 2 %."
+                            : unit.empty()    ? "No unit."
+                                              : "Unit: " + unit + ".";
+  Json type = metric.is_whole() ? "integer" : "number";
+  if (metric.may_be_none()) type = {type, "null"};
+  Json json = {{"description", metric.meaning + (" " + shown)}, {"type", type}};
+  const solver::Range& range = metric.range;
+  const auto number = [](double value) { return Json(static_cast<int>(value)); };
+  if (std::isfinite(range.least)) {
+    json[range.above_least ? "exclusiveMinimum" : "minimum"] = number(range.least);
+  }
+  if (std::isfinite(range.most)) json["maximum"] = number(range.most);
+  return json;
+}
+
+// Text and not values: so that what the test says can be put into the file as it is.
+TEST(MetricTable, IsWhatAnExportSays) {
+  std::string names, properties;
+  for (const solver::MetricEntry& metric : solver::metric_table()) {
+    const std::string name = Json(metric.name).dump();
+    names += (names.empty() ? "" : ", ") + name;
+    properties +=
+        (properties.empty() ? "" : ",\n") + ("        " + name) + ": " + property_of(metric).dump();
+  }
+  const std::string section =
+      "\"required\": [" + names + "],\n      \"properties\": {\n" + properties + "\n      }";
+  EXPECT_NE(source_text("schema/candidate.schema.json").find(section), std::string::npos)
+      << "under properties.metrics of candidate.schema.json there must be:\n"
+      << section;
+}
+
+TEST(MetricTable, IsWhatThePageKnowsToWrite) {
+  const std::string page = source_text("schema/report/metrics.js");
+  const Json words = words_json();
+  for (const Json& metric : words.at("metrics")) {
+    const std::string written = metric.at("written");
+    EXPECT_TRUE(std::regex_search(page, std::regex("\n  " + written + "(:|,)"))) << metric;
+  }
+  EXPECT_EQ(words.at("metrics").size() + 1, solver::metric_table().size()) << "all but D's sample";
+  EXPECT_EQ(words.at("faults").size(), solver::fault_table().size());
 }
 
 }  // namespace
