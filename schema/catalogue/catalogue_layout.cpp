@@ -41,16 +41,11 @@ Layout layout_of(SQLite::Database& database) {
   return layout;
 }
 
-// The versions whose catalogues are laid out unlike older ones that were brought up to date: a
-// column that was added to a table has a default, which one that was there from the start has not.
-// SQLite tells the rest apart by comments only.
-constexpr int kMadeIn[] = {kSchemaVersion, 2, 1};
-
-const std::string& carried_layout(int version) {
-  return carried_text(version == kSchemaVersion
-                          ? "schema/catalogue.sql"
-                          : "schema/versions/" + std::to_string(version) + ".sql");
-}
+// A catalogue of any version is laid out as one made in version 1 or in version 2 and brought up to
+// it: a column that was added to a table may have a default which one that was there from the start
+// has not, and from version 2 on there is none such. (Where a migration cannot make what
+// catalogue.sql makes, that is to be kept in versions/ and named here.) Comments do not count.
+constexpr int kMadeIn[] = {2, 1};
 
 // Of a catalogue that was made in version `first`; made once.
 const Layout& layout_made_in(int first, int version) {
@@ -60,7 +55,7 @@ const Layout& layout_made_in(int first, int version) {
   const auto known = layouts.find({first, version});
   if (known != layouts.end()) return known->second;
   const auto database = connect_to_memory();
-  database->exec(carried_layout(first));
+  database->exec(carried_text("schema/versions/" + std::to_string(first) + ".sql"));
   for (int next = first + 1; next <= version; ++next)
     database->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
   return layouts[{first, version}] = layout_of(*database);
