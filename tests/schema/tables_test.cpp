@@ -81,6 +81,8 @@ TEST(MetricTable, HasEveryNameAndLabelOnce) {
     EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
     EXPECT_TRUE(!metric.label || labels.insert(metric.label).second) << metric.name;
     EXPECT_EQ(solver::find_metric(metric.name), &metric);
+    const solver::Allowance& allowance = metric.allowance;
+    EXPECT_TRUE(metric.is_whole() || allowance.absolute + allowance.relative > 0) << metric.name;
     EXPECT_TRUE(metric.age.first <= metric.age.present &&
                 metric.age.present <= solver::kMetricsVersion)
         << metric.name;
