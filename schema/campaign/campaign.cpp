@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/catalogue/digest.hpp"
+#include "schema/files/hash.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -78,20 +78,9 @@ class SheetBuilder {
           "say how long a unit is in frame_unit or mm_per_unit");
       return;
     }
-    std::vector<int> order(points_.size());
-    for (int v = 0; v < vertex_count(); ++v) order[v] = v;
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      return std::pair(points_[a].x(), a) < std::pair(points_[b].x(), b);
-    });
-    for (std::size_t i = 0; i < order.size() && !faults_.enough(); ++i) {
-      for (std::size_t k = i + 1; k < order.size() && !faults_.enough(); ++k) {
-        const Point apart = points_[order[k]] - points_[order[i]];
-        if (apart.x() > kSamePoint * size) break;
-        if (std::abs(apart.y()) > kSamePoint * size) continue;
-        const auto [a, b] = std::minmax(order[i], order[k]);
-        add("vertices " + label(a) + " and " + label(b), "are the same point",
-            "join them into one vertex");
-      }
+    for (const auto& [a, b] : coinciding(points_, kSamePoint * size, MeshFaults::kMostOfAKind)) {
+      add("vertices " + label(a) + " and " + label(b), "are the same point",
+          "join them into one vertex");
     }
   }
 
@@ -132,12 +121,9 @@ class SheetBuilder {
     for (Quad& q : faces_) {
       const auto corner = [&](int k) { return points_[q[k % 4]]; };
       if (cross(corner(2) - corner(0), corner(3) - corner(1)) < 0) std::reverse(q.begin(), q.end());
-      for (int k = 0; k < 4; ++k) {
-        if (cross(corner(k + 1) - corner(k), corner(k + 2) - corner(k + 1)) > 0) continue;
-        add(face_label(q), "is no convex quadrilateral",
-            "give its corners in order, no three on a line");
-        break;
-      }
+      if (is_convex(points_, q)) continue;
+      add(face_label(q), "is no convex quadrilateral",
+          "give its corners in order, no three on a line");
     }
   }
 
@@ -167,40 +153,11 @@ class SheetBuilder {
 
   // Edges may meet at their common vertex only.
   void check_crossings() {
-    struct Box {
-      int a, b;
-      double left, right, low, high;
-    };
-    std::vector<Box> boxes;
-    for (const auto& [key, assignment] : edges_) {
-      const Point &p = points_[key.first], &q = points_[key.second];
-      boxes.push_back({key.first, key.second, std::min(p.x(), q.x()), std::max(p.x(), q.x()),
-                       std::min(p.y(), q.y()), std::max(p.y(), q.y())});
+    for (const auto& [one, other] : crossing(points_, edges_, MeshFaults::kMostOfAKind)) {
+      add("edges " + solver::line_label(one.first, one.second) + " and " +
+              solver::line_label(other.first, other.second),
+          "cross or touch", "edges may meet at vertices only");
     }
-    std::sort(boxes.begin(), boxes.end(),
-              [](const Box& i, const Box& k) { return i.left < k.left; });
-    for (std::size_t i = 0; i < boxes.size() && !faults_.enough(); ++i) {
-      for (std::size_t k = i + 1; k < boxes.size() && boxes[k].left <= boxes[i].right; ++k) {
-        if (boxes[k].low > boxes[i].high || boxes[i].low > boxes[k].high) continue;
-        if (!meet(boxes[i].a, boxes[i].b, boxes[k].a, boxes[k].b)) continue;
-        add("edges " + solver::line_label(boxes[i].a, boxes[i].b) + " and " +
-                solver::line_label(boxes[k].a, boxes[k].b),
-            "cross or touch", "edges may meet at vertices only");
-      }
-    }
-  }
-
-  // Whether two different edges have a point in common that is not a common end.
-  bool meet(int a, int b, int c, int d) const {
-    const auto side = [&](int from, int to, int of) {
-      return cross(points_[to] - points_[from], points_[of] - points_[from]);
-    };
-    if (b == c || b == d) std::swap(a, b);
-    if (a == d) std::swap(c, d);
-    if (a == c) {
-      return side(a, b, d) == 0 && (points_[b] - points_[a]).dot(points_[d] - points_[a]) > 0;
-    }
-    return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
   }
 
   // Walks round every region of the plane that the edges enclose, each on its left: a face of the
@@ -221,12 +178,7 @@ class SheetBuilder {
   }
 
   void fill(const std::vector<int>& loop) {
-    bool convex = loop.size() == 4;
-    for (std::size_t k = 0; k < loop.size() && convex; ++k) {
-      const auto corner = [&](std::size_t i) { return points_[loop[i % 4]]; };
-      convex = cross(corner(k + 1) - corner(k), corner(k + 2) - corner(k + 1)) > 0;
-    }
-    if (!convex) {
+    if (loop.size() != 4 || !is_convex(points_, loop)) {
       add("the gap " + shortened(loop), "is no single missing quadrilateral",
           "holes may meet at corners, never share an edge");
       return;

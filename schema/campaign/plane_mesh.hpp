@@ -17,18 +17,17 @@ inline constexpr std::size_t kMostFaces = 1600;  ///< as many as a 40 x 40 Miura
 /// Faults of a mesh, a few of each kind.
 class MeshFaults {
  public:
+  static constexpr int kMostOfAKind = 5;  ///< no more are told
+
   /// `where` names the mesh; may be empty.
   MeshFaults(std::string where, InputFaults& faults) : where_(std::move(where)), faults_(faults) {}
 
   /// What is added from now on is of another kind.
   void next_kind() { told_ = 0; }
-  /// Of this kind; no more than these are told.
   bool any() const { return told_ > 0; }
-  bool enough() const { return told_ >= kMostOfAKind; }
   void add(const std::string& problem, const std::string& why, const std::string& suggestion);
 
  private:
-  static constexpr int kMostOfAKind = 5;
   const std::string where_;
   InputFaults& faults_;
   int told_ = 0;

@@ -1,24 +1,14 @@
 // The regions of the plane that straight edges enclose, and which of them are faces of a sheet.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <functional>
-#include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "schema/campaign/plane_geometry.hpp"
+
 namespace misalign::schema {
-
-using PlanePoints = std::vector<Eigen::Vector2d>;
-/// Ends in order -> assignment.
-using PlaneEdges = std::map<std::pair<int, int>, std::string>;
-
-/// The z component of the cross product of two vectors in the plane.
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Vertices round a region, which lies on the left of the way from each to the next.
 struct PlaneRegion {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/since.hpp"
-#include "schema/exchange/folding_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -55,12 +55,11 @@ void check_campaign_row(SQLite::Database& database, const Campaign& campaign,
 
 void check_runs(SQLite::Database& database, std::vector<Finding>& findings) {
   const int version = version_of(database);
-  const std::string costs =
-      version >= kCommitCostSince ? "commits, commit_s, longest_commit_s" : "NULL, NULL, NULL";
+  const auto cost = [&](const char* column) { return ", " + column_sql("run", column, version); };
   SQLite::Statement row(database,
                         "SELECT run.id, ranks, count(unit.lo), max(worker), "
-                        "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged'), " +
-                            costs +
+                        "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged')" +
+                            cost("commits") + cost("commit_s") + cost("longest_commit_s") +
                             " FROM run LEFT JOIN unit ON unit.run = run.id GROUP BY run.id");
   while (row.executeStep()) {
     const std::string where = "run " + text_of(row.getColumn(0));

@@ -6,10 +6,10 @@
 #include <chrono>
 #include <filesystem>
 
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/unit_copier.hpp"
-#include "schema/exchange/folding_json.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/file_name.hpp"
 #include "schema/files/output_file.hpp"
@@ -26,11 +26,6 @@ void bind_or_null(SQLite::Statement& statement, const char* name,
                   const std::optional<double>& value) {
   value ? statement.bind(name, *value) : statement.bind(name);
 }
-
-// A log that readers keep from being emptied is emptied by waiting for them, from this size on;
-// usually it is written from its start again at 32 MB (see open_for_writing).
-constexpr std::uintmax_t kLargestLog_bytes = 44 << 20;
-constexpr int kWaitForReaders_ms = 300, kWaitForWriters_ms = 10000;
 
 }  // namespace
 
@@ -59,6 +54,7 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
     guarded(path_, [&] { open(missing); });
   } catch (...) {
     writer_.reset();
+    log_.reset();
     database_.reset();
     if (lock_.made_the_file()) {
       std::error_code ignored;
@@ -75,11 +71,12 @@ Catalogue::~Catalogue() = default;
 
 void Catalogue::open(Missing missing) {
   database_ = open_for_writing(path_, storage_);
+  log_.emplace(*database_, path_, storage_);
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
   if (is_new && missing == Missing::refused) throw damaged(*database_, "it is empty");
   if (!is_new) {
     check_same_campaign();
-    fold_log_in();
+    log_->fold_in();
     migrate();
   }
   database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
@@ -237,7 +234,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
       if (end.value() != goal_end_->value()) store_goal_end(end);
     });
     goal_end_ = std::move(end);
-    keep_log_small();
+    log_->keep_small();
   });
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   ++cost_.commits;
@@ -292,44 +289,16 @@ void Catalogue::transact(const Work& work) {
     once();
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() != SQLITE_FULL || storage_ == Storage::network) throw;
-    fold_log_in();
+    log_->fold_in();
     once();
   }
   lock_.check_file_is_there();
-}
-
-// Before new work: what a full disk kept in the log takes twice its room for as long as it is
-// there, and every start would add to it. Readers may keep it, which does no harm.
-void Catalogue::fold_log_in() {
-  if (storage_ == Storage::network) return;
-  database_->setBusyTimeout(kWaitForReaders_ms);
-  const int result = database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
-  database_->setBusyTimeout(kWaitForWriters_ms);
-  if (result != SQLITE_OK && result != SQLITE_BUSY && result != SQLITE_LOCKED) {
-    throw SQLite::Exception(database_->getHandle(), result);
-  }
 }
 
 void Catalogue::store_goal_end(const GoalEnd& end) {
   SQLite::Statement update(*database_, "UPDATE campaign SET goal_end = ?");
   update.bind(1, stored(end.value()));
   update.exec();
-}
-
-// The log is written from its start again once no reader needs it, but with readers all the time
-// that moment never comes by itself.
-void Catalogue::keep_log_small() {
-  std::error_code error;
-  const auto log_bytes = [&] {
-    const auto bytes = std::filesystem::file_size(path_ + "-wal", error);
-    return error ? 0 : bytes;
-  };
-  // A reader that stays at one moment keeps it: not every commit is to wait for that one again.
-  if (log_bytes() <= std::max(kLargestLog_bytes, kept_log_bytes_ + kLargestLog_bytes / 4)) return;
-  database_->setBusyTimeout(kWaitForReaders_ms);
-  database_->tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
-  database_->setBusyTimeout(kWaitForWriters_ms);
-  kept_log_bytes_ = log_bytes();
 }
 
 void Catalogue::end_run(const std::string& end) {
@@ -354,6 +323,7 @@ void Catalogue::close() {
   // A finished catalogue is one plain file, readable in a directory that nobody may write to. A
   // reader that is looking just now prevents that, which does no harm.
   writer_.reset();
+  log_.reset();
   database_->setBusyTimeout(0);
   database_->tryExec("PRAGMA journal_mode = DELETE");
   database_.reset();

@@ -9,6 +9,7 @@
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/unit_writer.hpp"
+#include "schema/catalogue/write_ahead_log.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "schema/catalogue/yield.hpp"
 
@@ -94,8 +95,6 @@ class Catalogue {
   void migrate();
   void create();
   void store_goal_end(const GoalEnd& end);
-  void keep_log_small();
-  void fold_log_in();
   template <class Work>
   void transact(const Work& work);
 
@@ -106,12 +105,12 @@ class Catalogue {
   const Storage storage_;
   WriterLock lock_;
   std::unique_ptr<SQLite::Database> database_;
+  std::optional<WriteAheadLog> log_;
   std::optional<UnitWriter> writer_;
   Goal goal_;
   std::optional<GoalEnd> goal_end_;
   std::int64_t run_ = 0;
   CommitCost cost_;
-  std::uintmax_t kept_log_bytes_ = 0;  // when it could last not be folded in
 };
 
 }  // namespace misalign::schema

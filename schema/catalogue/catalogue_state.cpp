@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/fault_sample.hpp"
+#include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/since.hpp"
 #include "solver/verdict/metrics.hpp"
 
@@ -75,17 +77,6 @@ struct LastRun {
   }
 };
 
-std::vector<DrawRange> gaps_of(const DrawRange& wanted, const std::vector<DrawRange>& merged) {
-  std::vector<DrawRange> gaps;
-  std::uint64_t next = wanted.lo;
-  for (const DrawRange& range : merged) {
-    if (range.lo > next) gaps.push_back({next, range.lo});
-    next = std::max(next, range.hi);
-  }
-  if (next < wanted.hi) gaps.push_back({next, wanted.hi});
-  return gaps;
-}
-
 // The totals below the goal's end, by the units' own sums and in one pass, for there may be
 // millions: only the rows of the unit in which the end lies are looked at.
 void add_units(SQLite::Database& database, CatalogueState& state) {
@@ -121,12 +112,12 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
   SQLite::Statement undecided = rows_of("count(*)", "undecided");
   if (undecided.executeStep()) state.undecided += draw_of(undecided.getColumn(0));
 
-  const std::vector<DrawRange> merged = merged_up_to(ranges, state.goal_end);
+  const std::vector<DrawRange> merged = united(ranges, state.goal_end);
   for (const DrawRange& range : merged) state.draws += range.size();
   if (state.accepted + state.undecided > state.draws) {
     throw damaged(database, "a unit has draws that are accepted and undecided");
   }
-  state.gaps = gaps_of({state.goal.range.lo, state.goal_end}, merged);
+  state.gaps = without({{state.goal.range.lo, state.goal_end}}, merged);
   state.rejected = state.draws - state.accepted - state.undecided;
   state.digest = catalogue_digest(state.identity, merged, state.accepted, state.undecided, sum);
 }
@@ -143,12 +134,10 @@ CatalogueState state_of(SQLite::Database& database) {
   std::optional<SQLite::Transaction> snapshot;  // one moment for all that follows
   if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);  // or the caller's
   CatalogueState state{};
-  // An older schema has no such column, and no goal of that kind.
-  const bool knows_errors = version_of(database) >= kRelativeErrorSince;
   SQLite::Statement campaign(
       database, std::string("SELECT identity, name, range_lo, range_hi, goal_draws, "
                             "goal_accepted, goal_end, ") +
-                    (knows_errors ? "goal_relative_error" : "NULL") +
+                    column_sql("campaign", "goal_relative_error", version_of(database)) +
                     ", json_extract(configuration, '$.seed'), json_extract(configuration, "
                     "'$.accept.deploys_from_deg') FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
@@ -221,15 +210,10 @@ std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::strin
   });
 }
 
-std::string metrics_version_sql(int schema_version) {
-  if (schema_version < kRunSchemaSince) return "1";
-  return schema_version < kMetricsVersionSince ? "min(schema_version, 2)" : "metrics_version";
-}
-
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
-    const int schema_version = version_of(database);
-    SQLite::Statement row(database, "SELECT " + metrics_version_sql(schema_version) +
+    SQLite::Statement row(database, "SELECT " +
+                                        column_sql("run", "metrics_version", version_of(database)) +
                                         " FROM candidate JOIN unit ON unit.lo = candidate.unit "
                                         "JOIN run ON run.id = unit.run WHERE draw = ?");
     row.bind(1, stored(draw));
@@ -278,16 +262,7 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
     SQLite::Statement row(database, "SELECT * FROM candidate WHERE draw = ?");
     row.bind(1, stored(draw));
-    Json json;
-    if (!row.executeStep()) return json;
-    for (int k = 0; k < row.getColumnCount(); ++k) {
-      const SQLite::Column value = row.getColumn(k);
-      Json& into = json[utf8(row.getColumnName(k))];
-      if (value.isInteger()) into = value.getInt64();
-      if (value.isFloat()) into = value.getDouble();
-      if (value.isText()) into = text_of(value);
-    }
-    return json;
+    return row.executeStep() ? row_json(row) : Json();
   });
 }
 

@@ -52,10 +52,6 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 /// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
 
-/// The same in SQL, of a row of `run` in a catalogue of this schema. Builds of schema 3 measured by
-/// version 2 or 3 and did not say which.
-std::string metrics_version_sql(int schema_version);
-
 /// Where a goal ends by what the rows say, see GoalEnd.
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
 

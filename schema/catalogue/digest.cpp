@@ -1,9 +1,5 @@
 #include "schema/catalogue/digest.hpp"
 
-#include <algorithm>
-
-#include "schema/files/hexadecimal.hpp"
-
 namespace misalign::schema {
 namespace {
 
@@ -15,14 +11,6 @@ void append_little_endian(std::string& bytes, Integer value) {
 }
 
 }  // namespace
-
-XXH128_hash_t hash_of(std::string_view bytes) { return XXH3_128bits(bytes.data(), bytes.size()); }
-
-std::string hex(const XXH128_hash_t& hash) {
-  XXH128_canonical_t bytes;
-  XXH128_canonicalFromHash(&bytes, hash);
-  return hex(bytes.digest);
-}
 
 void CandidateSum::add(std::uint64_t draw, int deploys_from_sample) {
   std::string bytes;
@@ -70,20 +58,6 @@ std::string catalogue_digest(const std::string& identity, const std::vector<Draw
   append_little_endian(bytes, undecided);
   for (const unsigned char byte : candidates.bytes()) bytes.push_back(static_cast<char>(byte));
   return hex(hash_of(bytes));
-}
-
-std::vector<DrawRange> merged_up_to(const std::vector<DrawRange>& ascending, std::uint64_t end) {
-  std::vector<DrawRange> merged;
-  for (const DrawRange& range : ascending) {
-    if (range.lo >= end) break;
-    const std::uint64_t hi = std::min(range.hi, end);
-    if (!merged.empty() && merged.back().hi == range.lo) {
-      merged.back().hi = hi;
-    } else {
-      merged.push_back({range.lo, hi});
-    }
-  }
-  return merged;
 }
 
 }  // namespace misalign::schema

@@ -1,22 +1,15 @@
-// 128-bit fingerprints: of a campaign (identity) and of what a catalogue holds (digest).
+// The fingerprint of what a catalogue holds.
 #pragma once
-
-#include <xxhash.h>
 
 #include <array>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/files/hash.hpp"
 
 namespace misalign::schema {
-
-/// XXH3-128, seed 0.
-XXH128_hash_t hash_of(std::string_view bytes);
-/// 32 hex digits, the most significant first.
-std::string hex(const XXH128_hash_t& hash);
 
 /// Sum modulo 2^128 of XXH3-128(draw as u64, D as u32, little-endian): the same for any order.
 class CandidateSum {
@@ -32,13 +25,9 @@ class CandidateSum {
   std::uint64_t low_ = 0, high_ = 0;
 };
 
-/// The digest of a catalogue: 32 hex digits. `merged` are disjoint, ascending, none touching the
-/// next.
+/// The digest of a catalogue: 32 hex digits. `merged` as from united.
 std::string catalogue_digest(const std::string& identity, const std::vector<DrawRange>& merged,
                              std::uint64_t accepted, std::uint64_t undecided,
                              const CandidateSum& candidates);
-
-/// Disjoint ranges in ascending order with touching ones joined, cut off at `end`.
-std::vector<DrawRange> merged_up_to(const std::vector<DrawRange>& ascending, std::uint64_t end);
 
 }  // namespace misalign::schema

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/campaign_check.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/since.hpp"
@@ -97,11 +98,10 @@ class LedgerCheck {
   }
 
   void read_units() {
-    SQLite::Statement row(
-        database_,
-        "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
-            std::string(version_of(database_) < kRunSchemaSince ? "1" : "schema_version") +
-            " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
+    SQLite::Statement row(database_,
+                          "SELECT lo, hi, accepted, undecided, rejected, digest_part, " +
+                              column_sql("run", "schema_version", version_of(database_)) +
+                              " FROM unit LEFT JOIN run ON run.id = unit.run ORDER BY lo");
     std::uint64_t end = 0;
     while (row.executeStep()) {
       const DrawRange range{draw_of(row.getColumn(0)), draw_of(row.getColumn(1))};
@@ -256,8 +256,8 @@ class LedgerCheck {
     std::vector<DrawRange> ranges;
     for (const auto& [lo, unit] : units_) ranges.push_back(unit.range);
     const std::string digest =
-        catalogue_digest(identity(campaign_), merged_up_to(ranges, state_->goal_end),
-                         counted_.accepted, state_->undecided, counted_.sum);
+        catalogue_digest(identity(campaign_), united(ranges, state_->goal_end), counted_.accepted,
+                         state_->undecided, counted_.sum);
     if (digest != state_->digest) add("catalogue", "digest", state_->digest, digest);
   }
 

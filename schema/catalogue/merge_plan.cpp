@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "schema/campaign/draw_ranges.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -38,19 +40,6 @@ std::vector<bool> most_draws(const std::vector<Unit>& units) {
   return chosen;
 }
 
-// Disjoint and ascending, whatever overlaps among `ranges`, which ascend.
-std::vector<DrawRange> union_of(const std::vector<DrawRange>& ranges) {
-  std::vector<DrawRange> merged;
-  for (const DrawRange& range : ranges) {
-    if (!merged.empty() && range.lo <= merged.back().hi) {
-      merged.back().hi = std::max(merged.back().hi, range.hi);
-    } else {
-      merged.push_back(range);
-    }
-  }
-  return merged;
-}
-
 }  // namespace
 
 MergePlan plan_merge(const std::vector<std::vector<DrawRange>>& ledgers) {
@@ -73,15 +62,7 @@ MergePlan plan_merge(const std::vector<std::vector<DrawRange>>& ledgers) {
   }
   std::sort(all.begin(), all.end(),
             [](const DrawRange& a, const DrawRange& b) { return a.lo < b.lo; });
-  auto next = kept.begin();
-  for (const DrawRange& part : union_of(all)) {
-    std::uint64_t at = part.lo;
-    for (; next != kept.end() && next->lo < part.hi; ++next) {
-      if (next->lo > at) plan.recomputed.push_back({at, next->lo});
-      at = next->hi;
-    }
-    if (at < part.hi) plan.recomputed.push_back({at, part.hi});
-  }
+  plan.recomputed = without(united(all), kept);
   return plan;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "schema/catalogue/database.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/storage.hpp"
 #include "schema/files/text_table.hpp"
@@ -208,6 +209,25 @@ std::string query_table(SQLite::Database& database, const std::string& sql, Tabl
     return true;
   });
   return text;
+}
+
+Json row_json(SQLite::Statement& row) {
+  Json json = Json::object();
+  for (int k = 0; k < row.getColumnCount(); ++k) {
+    Json cell = cell_json(row.getColumn(k));
+    json[utf8(row.getColumnName(k))] =
+        cell.is_string() ? Json(utf8(cell.get_ref<const std::string&>())) : std::move(cell);
+  }
+  return json;
+}
+
+Json query_rows(SQLite::Database& database, const std::string& sql) {
+  return reading(database, [&] {
+    SQLite::Statement row(database, sql);
+    Json rows = Json::array();
+    while (row.executeStep()) rows.push_back(row_json(row));
+    return rows;
+  });
 }
 
 std::string named_query(const std::string& name) {

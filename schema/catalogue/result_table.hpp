@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "schema/files/input.hpp"
+
 namespace misalign::schema {
 
 enum class TableStyle { aligned, json, csv };
@@ -25,6 +27,12 @@ std::uint64_t write_query(SQLite::Database& database, const std::string& sql, Ta
 
 /// The whole of a small table.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
+
+/// The rows of one of this program's own queries: a list of {column: value}. UserError (3).
+Json query_rows(SQLite::Database& database, const std::string& sql);
+/// The row that a statement stands at, every column under its name; a text that is no UTF-8 is made
+/// such.
+Json row_json(SQLite::Statement& row);
 
 /// The SQL of a named query; empty if there is no such name.
 std::string named_query(const std::string& name);

@@ -1,17 +1,20 @@
 // Since which version of the schema a catalogue has what.
 #pragma once
 
+#include <string>
+
 namespace misalign::schema {
 
-inline constexpr int kBetweenSamplesSince =
-    2;                                     ///< candidate: slope_between_min_mm_per_deg, bump_deg
-inline constexpr int kRunSchemaSince = 2;  ///< run.schema_version
-inline constexpr int kRelativeErrorSince = 3;   ///< campaign.goal_relative_error
-inline constexpr int kCommitCostSince = 3;      ///< run: commits, commit_s, longest_commit_s
-inline constexpr int kMiscutSince = 4;          ///< candidate.miscut_margin_mm, table yield
-inline constexpr int kMetricsVersionSince = 4;  ///< run.metrics_version
+inline constexpr int kYieldSince = 4;  ///< table yield
 /// fault_sample.stands_for: rows are the rarer the larger the draw's number. Rows of units whose
 /// run had an older schema are every 1024 draws, however large, and stay.
 inline constexpr int kRarerSampleSince = 4;
+
+/// A column in SQL, its name in quotes; of a catalogue of an older schema, which has no such
+/// column, what is to be read in its place.
+std::string column_sql(const std::string& table, const std::string& column, int schema_version);
+
+/// ", NULL AS name, ..." for the columns of `candidate` that came after this version; may be empty.
+std::string later_candidate_columns_sql(int schema_version);
 
 }  // namespace misalign::schema

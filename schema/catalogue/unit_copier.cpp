@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "schema/catalogue/fault_sample.hpp"
+#include "schema/catalogue/since.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 
 namespace misalign::schema {
@@ -18,14 +18,6 @@ std::vector<std::string> columns_of(SQLite::Database& database, const std::strin
     while (rows.executeStep()) names.push_back(rows.getColumn("name").getString());
     return names;
   });
-}
-
-// What a catalogue of this schema, which has no such column, is to say there.
-std::string stand_in(const std::string& column, int schema_version) {
-  if (column == "schema_version") return "1";
-  if (column == "stands_for") return std::to_string(kFaultSampleEvery);
-  if (column == "metrics_version") return metrics_version_sql(schema_version);
-  return "NULL";
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -65,12 +57,10 @@ class UnitCopier::Table {
 
  private:
   std::string select_of(SQLite::Database& from, const std::string& name) const {
-    const std::vector<std::string> held = columns_of(from, name);
     const int version = version_of(from);
     std::vector<std::string> expressions;
     for (const std::string& column : columns_) {
-      const bool is_held = std::find(held.begin(), held.end(), column) != held.end();
-      expressions.push_back(is_held ? "\"" + column + "\"" : stand_in(column, version));
+      expressions.push_back(column_sql(name, column, version));
     }
     return "SELECT " + listed(expressions) + " FROM main." + name + " ";
   }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "schema/exchange/folding_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -26,6 +26,16 @@ CandidateSum sum_of(const std::vector<Candidate>& candidates) {
 void bind_sum(SQLite::Statement& statement, int column, const CandidateSum& sum) {
   const auto bytes = sum.bytes();
   statement.bind(column, bytes.data(), static_cast<int>(bytes.size()));
+}
+
+// Its values in the order in which write_candidate binds them.
+std::string insert_of_candidates() {
+  std::string columns = "draw, unit, displacements_mm, elongation", values = "?,?,?,?";
+  for (const solver::MetricEntry& metric : solver::metric_table()) {
+    columns += std::string(", ") + metric.name;
+    values += ",?";
+  }
+  return "INSERT INTO candidate (" + columns + ") VALUES (" + values + ")";
 }
 
 // Runs it and makes it ready for the next row.
@@ -56,14 +66,7 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       unit_(database,
             "INSERT INTO unit (lo, hi, run, worker, accepted, rejected, undecided, seconds, "
             "digest_part) VALUES (?,?,?,?,?,?,?,?,?)"),
-      candidate_(
-          database,
-          "INSERT INTO candidate (draw, unit, deploys_from_sample, deploys_from_deg, "
-          "fold_limit_deg, elongation_min, elongation_max, stroke_min, stroke_max, "
-          "slope_min_mm_per_deg, stretch_sq_mm2, singular_value_min, residual_max, "
-          "isometry_error_mm, kawasaki_defect_deg, shifted_vertices, increasing, "
-          "decreasing, displacements_mm, elongation, slope_between_min_mm_per_deg, "
-          "bump_deg, miscut_margin_mm) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+      candidate_(database, insert_of_candidates()),
       undecided_(database, "INSERT INTO undecided (draw, unit, cause, run) VALUES (?,?,?,?)"),
       fault_sample_(database,
                     "INSERT INTO fault_sample (draw, unit, deploys_from_sample, first_fault, "
@@ -139,31 +142,19 @@ void UnitWriter::settle(const UnitRecord& decided) {
 }
 
 void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) {
-  const solver::Metrics& m = candidate.metrics;
   candidate_.tryReset();
   int column = 0;
-  const auto bind = [&](const auto& value) { candidate_.bind(++column, value); };
-  const auto bind_optional = [&](const std::optional<double>& value) {
-    value ? bind(*value) : candidate_.bind(++column);
-  };
-  bind(stored(candidate.draw));
-  bind(unit);
-  bind(m.deploys_from_sample);
-  for (const double value : {m.deploys_from_deg, m.fold_limit_deg, m.elongation_min,
-                             m.elongation_max, m.stroke_min, m.stroke_max}) {
-    bind(value);
-  }
-  bind_optional(m.slope_min_mm_per_deg);
-  for (const double value : {m.stretch_sq_mm2, m.singular_value_min, m.residual_max,
-                             m.isometry_error_mm, m.kawasaki_defect_deg}) {
-    bind(value);
-  }
-  for (const int value : {m.shifted_vertices, m.increasing, m.decreasing}) bind(value);
-  bind(displacements_json(candidate.shifts_mm).dump());
-  bind(elongations_json(m.elongation).dump());
-  bind_optional(m.slope_between_min_mm_per_deg);
-  bind_optional(m.bump_deg);
-  bind_optional(m.miscut_margin_mm);
+  candidate_.bind(++column, stored(candidate.draw));
+  candidate_.bind(++column, unit);
+  candidate_.bind(++column, displacements_json(candidate.shifts_mm).dump());
+  candidate_.bind(++column, elongations_json(candidate.metrics.elongation).dump());
+  solver::each_metric(candidate.metrics, [&](const solver::MetricEntry&, const auto& value) {
+    if constexpr (requires { value.has_value(); }) {
+      value ? candidate_.bind(++column, *value) : candidate_.bind(++column);
+    } else {
+      candidate_.bind(++column, value);
+    }
+  });
   insert(candidate_);
 }
 

@@ -25,7 +25,7 @@ constexpr int kColumnCount = 10;
 }  // namespace
 
 bool has_yields(SQLite::Database& database) {
-  return database.execAndGet("PRAGMA user_version").getInt() >= kMiscutSince;
+  return database.execAndGet("PRAGMA user_version").getInt() >= kYieldSince;
 }
 
 Json yield_json(const Yield& yield) {

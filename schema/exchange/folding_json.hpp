@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "schema/campaign/campaign.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 
 namespace misalign::schema {
 
@@ -18,19 +17,6 @@ struct FoldingView {
   double sample_deg;
 };
 
-/// {"hole": [row, column], "from", "to", "flat_mm"}
-Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
-                   const solver::Diagonal& diagonal, double flat_mm);
-
-/// Those of a campaign's base pattern, as its catalogue keeps them: a list of diagonal_json.
-Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism);
-
-/// "A17-A23" of a diagonal or crease that a verdict names; empty if it names none.
-std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict);
-
-/// "start_lost" or "stalled".
-const char* undecided_cause(const solver::Verdict& verdict);
-
 /// {"deploys_from_deg", "first_fault", "fault_deg", "where", ...}; fault_deg and where may be null.
 Json verdict_json(const FoldingView& view);
 
@@ -39,9 +25,6 @@ Json bump_json(const FoldingView& view);
 
 /// The contract's `fold --json`.
 Json folding_json(const FoldingView& view);
-
-/// The metrics under the names of their columns.
-Json metrics_json(const solver::Metrics& metrics);
 
 /// What is exported of a sheet (candidate.schema.json): metrics and elongations are null for one
 /// that deploys from nothing.

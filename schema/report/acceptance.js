@@ -1,20 +1,11 @@
 // The overview: the campaign in words, its acceptance, and the charts of where draws fail.
-import {
-  count,
-  degrees,
-  fault_colour,
-  fault_name,
-  fault_order,
-  fault_words,
-  h,
-  percent,
-  plural,
-} from "./format.js";
+import { count, degrees, h, percent, plural } from "./format.js";
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart } from "./faults.js";
 import { add_saving, single } from "./save.js";
 import { effective, sum, survival_points } from "./shares.js";
+import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
 
 const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
 
@@ -199,7 +190,7 @@ export function show_acceptance(report) {
     (faults.every_at_most > faults.every
       ? `; of later ones up to one in ${count(faults.every_at_most)}, each weighed by the draws that it stands for: shares are known as well as from ${plural(Math.round(effective(faults.rows)), "draw")} of one weight. `
       : ". ") +
-    "All other draws are turned away at whatever angle first shows anything certain against them, which says nothing about where they fail first.";
+    "All other draws are rejected at whatever angle first shows anything certain against them, which says nothing about where they fail first.";
   show_along_the_folding(report, total, campaign.name);
   show_places(report, campaign.name);
 }

@@ -58,6 +58,6 @@ const page = readFileSync(join(here, "page.html"), "utf8")
   .replace("/* page.css */", () => style)
   .replace("/* main.js */", () => script)
   .replace("<!-- licences -->", () => notices);
-if (page.split("@REPORT_DATA@").length !== 2)
-  throw new Error("@REPORT_DATA@ must occur exactly once");
+for (const place of ["@REPORT_WORDS@", "@REPORT_DATA@"])
+  if (page.split(place).length !== 2) throw new Error(`${place} must occur exactly once`);
 writeFileSync(output, page);

@@ -1,9 +1,10 @@
 // The selected draw's metrics, in numbers and words, and the commands that continue from it.
 import { ends_of } from "./data.js";
-import { count, dashed, degrees, fault_words, fixed, h, percent, plural } from "./format.js";
+import { count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { save_text } from "./save.js";
 import { is_pattern, kExports, pattern_commands } from "./whose.js";
+import { fault_words } from "./words.js";
 
 async function copy(text) {
   try {
@@ -137,7 +138,7 @@ export function verdict_words({ verdict, accepted, fold_limit_deg }) {
   return (
     `${accepted === null ? "" : accepted ? "Accepted. " : "Not accepted. "}${from} ${fault}` +
     (fold_limit_deg !== null && fold_limit_deg !== undefined && fold_limit_deg < 180
-      ? ` The pilot turns at its fold limit, ${degrees(fold_limit_deg)}.`
+      ? ` The pilot reaches its fold limit at ${degrees(fold_limit_deg)}.`
       : "")
   );
 }

@@ -97,7 +97,7 @@ function limit_marks(detail, end_deg, room, letter) {
     aside = limited && deployment(limit_deg) - deployment(end_deg) >= letter,
     limit_words = limited ? `fold limit ${degrees(limit_deg)}` : "";
   return {
-    // No state beyond the fold limit; between D and it the sheet folds, but some diagonal turns.
+    // No state beyond the fold limit; between D and it the sheet folds, but some diagonal reverses.
     below: [
       limited ? band(end_deg + 180 * room, last_deg, "var(--nothing)") : null,
       D < last_deg ? band(last_deg, D, "var(--beyond)") : null,

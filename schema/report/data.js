@@ -1,4 +1,5 @@
 // Reads the data that the program wrote into the page, and decodes a draw's histories.
+import { metrics } from "./metrics.js";
 
 function bytes_of(base64) {
   const text = atob(base64);
@@ -25,12 +26,14 @@ export function read_report() {
   return report;
 }
 
-// Columns that are left out where no row has a value: of what was not tried, or not yet known of.
-const kMayBeUnknown = new Set(["miscut_margin_mm", "yield", "yield_low", "yield_amplitude_mm"]);
+const kMayBeUnknown = new Set(
+  metrics.filter((metric) => metric.may_be_unknown).map(({ name }) => name),
+);
 
 /**
- * The candidates' table as columns, each with one value a row; `row_of` finds a draw's row. Draws
- * stay strings: they may exceed what a number holds exactly.
+ * The candidates' table as columns, each with one value a row, without those of what was not tried
+ * or not yet known of; `row_of` finds a draw's row. Draws stay strings: they may exceed what a number
+ * holds exactly.
  */
 export function read_candidates(report) {
   const columns = Object.fromEntries(
@@ -65,7 +68,7 @@ export function decode_detail(detail, report) {
     deployment: detail.pilot_deg.map((pilot) => (180 - pilot) / 180),
     flat_mm: length_mm.slice(0, diagonals),
     relative,
-    // The direction is that of the range it deploys from: beyond D a diagonal may turn.
+    // The direction is that of the range it deploys from: beyond D a diagonal may reverse.
     grows: report.diagonals.map(
       (_, d) => relative(Math.max(depth, Math.min(1, samples - 1)), d) >= 1,
     ),

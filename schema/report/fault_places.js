@@ -1,9 +1,10 @@
 // Which diagonals and creases fail first, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
-import { dashed, fault_colour, fault_name, fault_order, h, percent, plural } from "./format.js";
+import { dashed, h, percent, plural } from "./format.js";
 import { line, panel_size_mm, polygon, sheet_svg } from "./sheet.js";
 import { sum, weight } from "./shares.js";
+import { fault_colour, fault_name, fault_order } from "./words.js";
 
 /** Whether that names two vertices of the sheet: a catalogue may hold any text. */
 const is_place = (where, { vertices_mm }) =>

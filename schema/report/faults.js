@@ -1,17 +1,9 @@
 // Where along the folding draws fail, from the exact first faults of the sample.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
-import {
-  count,
-  degrees,
-  fault_colour,
-  fault_name,
-  fault_order,
-  percent,
-  plural,
-  powers,
-} from "./format.js";
+import { count, degrees, percent, plural, powers } from "./format.js";
 import { effective, sum, weight } from "./shares.js";
+import { fault_colour, fault_name, fault_order } from "./words.js";
 
 /** The first faults that have an angle, in steps of the pilot's: a bin holds (from, to]. */
 export function fault_bins(rows, { path }) {

@@ -51,34 +51,6 @@ export const degrees = (value) =>
 export const plural = (n, one, many = one + "s") => `${count(n)} ${n === 1 ? one : many}`;
 export const dashed = (name) => name.replace("-", "–");
 
-const kFaults = {
-  not_monotone: ["diagonal turns", "a diagonal turns: it stops growing or shrinking and goes back"],
-  fold_limit: [
-    "fold limit",
-    "the pilot crease reaches its fold limit: no flatter or deeper state follows",
-  ],
-  over_folded: [
-    "over-folded",
-    "a crease is folded beyond 180°: two panels would pass through each other",
-  ],
-  assignment_flipped: ["assignment flipped", "a crease changes from mountain to valley or back"],
-  inactive_diagonal: [
-    "inactive diagonal",
-    "a diagonal does not change its length: it drives nothing",
-  ],
-  bump_between_samples: [
-    "bump between samples",
-    "a diagonal goes back and on again between two samples",
-  ],
-  undecided: ["undecided", "numerical failure: neither accepted nor rejected"],
-  none: ["no fault", "no fault up to the end of the path"],
-};
-export const fault_order = Object.keys(kFaults);
-export const fault_name = (fault) => kFaults[fault]?.[0] ?? fault;
-export const fault_words = (fault) => kFaults[fault]?.[1] ?? fault;
-
-export const fault_colour = (fault) => `var(--${fault.replaceAll("_", "-")})`;
-
 export const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 
 export const by_id = (id) => document.getElementById(id);

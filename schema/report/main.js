@@ -7,7 +7,8 @@ import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { Inspector } from "./inspector.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
 import { make_state } from "./state.js";
-import { is_order, make_table, save_rows } from "./table.js";
+import { make_table, save_rows } from "./table.js";
+import { is_order } from "./table_columns.js";
 import { set_up_theme } from "./theme.js";
 import { is_pattern, show_pattern } from "./whose.js";
 

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 
 constexpr const char* kPage = "report_page.html";
-constexpr const char* kPlaceOfData = "@REPORT_DATA@";
+constexpr std::string_view kPlaceOfWords = "@REPORT_WORDS@", kPlaceOfData = "@REPORT_DATA@";
 
 std::string floats(const std::vector<double>& numbers) {
   return base64(std::vector<float>(numbers.begin(), numbers.end()));
@@ -56,17 +56,49 @@ Json shapes_json(const Eigen::Matrix2Xd& flat_mm, const solver::ShapedPath& path
   return {{"unit_mm", unit_mm}, {"data", base64(units)}};
 }
 
+// As text within the page: else "</script>" in a text would end the data.
+std::string embedded(const Json& data) {
+  std::string json;
+  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    c == '<' ? json += "\\u003c" : json += c;
+  }
+  return json;
+}
+
 }  // namespace
 
+// What the page says of faults and metrics; units, ways of writing and what is best as it knows
+// them.
+Json words_json() {
+  Json faults = Json::array(), metrics = Json::array();
+  for (const solver::FaultEntry& fault : solver::fault_table()) {
+    faults.push_back({{"name", fault.name}, {"label", fault.label}, {"meaning", fault.meaning}});
+  }
+  for (const solver::MetricEntry& metric : solver::metric_table()) {
+    if (!metric.label) continue;
+    const std::string unit = metric.unit;
+    Json& json = metrics.emplace_back();
+    json = {{"name", metric.name},
+            {"label", metric.label},
+            {"unit", unit == "count" ? "" : unit},
+            {"meaning", metric.meaning},
+            {"written", unit == "share" || unit == "count" ? unit : metric.written},
+            {"better", metric.less_is_better ? "less" : "more"}};
+    if (metric.none_is_best) json["none_is_best"] = true;
+    if (metric.negative_is_bad) json["negative_is_bad"] = true;
+    if (metric.needs_a_campaign) json["needs_a_campaign"] = true;
+    if (metric.schema_since > 1 && !metric.none_is_best) json["may_be_unknown"] = true;
+  }
+  return {{"faults", faults}, {"metrics", metrics}};
+}
+
 Json candidates_json(SQLite::Database& database, std::uint64_t most) {
-  const Json rows = Json::parse(query_table(
-      database, "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most),
-      TableStyle::json));
-  const Json total = Json::parse(
-      query_table(database, "SELECT count(*) AS total FROM candidate", TableStyle::json));
+  const Json rows = query_rows(
+      database, "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most));
+  const Json total = query_rows(database, "SELECT count(*) AS total FROM candidate");
   Json columns = Json::object();
   for (const Json& row : rows) {
-    if (const Json draw = row.value("draw", Json()); !draw.is_number_unsigned()) {
+    if (const Json draw = row.value("draw", Json()); !draw.is_number_integer() || draw < 0) {
       throw damaged(database, "a candidate's draw is " + draw.dump());
     }
     for (const auto& [column, value] : row.items()) {
@@ -81,29 +113,25 @@ Json report_yields_json(SQLite::Database& database, std::uint64_t most,
   std::string these;
   for (const std::uint64_t draw : draws)
     these += (these.empty() ? "" : ", ") + std::to_string(draw);
-  Json rows = Json::parse(query_table(
+  Json rows = query_rows(
       database,
       "SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
       "FROM yields WHERE draw IN (SELECT draw FROM candidates " +
           best_order() + " LIMIT " + std::to_string(most) + ") OR draw IN (" + these +
-          ") ORDER BY draw, amplitude_mm",
-      TableStyle::json));
+          ") ORDER BY draw, amplitude_mm");
   for (Json& row : rows) row["draw"] = row["draw"].dump();
   return rows;
 }
 
 Json faults_json(SQLite::Database& database, const Campaign& campaign) {
-  Json rows = Json::parse(
-      query_table(database,
-                  "SELECT first_fault, fault_deg, \"where\", deploys_from_sample >= " +
-                      std::to_string(campaign.threshold_sample()) +
-                      " AND first_fault != 'undecided' AS accepted, count(*) AS sampled, "
-                      "total(stands_for) AS weight, total(1.0 * stands_for * stands_for) AS "
-                      "weight_sq FROM fault_sample GROUP BY 1, 2, 3, 4 ORDER BY 1, 2, 3, 4",
-                  TableStyle::json));
+  Json rows = query_rows(database,
+                         "SELECT first_fault, fault_deg, \"where\", deploys_from_sample >= " +
+                             std::to_string(campaign.threshold_sample()) +
+                             " AND first_fault != 'undecided' AS accepted, count(*) AS sampled, "
+                             "total(stands_for) AS weight, total(1.0 * stands_for * stands_for) AS "
+                             "weight_sq FROM fault_sample GROUP BY 1, 2, 3, 4 ORDER BY 1, 2, 3, 4");
   for (Json& row : rows) row["accepted"] = row["accepted"] != 0;
-  const Json most = Json::parse(query_table(
-      database, "SELECT max(stands_for) AS weight FROM fault_sample", TableStyle::json));
+  const Json most = query_rows(database, "SELECT max(stands_for) AS weight FROM fault_sample");
   return {{"every", kFaultSampleEvery},
           {"every_at_most", rows.empty() ? Json(kFaultSampleEvery) : most[0]["weight"]},
           {"rows", rows}};
@@ -169,12 +197,13 @@ std::string report_page(const Json& data) {
         "this program was built without the report's page (MISALIGN_REPORT=OFF); build it "
         "with Node.js and npm");
   }
-  std::string json;
-  for (const char c : data.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    c == '<' ? json += "\\u003c" : json += c;  // else "</script>" in a text would end the data
-  }
   std::string text = page->text;
-  return text.replace(text.find(kPlaceOfData), std::string(kPlaceOfData).size(), json);
+  const auto put = [&](std::string_view place, const Json& json) {
+    text.replace(text.find(place), place.size(), embedded(json));
+  };
+  put(kPlaceOfWords, words_json());
+  put(kPlaceOfData, data);  // after which nothing is looked for in the text
+  return text;
 }
 
 }  // namespace misalign::schema

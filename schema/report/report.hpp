@@ -7,6 +7,10 @@
 
 namespace misalign::schema {
 
+/// What the page says of faults and metrics: {"faults": [{"name", "label", "meaning"}], "metrics":
+/// [...]}, of their tables.
+Json words_json();
+
 /// Draws as texts (they may exceed 2^53), columns of the candidates view: the `most` first ones in
 /// the order of the query `best`, and how many there are.
 Json candidates_json(SQLite::Database& database, std::uint64_t most);

@@ -1,89 +1,12 @@
 // The table of candidates. It may have any number of rows; only those in view are in the document.
 import { clamp, count, h, with_modifier } from "./format.js";
-import { metrics } from "./metrics.js";
 import { on_print } from "./paper.js";
 import { csv_text, save_text } from "./save.js";
-import { text_width } from "./text_size.js";
+import { arranged, columns_of, order_of, shown, width_of } from "./table_columns.js";
 
 const kRow_px = 28,
   kSpare = 6,
-  kPrinted = 50, // rows on paper
-  kPadding_px = 16,
-  kLooked = 60; // rows that a column's width is taken from, beside its least and largest value
-
-const kOwn = [
-  { name: "rank", label: "rank", unit: "", about: "Place in the program's order: best first." },
-  {
-    name: "draw",
-    label: "draw",
-    unit: "",
-    about: "Number of the draw. A dot marks draws with all details in this report.",
-  },
-];
-const columns = [...kOwn.map((column) => ({ ...column, better: "less" })), ...metrics];
-
-/** "-stroke_min" → { name, descending }; nothing: the program's own order. */
-const order_of = (words) => ({
-  name: words.replace(/^-/, "") || "rank",
-  descending: words.startsWith("-"),
-});
-
-const columns_of = (candidates) =>
-  columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
-
-/** Whether the table of these candidates can be sorted by that. */
-export const is_order = (words, candidates) =>
-  columns_of(candidates).some(({ name }) => name === order_of(words).name);
-
-const shown = (column, value) => column.text(value).replace(/ %$/, "");
-
-/** Room for the heading, word under word, and for the values. */
-function width_of(column, { columns: values, count: rows }) {
-  const texts = [];
-  if (column.name === "rank") texts.push(count(rows));
-  else if (column.name === "draw") {
-    const longest = values.draw.reduce((most, draw) => Math.max(most, draw.length), 0);
-    texts.push(`●\u00a0\u00a0${"0".repeat(longest)}`);
-  } else {
-    const list = values[column.name].filter((value) => value !== null);
-    const ends = list.reduce(
-      ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
-      [Infinity, -Infinity],
-    );
-    const step = Math.max(1, Math.floor(list.length / kLooked));
-    for (const value of [...(list.length ? ends : []), ...list.filter((_, i) => i % step === 0)])
-      texts.push(shown(column, value));
-  }
-  const heading = Math.max(...column.label.split(" ").map((word) => text_width(word, 12.5))) + 12;
-  const weight = column.name === "draw" ? 700 : 400;
-  const body = Math.max(0, ...texts.map((text) => text_width(text, 13.5, weight)));
-  return Math.ceil(Math.max(heading, text_width(column.unit, 11.5), body) + kPadding_px);
-}
-
-/**
- * The rows that pass, in an order; equals keep theirs. What has no value comes last either way, but
- * in a column with `none_is_best`: there it is the best.
- */
-function arranged(candidates, passing, { name, descending }) {
-  const sign = descending ? -1 : 1,
-    order = [];
-  for (let row = 0; row < candidates.count; ++row) if (!passing || passing(row)) order.push(row);
-  if (name === "rank") return descending ? order.reverse() : order;
-  if (name === "draw") {
-    const keys = candidates.columns.draw.map(BigInt);
-    return order.sort((a, b) => sign * (keys[a] < keys[b] ? -1 : keys[a] > keys[b] ? 1 : 0));
-  }
-  const values = candidates.columns[name],
-    none_first = columns.find((column) => column.name === name).none_is_best === descending;
-  return order.sort((a, b) => {
-    const x = values[a] ?? null,
-      y = values[b] ?? null;
-    if (x === null || y === null) {
-      return (none_first ? -1 : 1) * ((x === null) - (y === null)) || a - b;
-    }
-    return sign * (x - y) || a - b;
-  });
-}
+  kPrinted = 50; // rows on paper
 
 /**
  * A grid of the candidates' rows, sorted by state "sort"; state "order" becomes the rows that it

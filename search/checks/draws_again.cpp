@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <map>
 
-#include "schema/exchange/folding_json.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 
 namespace misalign::search {
 namespace {
 
 using schema::Json;
 
-constexpr const char* kUndecided = "undecided";
+bool is_undecided(const StoredVerdict& verdict) {
+  return verdict.first_fault == solver::fault_name(solver::Fault::undecided);
+}
 
 StoredVerdict as_stored(std::uint64_t draw, const solver::Verdict& verdict,
                         const schema::Campaign& campaign, const solver::Mechanism& mechanism) {
@@ -24,7 +26,7 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 
 void compare(const StoredVerdict& stored, const StoredVerdict& again,
              std::vector<schema::Finding>& findings) {
-  if (stored.first_fault == kUndecided || again.first_fault == kUndecided) return;
+  if (is_undecided(stored) || is_undecided(again)) return;
   const auto compare = [&](const char* column, const Json& a, const Json& b) {
     if (a == b) return;
     findings.push_back(schema::differs("draw " + std::to_string(stored.draw),

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "schema/campaign/draw_ranges.hpp"
+
 namespace misalign::search {
 
 Ledger::Ledger(const DrawRange& wanted, const std::vector<DrawRange>& done) : end_(wanted.hi) {
-  std::uint64_t next = wanted.lo;
-  for (const DrawRange& range : done) {
-    if (range.lo >= wanted.hi) break;
-    open({next, range.lo});
-    next = std::max(next, range.hi);
-  }
-  open({next, wanted.hi});
+  for (const DrawRange& range : schema::without({wanted}, done)) open(range);
 }
 
 void Ledger::open(const DrawRange& range) {

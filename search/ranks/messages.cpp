@@ -4,6 +4,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "solver/verdict/metric_table.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -53,27 +55,9 @@ void list(Reader& wire, std::vector<T>& items, Each&& each) {
 }
 
 template <class Wire, class Metrics>
-void metrics_fields(Wire& wire, Metrics& m) {
-  wire.field(m.deploys_from_sample);
-  wire.field(m.deploys_from_deg);
-  wire.field(m.fold_limit_deg);
-  wire.field(m.elongation_min);
-  wire.field(m.elongation_max);
-  wire.field(m.stroke_min);
-  wire.field(m.stroke_max);
-  wire.field(m.slope_min_mm_per_deg);
-  wire.field(m.slope_between_min_mm_per_deg);
-  wire.field(m.bump_deg);
-  wire.field(m.miscut_margin_mm);
-  wire.field(m.stretch_sq_mm2);
-  wire.field(m.singular_value_min);
-  wire.field(m.residual_max);
-  wire.field(m.isometry_error_mm);
-  wire.field(m.kawasaki_defect_deg);
-  wire.field(m.shifted_vertices);
-  wire.field(m.increasing);
-  wire.field(m.decreasing);
-  list(wire, m.elongation, [&](auto& e) { wire.field(e); });
+void metrics_fields(Wire& wire, Metrics& metrics) {
+  solver::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });
+  list(wire, metrics.elongation, [&](auto& e) { wire.field(e); });
 }
 
 void shifts_fields(Writer& wire, const Eigen::Matrix2Xd& shifts) {

@@ -46,12 +46,6 @@ double kawasaki_defect_deg(const PerforatedSheet& base, const FlatVertices& vert
   return worst;
 }
 
-MetricAge metric_age(std::string_view column) {
-  const bool is_between = column == "slope_between_min_mm_per_deg" || column == "bump_deg";
-  if (column == "miscut_margin_mm") return {4, 4};
-  return is_between ? MetricAge{2, 3} : MetricAge{1, 1};
-}
-
 Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
                 const FoldingHistory& history, double sample_deg) {
   const std::vector<Eigen::Index> rows = rows_up_to(history);

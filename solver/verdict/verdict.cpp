@@ -5,28 +5,6 @@
 
 namespace misalign::solver {
 
-const char* fault_name(Fault fault) {
-  switch (fault) {
-    case Fault::none:
-      return "none";
-    case Fault::fold_limit:
-      return "fold_limit";
-    case Fault::over_folded:
-      return "over_folded";
-    case Fault::assignment_flipped:
-      return "assignment_flipped";
-    case Fault::not_monotone:
-      return "not_monotone";
-    case Fault::bump:
-      return "bump_between_samples";
-    case Fault::inactive_diagonal:
-      return "inactive_diagonal";
-    case Fault::undecided:
-      return "undecided";
-  }
-  return "";
-}
-
 Judge::Judge(const Mechanism& mechanism, bool bump_is_fault)
     : mechanism_(mechanism), bump_is_fault_(bump_is_fault) {}
 

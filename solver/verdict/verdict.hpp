@@ -6,6 +6,7 @@
 
 #include "solver/continuation/path.hpp"
 #include "solver/verdict/between.hpp"
+#include "solver/verdict/fault.hpp"
 
 namespace misalign::solver {
 
@@ -20,22 +21,6 @@ inline constexpr double kInactiveBand_widths = 1e-8;
 inline constexpr double kInactiveFrom_deg = 5;
 /// A fold angle beyond +-180 degrees by more than this means that panels passed through each other.
 inline constexpr double kOverFoldBand_deg = 1e-6;
-
-/// What ends the deployable range; where several meet at a sample the first of these is reported.
-enum class Fault {
-  none,                ///< deploys from the end of the path
-  fold_limit,          ///< the pilot turns before the next sample
-  over_folded,         ///< a crease with |rho| > 180 degrees + kOverFoldBand_deg
-  assignment_flipped,  ///< a crease without its base mountain-valley sign
-  not_monotone,        ///< a diagonal steps back against its direction by kStepBand_widths or more
-  bump,                ///< it goes back before the next sample by kBumpBand_widths or more, where
-                       ///< that was asked for
-  inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
-                       ///< kInactiveBand_widths up to it; then D = 0
-  undecided            ///< a numerical failure (PathEnd says which): never a "no"
-};
-
-const char* fault_name(Fault fault);
 
 struct Verdict {
   int deploys_from_sample = 0;  ///< D: every sample up to it is in order

@@ -1,5 +1,6 @@
 // The catalogue: whatever the order of work, nothing is lost or counted twice.
 #include "catalogue_fixture.hpp"
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 
 namespace misalign::schema {
@@ -267,9 +268,11 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
   record.accepted = 2;
   record.candidates = {candidate(0), candidate(1)};
   solver::Metrics& m = record.candidates[0].metrics;
-  // All different, so that no two columns can be exchanged.
-  m = {171, 171.5, 172.5, -0.1, 0.2, 0.3,  0.4, 0.5, -1.5, 2.5,
-       3.5, 6.5,   7.5,   8.5,  9.5, 10.5, 11,  12,  13,   m.elongation};
+  int next = 100;  // all different, so that no two columns can be exchanged
+  solver::each_metric(m, [&](const auto&, auto& value) {
+    value = static_cast<std::conditional_t<std::is_same_v<decltype(value), int&>, int, double>>(
+        ++next + 0.5);
+  });
   record.candidates[1].metrics.slope_min_mm_per_deg.reset();
   record.candidates[1].metrics.slope_between_min_mm_per_deg.reset();
   {
@@ -280,25 +283,21 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
   const auto database = open_for_reading(path());
   const Json rows = Json::parse(
       query_table(*database, "SELECT * FROM candidate ORDER BY draw", TableStyle::json));
-  const std::pair<const char*, double> kColumns[] = {{"deploys_from_sample", 171},
-                                                     {"deploys_from_deg", 171.5},
-                                                     {"fold_limit_deg", 172.5},
-                                                     {"elongation_min", -0.1},
-                                                     {"elongation_max", 0.2},
-                                                     {"stroke_min", 0.3},
-                                                     {"stroke_max", 0.4},
-                                                     {"slope_min_mm_per_deg", 0.5},
-                                                     {"slope_between_min_mm_per_deg", -1.5},
-                                                     {"bump_deg", 2.5},
-                                                     {"miscut_margin_mm", 3.5},
-                                                     {"stretch_sq_mm2", 6.5},
-                                                     {"singular_value_min", 7.5},
-                                                     {"residual_max", 8.5},
-                                                     {"isometry_error_mm", 9.5},
-                                                     {"kawasaki_defect_deg", 10.5},
-                                                     {"shifted_vertices", 11},
-                                                     {"increasing", 12},
-                                                     {"decreasing", 13}};
+  const Json expected = metrics_json(m);
+  for (const auto& [name, value] : expected.items()) EXPECT_EQ(rows[0].at(name), value) << name;
+  const std::pair<const char*, double> kColumns[] = {
+      {"deploys_from_deg", m.deploys_from_deg},
+      {"fold_limit_deg", m.fold_limit_deg},
+      {"elongation_min", m.elongation_min},
+      {"elongation_max", m.elongation_max},
+      {"stroke_min", m.stroke_min},
+      {"stroke_max", m.stroke_max},
+      {"slope_min_mm_per_deg", *m.slope_min_mm_per_deg},
+      {"slope_between_min_mm_per_deg", *m.slope_between_min_mm_per_deg},
+      {"bump_deg", *m.bump_deg},
+      {"miscut_margin_mm", *m.miscut_margin_mm},
+      {"increasing", m.increasing},
+      {"decreasing", m.decreasing}};
   for (const auto& [name, value] : kColumns) EXPECT_EQ(rows[0].at(name), value) << name;
   for (const char* name : {"slope_min_mm_per_deg", "slope_between_min_mm_per_deg", "bump_deg"}) {
     EXPECT_TRUE(rows[1].at(name).is_null()) << name;

@@ -48,30 +48,6 @@ TEST(Digest, IsMadeOfTheBytesOfTheContract) {
   EXPECT_EQ(hex(hash_of("misalign")), hex_of(xxh3("misalign")));
 }
 
-TEST(MergedUpTo, JoinsAndCuts) {
-  struct Case {
-    std::vector<DrawRange> ranges;
-    std::uint64_t end;
-    std::vector<DrawRange> merged;
-  };
-  const Case kCases[] = {
-      {{}, 10, {}},
-      {{{0, 5}}, 10, {{0, 5}}},
-      {{{0, 5}, {5, 10}}, 10, {{0, 10}}},
-      {{{0, 5}, {5, 7}, {7, 9}}, 100, {{0, 9}}},
-      {{{0, 5}, {6, 10}}, 10, {{0, 5}, {6, 10}}},
-      {{{0, 5}, {5, 10}}, 7, {{0, 7}}},
-      {{{0, 5}, {5, 10}}, 5, {{0, 5}}},
-      {{{0, 5}, {6, 10}}, 6, {{0, 5}}},
-      {{{3, 5}}, 3, {}},
-      {{{3, 5}}, 0, {}},
-      {{{0, 1}, {kEndOfDraws - 1, kEndOfDraws}},
-       kEndOfDraws,
-       {{0, 1}, {kEndOfDraws - 1, kEndOfDraws}}},
-  };
-  for (const Case& c : kCases) EXPECT_EQ(merged_up_to(c.ranges, c.end), c.merged) << c.end;
-}
-
 TEST(Goal, PlannedEnd) {
   EXPECT_EQ((Goal{{0, 100}, {}, {}}.planned_end()), 100u);
   EXPECT_EQ((Goal{{0, 100}, 40, {}}.planned_end()), 40u);

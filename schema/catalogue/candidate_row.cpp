@@ -1,0 +1,53 @@
+#include "schema/catalogue/candidate_row.hpp"
+
+namespace misalign::schema {
+Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
+                   const solver::Diagonal& diagonal, double flat_mm) {
+  return {{"hole", facet_json(base, mechanism.loops[diagonal.loop].hole)},
+          {"from", solver::vertex_label(diagonal.from)},
+          {"to", solver::vertex_label(diagonal.to)},
+          {"flat_mm", flat_mm}};
+}
+
+Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism) {
+  const auto& vertices = campaign.pattern.base.sheet.vertices_mm;
+  Json list = Json::array();
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    const double flat_mm = (vertices.col(diagonal.from) - vertices.col(diagonal.to)).norm();
+    list.push_back(diagonal_json(campaign.pattern, mechanism, diagonal, flat_mm));
+  }
+  return list;
+}
+
+std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict) {
+  if (verdict.where < 0) return "";
+  switch (solver::entry_of(verdict.first_fault).shown_by) {
+    case solver::ShownBy::nothing:
+      return "";
+    case solver::ShownBy::crease:
+      return solver::line_label(mechanism.creases[verdict.where].a,
+                                mechanism.creases[verdict.where].b);
+    case solver::ShownBy::diagonal:
+      return solver::line_label(mechanism.diagonals[verdict.where].from,
+                                mechanism.diagonals[verdict.where].to);
+  }
+  return "";
+}
+
+const char* undecided_cause(const solver::Verdict& verdict) {
+  return verdict.path_end == solver::PathEnd::start_lost ? "start_lost" : "stalled";
+}
+
+Json metrics_json(const solver::Metrics& metrics) {
+  Json json;
+  solver::each_metric(metrics, [&](const solver::MetricEntry& entry, const auto& value) {
+    if constexpr (requires { value.has_value(); }) {
+      json[entry.name] = value ? Json(*value) : Json();
+    } else {
+      json[entry.name] = value;
+    }
+  });
+  return json;
+}
+
+}  // namespace misalign::schema

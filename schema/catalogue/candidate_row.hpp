@@ -1,0 +1,27 @@
+// What a catalogue says of a sheet: its diagonals, where it fails, its metrics.
+#pragma once
+
+#include <string>
+
+#include "schema/campaign/campaign.hpp"
+#include "solver/verdict/metric_table.hpp"
+
+namespace misalign::schema {
+
+/// {"hole": [row, column], "from", "to", "flat_mm"}
+Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
+                   const solver::Diagonal& diagonal, double flat_mm);
+
+/// Those of a campaign's base pattern, as its catalogue keeps them: a list of diagonal_json.
+Json diagonals_json(const Campaign& campaign, const solver::Mechanism& mechanism);
+
+/// "A17-A23" of a diagonal or crease that a verdict names; empty if it names none.
+std::string where_label(const solver::Mechanism& mechanism, const solver::Verdict& verdict);
+
+/// "start_lost" or "stalled".
+const char* undecided_cause(const solver::Verdict& verdict);
+
+/// The metrics under the names of their columns.
+Json metrics_json(const solver::Metrics& metrics);
+
+}  // namespace misalign::schema

@@ -1,0 +1,31 @@
+// SQLite's write-ahead log beside a catalogue, kept small.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <cstdint>
+#include <string>
+
+#include "schema/files/storage.hpp"
+
+namespace misalign::schema {
+
+/// Of a catalogue that is written on a local disk; on others there is none and nothing is done.
+class WriteAheadLog {
+ public:
+  WriteAheadLog(SQLite::Database& database, const std::string& path, Storage storage)
+      : database_(database), path_(path), storage_(storage) {}
+
+  /// Folds it into the file and empties it, unless a reader keeps it. Throws SQLite::Exception.
+  void fold_in();
+  /// The same after a commit, once it has grown too large.
+  void keep_small();
+
+ private:
+  SQLite::Database& database_;
+  const std::string path_;
+  const Storage storage_;
+  std::uintmax_t kept_bytes_ = 0;  // when it could last not be folded in
+};
+
+}  // namespace misalign::schema

@@ -1,0 +1,16 @@
+// 128-bit fingerprints of bytes.
+#pragma once
+
+#include <xxhash.h>
+
+#include <string>
+#include <string_view>
+
+namespace misalign::schema {
+
+/// XXH3-128, seed 0.
+XXH128_hash_t hash_of(std::string_view bytes);
+/// 32 hex digits, the most significant first.
+std::string hex(const XXH128_hash_t& hash);
+
+}  // namespace misalign::schema

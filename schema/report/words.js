@@ -1,0 +1,19 @@
+// What the program says of faults and metrics: names, labels, meanings, as `report` wrote them.
+
+function read_words() {
+  try {
+    return JSON.parse(document.getElementById("report-words").textContent);
+  } catch {
+    return { faults: [], metrics: [] }; // of a page without data, which says so by itself
+  }
+}
+export const words = read_words();
+
+const fault_of = Object.fromEntries(words.faults.map((fault) => [fault.name, fault]));
+
+/** The names of the faults as legends list them. */
+export const fault_order = words.faults.map(({ name }) => name);
+// A catalogue may hold any text as a fault.
+export const fault_name = (fault) => fault_of[fault]?.label ?? fault;
+export const fault_words = (fault) => fault_of[fault]?.meaning ?? fault;
+export const fault_colour = (fault) => `var(--${fault.replaceAll("_", "-")})`;

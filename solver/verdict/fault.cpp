@@ -1,0 +1,38 @@
+#include "solver/verdict/fault.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace misalign::solver {
+namespace {
+
+constexpr FaultEntry kFaults[] = {
+    {Fault::not_monotone, "not_monotone", "diagonal reverses",
+     "a diagonal reverses: it stops growing or shrinking and goes back", ShownBy::diagonal},
+    {Fault::fold_limit, "fold_limit", "fold limit",
+     "the pilot crease reaches its fold limit: no flatter or deeper state follows",
+     ShownBy::nothing},
+    {Fault::over_folded, "over_folded", "over-folded",
+     "a crease is folded beyond 180°: two panels would pass through each other", ShownBy::crease},
+    {Fault::assignment_flipped, "assignment_flipped", "assignment flipped",
+     "a crease changes from mountain to valley or back", ShownBy::crease},
+    {Fault::inactive_diagonal, "inactive_diagonal", "inactive diagonal",
+     "a diagonal does not change its length: it drives nothing", ShownBy::diagonal},
+    {Fault::bump, "bump_between_samples", "bump between samples",
+     "a diagonal goes back and on again between two samples", ShownBy::diagonal},
+    {Fault::undecided, "undecided", "undecided", "numerical failure: neither accepted nor rejected",
+     ShownBy::nothing},
+    {Fault::none, "none", "no fault", "no fault up to the end of the path", ShownBy::nothing},
+};
+
+}  // namespace
+
+std::span<const FaultEntry> fault_table() { return kFaults; }
+
+const FaultEntry& entry_of(Fault fault) {
+  const auto at = std::ranges::find(kFaults, fault, &FaultEntry::fault);
+  assert(at != std::end(kFaults));
+  return *at;
+}
+
+}  // namespace misalign::solver
