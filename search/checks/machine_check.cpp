@@ -10,8 +10,8 @@
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "search/draws/draw.hpp"
-#include "search/draws/stopwatch.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
 namespace {

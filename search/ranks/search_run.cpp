@@ -15,8 +15,8 @@
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/terminal/failure.hpp"
+#include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/verbs/status.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
-#include "search/draws/stopwatch.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "search/terminal/terminal.hpp"
 #include "solver/reference/reference.hpp"
 

@@ -12,10 +12,10 @@
 #include "search/checks/pattern_check.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/nothing_found.hpp"
+#include "search/terminal/status_text.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/look.hpp"
-#include "search/verbs/status.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

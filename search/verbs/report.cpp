@@ -13,9 +13,9 @@
 #include "search/draws/draw.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/terminal/shell_word.hpp"
+#include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
-#include "search/verbs/status.hpp"
 
 namespace misalign::search {
 namespace {

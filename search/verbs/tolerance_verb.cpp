@@ -8,12 +8,12 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/tolerance_text.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/terminal/tolerance_text.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/verbs.hpp"
 

@@ -1,4 +1,4 @@
-#include "search/terminal/tolerance_text.hpp"
+#include "search/draws/tolerance_text.hpp"
 
 #include <algorithm>
 #include <cstdio>

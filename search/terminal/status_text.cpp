@@ -1,4 +1,4 @@
-#include "search/verbs/status.hpp"
+#include "search/terminal/status_text.hpp"
 
 #include <algorithm>
 #include <cmath>
