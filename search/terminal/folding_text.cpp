@@ -1,5 +1,7 @@
 #include "search/terminal/folding_text.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -230,6 +232,11 @@ std::string folding_text(const schema::FoldingView& view, const FoldingTextOptio
   if (!drawn.empty()) text += "\n" + drawn;
   if (options.table || fits) text += "\n" + lengths(view);
   return text;
+}
+
+void put_folding(const schema::FoldingView& view, bool table) {
+  put(folding_text(
+      view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO)}));
 }
 
 }  // namespace misalign::search

@@ -1,4 +1,4 @@
-// `misalign tolerance`: options, and what is done with the answer.
+// `misalign tolerance`: how many miscut copies of a sheet still deploy.
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -15,6 +15,7 @@
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
+#include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -202,9 +203,9 @@ int run(ToleranceCall call) {
 
 }  // namespace
 
-Action add_tolerance(CLI::App& app) {
-  auto* verb = app.add_subcommand("tolerance", "how many miscut copies of a sheet still deploy");
-  verb->footer(
+Action tolerance_verb(CLI::App& verb) {
+  verb.description("how many miscut copies of a sheet still deploy");
+  verb.footer(
       "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
       "[-MM, MM] in x and in y; with --vertices each vertex alone, too. Trial t makes\n"
       "the same errors for every candidate of a campaign: they are numbers of the\n"
@@ -223,28 +224,28 @@ Action add_tolerance(CLI::App& app) {
       "  misalign tolerance search/patterns/table1.json --amplitude 0.05");
   auto call = std::make_shared<ToleranceCall>();
   ToleranceOptions& study = call->study;
-  add_catalogue_or_pattern(*verb, call->path);
-  auto* draws = verb->add_option("DRAW", call->choice.draws,
-                                 "numbers of candidates' draws, of a catalogue; or choose some:")
+  add_catalogue_or_pattern(verb, call->path);
+  auto* draws = verb.add_option("DRAW", call->choice.draws,
+                                "numbers of candidates' draws, of a catalogue; or choose some:")
                     ->check(a_draw());
-  auto* group = verb->add_option_group("choice", "which candidates of a catalogue");
-  const ChoiceOptions chosen = add_choice(*verb, *group, call->choice);
+  auto* group = verb.add_option_group("choice", "which candidates of a catalogue");
+  const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
-  verb->add_option("--amplitude", study.amplitude_mm, "largest error, mm")
+  verb.add_option("--amplitude", study.amplitude_mm, "largest error, mm")
       ->required()
       ->check(within(0, 1e6))
       ->type_name("MM");
-  verb->add_option("--trials", study.trials, "copies with every vertex off its place [1000]")
+  verb.add_option("--trials", study.trials, "copies with every vertex off its place [1000]")
       ->check(counted(1, 100000000))
       ->type_name("N");
-  verb->add_flag("--vertices", study.vertices,
-                 "also each vertex alone, " + std::to_string(kMostTrialsOfOneVertex) +
-                     " copies at most: which ones matter most");
-  verb->add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
+  verb.add_flag("--vertices", study.vertices,
+                "also each vertex alone, " + std::to_string(kMostTrialsOfOneVertex) +
+                    " copies at most: which ones matter most");
+  verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
       ->check(counted(1, 4096))
       ->type_name("N");
-  verb->add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
-  verb->add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
+  verb.add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
+  verb.add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
   return [call, draws, chosen] {
     if (is_pattern_file(call->path)) {
       for (const CLI::Option* option :

@@ -1,0 +1,62 @@
+// `misalign status`: how far a campaign is, and what it found.
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "search/draws/nothing_found.hpp"
+#include "search/terminal/status_text.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct StatusCall {
+  std::string path;
+  bool json = false, check = false;
+  std::optional<double> at_deg;
+};
+
+int show_status(const StatusCall& call) {
+  const auto database = schema::open_for_reading(call.path);
+  const schema::CatalogueState state = schema::read_state(*database);
+  std::optional<DeployingFrom> deploying;
+  if (call.at_deg) {
+    const schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
+    deploying = deploying_from(*database, state, campaign, *call.at_deg);
+  }
+  const schema::Survival survival = schema::read_survival(*database);
+  if (call.json) {
+    schema::Json answer = status_json(state);
+    answer["survival"] = survival_json(survival, state);
+    if (deploying) answer["at"] = deploying_json(*deploying, state);
+    put_json(answer);
+  } else {
+    put(status_text(state, deploying, paint_for(STDOUT_FILENO)));
+    for (const std::string& sentence : nothing_found(survival, state)) {
+      put("\n" + schema::printable(sentence) + "\n");
+    }
+    std::fflush(stdout);
+    if (!call.check) spdlog::info("next: {}", next_step(state, call.path, ""));
+  }
+  return call.check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
+}
+
+}  // namespace
+
+Action status_verb(CLI::App& verb) {
+  verb.description("how far a campaign is, and what it found");
+  verb.footer(
+      "First faults, and survival in the JSON, are from the fault sample: each of its rows\n"
+      "weighs the draws that it stands for. Where nothing was accepted, it says from which\n"
+      "angle draws survive, how rare an accepted one is at most, and what to try.\n\n"
+      "Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
+  auto call = std::make_shared<StatusCall>();
+  verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
+  verb.add_flag("--json", call->json, "as JSON");
+  verb.add_flag("--check", call->check, "exit with 75 while work remains, 0 when complete");
+  verb.add_option("--at", call->at_deg, "also count what deploys from this many degrees")
+      ->type_name("DEG");
+  return [call] { return show_status(*call); };
+}
+
+}  // namespace misalign::search
