@@ -1,8 +1,9 @@
 #include "search/terminal/status_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "schema/campaign/share_interval.hpp"
@@ -25,7 +26,7 @@ schema::Json rate_json(std::uint64_t hits, std::uint64_t undecided, std::uint64_
            hits > 0 ? schema::Json((high - low) / (2 * share(hits, trials))) : schema::Json()}};
 }
 
-std::string percent(double value) { return schema::shown_number("%.4g %%", 100 * value); }
+std::string percent(double value) { return fmt::format("{:.4g} %", 100 * value); }
 
 std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
   const auto [low, high] = schema::share_interval(hits, undecided, trials);
@@ -89,8 +90,9 @@ std::string status_text(const schema::CatalogueState& state,
   if (sampled.rows > 0) {
     rows.push_back({"first faults", std::to_string(sampled.rows), "", "of a sample"});
   }
+  std::size_t listed = 0;
   for (const auto& [fault, draws] : state.faults) {
-    if (rows.size() > schema::kMostListed) break;  // there are not so many, but for a hostile file
+    if (++listed > schema::kMostListed) break;  // there are not so many, but for a hostile file
     const auto [low, high] = schema::share_interval(draws, sampled);
     rows.push_back({"  " + schema::shortened(fault, 40), std::to_string(draws.rows),
                     percent(schema::share(draws, sampled)), percent(low) + " to " + percent(high)});

@@ -93,7 +93,7 @@ void show_actuators(const ActuatorsCall& call) {
   const double deploys_from_deg = verdict.deploys_from_sample * view.sample_deg;
   if (call.json) {
     schema::Json json = schema::actuation_history_json(view, folded.path, folded.actuation);
-    json.update(sheet.key_json());
+    json.update(sheet.key().json());
     json["deploys_from_deg"] = deploys_from_deg;
     put_json(json);
     return;

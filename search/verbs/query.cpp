@@ -36,16 +36,6 @@ schema::UserError no_such_query(const std::string& name) {
                                schema::named_query_list());
 }
 
-// Whether a named query's LIMIT left rows out: it is the last thing such a query says.
-bool was_cut_off(SQLite::Database& database, const std::string& sql, std::uint64_t rows) {
-  const std::size_t limit = sql.rfind("LIMIT ");
-  if (limit == std::string::npos || std::stoull(sql.substr(limit + 6)) != rows) return false;
-  const std::string next = "SELECT 1 FROM (" + sql.substr(0, limit) + ") LIMIT 1 OFFSET ";
-  const std::string row =
-      schema::query_table(database, next + std::to_string(rows), schema::TableStyle::csv);
-  return std::count(row.begin(), row.end(), '\n') > 1;  // more than the header
-}
-
 // Instead of a header without rows, where a named query of candidates has none because there are
 // none. False if there is nothing to say.
 bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
@@ -76,7 +66,7 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   }
   out.reset();
   std::fflush(stdout);
-  if (!name.empty() && was_cut_off(database, sql, rows)) {
+  if (!name.empty() && schema::leaves_rows_out(database, sql, rows)) {
     spdlog::info(
         "the first {} rows; SQL of your own can ask for more, such as \"SELECT * FROM "
         "candidates\"",

@@ -39,11 +39,8 @@ struct ChosenSheets {
   std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
   std::string pattern;               // its name
 
-  std::string name(std::size_t k) const {
-    return draws.empty() ? schema::printable(pattern) : "draw " + std::to_string(draws[k]);
-  }
-  Json key_json(std::size_t k) const {
-    return draws.empty() ? Json{{"pattern", pattern}} : Json{{"draw", draws[k]}};
+  SheetKey key(std::size_t k) const {
+    return {draws.empty() ? std::nullopt : std::optional(draws[k]), pattern};
   }
 };
 
@@ -140,7 +137,7 @@ void refuse_lost_convexity(const ChosenSheets& sheets, double amplitude_mm) {
     if (amplitude_mm < largest_mm) continue;
     throw UserError(schema::kExitUsage, "--amplitude " + schema::shown_number(amplitude_mm) +
                                             ": must be below " + schema::shown_number(largest_mm) +
-                                            " mm (where a facet of " + sheets.name(k) +
+                                            " mm (where a facet of " + sheets.key(k).name() +
                                             " can lose convexity); try " +
                                             schema::shown_number("%.1g", largest_mm / 10));
   }
@@ -160,13 +157,13 @@ void print(const ToleranceCall& call, const ChosenSheets& sheets,
     Json list = Json::array();
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
       list.push_back(tolerance_json(tolerances[k]));
-      list.back().update(sheets.key_json(k));
+      list.back().update(sheets.key(k).json());
     }
     text = (single ? list.front() : list).dump(1) + "\n";
   } else {
     std::vector<NamedTolerance> named;
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
-      named.push_back({sheets.name(k), tolerances[k]});
+      named.push_back({sheets.key(k).name(), tolerances[k]});
     }
     if (named.size() > 1 && call.study.vertices) {
       for (const NamedTolerance& one : named) text += tolerance_text(one) + "\n";
