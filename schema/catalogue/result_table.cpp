@@ -260,7 +260,7 @@ bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::
   return more;
 }
 
-std::string named_query_list() { return fmt::format("{}", fmt::join(named_queries(), ", ")); }
+std::string named_query_list() { return fmt::to_string(fmt::join(named_queries(), ", ")); }
 
 std::vector<std::string> named_queries() {
   std::vector<std::string> names;

@@ -74,7 +74,7 @@ std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds b
                                   "difference does no harm");
     }
   }
-  return fmt::format("{}", fmt::join(different, " "));
+  return fmt::to_string(fmt::join(different, " "));
 }
 
 std::string place_of(const SearchOptions& options, const schema::Campaign& campaign) {

@@ -25,7 +25,7 @@ using Eigen::Index;
 std::string labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
   std::vector<std::string> names;
   for (const int d : diagonals) names.push_back(schema::diagonal_label(mechanism, d));
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::to_string(fmt::join(names, ", "));
 }
 
 void print_summary(const solver::Mechanism& mechanism, const FoldedSheet& folded) {

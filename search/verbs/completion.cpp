@@ -1,6 +1,6 @@
 // `misalign completion`: completion scripts, made from the options that the program has: they
 // cannot go stale. They never call the program.
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "schema/catalogue/result_table.hpp"
 #include "search/terminal/help_format.hpp"
@@ -20,9 +20,7 @@ struct Offer {
 };
 
 std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+  return fmt::to_string(fmt::join(words, " "));
 }
 
 Offer offer_for(const CLI::Option& option) {

@@ -1,4 +1,5 @@
 // `misalign tolerance`: how many miscut copies of a sheet still deploy.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -139,7 +140,7 @@ void refuse_lost_convexity(const ChosenSheets& sheets, double amplitude_mm) {
                                             ": must be below " + schema::shown_number(largest_mm) +
                                             " mm (where a facet of " + sheets.key(k).name() +
                                             " can lose convexity); try " +
-                                            schema::shown_number("%.1g", largest_mm / 10));
+                                            fmt::format("{:.1g}", largest_mm / 10));
   }
 }
 
