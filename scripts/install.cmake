@@ -1,8 +1,10 @@
 # What `cmake --install` puts where. The pages and completions are made by the program itself.
 include(GNUInstallDirs)
 install(TARGETS misalign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY schema/ DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema
-        FILES_MATCHING PATTERN "*.sql" PATTERN "*.json" PATTERN README.md PATTERN report EXCLUDE)
+file(GLOB SCHEMA_FILES CONFIGURE_DEPENDS schema/*.sql schema/*.json schema/README.md)
+install(FILES ${SCHEMA_FILES} DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema)
+install(DIRECTORY schema/migrations schema/queries schema/versions
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema)
 # Beside each other: campaigns name the files of ../patterns.
 install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,7 @@
 #include "schema/campaign/campaign.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -294,14 +296,13 @@ std::string differences(const Campaign& there, const Campaign& here) {
     const std::string text = configuration.at(at).dump();
     return text.size() <= 40 ? text : text.substr(0, 37) + "...";
   };
-  std::string all;
+  std::vector<std::string> all;
   for (const Json& change : Json::diff(theirs, ours)) {
     const std::string path = change.at("path");
     const Json::json_pointer at(path);
-    all += (all.empty() ? "" : ", ") + path + " (" + shown(theirs, at) + " there, " +
-           shown(ours, at) + " here)";
+    all.push_back(fmt::format("{} ({} there, {} here)", path, shown(theirs, at), shown(ours, at)));
   }
-  return all;
+  return fmt::to_string(fmt::join(all, ", "));
 }
 
 }  // namespace misalign::schema

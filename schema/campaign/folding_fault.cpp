@@ -1,5 +1,7 @@
 #include "schema/campaign/folding_fault.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,8 +37,8 @@ std::string advice(const solver::CreasePattern& sheet,
     const int sign = creases.signs[static_cast<std::size_t>(at - creases.edges.begin())];
     return "make " + edge_label(sheet, creases.wrong) + " a " + word_of(-sign);
   }
-  std::string ones;
-  for (const int e : creases.odd) ones += (ones.empty() ? "" : " or ") + edge_label(sheet, e);
+  std::vector<std::string> ones;
+  for (const int e : creases.odd) ones.push_back(edge_label(sheet, e));
   int sum = 0;
   for (const int sign : creases.signs) sum += sign;
   std::string instead;
@@ -45,7 +47,8 @@ std::string advice(const solver::CreasePattern& sheet,
       instead = ", not " + edge_label(sheet, creases.edges[k]);
     }
   }
-  return "by its sector angles the one that differs from the other three must be " + ones + instead;
+  return fmt::format("by its sector angles the one that differs from the other three must be {}{}",
+                     fmt::join(ones, " or "), instead);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "schema/campaign/key_list.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "schema/files/carried_files.hpp"
@@ -20,24 +22,17 @@ std::string cell(std::string text) {
 
 std::string type_of(const KeyJson& key) {
   if (key.contains("enum")) {
-    std::string names;
-    for (const KeyJson& name : key["enum"])
-      names += (names.empty() ? "`" : ", `") + name.dump() + "`";
-    return names;
+    std::vector<std::string> names;
+    for (const KeyJson& name : key["enum"]) names.push_back("`" + name.dump() + "`");
+    return fmt::to_string(fmt::join(names, ", "));
   }
   if (key.contains("anyOf")) {
-    std::string types;
-    for (const KeyJson& one : key["anyOf"]) {
-      types += (types.empty() ? "" : ", or ") + type_of(one);
-    }
-    return types;
+    std::vector<std::string> types;
+    for (const KeyJson& one : key["anyOf"]) types.push_back(type_of(one));
+    return fmt::to_string(fmt::join(types, ", or "));
   }
   if (key["type"].is_array()) {
-    std::string types;
-    for (const KeyJson& type : key["type"]) {
-      types += (types.empty() ? "" : " or ") + type.get<std::string>();
-    }
-    return types;
+    return fmt::to_string(fmt::join(key["type"].get<std::vector<std::string>>(), " or "));
   }
   if (key["type"] == "array") return "list of " + type_of(key["items"]);
   return key["type"];

@@ -1,5 +1,6 @@
 #include "schema/catalogue/result_table.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -177,16 +178,15 @@ class TableWriter {
   bool wanted_ = true;
 };
 
-}  // namespace
-
-std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
-                          const TextSink& sink) {
+// What `work` makes of the one statement, which reads, in a snapshot.
+template <class Work>
+auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
   try {
     check_single(database, sql);
     std::optional<SQLite::Transaction> snapshot;  // or the caller's
     if (sqlite3_get_autocommit(database.getHandle())) snapshot.emplace(database);
     SQLite::Statement statement(database, sql);
-    return TableWriter(statement, sink).write(style);
+    return work(statement);
   } catch (const SQLite::Exception& error) {
     switch (error.getErrorCode()) {
       case SQLITE_BUSY:
@@ -200,6 +200,33 @@ std::uint64_t write_query(SQLite::Database& database, const std::string& sql, Ta
         throw bad_sql(error.what());
     }
   }
+}
+
+// A query without the LIMIT that a named one may end with, and that; 0: none.
+struct Limited {
+  std::string all;
+  std::uint64_t most = 0;
+};
+
+Limited limited(const std::string& named) {
+  const std::size_t limit = named.rfind("LIMIT ");
+  if (limit == std::string::npos) return {named, 0};
+  return {named.substr(0, limit), std::stoull(named.substr(limit + 6))};
+}
+
+}  // namespace
+
+std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
+                          const TextSink& sink) {
+  return ask(database, sql, [&](SQLite::Statement& statement) {
+    return TableWriter(statement, sink).write(style);
+  });
+}
+
+void read_query(SQLite::Database& database, const std::string& sql, const RowReader& read) {
+  ask(database, sql, [&](SQLite::Statement& row) {
+    while (row.executeStep()) read(row);
+  });
 }
 
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style) {
@@ -238,17 +265,22 @@ std::string named_query(const std::string& name) {
 }
 
 std::string best_order() {
-  const std::string best = named_query("best");
-  const std::size_t begin = best.find("ORDER BY "), end = best.find("LIMIT ");
-  assert(begin < end && end != std::string::npos);
-  return best.substr(begin, end - begin);
+  const Limited best = limited(named_query("best"));
+  const std::size_t begin = best.all.find("ORDER BY ");
+  assert(begin != std::string::npos && best.most > 0);
+  return best.all.substr(begin);
 }
 
-std::string named_query_list() {
-  std::string names;
-  for (const std::string& name : named_queries()) names += (names.empty() ? "" : ", ") + name;
-  return names;
+bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows) {
+  const Limited query = limited(named);
+  if (query.most == 0 || query.most != rows) return false;
+  bool more = false;
+  const std::string next = fmt::format("SELECT 1 FROM ({}) LIMIT 1 OFFSET {}", query.all, rows);
+  read_query(database, next, [&](const SQLite::Statement&) { more = true; });
+  return more;
 }
+
+std::string named_query_list() { return fmt::to_string(fmt::join(named_queries(), ", ")); }
 
 std::vector<std::string> named_queries() {
   std::vector<std::string> names;

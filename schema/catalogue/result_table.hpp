@@ -25,6 +25,12 @@ using TextSink = std::function<bool(const std::string& piece)>;
 std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
                           const TextSink& sink);
 
+/// Takes a row, at which the statement stands.
+using RowReader = std::function<void(const SQLite::Statement& row)>;
+
+/// The same, and gives the rows themselves on. UserError as above.
+void read_query(SQLite::Database& database, const std::string& sql, const RowReader& read);
+
 /// The whole of a small table.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
 
@@ -39,6 +45,8 @@ std::string named_query(const std::string& name);
 /// What "the best first" means, stated in the query `best`: "ORDER BY ..., ..." on the columns of
 /// the view candidates.
 std::string best_order();
+/// Whether a named query's LIMIT left any out behind the `rows` that it gave.
+bool leaves_rows_out(SQLite::Database& database, const std::string& named, std::uint64_t rows);
 /// "acceptance, best, ..."
 std::string named_query_list();
 std::vector<std::string> named_queries();

@@ -1,6 +1,6 @@
 #include "schema/exchange/drawing.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "solver/pattern/outline.hpp"
 
@@ -12,9 +12,7 @@ constexpr double kLine_mm = 0.1;  // what laser cutters take for a cut or an eng
 
 // To a nanometre: the shortest decimal that is still exact for everything a cutter does.
 std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6f", value);
-  std::string shortest = text;
+  std::string shortest = fmt::format("{:.6f}", value);
   shortest.erase(shortest.find_last_not_of('0') + 1);
   if (shortest.back() == '.') shortest.pop_back();
   return shortest == "-0" ? "0" : shortest;
@@ -128,11 +126,8 @@ std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vert
 std::string folded_obj(const Pattern& base, const Eigen::Matrix3Xd& shape_mm,
                        const std::string& title) {
   std::string text = "# " + title + "; lengths in mm\n";
-  char line[120];
   for (Eigen::Index v = 0; v < shape_mm.cols(); ++v) {
-    std::snprintf(line, sizeof line, "v %.9f %.9f %.9f\n", shape_mm(0, v), shape_mm(1, v),
-                  shape_mm(2, v));
-    text += line;
+    text += fmt::format("v {:.9f} {:.9f} {:.9f}\n", shape_mm(0, v), shape_mm(1, v), shape_mm(2, v));
   }
   for (const int f : solver::kept_facets(base.base.sheet, base.base.holes)) {
     text += "f";

@@ -1,7 +1,9 @@
 #include "schema/exchange/history_table.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 
 #include "schema/files/text_table.hpp"
 
@@ -11,19 +13,17 @@ namespace {
 using Eigen::Index;
 
 // Empty where there is no number.
-void append(std::string& text, const char* format, double value) {
-  char number[40];
-  std::snprintf(number, sizeof number, format, value);
+void append(std::string& text, int digits, double value) {
   text += ",";
-  if (std::isfinite(value)) text += number;
+  if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{:.{}g}", value, digits);
 }
 
 // Lengths and angles have what the solver is good for, what follows from them a little less.
-void append_measured(std::string& text, double value) { append(text, "%.12g", value); }
-void append_derived(std::string& text, double value) { append(text, "%.9g", value); }
+void append_measured(std::string& text, double value) { append(text, 12, value); }
+void append_derived(std::string& text, double value) { append(text, 9, value); }
 
 std::string ends(int from, int to) {
-  return "," + solver::vertex_label(from) + "," + solver::vertex_label(to);
+  return fmt::format(",{},{}", solver::vertex_label(from), solver::vertex_label(to));
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ std::string diagonal_rows(const RowKey& key, const FoldingView& view,
   for (std::size_t d = 0; d < view.mechanism.diagonals.size(); ++d) {
     const solver::Diagonal& diagonal = view.mechanism.diagonals[d];
     const auto& hole = view.base.base.sheet.places[view.mechanism.loops[diagonal.loop].hole];
-    names.push_back("," + std::to_string(d) + "," + std::to_string(hole[0]) + "," +
-                    std::to_string(hole[1]) + ends(diagonal.from, diagonal.to));
+    names.push_back(
+        fmt::format(",{},{},{}{}", d, hole[0], hole[1], ends(diagonal.from, diagonal.to)));
   }
   std::string text;
   for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {

@@ -1,5 +1,7 @@
 #include "schema/files/input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -151,9 +153,8 @@ void ObjectReader::refuse_unknown_keys() {
   if (!value_.is_object()) return;
   for (const auto& [key, value] : value_.items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    std::string keys;
-    for (const std::string& known : known_) keys += (keys.empty() ? "" : ", ") + known;
-    faults_.add(name(key), "is not a key here", "the keys are " + keys);
+    faults_.add(name(key), "is not a key here",
+                fmt::format("the keys are {}", fmt::join(known_, ", ")));
   }
 }
 
@@ -195,7 +196,7 @@ Json json_of(const Json& text) {
   }
 }
 
-std::string shown_number(double value) { return shown_number("%.10g", value); }
+std::string shown_number(double value) { return fmt::format("{:.10g}", value); }
 
 std::string shown_number(const char* format, double value) {
   char text[64];

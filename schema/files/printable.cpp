@@ -1,9 +1,10 @@
 #include "schema/files/printable.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -54,11 +55,7 @@ Character first_of(std::string_view text) {
 }
 
 void append_escape(std::string& shown, char32_t code) {
-  char text[16];
-  const auto append = [&](std::uint32_t unit) {
-    std::snprintf(text, sizeof text, "\\u%04x", unit);
-    shown += text;
-  };
+  const auto append = [&](std::uint32_t unit) { shown += fmt::format("\\u{:04x}", unit); };
   if (code < 0x10000) return append(code);
   append(0xd800 + ((code - 0x10000) >> 10));  // as JSON writes it: a pair
   append(0xdc00 + ((code - 0x10000) & 0x3ff));
@@ -73,9 +70,7 @@ std::string escaped(std::string_view text, Keeps keeps) {
     const Character c = first_of(text);
     const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
     if (c.bytes == 0) {
-      char hex[8];
-      std::snprintf(hex, sizeof hex, "\\x%02x", static_cast<unsigned char>(text[0]));
-      shown += hex;
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
     } else if (is_escaped(c.code) && !keeps(c.code)) {
       append_escape(shown, c.code);
     } else {

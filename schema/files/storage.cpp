@@ -1,11 +1,11 @@
 #include "schema/files/storage.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace misalign::schema {
@@ -39,9 +39,7 @@ FileSystem file_system_of_type(std::uint64_t type) {
   for (const KnownType& known : kKnownTypes) {
     if (known.type == type) return {known.name, known.storage, 0};
   }
-  char name[20];
-  std::snprintf(name, sizeof name, "0x%llx", static_cast<unsigned long long>(type));
-  return {name, Storage::local, 0};
+  return {fmt::format("{:#x}", type), Storage::local, 0};
 }
 
 FileSystem file_system_of(const std::string& path) {

@@ -8,13 +8,10 @@
 
 namespace misalign::search {
 
-std::string ChosenSheet::name() const {
-  if (!drawn) return pattern;
-  return "draw " + std::to_string(drawn->draw) + " of " + drawn->campaign.name;
-}
+std::string SheetKey::name() const { return draw ? "draw " + std::to_string(*draw) : pattern; }
 
-schema::Json ChosenSheet::key_json() const {
-  if (drawn) return {{"draw", drawn->draw}};
+schema::Json SheetKey::json() const {
+  if (draw) return {{"draw", *draw}};
   return {{"pattern", pattern}};
 }
 

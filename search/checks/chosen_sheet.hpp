@@ -8,6 +8,17 @@
 
 namespace misalign::search {
 
+/// Whose sheet it is: a draw's of a campaign, or a pattern file's.
+struct SheetKey {
+  std::optional<std::uint64_t> draw;
+  std::string pattern;  ///< name of a pattern file without its ending
+
+  /// "draw 7", or the pattern's name.
+  std::string name() const;
+  /// {"draw": 7}, or {"pattern": "table1"}: how data say whose they are.
+  schema::Json json() const;
+};
+
 struct ChosenSheet {
   schema::Pattern base;
   schema::Sampling sampling;
@@ -19,13 +30,12 @@ struct ChosenSheet {
     std::uint64_t draw;
   };
   std::optional<Drawn> drawn;
-  std::string pattern;    ///< name of a pattern file without its ending
+  std::string pattern;    ///< as in its key
   schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
 
+  SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
   /// "draw 7 of miura-6x6", or the pattern's name.
-  std::string name() const;
-  /// {"draw": 7}, or {"pattern": "table1"}: how data say whose they are.
-  schema::Json key_json() const;
+  std::string name() const { return key().name() + (drawn ? " of " + drawn->campaign.name : ""); }
 };
 
 /// Whether a file holds JSON, and so a pattern, instead of a catalogue. False also for what cannot

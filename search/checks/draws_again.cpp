@@ -85,16 +85,20 @@ std::uint64_t compare(const Accepted& stored, const Accepted& again,
 
 }  // namespace
 
+SQLite::Statement fault_sample_rows(SQLite::Database& database, const schema::DrawRange& range) {
+  SQLite::Statement row(database,
+                        "SELECT draw, deploys_from_sample, first_fault, fault_deg, \"where\" FROM "
+                        "fault_sample WHERE draw >= ? AND draw < ? ORDER BY draw");
+  row.bind(1, schema::stored(range.lo));
+  row.bind(2, schema::stored(range.hi));
+  return row;
+}
+
 std::vector<StoredVerdict> stored_verdicts(SQLite::Database& database,
                                            const schema::DrawRange& range) {
   return schema::reading(database, [&] {
     std::vector<StoredVerdict> rows;
-    SQLite::Statement row(
-        database,
-        "SELECT draw, deploys_from_sample, first_fault, fault_deg, \"where\" FROM "
-        "fault_sample WHERE draw >= ? AND draw < ? ORDER BY draw");
-    row.bind(1, schema::stored(range.lo));
-    row.bind(2, schema::stored(range.hi));
+    SQLite::Statement row = fault_sample_rows(database, range);
     while (row.executeStep()) {
       const SQLite::Column fault = row.getColumn(3);
       rows.push_back({schema::draw_of(row.getColumn(0)), row.getColumn(1).getInt64(),

@@ -15,7 +15,10 @@ struct StoredVerdict {
   std::string where;
 };
 
-/// Rows of fault_sample in this range, ascending. UserError (3).
+/// The same row, as it is read in this range, ascending: draw, deploys_from_sample, first_fault,
+/// fault_deg, where.
+SQLite::Statement fault_sample_rows(SQLite::Database& database, const schema::DrawRange& range);
+/// All of those rows. UserError (3).
 std::vector<StoredVerdict> stored_verdicts(SQLite::Database& database,
                                            const schema::DrawRange& range);
 

@@ -1,5 +1,6 @@
 #include "search/checks/machine_check.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "search/draws/draw.hpp"
-#include "search/draws/stopwatch.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
 namespace {
@@ -62,25 +63,28 @@ std::vector<Check> check_numbers() {
                        ? Check{"random numbers", Health::good, "as published"}
                        : Check{"random numbers", Health::bad,
                                "not as published: this build is broken, build it again"});
-  std::map<std::string, std::string> sets_of;  // by verdicts
+  std::map<std::string, std::vector<std::string>> sets_of;  // by verdicts
   std::string widest;
   for (const auto set : solver::available_instruction_sets()) {
     widest = solver::instruction_set_name(set);
-    std::string& sets = sets_of[golden_verdicts(set)];
-    sets += (sets.empty() ? "" : ", ") + widest;
+    sets_of[golden_verdicts(set)].push_back(widest);
   }
   checks.push_back(
       {"instruction set", widest == "baseline" ? Health::note : Health::good,
        widest == "baseline" ? "baseline: four sheets at a time instead of 8 or 16" : widest});
   if (sets_of.size() == 1) {
     const auto& [verdicts, sets] = *sets_of.begin();
-    checks.push_back({"golden verdicts", Health::good, verdicts.substr(0, 8) + " by " + sets});
+    checks.push_back({"golden verdicts", Health::good,
+                      fmt::format("{} by {}", verdicts.substr(0, 8), fmt::join(sets, ", "))});
   } else {
-    std::string groups;
-    for (const auto& [verdicts, sets] : sets_of) groups += (groups.empty() ? "" : " | ") + sets;
+    std::vector<std::string> groups;
+    for (const auto& [verdicts, sets] : sets_of) {
+      groups.push_back(fmt::to_string(fmt::join(sets, ", ")));
+    }
     checks.push_back({"golden verdicts", Health::bad,
-                      "differ between " + groups +
-                          ": this build or this machine is broken; build again, run the tests"});
+                      fmt::format("differ between {}: this build or this machine is broken; build "
+                                  "again, run the tests",
+                                  fmt::join(groups, " | "))});
   }
   return checks;
 }
@@ -131,14 +135,15 @@ std::vector<Check> check_ranks(const std::vector<RankReport>& ranks, bool has_be
     hosts[rank.host].second = rank.threads;
     verdicts.insert(rank.golden_verdicts);
   }
-  std::string all, crowded, idle;
+  std::vector<std::string> each;
+  std::string crowded, idle;
   for (const auto& [host, count] : hosts) {
     const auto [on_it, threads] = count;
-    all += (all.empty() ? "" : ", ") + std::to_string(on_it) + " on " + host + " (" +
-           std::to_string(threads) + " threads)";
+    each.push_back(fmt::format("{} on {} ({} threads)", on_it, host, threads));
     if (on_it > threads) crowded += " " + host;
     if (on_it < threads) idle += " " + host;
   }
+  const std::string all = fmt::to_string(fmt::join(each, ", "));
   std::vector<Check> checks;
   if (!crowded.empty()) {
     checks.push_back(
@@ -168,9 +173,8 @@ std::vector<Check> check_ranks(const std::vector<RankReport>& ranks, bool has_be
 std::string checks_text(const std::vector<Check>& checks) {
   std::string text;
   for (const Check& check : checks) {
-    text += std::string(name_of(check.health)) + "  " + (check.health == Health::bad ? " " : "") +
-            check.name + std::string(17 - check.name.size(), ' ') +
-            schema::printable(check.sentence) + "\n";
+    text += fmt::format("{:<6}{:<17}{}\n", name_of(check.health), check.name,
+                        schema::printable(check.sentence));
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include "schema/catalogue/merge_plan.hpp"
 #include "schema/files/output_file.hpp"
 #include "search/checks/column_tolerances.hpp"
+#include "search/checks/draws_again.hpp"
 #include "search/draws/trial.hpp"
 
 namespace misalign::search {
@@ -181,11 +182,7 @@ class Merge {
     const auto rows_of = [&](SQLite::Database& database) {
       return schema::reading(database, [&] {
         std::map<std::uint64_t, Json> rows;
-        SQLite::Statement row(database,
-                              "SELECT draw, deploys_from_sample, first_fault, fault_deg, "
-                              "\"where\" FROM fault_sample WHERE draw >= ? AND draw < ?");
-        row.bind(1, schema::stored(range.lo));
-        row.bind(2, schema::stored(range.hi));
+        SQLite::Statement row = fault_sample_rows(database, range);
         while (row.executeStep()) {
           Json& values = rows[schema::draw_of(row.getColumn(0))];
           for (int k = 1; k < 5; ++k) values.push_back(schema::text_of(row.getColumn(k)));

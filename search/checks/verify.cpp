@@ -1,11 +1,11 @@
 #include "search/checks/verify.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <random>
 
 #include "search/checks/draws_again.hpp"
-#include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -101,35 +101,31 @@ class Verifier {
 };
 
 std::string units_text(const Verification& v) {
-  char line[300];
   if (v.units.checked == 0) {
-    std::snprintf(
-        line, sizeof line,
-        "units        none of %llu made again: a candidate that was removed together with "
-        "its sums is found by --units\n",
-        number(v.units.of));
-  } else {
-    std::snprintf(line, sizeof line,
-                  "units        %llu of %llu made again, %llu draws (--seed %llu): that finds a "
-                  "candidate that was removed together with its sums with probability %.3g\n",
-                  number(v.units.checked), number(v.units.of), number(v.draws_again),
-                  number(v.seed), v.chance_to_find_one());
+    return fmt::format(
+        "units        none of {} made again: a candidate that was removed together with its sums "
+        "is "
+        "found by --units\n",
+        v.units.of);
   }
+  const std::string line = fmt::format(
+      "units        {} of {} made again, {} draws (--seed {}): that finds a candidate that was "
+      "removed together with its sums with probability {:.3g}\n",
+      v.units.checked, v.units.of, v.draws_again, v.seed, v.chance_to_find_one());
   if (v.decided_now == 0) return line;
-  return line + ("not compared " + std::to_string(v.decided_now)) +
-         (v.decided_now == 1 ? " draw" : " draws") +
-         " of them: undecided in the catalogue or here, and decided in the other (no fault; "
-         "`misalign search --retry-undecided` settles what can be)\n";
+  return line +
+         fmt::format(
+             "not compared {} {} of them: undecided in the catalogue or here, and decided in the "
+             "other (no fault; `misalign search --retry-undecided` settles what can be)\n",
+             v.decided_now, v.decided_now == 1 ? "draw" : "draws");
 }
 
 std::string other_definitions_text(const Verification& v) {
   if (v.not_comparable == 0) return "";
-  std::string columns;
-  for (const std::string& column : v.other_definitions) {
-    columns += (columns.empty() ? "" : ", ") + column;
-  }
-  return "not compared " + columns + " of " + std::to_string(v.not_comparable) +
-         " candidates: an older build measured them by another definition (no fault)\n";
+  return fmt::format(
+      "not compared {} of {} candidates: an older build measured them by another definition (no "
+      "fault)\n",
+      fmt::join(v.other_definitions, ", "), v.not_comparable);
 }
 
 }  // namespace
@@ -175,23 +171,16 @@ Verification verify(SQLite::Database& database, const std::string& path,
 
 std::string verification_text(const Verification& v) {
   std::string text = findings_text(v.findings);
-  char line[200];
-  std::snprintf(line, sizeof line, "campaign     %s, digest %s\n", v.campaign.c_str(),
-                v.digest.c_str());
-  text += line;
-  std::snprintf(line, sizeof line, "candidates   %llu of %llu computed again\n",
-                number(v.checked.size()), number(v.candidates));
-  text += line;
-  std::snprintf(line, sizeof line, "fault sample %llu of %llu judged again\n",
-                number(v.fault_samples.checked), number(v.fault_samples.of));
-  text += line + units_text(v) + other_definitions_text(v);
+  text += fmt::format("campaign     {}, digest {}\n", v.campaign, v.digest);
+  text += fmt::format("candidates   {} of {} computed again\n", v.checked.size(), v.candidates);
+  text += fmt::format("fault sample {} of {} judged again\n", v.fault_samples.checked,
+                      v.fault_samples.of);
+  text += units_text(v) + other_definitions_text(v);
   text += "worst        " + worst_text(v.worst, v.diagonal_mm) + "\n";
   if (const CheckedCandidate* first = v.first_contact()) {
-    std::snprintf(line, sizeof line,
-                  "contacts     panels cross in %llu of them, first at %g deg (draw %llu, %s)\n",
-                  number(v.contacts()), *first->first_contact_deg, number(first->draw),
-                  first->contact.c_str());
-    text += line;
+    text +=
+        fmt::format("contacts     panels cross in {} of them, first at {:g} deg (draw {}, {})\n",
+                    v.contacts(), *first->first_contact_deg, first->draw, first->contact);
   } else {
     text += "contacts     none: no two panels without a common vertex cross\n";
   }

@@ -1,5 +1,7 @@
 #include "search/draws/nothing_found.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,10 +21,10 @@ constexpr std::pair<double, const char*> kShares[] = {{0.5, "half of the draws d
                                                       {0.01, "one in a hundred"},
                                                       {kShareToTry, "one in a thousand"}};
 
-std::string two_digits(double value) { return shown_number("%.2g", value); }
+std::string two_digits(double value) { return fmt::format("{:.2g}", value); }
 // A number of draws: 88900, 5.3e+08.
 std::string some_draws(double draws) {
-  return draws < 1e7 ? shown_number("%.0f", std::floor(draws)) : two_digits(draws);
+  return draws < 1e7 ? fmt::format("{:.0f}", std::floor(draws)) : two_digits(draws);
 }
 
 int threshold_sample(const Survival& survival, const schema::CatalogueState& state) {
@@ -65,28 +67,28 @@ std::string how_rare(const schema::CatalogueState& state) {
 
 std::string who_survives(const Survival& survival) {
   const std::uint64_t rows = survival.all().rows;
-  std::string text;
+  std::vector<std::string> shares;
   for (const auto& [share, words] : kShares) {
     const auto sample = survival.sample_of_share(share);
     if (!sample) break;
-    text += (text.empty() ? "" : ", ") + std::string(words) + " from " +
-            shown_number(survival.deg(*sample)) + " deg";
+    shares.push_back(fmt::format("{} from {:.10g} deg", words, survival.deg(*sample)));
   }
-  if (text.empty()) {
-    return "how deep the draws fold is not known yet: the fault sample has " +
-           std::to_string(rows) + (rows == 1 ? " draw" : " draws") +
-           ", one in 1024 or fewer; more draws will tell";
+  if (shares.empty()) {
+    return fmt::format(
+        "how deep the draws fold is not known yet: the fault sample has {} {}, one in 1024 or "
+        "fewer; more draws will tell",
+        rows, rows == 1 ? "draw" : "draws");
   }
-  return text + ", the deepest seen " + shown_number(survival.deg(survival.deepest())) + " deg (" +
-         std::to_string(rows) + " draws judged to the end of their paths)";
+  return fmt::format("{}, the deepest seen {:.10g} deg ({} draws judged to the end of their paths)",
+                     fmt::join(shares, ", "), survival.deg(survival.deepest()), rows);
 }
 
 std::string guess_words(const schema::SurvivalGuess& guess, const schema::CatalogueState& state) {
-  std::string text = "a guess, from how the deepest of these thin out: about one draw in " +
-                     some_draws(1 / guess.rate) + " deploys from " +
-                     shown_number(state.threshold_deg) + " deg (one in " +
-                     some_draws(1 / guess.high) + " to one in " + some_draws(1 / guess.low) +
-                     " if they go on as they do)";
+  std::string text = fmt::format(
+      "a guess, from how the deepest of these thin out: about one draw in {} deploys from {:.10g} "
+      "deg (one in {} to one in {} if they go on as they do)",
+      some_draws(1 / guess.rate), state.threshold_deg, some_draws(1 / guess.high),
+      some_draws(1 / guess.low));
   if (state.draws_per_s > 0) {
     text += ", " + duration(1 / (guess.rate * state.draws_per_s)) + " at the last run's speed";
   }

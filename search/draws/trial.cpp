@@ -7,7 +7,7 @@
 #include "schema/catalogue/digest.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
-#include "search/draws/stopwatch.hpp"
+#include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
 namespace {

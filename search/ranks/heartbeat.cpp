@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "schema/files/input.hpp"
-#include "search/draws/stopwatch.hpp"
+#include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
 

@@ -1,5 +1,6 @@
 #include "search/ranks/search_run.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -15,8 +16,8 @@
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/terminal/failure.hpp"
+#include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/verbs/status.hpp"
 
 namespace misalign::search {
 namespace {
@@ -73,9 +74,7 @@ std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds b
                                   "difference does no harm");
     }
   }
-  std::string all;
-  for (const std::string& verdicts : different) all += (all.empty() ? "" : " ") + verdicts;
-  return all;
+  return fmt::to_string(fmt::join(different, " "));
 }
 
 std::string place_of(const SearchOptions& options, const schema::Campaign& campaign) {
@@ -157,11 +156,9 @@ class RankZero {
     const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
                                               static_cast<double>(state.draws)
                                         : 0.0;
-    put_format("%s: %s, %llu draws, %llu accepted (%.4g %%), %llu undecided, digest %s\n",
-               schema::printable(catalogue_.path()).c_str(), run_end_name(end),
-               static_cast<unsigned long long>(state.draws),
-               static_cast<unsigned long long>(state.accepted), rate,
-               static_cast<unsigned long long>(state.undecided), state.digest.c_str());
+    put("{}: {}, {} draws, {} accepted ({:.4g} %), {} undecided, digest {}\n",
+        schema::printable(catalogue_.path()), run_end_name(end), state.draws, state.accepted, rate,
+        state.undecided, state.digest);
     std::fflush(stdout);
     if (!is_talkative()) return;
     for (const std::string& sentence : nothing_found(*database, state)) {

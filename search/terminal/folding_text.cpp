@@ -1,9 +1,11 @@
 #include "search/terminal/folding_text.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "schema/files/text_table.hpp"
 
@@ -15,26 +17,27 @@ using schema::shown_number;
 
 // Verdict and limits in words.
 std::string summary(const schema::FoldingView& view, const Paint& paint) {
-  const Json verdict = schema::verdict_json(view);
-  std::string text =
-      paint.bold("deploys from " + shown_number("%g", verdict["deploys_from_deg"].get<double>()) +
-                 " deg") +
-      "; first fault: " + verdict["first_fault"].get<std::string>();
-  if (!verdict["fault_deg"].is_null()) {
-    text += " at " + shown_number("%g", verdict["fault_deg"].get<double>()) + " deg";
+  const solver::Verdict& verdict = view.history.verdict;
+  const double d_deg = verdict.deploys_from_sample * view.sample_deg;
+  std::string text = paint.bold(fmt::format("deploys from {:g} deg", d_deg)) +
+                     "; first fault: " + solver::fault_name(verdict.first_fault);
+  if (const int sample = verdict.fault_sample(); sample > 0) {
+    text += fmt::format(" at {:g} deg", sample * view.sample_deg);
   }
-  if (!verdict["where"].is_null()) text += ", " + verdict["where"].get<std::string>();
-  if (verdict.contains("cause")) text += ", " + verdict["cause"].get<std::string>();
-  const Json bump = schema::bump_json(view);
-  if (!bump.is_null()) {
-    text += "\nbump between samples from " + shown_number("%.4f", bump["from_deg"].get<double>()) +
-            " deg, " + bump["where"].get<std::string>();
+  const std::string where = schema::where_label(view.mechanism, verdict);
+  if (!where.empty()) text += ", " + where;
+  if (verdict.first_fault == solver::Fault::undecided) {
+    text += std::string(", ") + schema::undecided_cause(verdict);
+  }
+  if (const solver::Between& between = view.history.between; between.bump_where >= 0) {
+    const solver::Diagonal& diagonal = view.mechanism.diagonals[between.bump_where];
+    text += fmt::format("\nbump between samples from {:.4f} deg, {}", between.bump_deg,
+                        solver::line_label(diagonal.from, diagonal.to));
   }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
-  return text + "\n" + (limit ? "fold limit " : "followed to ") +
-         shown_number("%.4f", view.history.path.fold_limit_deg) + " deg; " +
-         std::to_string(view.mechanism.unknowns) + " unknowns, " +
-         std::to_string(view.mechanism.equations) + " equations\n";
+  return fmt::format("{}\n{} {:.4f} deg; {} unknowns, {} equations\n", text,
+                     limit ? "fold limit" : "followed to", view.history.path.fold_limit_deg,
+                     view.mechanism.unknowns, view.mechanism.equations);
 }
 
 // One diagonal's lengths over the path, flat first.
@@ -103,8 +106,8 @@ struct Scale {
 
 // "0 ... 112|    156": the path's ends, and D where the sparklines have their bar.
 std::string scale_text(const Scale& scale) {
-  const std::string end = shown_number("%.4g", scale.end_deg),
-                    d = shown_number("%g", scale.d_deg) + "|";
+  const std::string end = fmt::format("{:.4g}", scale.end_deg),
+                    d = fmt::format("{:g}|", scale.d_deg);
   std::string text(scale.columns + 1, ' ');
   text.replace(0, 1, "0");
   const std::size_t to_d = scale.columns_to_d();
@@ -145,10 +148,9 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
     const Json facet = schema::diagonal_json(view.base, view.mechanism, diagonal, flat_mm)["hole"];
     rows.push_back({solver::line_label(diagonal.from, diagonal.to),
                     facet.is_array() ? facet.dump() : "face " + facet.dump(),
-                    shown_number("%.3f", flat_mm), shown_number("%.3f", at_mm),
+                    fmt::format("{:.3f}", flat_mm), fmt::format("{:.3f}", at_mm),
                     direction(at_mm - flat_mm),
-                    shown_number("%+.2f", 100 * changes.least) + " " +
-                        shown_number("%+.2f", 100 * changes.most)});
+                    fmt::format("{:+.2f} {:+.2f}", 100 * changes.least, 100 * changes.most)});
   }
   const std::vector<bool> numeric = {false, false, true, true, false, true, false};
   std::string table = schema::aligned(rows, numeric);
@@ -186,20 +188,19 @@ std::string lengths(const schema::FoldingView& view) {
   const solver::FoldingHistory& history = view.history;
   std::string text = "pilot_deg";
   for (const solver::Diagonal& diagonal : view.mechanism.diagonals) {
-    const std::string name = solver::line_label(diagonal.from, diagonal.to);
-    text += std::string(name.size() < 9 ? 10 - name.size() : 1, ' ') + name;
+    text += fmt::format(" {:>9}", solver::line_label(diagonal.from, diagonal.to));
   }
-  text += "\n" + shown_number("%9g", 0);
-  for (const double flat : history.flat_mm) text += shown_number(" %9.4f", flat);
+  text += "\n        0";
+  for (const double flat : history.flat_mm) text += fmt::format(" {:>9.4f}", flat);
   text += "\n";
   for (std::size_t row = 0; row < history.stops.size(); ++row) {
     const solver::Stop& stop = history.stops[row];
     const bool at_d = stop.sample > 0 && stop.sample == history.verdict.deploys_from_sample;
     const bool round = std::abs(std::remainder(stop.pilot_deg, 10)) < 1e-9;
     if (!round && !at_d && stop.sample > 0) continue;
-    text += shown_number("%9g", stop.pilot_deg);
+    text += fmt::format("{:>9g}", stop.pilot_deg);
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
-      text += shown_number(" %9.4f", history.length_mm(static_cast<Eigen::Index>(row), d));
+      text += fmt::format(" {:>9.4f}", history.length_mm(static_cast<Eigen::Index>(row), d));
     }
     text += at_d ? " <- D\n" : "\n";
   }
@@ -230,6 +231,11 @@ std::string folding_text(const schema::FoldingView& view, const FoldingTextOptio
   if (!drawn.empty()) text += "\n" + drawn;
   if (options.table || fits) text += "\n" + lengths(view);
   return text;
+}
+
+void put_folding(const schema::FoldingView& view, bool table) {
+  put(folding_text(
+      view, {terminal_width(STDOUT_FILENO), locale_is_utf8(), table, paint_for(STDOUT_FILENO)}));
 }
 
 }  // namespace misalign::search

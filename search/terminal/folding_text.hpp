@@ -22,4 +22,7 @@ struct FoldingTextOptions {
 
 std::string folding_text(const schema::FoldingView& view, const FoldingTextOptions& options);
 
+/// To standard output, as what is behind it can show.
+void put_folding(const schema::FoldingView& view, bool table);
+
 }  // namespace misalign::search

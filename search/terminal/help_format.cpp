@@ -1,5 +1,7 @@
 #include "search/terminal/help_format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -37,11 +39,11 @@ std::string section(const std::string& title, const std::vector<const CLI::Optio
       text += entry(option->get_name(true), option->get_description());
       continue;
     }
-    std::string names;
-    for (const std::string& name : names_of(*option)) names += (names.empty() ? "" : ", ") + name;
     const std::string value = value_name(*option);
     const std::string needed = option->get_required() ? " (required)" : "";
-    text += entry(names + (value.empty() ? "" : " ") + value, option->get_description() + needed);
+    text += entry(
+        fmt::format("{}{}{}", fmt::join(names_of(*option), ", "), value.empty() ? "" : " ", value),
+        option->get_description() + needed);
   }
   return text;
 }
@@ -150,10 +152,10 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 std::string value_name(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
-  std::string name;
-  for (const std::string& value : fixed_values(option)) name += (name.empty() ? "" : "|") + value;
-  if (!name.empty()) return name;
-  name = option.get_type_name();  // with what its checks say of themselves after it
+  if (const auto values = fixed_values(option); !values.empty()) {
+    return fmt::to_string(fmt::join(values, "|"));
+  }
+  std::string name = option.get_type_name();  // with what its checks say of themselves after it
   const std::size_t range = name.find(" in [");
   if (range != std::string::npos) name.erase(name.rfind(':', range));
   return name == "UINT" || name == "INT" ? "N" : name;

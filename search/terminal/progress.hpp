@@ -1,8 +1,8 @@
 // How far a search is, on standard error: in one live line, in a line now and then, or as JSON.
 #pragma once
 
-#include "search/draws/stopwatch.hpp"
 #include "search/terminal/progress_text.hpp"
+#include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
 

@@ -1,17 +1,16 @@
 #include "search/terminal/progress_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "schema/files/input.hpp"
 #include "search/terminal/duration.hpp"
 
 namespace misalign::search {
-
-using schema::shown_number;
 
 std::string short_number(double value) {
   constexpr std::array<const char*, 7> kUnits = {"", " k", " M", " G", " T", " P", " E"};
@@ -20,12 +19,9 @@ std::string short_number(double value) {
     value /= 1000;
     ++unit;
   }
-  if (unit == 0) return shown_number("%.3g", value);
-  return shown_number(value < 9.995   ? "%.2f"
-                      : value < 99.95 ? "%.1f"
-                                      : "%.0f",
-                      value) +
-         kUnits[unit];
+  if (unit == 0) return fmt::format("{:.3g}", value);
+  const int digits = value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
+  return fmt::format("{:.{}f}{}", value, digits, kUnits[unit]);
 }
 
 namespace {
@@ -62,15 +58,13 @@ ProgressStyle resolved(ProgressStyle style, bool able_terminal, bool under_launc
 
 std::string plain_line(const ProgressReport& report) {
   const ProgressCounts& counts = report.counts;
-  std::string line = duration(report.elapsed_s) + ": " + std::to_string(counts.standing.draws);
-  if (counts.limited) line += " of " + std::to_string(wanted(counts));
-  line += " draws, " +
-          shown_number("%.4g", report.last ? report.draws_per_s_mean : report.draws_per_s) +
-          " draws/s, " + std::to_string(counts.standing.accepted) + " accepted (" +
-          shown_number("%.4g", 100 * rate(counts)) + " %)";
+  std::string line = fmt::format("{}: {}", duration(report.elapsed_s), counts.standing.draws);
+  if (counts.limited) line += fmt::format(" of {}", wanted(counts));
+  line += fmt::format(" draws, {:.4g} draws/s, {} accepted ({:.4g} %)",
+                      report.last ? report.draws_per_s_mean : report.draws_per_s,
+                      counts.standing.accepted, 100 * rate(counts));
   if (const auto& best = counts.standing.best) {
-    line += ", best " + shown_number(best->deploys_from_deg) + " deg (draw " +
-            std::to_string(best->draw) + ")";
+    line += fmt::format(", best {:.10g} deg (draw {})", best->deploys_from_deg, best->draw);
   }
   const auto left = left_s(report);
   if (left && *left > 0) line += ", " + duration(*left) + " left";
@@ -85,7 +79,7 @@ std::string bar_line(const ProgressReport& report, int width) {
     const auto all = static_cast<double>(wanted(counts));
     // Rounded down: 100 % is when nothing is left.
     const double percent = all > 0 ? std::floor(100 * draws / all) : 100;
-    done += " of " + short_number(all) + " draws (" + shown_number("%.0f", percent) + " %)";
+    done += fmt::format(" of {} draws ({:.0f} %)", short_number(all), percent);
   } else {
     done += " draws";
   }
@@ -96,11 +90,11 @@ std::string bar_line(const ProgressReport& report, int width) {
       short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s";
   const std::string accepted =
       short_number(static_cast<double>(counts.standing.accepted)) + " accepted";
-  const std::string share = " (" + shown_number("%.3g", 100 * rate(counts)) + " %)";
+  const std::string share = fmt::format(" ({:.3g} %)", 100 * rate(counts));
   std::string best, best_draw;
   if (counts.standing.best) {
-    best = ", best " + shown_number(counts.standing.best->deploys_from_deg) + " deg";
-    best_draw = " (draw " + std::to_string(counts.standing.best->draw) + ")";
+    best = fmt::format(", best {:.10g} deg", counts.standing.best->deploys_from_deg);
+    best_draw = fmt::format(" (draw {})", counts.standing.best->draw);
   }
   // From everything to the least.
   const std::vector<std::string> lines = {

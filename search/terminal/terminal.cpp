@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -103,19 +102,6 @@ std::string pager_command() {
 }
 
 void put(const std::string& text) { write_out(for_people(text)); }
-
-void put_format(const char* format, ...) {
-  std::va_list words, again;
-  va_start(words, format);
-  va_copy(again, words);
-  const int size = std::vsnprintf(nullptr, 0, format, words);
-  std::string text(static_cast<std::size_t>(std::max(size, 0)) + 1, '\0');
-  std::vsnprintf(text.data(), text.size(), format, again);
-  va_end(again);
-  va_end(words);
-  text.pop_back();
-  put(text);
-}
 
 void put_json(const schema::Json& json, int indent) {
   put_json(json.dump(indent, ' ', false, schema::Json::error_handler_t::replace) + "\n");

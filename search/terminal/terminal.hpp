@@ -1,9 +1,11 @@
 // The terminal: its width and colors, the pager, and everything that goes to standard output.
 #pragma once
 
-#include <cstdint>
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "schema/files/input.hpp"
 
@@ -48,14 +50,14 @@ std::string pager_command();
 // (scripts/check.sh looks). Names and cells of a file may hold whatever moves a cursor, erases or
 // colors: it is escaped, also in a pipe, which a terminal may be the end of.
 
-/// For printf's %llu.
-inline unsigned long long number(std::uint64_t n) { return n; }
-
 /// Text for people. Colors of Paint stay where they are wanted. Whoever puts text of a file in says
 /// schema::printable to it: a line feed stays here.
 void put(const std::string& text);
-/// The same with a format of printf.
-[[gnu::format(printf, 1, 2)]] void put_format(const char* format, ...);
+/// The same, of a format of fmt and what fills it.
+template <class First, class... Others>
+void put(fmt::format_string<First, Others...> format, First&& first, Others&&... others) {
+  put(fmt::format(format, std::forward<First>(first), std::forward<Others>(others)...));
+}
 /// JSON for programs: escaped in JSON's own way, so that nothing is lost.
 void put_json(const schema::Json& json, int indent = 1);
 void put_json(const std::string& json);

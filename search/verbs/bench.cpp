@@ -1,20 +1,59 @@
-#include "search/verbs/bench.hpp"
+// `misalign bench`: speed of the lanes against the frozen reference, and whether their verdicts are
+// the same, in one run.
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
-#include "search/draws/stopwatch.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {
 namespace {
 
-using schema::DrawRange;
 using schema::Json;
+
+struct BenchCall {
+  std::string campaign_path;  // empty: the default campaign
+  double seconds = 3;         // for each solver; taken in turns
+  // Instead of speed: every verdict on so many draws, at many thresholds.
+  std::optional<std::uint64_t> agree_draws;
+  bool json = false;
+};
+
+// What one solver did with a campaign's draws, one after another from draw 0.
+struct SolverSpeed {
+  std::uint64_t draws = 0;
+  double seconds = 0;
+  solver::Effort effort;
+  std::uint64_t disagreements = 0;  // with the reference, on the draws that both did
+
+  double draws_per_s() const { return static_cast<double>(draws) / seconds; }
+  double of_a_draw(std::uint64_t n) const {
+    return static_cast<double>(n) / static_cast<double>(draws);
+  }
+};
+
+struct SpeedReport {
+  SolverSpeed reference;  // dense, every sample, up to the first fault
+  std::vector<std::pair<solver::InstructionSet, SolverSpeed>> lanes;
+};
+
+// Verdicts of the fast path against the reference's, on draws from 0 on.
+struct AgreementReport {
+  std::uint64_t draws = 0, undecided = 0;
+  std::uint64_t verdicts_differ = 0;   // D, first fault or place, on the full path
+  std::uint64_t reference_jumped = 0;  // they differed until the reference took finer steps
+  std::uint64_t decisions = 0;         // at thresholds of every tenth degree, at each draw's own D
+                                       // and one sample above
+  std::uint64_t decisions_differ = 0;
+  std::vector<std::uint64_t> differing_draws;  // the first few
+};
 
 // The frozen reference on a campaign's draws.
 class ReferenceRun {
@@ -63,9 +102,7 @@ class LaneRun {
     next_ = unit.range.hi;
     speed_.draws += unit.range.size();
     speed_.seconds += unit.seconds;
-    for (const schema::Candidate& candidate : unit.candidates) {
-      accepted_.push_back(candidate.draw);
-    }
+    for (const schema::Candidate& found : unit.candidates) accepted_.push_back(found.draw);
   }
 
   bool accepted(std::uint64_t draw) const {
@@ -92,11 +129,10 @@ class LaneRun {
 constexpr double kCarefulStep_deg = 0.02;
 
 Json speed_json(const SolverSpeed& speed) {
-  const double draws = static_cast<double>(speed.draws);
   return {{"draws", speed.draws},
           {"draws_per_s", speed.draws_per_s()},
-          {"solves_per_draw", static_cast<double>(speed.effort.solves) / draws},
-          {"iterations_per_draw", static_cast<double>(speed.effort.iterations) / draws}};
+          {"solves_per_draw", speed.of_a_draw(speed.effort.solves)},
+          {"iterations_per_draw", speed.of_a_draw(speed.effort.iterations)}};
 }
 
 Json report_json(const SpeedReport& report) {
@@ -122,35 +158,23 @@ Json report_json(const AgreementReport& report) {
 }
 
 void print_speed(const SpeedReport& report) {
-  put_format("%-10s %12s %8s %12s %16s %14s\n", "solver", "draws/s", "ratio", "solves/draw",
-             "iterations/draw", "disagreements");
+  put("solver          draws/s    ratio  solves/draw  iterations/draw  disagreements\n");
   const auto row = [&](const char* name, const SolverSpeed& speed) {
-    const double draws = static_cast<double>(speed.draws);
-    put_format("%-10s %12.0f %8.0f %12.2f %16.2f %14llu\n", name, speed.draws_per_s(),
-               speed.draws_per_s() / report.reference.draws_per_s(),
-               static_cast<double>(speed.effort.solves) / draws,
-               static_cast<double>(speed.effort.iterations) / draws,
-               static_cast<unsigned long long>(speed.disagreements));
+    put("{:<10} {:>12.0f} {:>8.0f} {:>12.2f} {:>16.2f} {:>14}\n", name, speed.draws_per_s(),
+        speed.draws_per_s() / report.reference.draws_per_s(), speed.of_a_draw(speed.effort.solves),
+        speed.of_a_draw(speed.effort.iterations), speed.disagreements);
   };
   row("reference", report.reference);
   for (const auto& [set, speed] : report.lanes) row(solver::instruction_set_name(set), speed);
-  put_format("disagreements: on the reference's %llu draws\n",
-             static_cast<unsigned long long>(report.reference.draws));
+  put("disagreements: on the reference's {} draws\n", report.reference.draws);
 }
 
 void print_agreement(const AgreementReport& report) {
-  put_format(
-      "%llu draws: %llu verdicts differ (in %llu more the reference had jumped), %llu of %llu "
-      "decisions differ, %llu undecided\n",
-      static_cast<unsigned long long>(report.draws),
-      static_cast<unsigned long long>(report.verdicts_differ),
-      static_cast<unsigned long long>(report.reference_jumped),
-      static_cast<unsigned long long>(report.decisions_differ),
-      static_cast<unsigned long long>(report.decisions),
-      static_cast<unsigned long long>(report.undecided));
-  for (const std::uint64_t draw : report.differing_draws) {
-    put_format("  differs: draw %llu\n", static_cast<unsigned long long>(draw));
-  }
+  put("{} draws: {} verdicts differ (in {} more the reference had jumped), {} of {} "
+      "decisions differ, {} undecided\n",
+      report.draws, report.verdicts_differ, report.reference_jumped, report.decisions_differ,
+      report.decisions, report.undecided);
+  for (const std::uint64_t draw : report.differing_draws) put("  differs: draw {}\n", draw);
 }
 
 // Collects what the fast path decides at one threshold after another.
@@ -184,7 +208,7 @@ class Comparison {
     ReferenceRun reference(campaign_, trial.mechanism());
     ReferenceRun careful(campaign_, trial.mechanism(), kCarefulStep_deg);
     for (std::uint64_t lo = 0; lo < draws; lo += trial.largest_block()) {
-      const DrawRange block{lo, std::min(draws, lo + trial.largest_block())};
+      const schema::DrawRange block{lo, std::min(draws, lo + trial.largest_block())};
       const auto& verdicts = trial.judge(block);
       full_path_.insert(full_path_.end(), verdicts.begin(), verdicts.end());
     }
@@ -254,8 +278,6 @@ class Comparison {
   std::vector<solver::Verdict> expected_, full_path_;
 };
 
-}  // namespace
-
 SpeedReport measure_speed(const schema::Campaign& campaign, double seconds) {
   constexpr int kRounds = 3;
   SpeedReport report;
@@ -286,25 +308,43 @@ SpeedReport measure_speed(const schema::Campaign& campaign, double seconds) {
   return report;
 }
 
-AgreementReport compare_verdicts(const schema::Campaign& campaign, std::uint64_t draws,
-                                 solver::InstructionSet set) {
-  return Comparison(campaign, set).run(draws);
-}
-
-bool bench(const BenchOptions& options) {
-  const schema::Campaign campaign = options.campaign_path.empty()
+// Runs what the options ask for and prints it; false if anything disagreed.
+bool bench(const BenchCall& call) {
+  const schema::Campaign campaign = call.campaign_path.empty()
                                         ? schema::default_campaign()
-                                        : schema::read_campaign_file(options.campaign_path);
-  if (options.agree_draws) {
-    const AgreementReport report = compare_verdicts(campaign, *options.agree_draws,
-                                                    solver::available_instruction_sets().back());
-    options.json ? put_json(report_json(report)) : print_agreement(report);
+                                        : schema::read_campaign_file(call.campaign_path);
+  if (call.agree_draws) {
+    const AgreementReport report =
+        Comparison(campaign, solver::available_instruction_sets().back()).run(*call.agree_draws);
+    call.json ? put_json(report_json(report)) : print_agreement(report);
     return report.verdicts_differ + report.decisions_differ + report.undecided == 0;
   }
-  const SpeedReport report = measure_speed(campaign, options.seconds);
-  options.json ? put_json(report_json(report)) : print_speed(report);
+  const SpeedReport report = measure_speed(campaign, call.seconds);
+  call.json ? put_json(report_json(report)) : print_speed(report);
   return std::all_of(report.lanes.begin(), report.lanes.end(),
                      [](const auto& lane) { return lane.second.disagreements == 0; });
+}
+
+}  // namespace
+
+Action bench_verb(CLI::App& verb) {
+  verb.description("speed, and agreement with the reference solver");
+  verb.footer(
+      "Examples:\n  misalign bench\n"
+      "  misalign bench search/campaigns/ring-6x6.json --agree 2000 --json");
+  auto call = std::make_shared<BenchCall>();
+  verb.add_option("CAMPAIGN", call->campaign_path, "campaign file [the default campaign]");
+  verb.add_option("--seconds", call->seconds, "for each solver [3]")
+      ->check(within(0.01, 1e6))
+      ->type_name("SECONDS");
+  verb.add_option(
+          "--agree", call->agree_draws,
+          "instead of speed: the verdicts of so many draws, each against the reference's at "
+          "thresholds of every tenth degree, at its own D and one sample above")
+      ->check(counted(1, 100000000))
+      ->type_name("N");
+  verb.add_flag("--json", call->json, "as JSON");
+  return [call] { return bench(*call) ? 0 : schema::kExitCheckFailed; };
 }
 
 }  // namespace misalign::search

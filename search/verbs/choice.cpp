@@ -1,5 +1,7 @@
 #include "search/verbs/choice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -25,26 +27,25 @@ std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
   });
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-Json rows_of(SQLite::Database& database, const std::string& sql) {
-  return Json::parse(schema::query_table(database, sql, schema::TableStyle::json));
-}
-
-std::vector<std::uint64_t> draws_of_rows(const SQLite::Database& database, const Json& rows) {
+std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& sql) {
   std::vector<std::uint64_t> draws;
-  for (const Json& row : rows) {
-    const Json& draw = row.at("draw");
-    if (!draw.is_number_unsigned()) {
-      throw schema::damaged(database, "a candidate's draw is " + draw.dump());
+  schema::read_query(database, sql, [&](const SQLite::Statement& row) {
+    const SQLite::Column draw = row.getColumn(0);
+    if (!draw.isInteger() || draw.getInt64() < 0) {
+      throw schema::damaged(database, "a candidate's draw is " + schema::text_of(draw));
     }
-    draws.push_back(draw.get<std::uint64_t>());
-  }
+    draws.push_back(schema::draw_of(draw));
+  });
   return draws;
+}
+
+// What says how a candidate differs from others, as it is stored.
+struct Differences {
+  Json displacements_mm, elongation;
+};
+
+Json json_of(const SQLite::Column& column) {
+  return column.isText() ? schema::json_of(schema::text_of(column)) : Json();
 }
 
 // Rows of unequal length and meaning made comparable: each coordinate over its standard deviation,
@@ -64,12 +65,12 @@ Eigen::MatrixXd standardized(const std::vector<std::vector<double>>& points) {
   return block;
 }
 
-// Elongations of the diagonals at D, one list per row.
+// Elongations of the diagonals at D, one list per candidate.
 std::vector<std::vector<double>> elongations_of(const SQLite::Database& database,
-                                                const Json& rows) {
+                                                const std::vector<Differences>& candidates) {
   std::vector<std::vector<double>> elongations;
-  for (const Json& row : rows) {
-    const Json list = schema::json_of(row.at("elongation"));
+  for (const Differences& candidate : candidates) {
+    const Json& list = candidate.elongation;
     const bool numbers = list.is_array() && !list.empty() &&
                          std::all_of(list.begin(), list.end(), std::mem_fn(&Json::is_number));
     if (!numbers || (!elongations.empty() && elongations[0].size() != list.size())) {
@@ -80,16 +81,15 @@ std::vector<std::vector<double>> elongations_of(const SQLite::Database& database
   return elongations;
 }
 
-// Shifts of every vertex that any of them shifts, x and y, one list per row.
-std::vector<std::vector<double>> shifts_of(const SQLite::Database& database, const Json& rows) {
+// Shifts of every vertex that any of them shifts, x and y, one list per candidate.
+std::vector<std::vector<double>> shifts_of(const SQLite::Database& database,
+                                           const std::vector<Differences>& candidates) {
   std::map<std::string, std::size_t> place;  // of a vertex in the lists
-  std::vector<Json> displacements;
-  for (const Json& row : rows) {
-    displacements.push_back(schema::json_of(row.at("displacements_mm")));
-    if (!displacements.back().is_object()) {
+  for (const Differences& candidate : candidates) {
+    if (!candidate.displacements_mm.is_object()) {
       throw schema::damaged(database, "a candidate's displacements are none");
     }
-    for (const auto& [label, shift] : displacements.back().items()) {
+    for (const auto& [label, shift] : candidate.displacements_mm.items()) {
       if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
           !shift[1].is_number()) {
         throw schema::damaged(database, "a candidate's displacement is " + shift.dump());
@@ -98,9 +98,9 @@ std::vector<std::vector<double>> shifts_of(const SQLite::Database& database, con
     }
   }
   std::vector<std::vector<double>> shifts;
-  for (const Json& of_one : displacements) {
+  for (const Differences& candidate : candidates) {
     shifts.emplace_back(2 * place.size(), 0.0);
-    for (const auto& [label, shift] : of_one.items()) {
+    for (const auto& [label, shift] : candidate.displacements_mm.items()) {
       shifts.back()[2 * place[label]] = shift[0].get<double>();
       shifts.back()[2 * place[label] + 1] = shift[1].get<double>();
     }
@@ -108,31 +108,56 @@ std::vector<std::vector<double>> shifts_of(const SQLite::Database& database, con
   return shifts;
 }
 
-// Where candidates lie for a spread, a column for each of the rows: by their shifts, and by what
-// the diagonals do of it, which counts as much.
-Eigen::MatrixXd places_of(const SQLite::Database& database, const Json& rows) {
-  const Eigen::MatrixXd shifts = standardized(shifts_of(database, rows));
-  const Eigen::MatrixXd elongations = standardized(elongations_of(database, rows));
+// Where candidates lie for a spread, a column for each: by their shifts, and by what the diagonals
+// do of it, which counts as much.
+Eigen::MatrixXd places_of(const SQLite::Database& database,
+                          const std::vector<Differences>& candidates) {
+  const Eigen::MatrixXd shifts = standardized(shifts_of(database, candidates));
+  const Eigen::MatrixXd elongations = standardized(elongations_of(database, candidates));
   Eigen::MatrixXd places(shifts.rows() + elongations.rows(), shifts.cols());
   places << shifts, elongations;
   return places;
+}
+
+// Of these draws, each at its draw's place.
+std::vector<Differences> differences_of(SQLite::Database& database,
+                                        const std::vector<std::uint64_t>& draws) {
+  std::map<std::uint64_t, Differences> found;
+  const std::string sql =
+      fmt::format("SELECT draw, displacements_mm, elongation FROM candidate WHERE draw IN ({})",
+                  fmt::join(draws, ", "));
+  schema::read_query(database, sql, [&](const SQLite::Statement& row) {
+    found[schema::draw_of(row.getColumn(0))] = {json_of(row.getColumn(1)),
+                                                json_of(row.getColumn(2))};
+  });
+  std::vector<Differences> ordered;
+  for (const std::uint64_t draw : draws) {
+    const auto row = found.find(draw);
+    if (row == found.end()) {
+      throw schema::damaged(database, "draw " + std::to_string(draw) + " has no row");
+    }
+    ordered.push_back(row->second);
+  }
+  return ordered;
 }
 
 // That it is an expression by itself, so that what it says is about the rows of candidates, and
 // what is wrong with it is said of the condition, not of a query around it.
 void check_condition(SQLite::Database& database, const std::string& where) {
   const auto refuse = [&](const std::string& why) {
-    throw schema::UserError(schema::kExitUsage, "--where " + schema::printable(where) +
-                                                    ": is no condition on the columns " +
-                                                    joined(columns_of_candidates(database)) + why +
-                                                    "; try \"stroke_max < 0.08\"");
+    throw schema::UserError(
+        schema::kExitUsage,
+        fmt::format("--where {}: is no condition on the columns {}{}; try \"stroke_max < 0.08\"",
+                    schema::printable(where), fmt::join(columns_of_candidates(database), ", "),
+                    why));
   };
   const std::string reason = schema::reason_not_to_enclose(where);
   if (!reason.empty()) refuse(" (" + reason + ")");
   try {
     // In brackets it must end, behind an operator it must begin as an expression.
-    rows_of(database, "SELECT 1 FROM candidates WHERE (" + where + "\n) LIMIT 0");
-    rows_of(database, "SELECT 1 FROM candidates WHERE 0 OR " + where + "\nLIMIT 0");
+    for (const std::string& condition : {"(" + where + "\n)", "0 OR " + where + "\n"}) {
+      draws_of(database, "SELECT draw FROM candidates WHERE " + condition + " LIMIT 0");
+    }
   } catch (const schema::UserError& error) {
     if (error.exit_code() != schema::kExitUsage) throw;
     refuse("");
@@ -142,9 +167,9 @@ void check_condition(SQLite::Database& database, const std::string& where) {
 void check_column(SQLite::Database& database, const std::string& by) {
   const std::vector<std::string> columns = columns_of_candidates(database);
   if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
-  throw schema::UserError(
-      schema::kExitUsage,
-      "--by " + by + ": is no column of a candidate; choose one of " + joined(columns));
+  throw schema::UserError(schema::kExitUsage,
+                          fmt::format("--by {}: is no column of a candidate; choose one of {}", by,
+                                      fmt::join(columns, ", ")));
 }
 
 // Of those that `all` selects, so many: in the order that "best" means, or by a column, the largest
@@ -153,30 +178,7 @@ std::vector<std::uint64_t> best_draws(SQLite::Database& database, const std::str
                                       const std::optional<std::string>& by, std::uint64_t most) {
   const std::string best = schema::best_order(), head = "ORDER BY ";
   const std::string order = by ? head + *by + " DESC, " + best.substr(head.size()) : best;
-  return draws_of_rows(database,
-                       rows_of(database, all + " " + order + " LIMIT " + std::to_string(most)));
-}
-
-std::string joined(const std::vector<std::uint64_t>& draws) {
-  std::string text;
-  for (const std::uint64_t draw : draws) text += (text.empty() ? "" : ", ") + std::to_string(draw);
-  return text;
-}
-
-// The rows of these draws, each at its draw's place.
-Json in_order_of(const SQLite::Database& database, const std::vector<std::uint64_t>& draws,
-                 const Json& rows) {
-  std::map<std::uint64_t, const Json*> row_of;
-  for (const Json& row : rows) row_of[row.at("draw").get<std::uint64_t>()] = &row;
-  Json ordered = Json::array();
-  for (const std::uint64_t draw : draws) {
-    const auto row = row_of.find(draw);
-    if (row == row_of.end()) {
-      throw schema::damaged(database, "draw " + std::to_string(draw) + " has no row");
-    }
-    ordered.push_back(*row->second);
-  }
-  return ordered;
+  return draws_of(database, all + " " + order + " LIMIT " + std::to_string(most));
 }
 
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
@@ -184,7 +186,7 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     std::vector<std::uint64_t> draws;
     for (const std::uint64_t draw : choice.draws) {
       const std::string sql = "SELECT draw FROM candidate WHERE draw = " + std::to_string(draw);
-      if (!rows_of(database, sql).empty()) draws.push_back(draw);
+      if (!draws_of(database, sql).empty()) draws.push_back(draw);
     }
     return draws;
   }
@@ -193,19 +195,15 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
       "SELECT draw FROM candidates" +
       (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");  // which ends a comment
   if (!choice.best && !choice.diverse) {
-    return draws_of_rows(database, rows_of(database, all + " ORDER BY draw"));
+    return draws_of(database, all + " ORDER BY draw");
   }
   if (choice.by) check_column(database, *choice.by);
   if (choice.best) return best_draws(database, all, choice.by, *choice.best);
   const std::vector<std::uint64_t> among = best_draws(database, all, choice.by, kDiverseAmong);
-  const Json rows = in_order_of(database, among,
-                                rows_of(database,
-                                        "SELECT draw, displacements_mm, elongation FROM candidate "
-                                        "WHERE draw IN (" +
-                                            joined(among) + ")"));
-  if (rows.empty()) return {};
+  if (among.empty()) return {};
+  const Eigen::MatrixXd places = places_of(database, differences_of(database, among));
   std::vector<std::uint64_t> spread;
-  for (const int k : solver::farthest_first(places_of(database, rows), *choice.diverse)) {
+  for (const int k : solver::farthest_first(places, *choice.diverse)) {
     spread.push_back(among[static_cast<std::size_t>(k)]);
   }
   return spread;

@@ -1,10 +1,12 @@
-#include "search/verbs/completion.hpp"
-
-#include <algorithm>
+// `misalign completion`: completion scripts, made from the options that the program has: they
+// cannot go stale. They never call the program.
+#include <fmt/format.h>
 
 #include "schema/catalogue/result_table.hpp"
 #include "search/terminal/help_format.hpp"
 #include "search/terminal/shell_word.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
 namespace {
@@ -18,9 +20,7 @@ struct Offer {
 };
 
 std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+  return fmt::to_string(fmt::join(words, " "));
 }
 
 Offer offer_for(const CLI::Option& option) {
@@ -158,8 +158,6 @@ std::string zsh_specifications(const CLI::App& app) {
   return text;
 }
 
-}  // namespace
-
 std::string bash_completion(const CLI::App& program) {
   std::string options, values,
       arguments = "    ' 0') offer=" + in_quotes("words " + joined(verb_names(program))) + " ;;\n";
@@ -224,6 +222,26 @@ std::string zsh_completion(const CLI::App& program) {
          "}\n\n"
          "if [[ $funcstack[1] == _misalign ]]; then _misalign \"$@\"; else compdef _misalign "
          "misalign; fi\n";
+}
+
+}  // namespace
+
+Action completion_verb(CLI::App& verb) {
+  verb.description("completion script for a shell");
+  verb.footer(
+      "Where the program was installed into a place that the shell looks at, it is there "
+      "already.\n\n"
+      "Examples:\n"
+      "  source <(misalign completion bash)\n"
+      "  misalign completion zsh > ~/.zfunc/_misalign");
+  auto shell = std::make_shared<std::string>();
+  verb.add_option("SHELL", *shell, "bash or zsh")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
+  return [&app = *verb.get_parent(), shell] {
+    put(*shell == "bash" ? bash_completion(app) : zsh_completion(app));
+    return 0;
+  };
 }
 
 }  // namespace misalign::search

@@ -1,15 +1,21 @@
-#include "search/verbs/doctor.hpp"
-
-#include <cstdio>
-
+// `misalign doctor`: the checks of a machine, or of all that mpirun starts it on.
 #include "search/checks/machine_check.hpp"
 #include "search/draws/trial.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
-int run_doctor(const std::string& directory, bool json) {
+namespace {
+
+struct DoctorCall {
+  std::string directory = ".";  // where catalogues are to be
+  bool json = false;
+};
+
+// Prints on rank 0; the exit code: 1 if anything is bad.
+int run_doctor(const DoctorCall& call) {
   const MpiSession mpi(MpiSession::Alone::with_mpi);
   const auto set = solver::available_instruction_sets().back();
   const auto reports =
@@ -19,13 +25,28 @@ int run_doctor(const std::string& directory, bool json) {
     std::vector<Check> checks = check_numbers();
     std::vector<RankReport> ranks;
     for (const std::string& report : reports) ranks.push_back(unpack_rank(report));
-    for (auto&& more : {check_ranks(ranks, mpi.has_beats()), check_directory(directory)}) {
+    for (auto&& more : {check_ranks(ranks, mpi.has_beats()), check_directory(call.directory)}) {
       checks.insert(checks.end(), more.begin(), more.end());
     }
-    json ? put_json(checks_json(checks)) : put(checks_text(checks));
+    call.json ? put_json(checks_json(checks)) : put(checks_text(checks));
     exit_code = any_bad(checks) ? schema::kExitFailure : 0;
   }
   return mpi.broadcast(exit_code);
+}
+
+}  // namespace
+
+Action doctor_verb(CLI::App& verb) {
+  verb.description("whether this machine can run a campaign well");
+  verb.footer(
+      "Looks at random numbers, verdicts in all registers, MPI and its slots, and the\n"
+      "directory for catalogues. Exit code 1 if a campaign would fail, or could not be\n"
+      "trusted.\n\n"
+      "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
+  auto call = std::make_shared<DoctorCall>();
+  verb.add_option("DIRECTORY", call->directory, "where catalogues are to be [.]");
+  verb.add_flag("--json", call->json, "as JSON");
+  return [call] { return run_doctor(*call); };
 }
 
 }  // namespace misalign::search

@@ -1,24 +1,40 @@
-#include "search/verbs/report.hpp"
+// `misalign report`: one page about a catalogue, or a pattern.
+#include "schema/report/report.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <ctime>
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/text_file.hpp"
-#include "schema/report/report.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/terminal/shell_word.hpp"
+#include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
-#include "search/verbs/status.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
 namespace {
+
+// A draw to look at makes some 0.1 MB of the page, on a large sheet 0.4 MB.
+constexpr std::uint64_t kMostDetails = 1000;
+
+struct ReportCall {
+  std::string path;  // a catalogue or a pattern file
+  std::string output;
+  std::vector<std::uint64_t> draws;  // to look at, beside the best; any draws of the campaign
+  std::uint64_t rows = 10000;        // at most so many candidates in the table
+  std::uint64_t details = 36;        // so many of the best ones can be looked at
+  Choice choice;                     // whom to look at instead; of `where` alone, `details` many
+  OtherActuators actuators;
+};
 
 using schema::Json;
 
@@ -26,10 +42,8 @@ using schema::Json;
 constexpr std::size_t kMostDetailBytes = 24 << 20;
 
 std::string now() {
-  const std::time_t time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  char text[40];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&time));
-  return text;
+  const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(time));
 }
 
 std::vector<std::uint64_t> first_in_table(const Json& candidates, std::uint64_t most) {
@@ -54,16 +68,16 @@ struct DrawsToLookAt {
 };
 
 DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidates,
-                               const ReportOptions& options) {
+                               const ReportCall& call) {
   DrawsToLookAt look;
-  look.add(options.draws);
+  look.add(call.draws);
   look.asked_for = look.draws.size();
-  Choice choice = options.choice;
+  Choice choice = call.choice;
   const bool counted = choice.best || choice.diverse;
   if (!choice.chooses()) {
-    look.add(first_in_table(candidates, options.details));
-  } else if (options.details > 0 && (candidates["total"] > 0 || !choice.where.empty())) {
-    if (!counted) choice.best = options.details;
+    look.add(first_in_table(candidates, call.details));
+  } else if (call.details > 0 && (candidates["total"] > 0 || !choice.where.empty())) {
+    if (!counted) choice.best = call.details;
     look.add(chosen_draws(database, choice));
   }
   if (counted) look.asked_for = look.draws.size();
@@ -111,9 +125,9 @@ std::string options_of(const OtherActuators& actuators) {
 }
 
 // Whom the page shows, in its own words' terms.
-Json chosen_json(const ReportOptions& options) {
-  const Choice& choice = options.choice;
-  return {{"draws", options.draws.size()},
+Json chosen_json(const ReportCall& call) {
+  const Choice& choice = call.choice;
+  return {{"draws", call.draws.size()},
           {"best", choice.best ? Json(*choice.best) : Json()},
           {"diverse", choice.diverse ? Json(*choice.diverse) : Json()},
           {"where", choice.where.empty() ? Json() : Json(choice.where)},
@@ -121,29 +135,29 @@ Json chosen_json(const ReportOptions& options) {
 }
 
 // What the page's commands are made of: it shows how to go on from what it shows.
-Json commands_json(const ReportOptions& options) {
-  std::string choice = text_of(options.choice);
-  if (options.details != ReportOptions().details) {
-    choice += " --details " + std::to_string(options.details);
+Json commands_json(const ReportCall& call) {
+  std::string choice = text_of(call.choice);
+  if (call.details != ReportCall().details) {
+    choice += " --details " + std::to_string(call.details);
   }
-  if (options.rows != ReportOptions().rows) choice += " --rows " + std::to_string(options.rows);
+  if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
   return {{"misalign", "misalign"},
-          {"catalogue", shell_word(options.path)},
+          {"catalogue", shell_word(call.path)},
           {"choice", choice},
-          {"springs", options_of(options.actuators)},
-          {"output", shell_word(options.output)}};
+          {"springs", options_of(call.actuators)},
+          {"output", shell_word(call.output)}};
 }
 
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
-                    const ReportOptions& options, DrawsToLookAt& look) {
+                    const ReportCall& call, DrawsToLookAt& look) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
     Json json = {{"state", status_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
-                 {"candidates", schema::candidates_json(database, options.rows)}};
-    look = draws_to_look_at(database, json["candidates"], options);
-    json["yields"] = schema::report_yields_json(database, options.rows, look.draws);
+                 {"candidates", schema::candidates_json(database, call.rows)}};
+    look = draws_to_look_at(database, json["candidates"], call);
+    json["yields"] = schema::report_yields_json(database, call.rows, look.draws);
     return json;
   });
 }
@@ -159,64 +173,109 @@ Json folding_json(const SheetFolder& folder) {
 }
 
 // Who wrote the page, of what, and how it can be written again.
-Json origin_json(const ReportOptions& options) {
+Json origin_json(const ReportCall& call) {
   return {{"format", 1},
           {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
           {"written_at", now()},
-          {"catalogue", options.path},
-          {"chosen", chosen_json(options)},
-          {"commands", commands_json(options)}};
+          {"catalogue", call.path},
+          {"chosen", chosen_json(call)},
+          {"commands", commands_json(call)}};
 }
 
-void refuse_own_input(const ReportOptions& options) {
+void refuse_own_input(const ReportCall& call) {
   std::error_code error;
-  if (!std::filesystem::equivalent(options.output, options.path, error)) return;
+  if (!std::filesystem::equivalent(call.output, call.path, error)) return;
   throw schema::UserError(
       schema::kExitUsage,
-      "--output " + options.output + ": is the file itself that is shown; name another file");
+      "--output " + call.output + ": is the file itself that is shown; name another file");
 }
 
-void write_page(const ReportOptions& options, const Json& data) {
-  schema::write_text_file(options.output, schema::report_page(data));
-  put(schema::printable(options.output) + "\n");
+void write_page(const ReportCall& call, const Json& data) {
+  schema::write_text_file(call.output, schema::report_page(data));
+  put(schema::printable(call.output) + "\n");
 }
 
-}  // namespace
-
-void write_report(const ReportOptions& options) {
-  refuse_own_input(options);
-  const auto database = schema::open_for_reading(options.path);
-  schema::Campaign campaign = schema::read_campaign_of(*database, options.path);
-  campaign.actuators = options.actuators.instead_of(campaign.actuators);
+void write_report(const ReportCall& call) {
+  refuse_own_input(call);
+  const auto database = schema::open_for_reading(call.path);
+  schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
+  campaign.actuators = call.actuators.instead_of(campaign.actuators);
   DrawsToLookAt look;
-  const Json catalogue = catalogue_json(*database, campaign, options, look);
+  const Json catalogue = catalogue_json(*database, campaign, call, look);
   const SheetFolder folder(campaign);
-  Json data = origin_json(options);
+  Json data = origin_json(call);
   data["campaign"] = {{"name", campaign.name},
                       {"identity", schema::identity(campaign)},
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
   data.update(folding_json(folder));
   data["details"] = details_json(campaign, folder, look);
-  write_page(options, data);
+  write_page(call, data);
 }
 
-void write_report_of_pattern(const ReportOptions& options) {
-  refuse_own_input(options);
-  const ChosenSheet sheet = sheet_of_pattern_file(options.path);
-  const SheetFolder folder(sheet.base, sheet.sampling,
-                           options.actuators.instead_of(sheet.actuators));
+void write_report_of_pattern(const ReportCall& call) {
+  refuse_own_input(call);
+  const ChosenSheet sheet = sheet_of_pattern_file(call.path);
+  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
   const FoldedSheet folded = folder.fold(sheet.shifts_mm);
   Json detail = schema::detail_json(folder.view(folded), 0, false, folded.path, folded.actuation,
                                     folded.metrics);
   detail["draw"] = sheet.pattern;  // by which the page knows it
   detail["accepted"] = nullptr;    // by nobody
-  Json data = origin_json(options);
+  Json data = origin_json(call);
   data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
   data.update(folding_json(folder));
   data["details"] = Json::array({detail});
-  write_page(options, data);
+  write_page(call, data);
+}
+
+}  // namespace
+
+Action report_verb(CLI::App& verb) {
+  verb.description("one page to look at, complete in itself");
+  verb.footer(
+      "The page needs no network. Its table holds the best candidates; 36 of them, the\n"
+      "best ones or those that are chosen, and the draws that are asked for, can be\n"
+      "looked at: crease pattern, folding, histories, springs. The page of a pattern file\n"
+      "shows that one sheet.\n\n"
+      "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
+      "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
+      "  misalign report results/miura-6x6-1a2b3c4d.db --diverse 12 \\\n"
+      "    --where \"stroke_max < 0.08\" --output report.html\n"
+      "  misalign report search/patterns/table1.json --output table1.html");
+  auto call = std::make_shared<ReportCall>();
+  add_catalogue_or_pattern(verb, call->path);
+  verb.add_option("--output", call->output, "HTML file to write")->required()->type_name("FILE");
+  add_draws(verb, call->draws, "a draw to look at, accepted or not");
+  verb.add_option("--rows", call->rows, "at most so many candidates in the table [10000]")
+      ->check(counted(0, 1000000))
+      ->type_name("N");
+  auto* details =
+      verb.add_option("--details", call->details,
+                      "so many of the best can be looked at; of those of --where too [36]")
+          ->check(counted(0, kMostDetails))
+          ->type_name("N");
+  auto* group = verb.add_option_group("choice", "which candidates can be looked at");
+  const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
+  for (CLI::Option* many : {chosen.best, chosen.diverse}) {
+    many->check(counted(1, kMostDetails))->excludes(details);
+  }
+  add_other_actuators(verb, call->actuators);
+  return [call, &verb, group] {
+    if (is_pattern_file(call->path)) {
+      std::string chosen_by = first_given(*group);
+      for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
+        if (verb.count(option) > 0) chosen_by = option;
+      }
+      if (!chosen_by.empty()) throw only_of_a_catalogue(call->path, chosen_by);
+      write_report_of_pattern(*call);
+      return 0;
+    }
+    if (call->choice.where.empty()) check_by(call->choice);
+    write_report(*call);
+    return 0;
+  };
 }
 
 }  // namespace misalign::search

@@ -1,70 +1,63 @@
-// The verbs of the command line: each adds its options, and says what to do once they are read.
+// The verbs of the command line: each in a file of its name, with its options, help and action.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace misalign::search {
 
-/// Returns the exit code; throws UserError.
+/// What a verb does once its options are read, which it owns: returns the exit code; throws
+/// UserError.
 using Action = std::function<int()>;
 
-// Those that run something.
-/// `words` as typed, the program's name first: to start them again under mpirun.
-Action add_search(CLI::App& app, const std::vector<std::string>& words);
-Action add_merge(CLI::App& app);
-Action add_config(CLI::App& app);
-Action add_doctor(CLI::App& app);
-Action add_bench(CLI::App& app);
-Action add_completion(CLI::App& app);
-/// After all others: it says what they are.
-Action add_help(CLI::App& app);
+/// As typed, the program's name first.
+using Words = std::vector<std::string>;
 
-// Those that look at a pattern or a catalogue.
-Action add_status(CLI::App& app);
-Action add_fold(CLI::App& app);
-Action add_perforations(CLI::App& app);
-Action add_replay(CLI::App& app);
-Action add_query(CLI::App& app);
-Action add_actuators(CLI::App& app);
-Action add_verify(CLI::App& app);
-Action add_tolerance(CLI::App& app);
+// Each describes its verb and adds its options.
+Action actuators_verb(CLI::App& verb);
+Action bench_verb(CLI::App& verb);
+Action completion_verb(CLI::App& verb);
+Action config_verb(CLI::App& verb);
+Action doctor_verb(CLI::App& verb);
+Action export_verb(CLI::App& verb);
+Action fold_verb(CLI::App& verb);
+Action help_verb(CLI::App& verb);
+Action merge_verb(CLI::App& verb);
+Action perforations_verb(CLI::App& verb);
+Action query_verb(CLI::App& verb);
+Action replay_verb(CLI::App& verb);
+Action report_verb(CLI::App& verb);
+Action search_verb(CLI::App& verb, const Words& typed);
+Action status_verb(CLI::App& verb);
+Action tolerance_verb(CLI::App& verb);
+Action verify_verb(CLI::App& verb);
 
-// Those that take candidates away.
-Action add_export(CLI::App& app);
-Action add_report(CLI::App& app);
+struct Verb {
+  const char* name;
+  std::function<Action(CLI::App&)> set_up;
+};
 
-/// A number within bounds, which NaN is not.
-CLI::Validator within(double least, double most);
-
-/// A share of one within bounds; what was meant as percent is told from it.
-CLI::Validator a_share(double least, double most);
-
-/// A whole number within bounds, written as one: not 1e6.
-CLI::Validator counted(std::uint64_t least, std::uint64_t most);
-/// Any number of a draw, or of draws.
-CLI::Validator a_draw();
-
-/// The first argument of verbs that look at one sheet, and the second that some of them take.
-void add_catalogue_or_pattern(CLI::App& verb, std::string& path);
-void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw);
-
-/// What is typed, and what it stands for.
-using Names = std::vector<std::pair<std::string, std::string>>;
-
-/// One of the names; `where` ends the sentence about any other.
-CLI::Validator one_of(const Names& names, const std::string& where = "");
-
-/// One of the words, of which the nearest is suggested for any other: "x is no verb".
-CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known);
-
-template <class Enum>
-std::string number_of(Enum value) {
-  return std::to_string(static_cast<int>(value));
+/// All of them, in the order of --help; help comes last, since it says what the others are.
+inline std::vector<Verb> all_verbs(const Words& typed) {
+  return {{"search", [&](CLI::App& verb) { return search_verb(verb, typed); }},
+          {"status", status_verb},
+          {"fold", fold_verb},
+          {"perforations", perforations_verb},
+          {"replay", replay_verb},
+          {"query", query_verb},
+          {"export", export_verb},
+          {"verify", verify_verb},
+          {"merge", merge_verb},
+          {"config", config_verb},
+          {"tolerance", tolerance_verb},
+          {"doctor", doctor_verb},
+          {"actuators", actuators_verb},
+          {"report", report_verb},
+          {"bench", bench_verb},
+          {"completion", completion_verb},
+          {"help", help_verb}};
 }
 
 }  // namespace misalign::search

@@ -14,8 +14,8 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/files/carried_files.hpp"
-#include "search/draws/stopwatch.hpp"
-#include "search/verbs/status.hpp"
+#include "search/terminal/status_text.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 
 namespace misalign::bench {

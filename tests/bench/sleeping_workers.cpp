@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "search/draws/stopwatch.hpp"
 #include "search/ranks/coordinator.hpp"
 #include "search/ranks/stop_signal.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 
 namespace misalign::bench {

@@ -1,8 +1,8 @@
-#include "search/verbs/status.hpp"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "search/terminal/status_text.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "search/draws/draw.hpp"
-#include "search/terminal/tolerance_text.hpp"
+#include "search/draws/tolerance_text.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

@@ -16,8 +16,8 @@
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/trial.hpp"
+#include "search/terminal/status_text.hpp"
 #include "search/verbs/choice.hpp"
-#include "search/verbs/status.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
 #include "tests/stress/folder.hpp"
 

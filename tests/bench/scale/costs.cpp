@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "schema/catalogue/catalogue.hpp"
-#include "search/draws/stopwatch.hpp"
 #include "search/draws/trial.hpp"
 #include "search/ranks/messages.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 
 namespace misalign::bench {

@@ -11,8 +11,8 @@
 
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/draws/stopwatch.hpp"
 #include "search/ranks/ledger.hpp"
+#include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 
 namespace misalign::bench {

@@ -1,11 +1,11 @@
-#include "search/terminal/tolerance_text.hpp"
+#include "search/draws/tolerance_text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "search/terminal/duration.hpp"
 #include "search/terminal/progress_text.hpp"
-#include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -24,25 +24,20 @@ Json share_json(std::uint64_t hits, const MiscutCopies& copies) {
 
 std::string share_line(const Tolerance& t, double deg, std::uint64_t hits) {
   const ShareOfTrials share = share_of(hits, t.copies);
-  char line[200];
-  std::snprintf(line, sizeof line, "still from %-6g %llu, %.4g %% (95 %%: %.4g to %.4g)\n", deg,
-                number(hits), 100 * share.share, 100 * share.low, 100 * share.high);
-  return line;
+  return fmt::format("still from {:<6g} {}, {:.4g} % (95 %: {:.4g} to {:.4g})\n", deg, hits,
+                     100 * share.share, 100 * share.low, 100 * share.high);
 }
 
 std::string vertices_text(const Tolerance& t) {
-  char line[200];
-  std::snprintf(line, sizeof line,
-                "one vertex alone, %llu copies each, the most harmful first\n"
-                "vertex  still from %g  mean loss, deg\n",
-                number(t.vertices.front().copies.trials), t.threshold_deg);
-  std::string text = line;
+  std::string text = fmt::format(
+      "one vertex alone, {} copies each, the most harmful first\n"
+      "vertex  still from {:g}  mean loss, deg\n",
+      t.vertices.front().copies.trials, t.threshold_deg);
   for (const VertexTolerance& vertex : t.vertices) {
     const std::uint64_t survivors = vertex.copies.from(t.threshold_sample);
-    std::snprintf(line, sizeof line, "%-6s %12.4g %% %15.4g\n",
-                  solver::vertex_label(vertex.vertex).c_str(),
-                  100 * share_of(survivors, vertex.copies).share, t.mean_loss_deg(vertex.copies));
-    text += line;
+    text +=
+        fmt::format("{:<6} {:>12.4g} % {:>15.4g}\n", solver::vertex_label(vertex.vertex),
+                    100 * share_of(survivors, vertex.copies).share, t.mean_loss_deg(vertex.copies));
   }
   return text + "\n";
 }
@@ -51,23 +46,16 @@ std::string vertices_text(const Tolerance& t) {
 
 std::string tolerance_text(const NamedTolerance& named) {
   const Tolerance& t = named.tolerance;
-  char line[200];
   std::string text = t.vertices.empty() ? "" : vertices_text(t);
-  std::snprintf(
-      line, sizeof line, "%s, deploys from %g deg; %llu copies, every vertex off by up to %g mm\n",
-      named.name.c_str(), t.own_sample * t.sample_deg, number(t.copies.trials), t.amplitude_mm);
-  text += line;
+  text += fmt::format("{}, deploys from {:g} deg; {} copies, every vertex off by up to {:g} mm\n",
+                      named.name, t.own_sample * t.sample_deg, t.copies.trials, t.amplitude_mm);
   text += "deploy from      ";
   for (const double share : kQuantiles) {
-    std::snprintf(line, sizeof line, " %g deg (%g %%)", t.copies.quantile(share) * t.sample_deg,
-                  100 * share);
-    text += line;
+    text += fmt::format(" {:g} deg ({:g} %)", t.copies.quantile(share) * t.sample_deg, 100 * share);
   }
   text += "\n";
   if (t.copies.undecided > 0) {
-    std::snprintf(line, sizeof line, "undecided         %llu: the intervals allow for both\n",
-                  number(t.copies.undecided));
-    text += line;
+    text += fmt::format("undecided         {}: the intervals allow for both\n", t.copies.undecided);
   }
   if (t.own_sample > t.threshold_sample) {
     text += share_line(t, t.own_sample * t.sample_deg, t.copies.from(t.own_sample));
@@ -82,19 +70,16 @@ std::string tolerances_text(std::vector<NamedTolerance> several) {
   std::stable_sort(several.begin(), several.end(),
                    [&](const auto& a, const auto& b) { return share(a).share < share(b).share; });
   const Tolerance& first = several.front().tolerance;
-  char line[200];
-  std::snprintf(line, sizeof line,
-                "%llu copies each, every vertex off by up to %g mm; the most tolerant last\n"
-                "%-24s  deploys from  still from %-6g 95 %%\n",
-                number(first.copies.trials), first.amplitude_mm, "", first.threshold_deg);
-  std::string text = line;
+  std::string text = fmt::format(
+      "{} copies each, every vertex off by up to {:g} mm; the most tolerant last\n"
+      "{:24}  deploys from  still from {:<6g} 95 %\n",
+      first.copies.trials, first.amplitude_mm, "", first.threshold_deg);
   for (const NamedTolerance& named : several) {
     const Tolerance& t = named.tolerance;
     const ShareOfTrials survive = share(named);
-    std::snprintf(line, sizeof line, "%-24s  %12g  %15.4g %% %.4g to %.4g\n", named.name.c_str(),
-                  t.own_sample * t.sample_deg, 100 * survive.share, 100 * survive.low,
-                  100 * survive.high);
-    text += line;
+    text += fmt::format("{:<24}  {:>12g}  {:>15.4g} % {:.4g} to {:.4g}\n", named.name,
+                        t.own_sample * t.sample_deg, 100 * survive.share, 100 * survive.low,
+                        100 * survive.high);
   }
   return text;
 }
@@ -128,10 +113,10 @@ Json tolerance_json(const Tolerance& t) {
 
 std::string copies_line(const CopiesDone& copies, double elapsed_s) {
   const auto done = static_cast<double>(copies.done), all = static_cast<double>(copies.all);
-  std::string line = short_number(done) + " of " + short_number(all) + " copies";
+  const std::string line = fmt::format("{} of {} copies", short_number(done), short_number(all));
   if (elapsed_s <= 0 || copies.done == 0) return line;
-  return line + ", " + short_number(done / elapsed_s) + "/s, " +
-         duration((all - done) * elapsed_s / done) + " left";
+  return fmt::format("{}, {}/s, {} left", line, short_number(done / elapsed_s),
+                     duration((all - done) * elapsed_s / done));
 }
 
 }  // namespace misalign::search

@@ -1,4 +1,4 @@
-// `misalign status`: how far a campaign is.
+// How far a campaign is and what it found, for people and as JSON.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// `misalign tolerance`: options, and what is done with the answer.
+// `misalign tolerance`: how many miscut copies of a sheet still deploy.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -8,13 +9,14 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/tolerance_text.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/terminal/tolerance_text.hpp"
 #include "search/verbs/choice_options.hpp"
+#include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -38,11 +40,8 @@ struct ChosenSheets {
   std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
   std::string pattern;               // its name
 
-  std::string name(std::size_t k) const {
-    return draws.empty() ? schema::printable(pattern) : "draw " + std::to_string(draws[k]);
-  }
-  Json key_json(std::size_t k) const {
-    return draws.empty() ? Json{{"pattern", pattern}} : Json{{"draw", draws[k]}};
+  SheetKey key(std::size_t k) const {
+    return {draws.empty() ? std::nullopt : std::optional(draws[k]), pattern};
   }
 };
 
@@ -139,9 +138,9 @@ void refuse_lost_convexity(const ChosenSheets& sheets, double amplitude_mm) {
     if (amplitude_mm < largest_mm) continue;
     throw UserError(schema::kExitUsage, "--amplitude " + schema::shown_number(amplitude_mm) +
                                             ": must be below " + schema::shown_number(largest_mm) +
-                                            " mm (where a facet of " + sheets.name(k) +
+                                            " mm (where a facet of " + sheets.key(k).name() +
                                             " can lose convexity); try " +
-                                            schema::shown_number("%.1g", largest_mm / 10));
+                                            fmt::format("{:.1g}", largest_mm / 10));
   }
 }
 
@@ -159,13 +158,13 @@ void print(const ToleranceCall& call, const ChosenSheets& sheets,
     Json list = Json::array();
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
       list.push_back(tolerance_json(tolerances[k]));
-      list.back().update(sheets.key_json(k));
+      list.back().update(sheets.key(k).json());
     }
     text = (single ? list.front() : list).dump(1) + "\n";
   } else {
     std::vector<NamedTolerance> named;
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
-      named.push_back({sheets.name(k), tolerances[k]});
+      named.push_back({sheets.key(k).name(), tolerances[k]});
     }
     if (named.size() > 1 && call.study.vertices) {
       for (const NamedTolerance& one : named) text += tolerance_text(one) + "\n";
@@ -202,9 +201,9 @@ int run(ToleranceCall call) {
 
 }  // namespace
 
-Action add_tolerance(CLI::App& app) {
-  auto* verb = app.add_subcommand("tolerance", "how many miscut copies of a sheet still deploy");
-  verb->footer(
+Action tolerance_verb(CLI::App& verb) {
+  verb.description("how many miscut copies of a sheet still deploy");
+  verb.footer(
       "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
       "[-MM, MM] in x and in y; with --vertices each vertex alone, too. Trial t makes\n"
       "the same errors for every candidate of a campaign: they are numbers of the\n"
@@ -223,28 +222,28 @@ Action add_tolerance(CLI::App& app) {
       "  misalign tolerance search/patterns/table1.json --amplitude 0.05");
   auto call = std::make_shared<ToleranceCall>();
   ToleranceOptions& study = call->study;
-  add_catalogue_or_pattern(*verb, call->path);
-  auto* draws = verb->add_option("DRAW", call->choice.draws,
-                                 "numbers of candidates' draws, of a catalogue; or choose some:")
+  add_catalogue_or_pattern(verb, call->path);
+  auto* draws = verb.add_option("DRAW", call->choice.draws,
+                                "numbers of candidates' draws, of a catalogue; or choose some:")
                     ->check(a_draw());
-  auto* group = verb->add_option_group("choice", "which candidates of a catalogue");
-  const ChoiceOptions chosen = add_choice(*verb, *group, call->choice);
+  auto* group = verb.add_option_group("choice", "which candidates of a catalogue");
+  const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
-  verb->add_option("--amplitude", study.amplitude_mm, "largest error, mm")
+  verb.add_option("--amplitude", study.amplitude_mm, "largest error, mm")
       ->required()
       ->check(within(0, 1e6))
       ->type_name("MM");
-  verb->add_option("--trials", study.trials, "copies with every vertex off its place [1000]")
+  verb.add_option("--trials", study.trials, "copies with every vertex off its place [1000]")
       ->check(counted(1, 100000000))
       ->type_name("N");
-  verb->add_flag("--vertices", study.vertices,
-                 "also each vertex alone, " + std::to_string(kMostTrialsOfOneVertex) +
-                     " copies at most: which ones matter most");
-  verb->add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
+  verb.add_flag("--vertices", study.vertices,
+                "also each vertex alone, " + std::to_string(kMostTrialsOfOneVertex) +
+                    " copies at most: which ones matter most");
+  verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
       ->check(counted(1, 4096))
       ->type_name("N");
-  verb->add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
-  verb->add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
+  verb.add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
+  verb.add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
   return [call, draws, chosen] {
     if (is_pattern_file(call->path)) {
       for (const CLI::Option* option :

@@ -1,0 +1,149 @@
+#include "search/checks/sheet_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/drawing.hpp"
+#include "schema/exchange/fold_export.hpp"
+#include "schema/files/text_file.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+namespace {
+
+const char* ending(SheetFormat format) {
+  switch (format) {
+    case SheetFormat::json:
+      return ".json";
+    case SheetFormat::csv:
+      return ".csv";
+    case SheetFormat::fold:
+      return ".fold";
+    case SheetFormat::svg:
+      return ".svg";
+    case SheetFormat::obj:
+      break;
+  }
+  return ".obj";
+}
+
+// "-090deg", or "-090.5deg": the files of one candidate in the order of its folding.
+std::string of_state(double pilot_deg) {
+  const double whole_deg = std::floor(pilot_deg + 1e-9), rest_deg = pilot_deg - whole_deg;
+  return fmt::format("-{:03}{}deg", static_cast<int>(whole_deg),
+                     rest_deg > 1e-9 ? schema::shown_number(rest_deg).substr(1) : "");
+}
+
+std::string path_of(const SheetFilesOptions& options, const std::string& stem) {
+  const auto path = std::filesystem::path(options.directory) / (stem + ending(options.format));
+  std::error_code error;
+  if (std::filesystem::equivalent(path, options.read_from, error)) {
+    throw schema::UserError(schema::kExitUsage,
+                            "--output " + options.directory +
+                                ": the file would replace the one that is read (it has the same "
+                                "name); name another directory");
+  }
+  return path.string();
+}
+
+}  // namespace
+
+void make_directory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!error) return;
+  throw schema::UserError(schema::kExitFailure, path + ": cannot be made (" + error.message() +
+                                                    "); choose another --output");
+}
+
+void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
+                       const schema::Json& origin) const {
+  const schema::FoldingView view = folder_.view(folded);
+  const std::string& stem = label.stem;
+  switch (options_.format) {
+    case SheetFormat::csv:
+      return;
+    case SheetFormat::json:
+      return write_file(stem, data_of(folded, view, origin).dump(1) + "\n");
+    case SheetFormat::svg:
+      return write_file(stem, schema::crease_pattern_svg(folder_.base(), folded.vertices_mm,
+                                                         folder_.mechanism(), label.title));
+    case SheetFormat::fold:
+      return write_file(stem, fold_text(folded, view, label, origin));
+    case SheetFormat::obj:
+      return write_states(folded, view, label);
+  }
+}
+
+schema::Json SheetFiles::data_of(const FoldedSheet& folded, const schema::FoldingView& view,
+                                 const schema::Json& origin) const {
+  schema::Json data =
+      schema::folded_pattern_json(folder_.sampling(), view, folded.metrics,
+                                  schema::actuation_json(view, folded.path, folded.actuation));
+  data.update(origin);
+  return data;
+}
+
+std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
+                                  const SheetLabel& label, const schema::Json& origin) const {
+  const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+  folder_.check_shapes(folded, rows, label.name);
+  schema::Json data = data_of(folded, view, origin);
+  data.erase("pattern");  // is beside it
+  return schema::folded_fold_json(view, folded.path, rows, label.title, data).dump() + "\n";
+}
+
+void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingView& view,
+                              const SheetLabel& label) const {
+  const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+  folder_.check_shapes(folded, rows, label.name);
+  Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, folded.vertices_mm.cols());
+  flat_mm.topRows<2>() = folded.vertices_mm;
+  const auto write_state = [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
+    write_file(label.stem + of_state(pilot_deg),
+               schema::folded_obj(folder_.base(), shape_mm,
+                                  fmt::format("{}, pilot at {:.10g} deg", label.title, pilot_deg)));
+  };
+  write_state(0, flat_mm);
+  for (const Eigen::Index row : rows) {
+    const auto k = static_cast<std::size_t>(row);
+    write_state(folded.path.history.stops[k].pilot_deg, folded.path.shapes_mm[k]);
+  }
+}
+
+void SheetFiles::write_file(const std::string& stem, const std::string& text) const {
+  const std::string path = path_of(options_, stem);
+  schema::write_text_file(path, text);
+  put(schema::printable(path) + "\n");
+}
+
+SheetTables::SheetTables(const SheetFolder& folder, const SheetFilesOptions& options,
+                         const std::string& stem, const std::string& key)
+    : folder_(folder), key_{key, ""}, diagonals_(path_of(options, stem)) {
+  diagonals_.file.write(schema::diagonal_columns(key_));
+  if (!options.creases) return;
+  creases_.emplace(path_of(options, stem + "-creases"));
+  creases_->file.write(schema::crease_columns(key_));
+}
+
+void SheetTables::add(const FoldedSheet& folded, const std::string& key) {
+  const schema::FoldingView view = folder_.view(folded);
+  key_.value = key;
+  diagonals_.file.write(schema::diagonal_rows(key_, view, folded.actuation));
+  if (creases_) creases_->file.write(schema::crease_rows(key_, view));
+}
+
+void SheetTables::publish() {
+  diagonals_.publish();
+  if (creases_) creases_->publish();
+}
+
+void SheetTables::Table::publish() {
+  file.publish();
+  put(schema::printable(name) + "\n");
+}
+
+}  // namespace misalign::search

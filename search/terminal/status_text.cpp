@@ -1,0 +1,201 @@
+#include "search/terminal/status_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "schema/campaign/share_interval.hpp"
+#include "schema/files/text_table.hpp"
+#include "search/terminal/shell_word.hpp"
+
+namespace misalign::search {
+namespace {
+
+double share(std::uint64_t hits, std::uint64_t trials) {
+  return trials > 0 ? static_cast<double>(hits) / static_cast<double>(trials) : 0;
+}
+
+schema::Json rate_json(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
+  return {{"rate", trials > 0 ? schema::Json(share(hits, trials)) : schema::Json()},
+          {"rate_low", low},
+          {"rate_high", high},
+          {"relative_error",
+           hits > 0 ? schema::Json((high - low) / (2 * share(hits, trials))) : schema::Json()}};
+}
+
+std::string percent(double value) { return fmt::format("{:.4g} %", 100 * value); }
+
+std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
+  return percent(low) + " to " + percent(high);
+}
+
+bool endless(std::uint64_t end) { return end == schema::kEndOfDraws; }
+
+schema::WeightedCount sum_of(const std::map<std::string, schema::WeightedCount>& faults) {
+  schema::WeightedCount sum;
+  for (const auto& [fault, draws] : faults) sum += draws;
+  return sum;
+}
+
+schema::Json faults_json(const std::map<std::string, schema::WeightedCount>& faults) {
+  const schema::WeightedCount all = sum_of(faults);
+  schema::Json json = schema::Json::object();
+  for (const auto& [fault, draws] : faults) {
+    const auto [low, high] = schema::share_interval(draws, all);
+    json[fault] = {{"sampled", draws.rows},
+                   {"share", schema::share(draws, all)},
+                   {"share_low", low},
+                   {"share_high", high}};
+  }
+  return json;
+}
+
+std::uint64_t missing(const schema::CatalogueState& state) {
+  std::uint64_t draws = 0;
+  for (const schema::DrawRange& gap : state.gaps) draws += gap.size();
+  return draws;
+}
+
+}  // namespace
+
+std::string status_text(const schema::CatalogueState& state,
+                        const std::optional<DeployingFrom>& deploying, const Paint& paint) {
+  const bool complete = state.gaps.empty();
+  const auto row = [&](const std::string& name, std::uint64_t draws, std::uint64_t of) {
+    return schema::Row{name, std::to_string(draws), of > 0 ? percent(share(draws, of)) : "", ""};
+  };
+  std::vector<schema::Row> rows = {{"", "draws", "share", "95 % interval"},
+                                   {"done", std::to_string(state.draws)}};
+  rows.push_back(row("  accepted from " + schema::shown_number(state.threshold_deg) + " deg",
+                     state.accepted, state.draws));
+  rows.back()[3] = interval_text(state.accepted, state.undecided, state.draws);
+  if (deploying) {
+    rows.push_back(row("    from " + schema::shown_number(deploying->at_deg) + " deg",
+                       deploying->accepted, state.draws));
+    rows.back()[3] = interval_text(deploying->accepted, state.undecided, state.draws);
+  }
+  rows.push_back(row("  rejected", state.rejected, state.draws));
+  rows.push_back(row("  undecided", state.undecided, state.draws));
+  if (state.undecided > 0) rows.back()[3] = "rejected at the low ends, accepted at the high ones";
+  if (!endless(state.goal_end)) rows.push_back({"missing", std::to_string(missing(state))});
+  if (state.draws_in_ledger > state.draws) {
+    rows.push_back({"beyond goal", std::to_string(state.draws_in_ledger - state.draws), "",
+                    "not counted above; queries and report have them"});
+  }
+  const schema::WeightedCount sampled = sum_of(state.faults);
+  if (sampled.rows > 0) {
+    rows.push_back({"first faults", std::to_string(sampled.rows), "", "of a sample"});
+  }
+  std::size_t listed = 0;
+  for (const auto& [fault, draws] : state.faults) {
+    if (++listed > schema::kMostListed) break;  // there are not so many, but for a hostile file
+    const auto [low, high] = schema::share_interval(draws, sampled);
+    rows.push_back({"  " + schema::shortened(fault, 40), std::to_string(draws.rows),
+                    percent(schema::share(draws, sampled)), percent(low) + " to " + percent(high)});
+  }
+
+  std::string goal =
+      "draws from " + std::to_string(state.goal.range.lo) +
+      (endless(state.goal_end) ? " on, without end" : " to " + std::to_string(state.goal_end));
+  if (state.goal.accepted) goal += ", or " + std::to_string(*state.goal.accepted) + " accepted";
+  if (state.goal.relative_error) {
+    goal += ", or a rate known to " + schema::shown_number(100 * *state.goal.relative_error) + " %";
+  }
+  std::string table = schema::aligned(rows, {false, true, true, false});
+  const std::size_t header = table.find('\n');
+  table = paint.bold(table.substr(0, header)) + table.substr(header);
+  return paint.bold(schema::printable(state.name)) + " (" +
+         schema::printable(state.identity.substr(0, 8)) +
+         "): " + (complete ? paint.good("complete") : paint.bold("work remains")) + "\n" +
+         schema::aligned(
+             {{"goal", goal},
+              {"speed", schema::shown_number(std::round(state.draws_per_s * 10) / 10) + " draws/s"},
+              {"digest", state.digest}},
+             {false, false}) +
+         "\n" + table;
+}
+
+std::string next_step(const schema::CatalogueState& state, const std::string& path,
+                      const std::string& campaign_path) {
+  const std::string file = shell_word(path);
+  if (!state.gaps.empty()) {
+    const schema::DrawRange& range = state.goal.range;
+    std::string limit;
+    if (state.goal.draws) limit += " --draws " + std::to_string(*state.goal.draws);
+    if (state.goal.accepted) limit += " --accepted " + std::to_string(*state.goal.accepted);
+    if (state.goal.relative_error) {
+      limit += " --relative-error " + schema::shown_number(*state.goal.relative_error);
+    }
+    if (range.lo > 0 || !endless(range.hi)) {
+      limit += " --range " + std::to_string(range.lo) + ":" + std::to_string(range.hi);
+    }
+    if (state.seed != 1) limit += " --seed " + std::to_string(state.seed);
+    return "misalign search " +
+           (campaign_path.empty() ? "CAMPAIGN.json" : shell_word(campaign_path)) + " --catalogue " +
+           file + limit + " goes on";
+  }
+  if (state.accepted == 0 && state.draws_in_ledger > state.draws) {
+    return "nothing was accepted up to the goal; the catalogue has more draws: misalign query " +
+           file + " best";
+  }
+  if (state.accepted == 0) {
+    return "misalign report " + file + " --output report.html shows how deep draws fold";
+  }
+  return "misalign query " + file + " best; misalign export " + file + " --best 3 --output found";
+}
+
+schema::Json status_json(const schema::CatalogueState& state) {
+  const auto or_null = [](const auto& limit) {
+    return limit ? schema::Json(*limit) : schema::Json();
+  };
+  schema::Json gaps = schema::Json::array();
+  for (const schema::DrawRange& gap : state.gaps) gaps.push_back({gap.lo, gap.hi});
+  schema::Json json = {{"campaign", state.name},
+                       {"identity", state.identity},
+                       {"range", {state.goal.range.lo, state.goal.range.hi}},
+                       {"goal_end", state.goal_end},
+                       {"threshold_deg", state.threshold_deg},
+                       {"goal",
+                        {{"draws", or_null(state.goal.draws)},
+                         {"accepted", or_null(state.goal.accepted)},
+                         {"relative_error", or_null(state.goal.relative_error)}}},
+                       {"complete", state.gaps.empty()},
+                       {"draws", state.draws},
+                       {"missing", missing(state)},
+                       {"draws_in_ledger", state.draws_in_ledger},
+                       {"accepted", state.accepted},
+                       {"rejected", state.rejected},
+                       {"undecided", state.undecided},
+                       {"acceptance", rate_json(state.accepted, state.undecided, state.draws)},
+                       {"fault_sample", faults_json(state.faults)},
+                       {"draws_per_s", state.draws_per_s},
+                       {"gaps", gaps},
+                       {"digest", state.digest}};
+  return json;
+}
+
+DeployingFrom deploying_from(SQLite::Database& database, const schema::CatalogueState& state,
+                             const schema::Campaign& campaign, double at_deg) {
+  if (!(at_deg >= campaign.threshold_deg && at_deg <= campaign.end_deg)) {
+    throw schema::UserError(
+        schema::kExitUsage,
+        "--at " + schema::shown_number(at_deg) + ": this catalogue knows what deploys from " +
+            schema::shown_number(campaign.threshold_deg) + " to " +
+            schema::shown_number(campaign.end_deg) + " degrees; ask within that");
+  }
+  const int sample = static_cast<int>(std::ceil(at_deg / campaign.sample_deg - 1e-9));
+  return {at_deg, std::min(schema::count_deploying_from(database, sample), state.accepted)};
+}
+
+schema::Json deploying_json(const DeployingFrom& deploying, const schema::CatalogueState& state) {
+  schema::Json json = rate_json(deploying.accepted, state.undecided, state.draws);
+  json["deploys_from_deg"] = deploying.at_deg;
+  json["accepted"] = deploying.accepted;
+  return json;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,67 @@
+// `misalign fold`: the folding path of one pattern.
+#include <algorithm>
+
+#include "schema/campaign/pattern_file.hpp"
+#include "search/terminal/folding_text.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct FoldCall {
+  std::string pattern_path;
+  std::optional<double> to_deg;  // the file's own end, or 180
+  double step_deg = 0;           // further angles to look at; 0: none
+  bool json = false, table = false;
+};
+
+void fold(const FoldCall& call) {
+  const auto [pattern, sampling, exported] = schema::read_sampled_pattern_file(call.pattern_path);
+  solver::PathPlanOptions path;
+  path.sample_deg = sampling.sample_deg;
+  path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
+  path.look_deg = call.step_deg;
+  const solver::Model model(pattern.base, path, sampling.between_samples);
+  const auto history = solver::record_history(model, pattern.vertices_mm());
+  const schema::FoldingView view{pattern, pattern.shifts_mm, model.mechanism(), history,
+                                 sampling.sample_deg};
+  call.json ? put_json(schema::folding_json(view)) : put_folding(view, call.table);
+}
+
+}  // namespace
+
+Action fold_verb(CLI::App& verb) {
+  verb.description("the folding path of one pattern");
+  verb.footer(
+      "Each diagonal is drawn from flat to the end of the path, between its least and\n"
+      "its largest length; a bar marks D, the angle that the sheet deploys from\n"
+      "(an angle; the paper's D is a ratio).\n"
+      "Lengths and elongations are those up to D, or up to the end if it does not\n"
+      "deploy.\n"
+      "An exported candidate, JSON or FOLD, is sampled as its campaign was; any other\n"
+      "pattern at every degree to 180.\n\n"
+      "Examples:\n"
+      "  misalign fold search/patterns/table1.json\n"
+      "  misalign fold search/patterns/table1.json --json > table1-folding.json");
+  auto call = std::make_shared<FoldCall>();
+  verb.add_option("PATTERN", call->pattern_path,
+                  "pattern file (JSON), exported candidate or FOLD file")
+      ->required();
+  verb.add_option("--to", call->to_deg, "last pilot angle, degrees [180, or the campaign's]")
+      ->check(within(1, 180))
+      ->type_name("DEG");
+  verb.add_option("--step", call->step_deg, "look at multiples of this too, degrees")
+      ->check(within(0.01, 180))
+      ->type_name("DEG");
+  verb.add_flag("--table", call->table,
+                "also the lengths every 10 degrees, where they are too wide for the terminal");
+  verb.add_flag("--json", call->json, "as JSON");
+  return [call] {
+    fold(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

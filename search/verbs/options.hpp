@@ -1,0 +1,56 @@
+// What options of several verbs have in common: which values they take, and whom they choose.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "search/checks/folded_sheet.hpp"
+
+namespace misalign::search {
+
+/// A number within bounds, which NaN is not.
+CLI::Validator within(double least, double most);
+
+/// A share of one within bounds; what was meant as percent is told from it.
+CLI::Validator a_share(double least, double most);
+
+/// A whole number within bounds, written as one: not 1e6.
+CLI::Validator counted(std::uint64_t least, std::uint64_t most);
+/// Any number of a draw, or of draws.
+CLI::Validator a_draw();
+
+/// What is typed, and what it stands for.
+template <class Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+/// One of the names, of an enum's values; `where` ends the sentence about any other.
+CLI::Validator one_of_words(const Names<std::string>& names, const std::string& where);
+template <class Enum>
+CLI::Validator one_of(const Names<Enum>& names, const std::string& where = "") {
+  Names<std::string> numbers;  // which CLI11 makes the enum's value of
+  for (const auto& [name, value] : names) {
+    numbers.emplace_back(name, std::to_string(static_cast<int>(value)));
+  }
+  return one_of_words(numbers, where);
+}
+
+/// One of the words, of which the nearest is suggested for any other: "x is no verb".
+CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known);
+
+/// The first argument of verbs that look at one sheet, and the second that some of them take.
+void add_catalogue_or_pattern(CLI::App& verb, std::string& path);
+void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw);
+
+/// --draw, as often as there are draws.
+CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const std::string& what);
+
+/// --stiffness and --stroke-limit, of other springs than the campaign's.
+void add_other_actuators(CLI::App& verb, OtherActuators& actuators);
+
+/// The first option of a group that was given; empty if none was.
+std::string first_given(const CLI::App& group);
+
+}  // namespace misalign::search

@@ -1,0 +1,116 @@
+// `misalign perforations`: which holes leave one degree of freedom.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "schema/campaign/pattern_file.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/verbs.hpp"
+#include "solver/linear/mobility.hpp"
+#include "solver/pattern/perforation.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+struct PerforationsCall {
+  std::string pattern_path;  // its holes are not looked at
+  bool json = false;
+};
+
+// A set of holes and what the Jacobian says of it.
+struct Perforation {
+  std::vector<int> holes;
+  solver::Mobility mobility;
+};
+
+// Every perforation that counts to one degree of freedom.
+std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const std::string& path) {
+  constexpr std::size_t kMostPerforations = 2000;
+  const solver::CreasePattern& sheet = pattern.base.sheet;
+  const auto sets =
+      solver::separate_facets(sheet, solver::holes_that_count_to_one(sheet), kMostPerforations);
+  if (!sets) {
+    throw schema::UserError(schema::kExitBadInput,
+                            path + ": more than " + std::to_string(kMostPerforations) +
+                                " perforations, or too many to look for, count to one degree of "
+                                "freedom (the mesh is too large to list them); take a part of it");
+  }
+  // A pilot that no perforation takes away.
+  const solver::BaseFolding& own = pattern.base.folding;
+  std::vector<int> assignment = own.assignment();
+  for (int& sign : assignment) sign *= own.side();
+  const auto folding = std::get<solver::BaseFolding>(solver::fold_sequentially(
+      sheet, assignment, solver::default_pilot(sheet, solver::inner_facets(sheet))));
+  std::vector<Perforation> perforations;
+  for (const std::vector<int>& holes : *sets) {
+    perforations.push_back({holes, solver::measured_mobility(sheet, holes, folding)});
+  }
+  return perforations;
+}
+
+Json perforation_json(const schema::Pattern& pattern, const Perforation& perforation) {
+  Json holes = Json::array();
+  for (const int f : perforation.holes) holes.push_back(schema::facet_json(pattern, f));
+  return {{"holes", holes},
+          {"unknowns", perforation.mobility.unknowns},
+          {"equations", perforation.mobility.equations},
+          {"rank", perforation.mobility.rank},
+          {"degrees_of_freedom", perforation.mobility.degrees_of_freedom()}};
+}
+
+// One line each, then one about those that only count to one.
+void print_perforations(const Json& one, const Json& others) {
+  if (!one.empty()) put("unknowns equations rank  holes\n");
+  for (const Json& row : one) {
+    put("{:8} {:9} {:4}  {}\n", row["unknowns"].get<int>(), row["equations"].get<int>(),
+        row["rank"].get<int>(), row["holes"].dump());
+  }
+  std::map<std::pair<int, int>, int> by_rank;
+  for (const Json& row : others) {
+    ++by_rank[{row["rank"].get<int>(), row["equations"].get<int>()}];
+  }
+  std::vector<std::string> ranks;
+  for (const auto& [rank, times] : by_rank) {
+    ranks.push_back(fmt::format("{} of rank {} with {} equations", times, rank.first, rank.second));
+  }
+  put("{} {} one degree of freedom; {} more count to 1 by (2.1) but are not 1{}{}\n", one.size(),
+      one.size() == 1 ? "leaves" : "leave", others.size(), ranks.empty() ? "" : ": ",
+      fmt::join(ranks, ", "));
+}
+
+void list_perforations(const PerforationsCall& call) {
+  const schema::Pattern pattern =
+      schema::read_pattern_file(call.pattern_path, schema::Perforations::any);
+  Json one = Json::array(), others = Json::array();
+  for (const Perforation& perforation : perforations_of(pattern, call.pattern_path)) {
+    (perforation.mobility.is_one() ? one : others)
+        .push_back(perforation_json(pattern, perforation));
+  }
+  if (call.json) {
+    put_json({{"perforations", one}, {"count_to_one_only", others}});
+  } else {
+    print_perforations(one, others);
+  }
+}
+
+}  // namespace
+
+Action perforations_verb(CLI::App& verb) {
+  verb.description("which holes leave one degree of freedom");
+  verb.footer(
+      "Lists every set of inner panels, no two sharing an edge, that counts to one\n"
+      "degree of freedom and has one by the rank of the Jacobian. The pattern's own\n"
+      "holes do not matter.\n\n"
+      "Examples:\n  misalign perforations search/patterns/turned-quads-6x6.json");
+  auto call = std::make_shared<PerforationsCall>();
+  verb.add_option("PATTERN", call->pattern_path, "pattern file (JSON)")->required();
+  verb.add_flag("--json", call->json, "as JSON");
+  return [call] {
+    list_perforations(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

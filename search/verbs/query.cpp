@@ -1,0 +1,116 @@
+// `misalign query`: a named query, or any read-only SQL.
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "search/draws/nothing_found.hpp"
+#include "search/terminal/suggestion.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct QueryCall {
+  std::string path, sql = "best";
+  bool json = false, csv = false, unpaged = false;
+};
+
+bool is_one_word(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+  });
+}
+
+schema::UserError no_such_query(const std::string& name) {
+  // It went by the least slope, and foretold less than it said.
+  const bool is_former = name == "robust";
+  const std::string meant = is_former ? "tolerant" : nearest_word(name, schema::named_queries());
+  return schema::UserError(schema::kExitUsage,
+                           "the query was refused (" + name + " is the name of none" +
+                               (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                               "); it must be one SELECT, or one of the names " +
+                               schema::named_query_list());
+}
+
+// Instead of a header without rows, where a named query of candidates has none because there are
+// none. False if there is nothing to say.
+bool show_nothing_found(SQLite::Database& database, const std::string& sql) {
+  if (sql.find("FROM candidate") == std::string::npos) return false;
+  const std::vector<std::string> sentences = nothing_found(database, schema::read_state(database));
+  for (const std::string& sentence : sentences) put(schema::printable(sentence) + "\n");
+  std::fflush(stdout);
+  return !sentences.empty();
+}
+
+void show_rows(SQLite::Database& database, const std::string& name, const std::string& sql,
+               bool paged) {
+  std::optional<Show> out;  // once there is something to show
+  std::optional<std::string> header;
+  const auto show_header = [&] {
+    out.emplace(paged);
+    return out->write(paint_for(STDOUT_FILENO).bold(*header) + "\n");
+  };
+  const std::uint64_t rows =
+      schema::write_query(database, sql, schema::TableStyle::aligned, [&](const std::string& line) {
+        if (header) return (out || show_header()) && out->write(line);
+        header = line.substr(0, line.size() - 1);
+        return true;
+      });
+  if (!out) {
+    if (!name.empty() && show_nothing_found(database, sql)) return;
+    show_header();
+  }
+  out.reset();
+  std::fflush(stdout);
+  if (!name.empty() && schema::leaves_rows_out(database, sql, rows)) {
+    spdlog::info(
+        "the first {} rows; SQL of your own can ask for more, such as \"SELECT * FROM "
+        "candidates\"",
+        rows);
+  }
+}
+
+void query(const QueryCall& call) {
+  const auto database = schema::open_for_reading(call.path);
+  const std::string named = schema::named_query(call.sql);
+  const std::string& text = named.empty() ? call.sql : named;
+  if (named.empty() && is_one_word(call.sql)) throw no_such_query(call.sql);
+  if (!call.json && !call.csv) {
+    show_rows(*database, named.empty() ? "" : call.sql, text, !call.unpaged);
+    return;
+  }
+  const auto style = call.json ? schema::TableStyle::json : schema::TableStyle::csv;
+  schema::write_query(*database, text, style, [&](const std::string& piece) {
+    call.json ? put_json(piece) : put_csv(piece);
+    return std::ferror(stdout) == 0;
+  });
+}
+
+}  // namespace
+
+Action query_verb(CLI::App& verb) {
+  verb.description("a named query, or any read-only SQL");
+  verb.footer("Named queries: " + schema::named_query_list() +
+              ".\nElongations and strokes are shares of a length: stroke_max < 0.08 is 8 %.\n"
+              "On a terminal the rows go through $PAGER [less].\n\n"
+              "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
+              "  misalign query results/miura-6x6-1a2b3c4d.db --csv \\\n"
+              "    \"SELECT draw FROM candidates WHERE stroke_max < 0.08\"");
+  auto call = std::make_shared<QueryCall>();
+  verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
+  verb.add_option("QUERY", call->sql, "name or SQL [best]");
+  auto* json_flag = verb.add_flag("--json", call->json, "as JSON; a second column x is called x_2");
+  verb.add_flag("--csv", call->csv, "as CSV; on a terminal control characters are escaped")
+      ->excludes(json_flag);
+  verb.add_flag("--no-pager", call->unpaged, "straight to the terminal");
+  return [call] {
+    query(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,176 @@
+// `misalign search`: runs or resumes a campaign.
+#include <unistd.h>
+
+#include <charconv>
+
+#include "search/ranks/mpi_session.hpp"
+#include "search/ranks/rank_starter.hpp"
+#include "search/ranks/run_info.hpp"
+#include "search/ranks/search_run.hpp"
+#include "search/terminal/help_format.hpp"
+#include "search/terminal/shell_word.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::UserError;
+
+struct SearchCall {
+  SearchOptions options;
+  std::string range, ranks;  // as typed; empty where they were not
+};
+
+constexpr std::uint64_t kMostRanks = 4096;  // of one machine
+
+CLI::Validator instruction_set_of_this_machine() {
+  Names<solver::InstructionSet> names;
+  for (const auto set : solver::available_instruction_sets()) {
+    names.emplace_back(solver::instruction_set_name(set), set);
+  }
+  // --help is the same on every machine.
+  return one_of(names, ", which this machine has").description("{baseline,avx2,avx512}");
+}
+
+schema::DrawRange parse_range(const std::string& text) {
+  schema::DrawRange range{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto lo = std::from_chars(text.data(), end, range.lo);
+  if (lo.ec == std::errc{} && lo.ptr != end && *lo.ptr == ':') {
+    const auto hi = std::from_chars(lo.ptr + 1, end, range.hi);
+    if (hi.ec == std::errc{} && hi.ptr == end && range.lo < range.hi &&
+        range.hi <= schema::kEndOfDraws) {
+      return range;
+    }
+  }
+  throw UserError(schema::kExitUsage,
+                  "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
+}
+
+// What is wanted, and of which draws.
+void add_goals(CLI::App& verb, SearchOptions& options) {
+  const auto draw_count = a_draw();
+  verb.add_option("--draws", options.draws, "draws wanted in total")
+      ->check(draw_count)
+      ->type_name("N");
+  verb.add_option("--accepted", options.accepted, "accepted draws wanted in total")
+      ->check(draw_count)
+      ->type_name("K");
+  verb.add_option("--relative-error", options.relative_error,
+                  "end when the acceptance rate is known to this share of itself")
+      ->check(a_share(1e-6, 1))
+      ->type_name("SHARE");
+  verb.add_option("--max-time", options.max_time_s, "end this run after so many seconds")
+      ->check(within(0, 1e9))
+      ->type_name("SECONDS");
+  verb.add_option("--seed", options.seed, "instead of the campaign's seed")
+      ->check(draw_count)
+      ->type_name("SEED");
+}
+
+// --ranks: "all", or how many.
+CLI::Validator rank_count() {
+  const CLI::Validator count = counted(1, kMostRanks);
+  return CLI::Validator(
+      [=](std::string& text) {
+        const bool is_count = text == "all" || count(text).empty();
+        return is_count ? std::string()
+                        : "'" + text + "' is neither all nor a whole number from 1 to " +
+                              std::to_string(kMostRanks);
+      },
+      "");
+}
+
+// How many ranks are to be started; 1 where nobody asked.
+int ranks_wanted(const std::string& ranks) {
+  if (ranks.empty()) return 1;
+  if (launched_by_mpi()) {
+    throw UserError(schema::kExitUsage, "--ranks " + ranks +
+                                            " has no meaning under mpirun (which has started the "
+                                            "ranks); take it out, and give mpirun -n");
+  }
+  return ranks == "all" ? usable_threads() : std::stoi(ranks);
+}
+
+// What would use every core; empty if this does, or if somebody else decides.
+std::string command_for_all(const Words& typed) {
+  if (launched_by_mpi() || usable_threads() < 2) return "";
+  std::string command;
+  for (const std::string& word : typed) command += shell_word(word) + " ";
+  return command + "--ranks all";
+}
+
+int start_search(const SearchCall& call, const Words& typed) {
+  SearchOptions options = call.options;
+  if (!call.range.empty()) options.range = parse_range(call.range);
+  if (const int count = ranks_wanted(call.ranks); count > 1) {
+    const bool with_bar = options.progress == ProgressStyle::automatic &&
+                          is_terminal(STDERR_FILENO) && terminal_is_able();
+    return run_under_mpirun(count, typed, with_bar);
+  }
+  if (call.ranks.empty()) options.command_for_all = command_for_all(typed);
+  return run_search(options);
+}
+
+}  // namespace
+
+Action search_verb(CLI::App& verb, const Words& typed) {
+  verb.description("run or resume a campaign, alone or under mpirun");
+  verb.footer(
+      "The same command again resumes: --draws is the total wanted.\n\n"
+      "Progress goes to standard error: one live line on a terminal (bar), a line\n"
+      "every 30 s elsewhere and under mpirun (plain), or an object of JSON every 2 s\n"
+      "(json) with the keys elapsed_s, draws, draws_left, draws_per_s,\n"
+      "draws_per_s_mean, accepted, rate, best (deploys_from_deg and draw), left_s and\n"
+      "last; what is not known is null. Counts are those of the whole catalogue; left_s\n"
+      "is to the last draw or to the end of --max-time, whichever comes first.\n\n"
+      "Signals, to mpirun or to the program alone: SIGINT and SIGTERM end it within\n"
+      "half a second, a second one at once; SIGUSR1 ends it once all that is under\n"
+      "way is committed; SIGUSR2 prints a status line.\n\n"
+      "--ranks starts so many ranks on this machine, through mpirun (Open MPI); across\n"
+      "machines, or with options of its own, call mpirun yourself.\n\n"
+      "Examples:\n"
+      "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
+      "  misalign search search/campaigns/miura-6x6.json --ranks all --max-time 3600\n"
+      "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600");
+  auto call = std::make_shared<SearchCall>();
+  SearchOptions& options = call->options;
+  verb.add_option("CAMPAIGN", options.campaign_path, "campaign file (JSON)")->required();
+  verb.add_option("--catalogue", options.catalogue_path,
+                  "catalogue file [results/NAME-<8 hex digits>.db]")
+      ->type_name("CATALOGUE");
+  add_goals(verb, options);
+  verb.add_option("--range", call->range, "only the draws from LO to HI - 1")->type_name("LO:HI");
+  verb.add_option("--ranks", call->ranks, "so many ranks, a core each; all: as many as cores [1]")
+      ->check(rank_count())
+      ->type_name("N|all");
+  verb.add_option("--unit-draws", options.unit_draws, "draws of one unit of work [about 5 s worth]")
+      ->check(counted(1, 1000000000))
+      ->type_name("N");
+  verb.add_option("--unit-bytes", options.unit_bytes)  // so that a test need not make gigabytes
+      ->check(counted(1, kMostUnit_bytes))
+      ->group(kHidden);
+  verb.add_option("--instruction-set", options.instruction_set,
+                  "changes no answer, only the speed [the widest of this machine]")
+      ->transform(instruction_set_of_this_machine());
+  verb.add_option("--storage", options.storage,
+                  "what the catalogue lies on [as the file system says]")
+      ->transform(one_of<schema::Storage>(
+          {{"local", schema::Storage::local}, {"network", schema::Storage::network}}));
+  verb.add_flag("--retry-undecided", options.retry_undecided,
+                "first judge again what no run could decide");
+  verb.add_flag_callback(
+      "--allow-mixed-builds", [call] { call->options.builds = schema::Builds::mixed; },
+      "go on although ranks or earlier runs give other golden verdicts");
+  verb.add_option("--progress", options.progress, "how to show it, see above [auto]")
+      ->transform(one_of<ProgressStyle>({{"auto", ProgressStyle::automatic},
+                                         {"plain", ProgressStyle::plain},
+                                         {"bar", ProgressStyle::bar},
+                                         {"json", ProgressStyle::json},
+                                         {"none", ProgressStyle::none}}));
+  return [call, typed] { return start_search(*call, typed); };
+}
+
+}  // namespace misalign::search

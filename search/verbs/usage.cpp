@@ -1,0 +1,84 @@
+#include "search/verbs/usage.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "search/terminal/help_format.hpp"
+#include "search/terminal/suggestion.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Words that are neither a verb's options nor their values, as the shell gave them.
+std::vector<std::string> arguments_of(const CLI::App& verb, const Words& words) {
+  std::vector<std::string> arguments;
+  bool only_arguments = false;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (only_arguments || word.size() < 2 || word[0] != '-') {
+      arguments.push_back(word);
+    } else if (word == "--") {
+      only_arguments = true;
+    } else if (takes_next_word(verb, word)) {
+      ++k;
+    }
+  }
+  if (!arguments.empty()) arguments.erase(arguments.begin());  // the verb's name
+  return arguments;
+}
+
+}  // namespace
+
+const CLI::App* chosen_verb(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? nullptr : chosen.front();
+}
+
+std::string too_many_files(const CLI::App& verb, const Words& words) {
+  for (const CLI::Option* argument : positionals_of(verb)) {
+    const bool takes_draws = argument->get_name(/*positional=*/true) == "DRAW";
+    if (takes_many(*argument) && !takes_draws) return "";
+  }
+  const std::vector<std::string> arguments = arguments_of(verb, words);
+  const auto is_like_first = [&](const std::string& word) {
+    const std::filesystem::path path(word), first(arguments.front());
+    std::error_code ignored;
+    return path.has_extension() && path.extension() == first.extension() &&
+           std::filesystem::is_regular_file(path, ignored);
+  };
+  std::string names;
+  int files = 0;
+  constexpr int kShown = 4;
+  for (const std::string& word : arguments) {
+    if (!is_like_first(word)) continue;
+    if (++files <= kShown) names += (files > 1 ? ", " : "") + word;
+  }
+  if (files < 2) return "";
+  return (files == 2 ? "two" : std::to_string(files)) + " files match (" + names +
+         (files > kShown ? ", ..." : "") + ") and " + verb.get_name() + " takes one; name one";
+}
+
+std::string usage_sentence(const CLI::App& app, const std::string& otherwise) {
+  const CLI::App* const verb = chosen_verb(app);
+  for (const std::string& word : app.remaining(/*recurse=*/true)) {
+    const bool is_option = word.size() > 1 && word[0] == '-';
+    if (!is_option && verb) {
+      return verb->get_name() + " takes no further argument, such as " + word;
+    }
+    std::vector<std::string> known;
+    if (is_option) {
+      for (const CLI::Option* option : options_of(verb ? *verb : app)) {
+        for (const std::string& name : names_of(*option)) known.push_back(name);
+      }
+    } else {
+      for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
+    }
+    return unknown_word(word.substr(0, word.find('=')),
+                        !is_option ? "verb" : "option" + (verb ? " of " + verb->get_name() : ""),
+                        known);
+  }
+  return verb ? otherwise : "a verb is missing";
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,21 @@
+// What is wrong with the words of a command line.
+#pragma once
+
+#include <string>
+
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+
+/// The verb that was typed; null if there was none.
+const CLI::App* chosen_verb(const CLI::App& app);
+
+/// A pattern of the shell's, such as results/miura-*.db, that matches more files than the verb
+/// takes would give the second one to the next argument. `words` as the shell gave them, without
+/// the program's name. Empty if there is nothing to say.
+std::string too_many_files(const CLI::App& verb, const Words& words);
+
+/// What was typed and is unknown, and what may have been meant; else `otherwise`, CLI11's sentence.
+std::string usage_sentence(const CLI::App& app, const std::string& otherwise);
+
+}  // namespace misalign::search
