@@ -19,10 +19,10 @@ sanitized() {
   cmake --preset asan -DMISALIGN_WERROR=ON -DMISALIGN_REPORT=OFF -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-Og > /dev/null
   cmake --build --preset asan --target solver_test schema_test search_test -- -j 2
   local many_paths
-  many_paths='*IsometryOnEverySample*:*StepsOfTheSolver*:*SamplesDoNotMove*:*LargeShifts*:Trial.Instr*:Trial.TurnsNext*'
+  many_paths='*IsometryOnEverySample*:*StepsOfTheSolver*:*SamplesDoNotMove*:*LargeShifts*:DrawEvaluator.Instr*:DrawEvaluator.TurnsNext*'
   many_paths+=':ToleranceTest.Instr*:ToleranceTest.Trials*:ToleranceTest.Most*:ToleranceTest.NoErr*:ToleranceTest.Threads*'
   many_paths+=':MergeTest.Pieces*:MergeTest.Overlaps*:MergeTest.Disagree*'
-  many_paths+=':SnapshotTest*:Trial.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*'
+  many_paths+=':SnapshotTest*:DrawEvaluator.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*'
   printf '%s\n' {search,solver,schema}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \
     xargs -P 2 -L 1 sh -c 'cd build/asan/tests && GTEST_SHARD_INDEX=$1 ./"$0" --gtest_brief=1'
 }

@@ -49,7 +49,7 @@ std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPat
   const Index up_to_d = path.rows_up_to_d();
   const Index end = up_to_d > 0 ? up_to_d : solver::rows_folded_well(view.mechanism, view.history);
   for (Index row = 0; row < end; ++row) {
-    const double away = std::remainder(path.history.stops[row].pilot_deg, step_deg);
+    const double away = std::remainder(path.history.stations[row].pilot_deg, step_deg);
     if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);
   }
   return rows;
@@ -61,7 +61,7 @@ Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
   const std::vector<int> creases = crease_of_edge(sheet, view.mechanism);
   Json frames = Json::array();
   for (const Index row : rows) {
-    const double pilot_deg = view.history.stops[row].pilot_deg;
+    const double pilot_deg = view.history.stations[row].pilot_deg;
     frames.push_back({{"frame_title", "pilot at " + shown_number(pilot_deg) + " deg"},
                       {"frame_parent", 0},
                       {"frame_inherit", true},

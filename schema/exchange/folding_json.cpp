@@ -55,8 +55,8 @@ Json bump_json(const FoldingView& view) {
 
 Json folding_json(const FoldingView& view) {
   const solver::FoldingHistory& history = view.history;
-  Json stops = Json::array();
-  for (const solver::Stop& stop : history.stops) stops.push_back(stop.pilot_deg);
+  Json stations = Json::array();
+  for (const solver::Station& station : history.stations) stations.push_back(station.pilot_deg);
   Json creases = Json::array();
   for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
     const solver::Crease& crease = view.mechanism.creases[i];
@@ -74,7 +74,7 @@ Json folding_json(const FoldingView& view) {
           {"verdict", verdict_json(view)},
           {"bump_between_samples", bump_json(view)},
           {"fold_limit_deg", history.path.fold_limit_deg},
-          {"samples_deg", stops},
+          {"samples_deg", stations},
           {"diagonals", diagonals_json(view, true)},
           {"creases", creases},
           {"residual_max", largest(history.open_by)},

@@ -89,8 +89,8 @@ std::string crease_rows(const RowKey& key, const FoldingView& view) {
     }
   };
   add_stop(0, -1);
-  for (std::size_t row = 0; row < view.history.stops.size(); ++row) {
-    add_stop(view.history.stops[row].pilot_deg, static_cast<Index>(row));
+  for (std::size_t row = 0; row < view.history.stations.size(); ++row) {
+    add_stop(view.history.stations[row].pilot_deg, static_cast<Index>(row));
   }
   return text;
 }

@@ -117,7 +117,7 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
           findings);
 }
 
-std::uint64_t make_unit_again(SQLite::Database& database, Trial& trial,
+std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& trial,
                               const schema::DrawRange& unit,
                               std::vector<schema::Finding>& findings) {
   const Accepted stored = stored_accepted(database, unit);

@@ -11,7 +11,7 @@
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/writer_lock.hpp"
 #include "search/draws/draw.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {

@@ -8,7 +8,7 @@
 #include "schema/files/output_file.hpp"
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/draws_again.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -213,7 +213,7 @@ class Merge {
 
   const MergeOptions& options_;
   std::vector<Input> inputs_;
-  std::optional<Trial> trial_;
+  std::optional<DrawEvaluator> trial_;
   schema::MergePlan plan_;
   MergeReport report_;
 };

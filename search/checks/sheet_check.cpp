@@ -36,10 +36,10 @@ SheetCheck::SheetCheck(const schema::Campaign& campaign)
 
 FollowedSheet SheetCheck::follow(const solver::FlatVertices& vertices_mm) const {
   FollowedSheet sheet{vertices_mm, {}, {}};
-  const solver::StopVisitor keep_state = [&](const solver::Stop& stop,
-                                             const solver::FoldState<double>& state) {
-    if (stop.sample == 0) return;
-    sheet.states.resize(stop.sample);
+  const solver::StationVisitor keep_state = [&](const solver::Station& station,
+                                                const solver::FoldState<double>& state) {
+    if (station.sample == 0) return;
+    sheet.states.resize(station.sample);
     sheet.states.back() = state;
   };
   sheet.history = solver::record_history(model_, vertices_mm, &keep_state);

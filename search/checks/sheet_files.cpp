@@ -110,7 +110,7 @@ void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingVi
   write_state(0, flat_mm);
   for (const Eigen::Index row : rows) {
     const auto k = static_cast<std::size_t>(row);
-    write_state(folded.path.history.stops[k].pilot_deg, folded.path.shapes_mm[k]);
+    write_state(folded.path.history.stations[k].pilot_deg, folded.path.shapes_mm[k]);
   }
 }
 

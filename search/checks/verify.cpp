@@ -70,7 +70,7 @@ class Verifier {
       }
     }
     if (units_.empty()) return;
-    Trial trial(campaign_);
+    DrawEvaluator trial(campaign_);
     for (const schema::DrawRange& unit : units_) {
       v_.decided_now += make_unit_again(database_, trial, unit, v_.findings);
       ++v_.units.checked;

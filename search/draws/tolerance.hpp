@@ -3,8 +3,8 @@
 
 #include <functional>
 
+#include "search/draws/draw_evaluator.hpp"
 #include "search/draws/miscut_copies.hpp"
-#include "search/draws/trial.hpp"
 
 namespace misalign::search {
 

@@ -10,7 +10,7 @@ namespace {
 
 class Coordinator {
  public:
-  Coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, Trial& trial,
+  Coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& trial,
               schema::Catalogue& catalogue, const schema::Goal& goal,
               const CoordinatorOptions& options)
       : mpi_(mpi),
@@ -141,7 +141,7 @@ class Coordinator {
 
   const MpiSession& mpi_;
   const Heartbeat& heartbeat_;
-  Trial& trial_;
+  DrawEvaluator& trial_;
   schema::Catalogue& catalogue_;
   const CoordinatorOptions& options_;
   const bool limited_;
@@ -171,7 +171,7 @@ const char* run_end_name(RunEnd end) {
   return "";
 }
 
-RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, Trial& trial,
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& trial,
                        schema::Catalogue& catalogue, const schema::Goal& goal,
                        const CoordinatorOptions& options) {
   return Coordinator(mpi, heartbeat, trial, catalogue, goal, options).run();

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "schema/catalogue/catalogue.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/dispatcher.hpp"
 #include "search/ranks/heartbeat.hpp"
 #include "search/terminal/progress.hpp"
@@ -37,7 +37,7 @@ const char* run_end_name(RunEnd end);
 
 /// Runs the campaign until its goal or a stop; every unit that was begun is committed as far as it
 /// was done, but for those of lost ranks. Ends the workers. The catalogue's run has begun already.
-RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, Trial& trial,
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& trial,
                        schema::Catalogue& catalogue, const schema::Goal& goal,
                        const CoordinatorOptions& options);
 

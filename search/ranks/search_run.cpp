@@ -85,7 +85,7 @@ std::string place_of(const SearchOptions& options, const schema::Campaign& campa
 }
 
 // Judges again what no run could decide so far.
-void retry_undecided(Trial& trial, schema::Catalogue& catalogue) {
+void retry_undecided(DrawEvaluator& trial, schema::Catalogue& catalogue) {
   const std::vector<std::uint64_t> draws = catalogue.undecided();
   std::size_t decided = 0;
   for (const std::uint64_t draw : draws) {
@@ -172,7 +172,7 @@ class RankZero {
   }
 
   const SearchOptions& options_;
-  Trial trial_;
+  DrawEvaluator trial_;
   schema::Catalogue catalogue_;
   schema::Goal goal_;
 };
@@ -212,8 +212,9 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
   const std::string resolved = mpi.broadcast(std::string());
   int refused = 0;
   const int failure = exit_code_of([&] {
-    Trial trial(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
-                options.instruction_set);
+    DrawEvaluator trial(
+        schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
+        options.instruction_set);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
     if (!refused) run_worker(mpi, trial, options.unit_bytes);

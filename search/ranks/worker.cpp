@@ -4,7 +4,7 @@
 
 namespace misalign::search {
 
-void run_worker(const MpiSession& mpi, Trial& trial, std::size_t most_bytes) {
+void run_worker(const MpiSession& mpi, DrawEvaluator& trial, std::size_t most_bytes) {
   for (;;) {
     const schema::DrawRange range = mpi.receive_range();
     if (range.size() == 0) return;

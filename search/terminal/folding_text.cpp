@@ -56,8 +56,8 @@ struct Course {
 
 Course course_of(const solver::FoldingHistory& history, std::size_t diagonal) {
   Course course{{0}, {history.flat_mm[diagonal]}};
-  for (std::size_t row = 0; row < history.stops.size(); ++row) {
-    course.pilot_deg.push_back(history.stops[row].pilot_deg);
+  for (std::size_t row = 0; row < history.stations.size(); ++row) {
+    course.pilot_deg.push_back(history.stations[row].pilot_deg);
     course.length_mm.push_back(
         history.length_mm(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(diagonal)));
   }
@@ -129,7 +129,7 @@ std::string direction(double change_mm) {
 
 std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions& options) {
   const solver::FoldingHistory& history = view.history;
-  const double end_deg = history.stops.empty() ? 0 : history.stops.back().pilot_deg;
+  const double end_deg = history.stations.empty() ? 0 : history.stations.back().pilot_deg;
   if (end_deg <= 0) return "";
   const double d_deg = history.verdict.deploys_from_sample * view.sample_deg;
   // Up to D is what can be used; what does not deploy at all is shown up to the end.
@@ -193,12 +193,12 @@ std::string lengths(const schema::FoldingView& view) {
   text += "\n        0";
   for (const double flat : history.flat_mm) text += fmt::format(" {:>9.4f}", flat);
   text += "\n";
-  for (std::size_t row = 0; row < history.stops.size(); ++row) {
-    const solver::Stop& stop = history.stops[row];
-    const bool at_d = stop.sample > 0 && stop.sample == history.verdict.deploys_from_sample;
-    const bool round = std::abs(std::remainder(stop.pilot_deg, 10)) < 1e-9;
-    if (!round && !at_d && stop.sample > 0) continue;
-    text += fmt::format("{:>9g}", stop.pilot_deg);
+  for (std::size_t row = 0; row < history.stations.size(); ++row) {
+    const solver::Station& station = history.stations[row];
+    const bool at_d = station.sample > 0 && station.sample == history.verdict.deploys_from_sample;
+    const bool round = std::abs(std::remainder(station.pilot_deg, 10)) < 1e-9;
+    if (!round && !at_d && station.sample > 0) continue;
+    text += fmt::format("{:>9g}", station.pilot_deg);
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
       text += fmt::format(" {:>9.4f}", history.length_mm(static_cast<Eigen::Index>(row), d));
     }

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "search/draws/draw.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
-#include "search/draws/trial.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -118,7 +118,7 @@ class LaneRun {
   }
 
  private:
-  Trial trial_;
+  DrawEvaluator trial_;
   std::uint64_t next_ = 0;
   SolverSpeed speed_;
   std::vector<std::uint64_t> accepted_;
@@ -204,7 +204,7 @@ class Comparison {
 
  private:
   void judge_all(std::uint64_t draws) {
-    Trial trial(campaign_, set_);
+    DrawEvaluator trial(campaign_, set_);
     ReferenceRun reference(campaign_, trial.mechanism());
     ReferenceRun careful(campaign_, trial.mechanism(), kCarefulStep_deg);
     for (std::uint64_t lo = 0; lo < draws; lo += trial.largest_block()) {

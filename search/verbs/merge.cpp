@@ -5,7 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -19,7 +19,7 @@ struct ReplayCall {
 
 void replay(const ReplayCall& call) {
   const auto database = schema::open_for_reading(call.catalogue_path);
-  Trial trial(schema::read_campaign_of(*database, call.catalogue_path));
+  DrawEvaluator trial(schema::read_campaign_of(*database, call.catalogue_path));
   const schema::Campaign& campaign = trial.campaign();
   const auto history = trial.history(call.draw);
   const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(call.draw);

@@ -3,20 +3,20 @@
 namespace misalign::solver {
 namespace {
 
-// Shares at which the shifts stop growing for a moment: every tenth of them.
+// Shares at which the shifts station growing for a moment: every tenth of them.
 constexpr int kShares = 10;
 
 // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
 // tangent.
 constexpr double kDifference = 1e-5;
 
-// Everything is as small as the pilot's angle at the first stop.
+// Everything is as small as the pilot's angle at the first station.
 StepControlOptions options_for(const HalfAngle<double>& pilot) {
   const double unit_rad = 2 * pilot.s;
   StepControlOptions options;
   options.longest_start_share = std::numeric_limits<double>::infinity();  // it starts on the branch
-  // Creases at the first stop may turn by this share of the pilot's own angle from one share to the
-  // next: what goes farther has left the branch.
+  // Creases at the first station may turn by this share of the pilot's own angle from one share to
+  // the next: what goes farther has left the branch.
   options.longest_half_sine = 0.5 * pilot.s;
   options.least_tangent_cosine = 0.9;
   options.arc.longest_step_rad = 0.05 * unit_rad;
@@ -27,13 +27,13 @@ StepControlOptions options_for(const HalfAngle<double>& pilot) {
   return options;
 }
 
-// From no share to all of them, carried by angles from 0 to the pilot's at the first stop.
+// From no share to all of them, carried by angles from 0 to the pilot's at the first station.
 PathPlan shares_of(const PathPlan& path, const Mechanism& mechanism) {
   PathPlan shares;
-  const Stop& first = path.stops.front();
+  const Station& first = path.stations.front();
   for (int k = 0; k <= kShares; ++k) {
     const double angle_deg = k == kShares ? first.pilot_deg : first.pilot_deg * k / kShares;
-    shares.stops.push_back(
+    shares.stations.push_back(
         {angle_deg, k == kShares ? first.pilot : half_angle_of_deg(angle_deg), 0, false});
   }
   shares.start = path.start;
@@ -52,7 +52,7 @@ struct OnePath {
     path = start;
     return true;
   }
-  bool see(const Stop&, int) { return true; }
+  bool see(const Station&, int) { return true; }
   void ended(const PathResult& path, int) { end = path.end; }
 };
 
@@ -97,9 +97,9 @@ ShiftHomotopy::ShiftHomotopy(const Mechanism& mechanism, const PathPlan& plan,
                              const FlatVertices& base_vertices_mm)
     : mechanism_(mechanism),
       path_(plan),
-      equations_(mechanism, plan.stops.front().pilot, base_vertices_mm),
+      equations_(mechanism, plan.stations.front().pilot, base_vertices_mm),
       shares_(shares_of(plan, mechanism)),
-      follower_(mechanism, DenseClosure(equations_), options_for(plan.stops.front().pilot)) {
+      follower_(mechanism, DenseClosure(equations_), options_for(plan.stations.front().pilot)) {
   place(mechanism, base_vertices_mm, base_geometry_);
 }
 
@@ -108,7 +108,7 @@ PathEnd ShiftHomotopy::find(const FlatVertices& vertices_mm) {
   OnePath path{{&base_geometry_, &shares_.start, &shares_}};
   follower_.run(path);
   state_ = follower_.state();
-  state_.creases[mechanism_.pilot] = path_.stops.front().pilot;
+  state_.creases[mechanism_.pilot] = path_.stations.front().pilot;
   return path.end;
 }
 

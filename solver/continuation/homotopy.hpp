@@ -1,6 +1,6 @@
 // Where a path starts when its sheet is too far from the base for Newton's method: from the base
 // sheet to the sheet itself, the shifts growing from nothing to all of themselves, the pilot held
-// at the first stop (a homotopy in the shifts; Allgower & Georg, Introduction to Numerical
+// at the first station (a homotopy in the shifts; Allgower & Georg, Introduction to Numerical
 // Continuation Methods, ch. 1). It is a path like any other, whose pilot is the share of the
 // shifts.
 #pragma once
@@ -11,7 +11,8 @@
 namespace misalign::solver {
 
 /// Loop closure of the sheet with a share of its shifts, for a DenseClosure. The pilot crease of a
-/// state stands for the share: half_sine / that of the first stop. The joint itself is held there.
+/// state stands for the share: half_sine / that of the first station. The joint itself is held
+/// there.
 class GrowingShifts {
  public:
   /// All must outlive this object.
@@ -47,7 +48,7 @@ class ShiftHomotopy {
                 const FlatVertices& base_vertices_mm);
 
   /// Follows the branch to the sheet with these vertices. end_reached: state() is the path's own
-  /// state at the first stop. fold_limit: the branch of the base folding turns before the shifts
+  /// state at the first station. fold_limit: the branch of the base folding turns before the shifts
   /// are whole, so this sheet has no such folding next to flat. Otherwise neither was found: a
   /// numerical failure.
   PathEnd find(const FlatVertices& vertices_mm);

@@ -9,7 +9,7 @@ namespace {
 // A quotient this close below a whole number, relative, is that number: 170.3 / 0.1.
 constexpr double kWholeMultiple = 1e-9;
 
-// Angles closer than this are one stop: far below any sample_deg, far above rounding.
+// Angles closer than this are one station: far below any sample_deg, far above rounding.
 constexpr double kSameAngle_deg = 1e-9;
 
 }  // namespace
@@ -21,7 +21,7 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
     const int count = static_cast<int>(options.end_deg / step_deg * (1 + kWholeMultiple));
     for (int k = 1; k <= count; ++k) {
       const double angle_deg = std::min(k * step_deg, options.end_deg);
-      plan.stops.push_back({angle_deg, {}, sampled ? k : 0, visit});
+      plan.stations.push_back({angle_deg, {}, sampled ? k : 0, visit});
     }
   };
   add_multiples(options.sample_deg, true, true);
@@ -29,18 +29,19 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
   if (options.sample_deg > options.longest_step_deg) {
     add_multiples(options.longest_step_deg, false, false);
   }
-  plan.stops.push_back({options.end_deg, {}, 0, true});
+  plan.stations.push_back({options.end_deg, {}, 0, true});
   // Of equal angles the sample comes first and stays.
-  std::stable_sort(plan.stops.begin(), plan.stops.end(), [](const Stop& a, const Stop& b) {
-    return a.pilot_deg < b.pilot_deg - kSameAngle_deg;
-  });
-  plan.stops.erase(std::unique(plan.stops.begin(), plan.stops.end(),
-                               [](const Stop& a, const Stop& b) {
-                                 return b.pilot_deg - a.pilot_deg <= kSameAngle_deg;
-                               }),
-                   plan.stops.end());
-  for (Stop& stop : plan.stops) stop.pilot = half_angle_of_deg(stop.pilot_deg);
-  plan.start = base_state(mechanism, folding, base_vertices_mm, plan.stops.front().pilot);
+  std::stable_sort(plan.stations.begin(), plan.stations.end(),
+                   [](const Station& a, const Station& b) {
+                     return a.pilot_deg < b.pilot_deg - kSameAngle_deg;
+                   });
+  plan.stations.erase(std::unique(plan.stations.begin(), plan.stations.end(),
+                                  [](const Station& a, const Station& b) {
+                                    return b.pilot_deg - a.pilot_deg <= kSameAngle_deg;
+                                  }),
+                      plan.stations.end());
+  for (Station& station : plan.stations) station.pilot = half_angle_of_deg(station.pilot_deg);
+  plan.start = base_state(mechanism, folding, base_vertices_mm, plan.stations.front().pilot);
   return plan;
 }
 

@@ -1,4 +1,4 @@
-// What a folding path is: the stops at which the pilot is held, and how it ended.
+// What a folding path is: the stations at which the pilot is held, and how it ended.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 namespace misalign::solver {
 
 /// An angle at which the pilot is held.
-struct Stop {
+struct Station {
   double pilot_deg;
   HalfAngle<double> pilot;
   int sample;  ///< k when this is the k-th multiple of sample_deg, otherwise 0
   bool visit;  ///< false for a solver step in between that nobody asked to see
 };
 
-/// What all draws of a campaign share: the stops and the state that starts the first of them.
+/// What all draws of a campaign share: the stations and the state that starts the first of them.
 struct PathPlan {
-  std::vector<Stop> stops;
+  std::vector<Station> stations;
   FoldState<double> start;
 };
 
@@ -32,9 +32,9 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
                    const FlatVertices& base_vertices_mm, const PathPlanOptions& options);
 
 enum class PathEnd {
-  end_reached,  ///< the last stop was solved
+  end_reached,  ///< the last station was solved
   stopped,      ///< the visitor had seen enough
-  fold_limit,   ///< the pilot reaches a limit point before the next stop
+  fold_limit,   ///< the pilot reaches a limit point before the next station
   start_lost,   ///< Newton found no first solution near the base folding: a numerical failure
   stalled       ///< neither with the pilot held nor along the arc is there a way on: a numerical
                 ///< failure

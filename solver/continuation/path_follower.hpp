@@ -20,12 +20,12 @@
 
 namespace misalign::solver {
 
-/// One path to follow: the sheet, and a state near the plan's stop number `first_stop`.
+/// One path to follow: the sheet, and a state near the plan's station number `first_station`.
 struct PathStart {
   const SheetGeometry<double>* geometry;
   const FoldState<double>* state;
   const PathPlan* plan;
-  std::size_t first_stop = 0;
+  std::size_t first_station = 0;
   int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
 };
 
@@ -44,12 +44,12 @@ class PathFollower {
 
   /// Follows paths until `observer` has no more of them. It has
   ///   bool next(PathStart&, int lane)   the next path, for this lane; false: none is left
-  ///   bool see(const Stop&, int lane)   at each stop to be seen; false: seen enough
+  ///   bool see(const Station&, int lane)   at each station to be seen; false: seen enough
   ///   void ended(const PathResult&, int lane)
-  /// If it has `PathPoint& point()`, what was found at the stop is there when it is told to see;
+  /// If it has `PathPoint& point()`, what was found at the station is there when it is told to see;
   /// slopes, which cost more than lengths, if its `wants_slopes()`. If it has `arrivals(const T&)`,
-  /// that is called before any `see`, with 1 in each lane at a stop and 0 in the others. Allocates
-  /// nothing.
+  /// that is called before any `see`, with 1 in each lane at a station and 0 in the others.
+  /// Allocates nothing.
   template <class Observer>
   void run(Observer& observer) {
     for (int i = 0; i < kWidth; ++i) load(observer, i);
@@ -84,16 +84,16 @@ class PathFollower {
     PathStart start{};
     if (!observer.next(start, i)) return;
     put(start, i);
-    controls_[i].begin(*start.plan, start.first_stop, start.forward_sign);
+    controls_[i].begin(*start.plan, start.first_station, start.forward_sign);
   }
 
   template <class Observer>
   void go_on(Observer& observer, int i) {
-    const Stop& stop = controls_[i].target();
+    const Station& station = controls_[i].target();
     if constexpr (requires { observer.point(); }) {
-      if (stop.visit) copy_point(i, observer.wants_slopes(), observer.point());
+      if (station.visit) copy_point(i, observer.wants_slopes(), observer.point());
     }
-    if (stop.visit && !observer.see(stop, i)) {
+    if (station.visit && !observer.see(station, i)) {
       steps_[i] = controls_[i].stop();
     } else {
       steps_[i] = controls_[i].proceed();
@@ -162,7 +162,7 @@ void PathFollower<T, Closure>::put(const PathStart& start, int i) {
   closure_.restart(i);
   put_lane(*start.geometry, geometry_, i);
   put_lane(*start.state, trial_, i);
-  const HalfAngle<double>& pilot = start.plan->stops[start.first_stop].pilot;
+  const HalfAngle<double>& pilot = start.plan->stations[start.first_station].pilot;
   lane(trial_.creases[mechanism_.pilot].c, i) = pilot.c;
   lane(trial_.creases[mechanism_.pilot].s, i) = pilot.s;
   put_lane(*start.state, last_, i);

@@ -1,4 +1,4 @@
-// What was found at a stop of one path.
+// What was found at a station of one path.
 #pragma once
 
 #include <vector>

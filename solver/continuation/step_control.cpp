@@ -6,9 +6,9 @@
 
 namespace misalign::solver {
 
-void StepControl::begin(const PathPlan& plan, std::size_t first_stop, int forward_sign) {
+void StepControl::begin(const PathPlan& plan, std::size_t first_station, int forward_sign) {
   plan_ = &plan;
-  stop_ = first_stop;
+  station_ = first_station;
   phase_ = Phase::stepping;
   forward_sign_ = forward_sign;
   corrections_ = tangents_ = arc_steps_ = 0;
@@ -36,7 +36,7 @@ PathStep StepControl::after(const NewtonReport& report) {
   return {};
 }
 
-// The pilot is at the stop and every loop closes: believed if it is still the path's own curve.
+// The pilot is at the station and every loop closes: believed if it is still the path's own curve.
 PathStep StepControl::converged(const NewtonReport& report) {
   ++result_.newton_solves;
   const double longest_turn = phase_ == Phase::landing ? ds_ : options_.longest_half_sine;
@@ -70,10 +70,10 @@ PathStep StepControl::arrive(const NewtonReport& report, double tangent_sign) {
   return move;
 }
 
-// Extrapolates with the rates of change at the last stops, dx/dpilot = tangent / its pilot entry,
-// integrated as a polynomial through up to three of them (Adams-Bashforth, unequal steps).
+// Extrapolates with the rates of change at the last stations, dx/dpilot = tangent / its pilot
+// entry, integrated as a polynomial through up to three of them (Adams-Bashforth, unequal steps).
 PathStep StepControl::proceed() {
-  if (++stop_ == plan_->stops.size()) return end(PathEnd::end_reached);
+  if (++station_ == plan_->stations.size()) return end(PathEnd::end_reached);
   corrections_ = 0;
   corrected_rad_ = 0;
   const double h = (target().pilot_deg - result_.fold_limit_deg) * kRadPerDeg;
@@ -153,7 +153,7 @@ PathStep StepControl::found_on_arc(const NewtonReport& report) {
   if (tangent_pilot <= 0) {
     const double before = tangent_pilot_[0];
     const double rise = ds_ * std::max(before, -tangent_pilot);
-    const double way_left = 2 * half_sine_between(plan_->stops.back().pilot, report.last_pilot);
+    const double way_left = 2 * half_sine_between(plan_->stations.back().pilot, report.last_pilot);
     if (rise <
         std::max(options_.arc.limit_tolerance_rad, (1 - options_.limit_certain_share) * way_left)) {
       return at_limit_point(rise, report.last_pilot);

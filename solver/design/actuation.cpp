@@ -27,8 +27,8 @@ std::pair<Index, Index> farthest_apart(const FlatVertices& vertices_mm) {
 // Rows of the actuation that are samples from 5 degrees to D.
 std::vector<Index> judged_rows(const FoldingHistory& history) {
   std::vector<Index> rows;
-  for (std::size_t i = 0; i < history.stops.size(); ++i) {
-    const Stop& stop = history.stops[i];
+  for (std::size_t i = 0; i < history.stations.size(); ++i) {
+    const Station& stop = history.stations[i];
     if (stop.sample > 0 && stop.sample <= history.verdict.deploys_from_sample &&
         stop.pilot_deg >= kSlopeFrom_deg) {
       rows.push_back(static_cast<Index>(i) + 1);
@@ -54,12 +54,12 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   const std::optional<double> limit = actuation.actuators.stroke_limit;
   if (!limit) return;
   for (Index row = 0; row < history.length_mm.rows(); ++row) {
-    const int sample = history.stops[row].sample;
+    const int sample = history.stations[row].sample;
     if (sample == 0 || sample > history.verdict.deploys_from_sample) continue;
     for (Index d = 0; d < history.length_mm.cols(); ++d) {
       const double flat_mm = history.flat_mm[d];
       if (std::abs(history.length_mm(row, d) - flat_mm) <= *limit * flat_mm) continue;
-      if (!actuation.over_stroke) actuation.over_stroke = {history.stops[row].pilot_deg, {}};
+      if (!actuation.over_stroke) actuation.over_stroke = {history.stations[row].pilot_deg, {}};
       std::vector<int>& over = actuation.over_stroke->diagonals;
       const auto at = std::lower_bound(over.begin(), over.end(), d);
       if (at == over.end() || *at != d) over.insert(at, static_cast<int>(d));
@@ -96,18 +96,18 @@ std::vector<double> advantages(const std::vector<double>& way_mm,
 Actuation actuate(const Actuators& actuators, const ShapedPath& path,
                   const FlatVertices& vertices_mm) {
   const FoldingHistory& history = path.history;
-  const Index stops = history.length_mm.rows(), diagonals = history.length_mm.cols();
+  const Index stations = history.length_mm.rows(), diagonals = history.length_mm.cols();
   const double k = actuators.stiffness_n_per_mm;
   const auto [a, b] = farthest_apart(vertices_mm);
   Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {}, {}, {}, {}};
-  actuation.force_n.setZero(stops + 1, diagonals);
-  actuation.moment_by_n_mm.setZero(stops + 1, diagonals);
+  actuation.force_n.setZero(stations + 1, diagonals);
+  actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
   const Eigen::RowVectorXd flat_mm = Eigen::RowVectorXd::Map(history.flat_mm.data(), diagonals);
   Eigen::RowVectorXd before_mm = flat_mm;
   std::vector<double> way_mm{0}, span_mm{(vertices_mm.col(a) - vertices_mm.col(b)).norm()};
-  for (Index row = 0; row < stops; ++row) {
+  for (Index row = 0; row < stations; ++row) {
     const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - flat_mm;
-    actuation.pilot_deg.push_back(history.stops[row].pilot_deg);
+    actuation.pilot_deg.push_back(history.stations[row].pilot_deg);
     actuation.force_n.row(row + 1) = k * stretch_mm;
     actuation.moment_by_n_mm.row(row + 1) =
         k * stretch_mm.cwiseProduct(history.slope_mm_per_deg.row(row)) / kRadPerDeg;

@@ -18,8 +18,8 @@ Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices&
 
 Eigen::Index ShapedPath::rows_up_to_d() const {
   Eigen::Index rows = 0;
-  for (std::size_t row = 0; row < history.stops.size(); ++row) {
-    const int sample = history.stops[row].sample;
+  for (std::size_t row = 0; row < history.stations.size(); ++row) {
+    const int sample = history.stations[row].sample;
     if (sample > 0 && sample <= history.verdict.deploys_from_sample) {
       rows = static_cast<Eigen::Index>(row) + 1;
     }
@@ -45,14 +45,14 @@ ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm) {
   ShapedPath path;
   std::size_t row = 0;
   double last_deg = 0;
-  const StopVisitor keep_shape = [&](const Stop& stop, const FoldState<double>& state) {
-    if (stop.pilot_deg <= last_deg) row = 0;  // followed once more
-    last_deg = stop.pilot_deg;
+  const StationVisitor keep_shape = [&](const Station& station, const FoldState<double>& state) {
+    if (station.pilot_deg <= last_deg) row = 0;  // followed once more
+    last_deg = station.pilot_deg;
     path.shapes_mm.resize(std::max(path.shapes_mm.size(), row + 1));
     path.shapes_mm[row++] = laid_over(model.shape().vertices_mm(geometry, state), vertices_mm);
   };
   path.history = record_history(model, vertices_mm, &keep_shape);
-  path.shapes_mm.resize(path.history.stops.size());
+  path.shapes_mm.resize(path.history.stations.size());
   return path;
 }
 

@@ -1,4 +1,4 @@
-// A path with the folded sheet at each of its stops: for drawings, and whatever moves with them.
+// A path with the folded sheet at each of its stations: for drawings, and whatever moves with them.
 #pragma once
 
 #include <vector>

@@ -41,7 +41,7 @@ class Batch {
   virtual ~Batch();
 
   /// One result per sheet: rejected for certain, or not decided.
-  virtual const std::vector<Screened>& screen(const ShiftBlock& block) = 0;
+  virtual const std::vector<Rejection>& screen(const ShiftBlock& block) = 0;
   /// Verdicts of all sheets on their full paths. A path that is lost is followed again by dense
   /// matrices; what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;

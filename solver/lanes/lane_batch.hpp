@@ -25,14 +25,14 @@ class LaneBatch final : public Batch {
         double_test_(model) {}
 
   // In single precision first, twice as many sheets at once: that turns away six of seven.
-  const std::vector<Screened>& screen(const ShiftBlock& block) override {
+  const std::vector<Rejection>& screen(const ShiftBlock& block) override {
     rejection_.begin(block.sheets);
     approach_.begin(sheets_.of(block), rejection_);
     open_.clear();
     for (int sheet = 0; sheet < block.sheets; ++sheet) open_.push_back({sheet, -1});
     run_tests(single_test_, block);
     run_tests(double_test_, block);
-    if (!model_.approach().stops.empty()) {
+    if (!model_.approach().stations.empty()) {
       for (const OpenSheet& open : open_) {
         if (open.kept_state >= 0) approach_.add(open.sheet, open.kept_state);
       }

@@ -51,19 +51,19 @@ bool JudgingObserver::next(PathStart& start, int lane) {
   return true;
 }
 
-bool JudgingObserver::see(const Stop& stop, int lane) {
-  if (stop.sample == 0) return true;
-  if (!is_dense_ && is_poor(stop, lane)) {
+bool JudgingObserver::see(const Station& station, int lane) {
+  if (station.sample == 0) return true;
+  if (!is_dense_ && is_poor(station, lane)) {
     place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
     dense_state_.find(geometry_, point_.state, point_);
   }
-  return judges_[lane].see(stop, point_.state, point_.lengths,
+  return judges_[lane].see(station, point_.state, point_.lengths,
                            wants_slopes() ? &point_.slopes : nullptr, point_.pilot_rate);
 }
 
-bool JudgingObserver::is_poor(const Stop& stop, int lane) {
+bool JudgingObserver::is_poor(const Station& station, int lane) {
   if (wants_slopes() && !(point_.misfit <= kLargestMisfit)) return true;
-  if (stop.pilot_deg <= kPoorFactorsFrom_deg) return false;
+  if (station.pilot_deg <= kPoorFactorsFrom_deg) return false;
   place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
   const double open_by =
       evaluate(model_.mechanism(), geometry_, point_.state, residual_.data(), nullptr);
@@ -97,7 +97,7 @@ void JudgingObserver::fall_back() {
 
 // After a correction from this far open, lengths are known to 1e-10 panel widths; on the arc only
 // the way on is wanted.
-constexpr double kStopClosure = 1e-7, kArcClosure = 1e-3;
+constexpr double kStationClosure = 1e-7, kArcClosure = 1e-3;
 
 // What two thirds of a step's way to 150 degrees and steps of 5 degrees beyond it move the creases
 // of paths that stay on their curve, with room (rad; sine of half of it).
@@ -105,7 +105,7 @@ constexpr double kLongestHalfSine = 0.5, kLongestCorrection_rad = 0.15;
 
 StepControlOptions approach_options() {
   StepControlOptions options;
-  options.closure_tolerance = kStopClosure;
+  options.closure_tolerance = kStationClosure;
   options.arc_closure_tolerance = kArcClosure;
   options.arc.limit_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
   options.limit_certain_share = 0.5;  // half the way to the threshold
@@ -141,19 +141,20 @@ bool ApproachObserver::next(PathStart& start, int lane) {
   queue_.put(work.sheet, lane);
   const Kept& kept = kept_[work.kept];
   const TestAngle& test = model_.tests()[kept.test];
-  const auto& stops = model_.approach().stops;
-  const auto first = std::find_if(stops.begin(), stops.end(),
-                                  [&](const Stop& stop) { return stop.sample == test.sample; });
+  const auto& stations = model_.approach().stations;
+  const auto first = std::find_if(stations.begin(), stations.end(), [&](const Station& station) {
+    return station.sample == test.sample;
+  });
   start = {&queue_.geometry(), &kept.state, &model_.approach(),
-           static_cast<std::size_t>(first - stops.begin()), test.determinant_sign};
+           static_cast<std::size_t>(first - stations.begin()), test.determinant_sign};
   return true;
 }
 
-bool ApproachObserver::see(const Stop& stop, int lane) {
+bool ApproachObserver::see(const Station& station, int lane) {
   const int sheet = queue_.of_lane(lane);
-  rejection_->observe(sheet, {stop.sample, point_.lengths.data(), kPathLengthError,
+  rejection_->observe(sheet, {station.sample, point_.lengths.data(), kPathLengthError,
                               point_.slopes.data(), kPathSlopeError});
-  rejection_->observe(sheet, stop.sample, point_.state);
+  rejection_->observe(sheet, station.sample, point_.state);
   return !rejection_->decided(sheet);
 }
 

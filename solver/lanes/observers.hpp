@@ -36,7 +36,7 @@ class JudgingObserver {
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return model_.bump_is_fault(); }
-  bool see(const Stop& stop, int lane);
+  bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
   void fall_back();
@@ -46,7 +46,7 @@ class JudgingObserver {
 
  private:
   /// Whether what was found is not worth its name there: see DenseState.
-  bool is_poor(const Stop& stop, int lane);
+  bool is_poor(const Station& station, int lane);
 
   const Model& model_;
   SheetQueue queue_;
@@ -84,7 +84,7 @@ class ApproachObserver {
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return true; }
-  bool see(const Stop& stop, int lane);
+  bool see(const Station& station, int lane);
   void ended(const PathResult& path, int lane);
 
   const Effort& effort() const { return effort_; }

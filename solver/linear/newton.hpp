@@ -1,5 +1,5 @@
-// Loop closure by dense matrices with partial pivoting, and Newton-Raphson with the pilot held, as the
-// paper's MATLAB program would do it.
+// Loop closure by dense matrices with partial pivoting, and Newton-Raphson with the pilot held, as
+// the paper's MATLAB program would do it.
 #pragma once
 
 #include <Eigen/Core>

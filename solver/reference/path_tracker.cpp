@@ -22,13 +22,13 @@ void PathTracker::begin(const PathPlan& plan) {
   result_ = {};
 }
 
-bool PathTracker::advance_to(const SheetGeometry<double>& geometry, const Stop& stop) {
-  if (!step_to(geometry, stop)) {
+bool PathTracker::advance_to(const SheetGeometry<double>& geometry, const Station& station) {
+  if (!step_to(geometry, station)) {
     if (forward_sign_ == 0) {
       result_.end = PathEnd::start_lost;
       return false;
     }
-    const ArcResult arc = arc_length_.walk(geometry, stop.pilot, forward_sign_, newton_, state_);
+    const ArcResult arc = arc_length_.walk(geometry, station.pilot, forward_sign_, newton_, state_);
     result_.arc_steps += arc.steps;
     if (arc.end == ArcEnd::turned) {
       result_.end = PathEnd::fold_limit;
@@ -40,15 +40,15 @@ bool PathTracker::advance_to(const SheetGeometry<double>& geometry, const Stop& 
       return false;
     }
   }
-  result_.fold_limit_deg = stop.pilot_deg;
+  result_.fold_limit_deg = station.pilot_deg;
   return true;
 }
 
 // Newton with the pilot held, from the solution before; refused where it left this half of the
 // curve.
-bool PathTracker::step_to(const SheetGeometry<double>& geometry, const Stop& stop) {
+bool PathTracker::step_to(const SheetGeometry<double>& geometry, const Station& station) {
   trial_ = state_;
-  trial_.creases[pilot_] = stop.pilot;
+  trial_.creases[pilot_] = station.pilot;
   const NewtonResult newton = newton_.correct(geometry, trial_);
   ++result_.newton_solves;
   result_.newton_iterations += newton.iterations;

@@ -1,5 +1,5 @@
-// The folding path of one sheet as the paper's section 4 has it: the pilot held at one stop after
-// another, each solved from the one before, the first from the base folding.
+// The folding path of one sheet as the paper's section 4 has it: the pilot held at one station
+// after another, each solved from the one before, the first from the base folding.
 #pragma once
 
 #include "solver/continuation/path.hpp"
@@ -11,14 +11,14 @@ class PathTracker {
  public:
   explicit PathTracker(const Mechanism& mechanism);
 
-  /// Calls `visit(stop, state)` at each stop to be seen, until it answers false or the path ends.
-  /// Allocates nothing.
+  /// Calls `visit(station, state)` at each station to be seen, until it answers false or the path
+  /// ends. Allocates nothing.
   template <class Visitor>
   PathResult follow(const SheetGeometry<double>& geometry, const PathPlan& plan, Visitor&& visit) {
     begin(plan);
-    for (const Stop& stop : plan.stops) {
-      if (!advance_to(geometry, stop)) return result_;
-      if (stop.visit && !visit(stop, static_cast<const FoldState<double>&>(state_))) {
+    for (const Station& station : plan.stations) {
+      if (!advance_to(geometry, station)) return result_;
+      if (station.visit && !visit(station, static_cast<const FoldState<double>&>(state_))) {
         result_.end = PathEnd::stopped;
         return result_;
       }
@@ -29,13 +29,13 @@ class PathTracker {
 
  private:
   void begin(const PathPlan& plan);
-  bool advance_to(const SheetGeometry<double>& geometry, const Stop& stop);
-  bool step_to(const SheetGeometry<double>& geometry, const Stop& stop);
+  bool advance_to(const SheetGeometry<double>& geometry, const Station& station);
+  bool step_to(const SheetGeometry<double>& geometry, const Station& station);
 
   Newton newton_;
   ArcLength arc_length_;
   int pilot_;
-  int forward_sign_ = 0;  // of the Jacobian's determinant, from the first stop on
+  int forward_sign_ = 0;  // of the Jacobian's determinant, from the first station on
   FoldState<double> state_, trial_;
   PathResult result_{};
 };

@@ -26,7 +26,7 @@ class OneSheet final : public SheetBlock {
 
 }  // namespace
 
-Recording::Recording(const Model& model, const StopVisitor* visit)
+Recording::Recording(const Model& model, const StationVisitor* visit)
     : model_(model), visit_(visit), judge_(model.mechanism(), model.bump_is_fault()) {}
 
 void Recording::begin(const FlatVertices& vertices_mm) {
@@ -43,12 +43,12 @@ void Recording::begin(const FlatVertices& vertices_mm) {
   for (double& length : history_.flat_mm) length *= mechanism.panel_width_mm;
 }
 
-void Recording::see(const Stop& stop, const PathPoint& point, const SolveQuality& quality) {
+void Recording::see(const Station& station, const PathPoint& point, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
-  if (stop.sample > 0) {
-    judge_.see(stop, point.state, point.lengths, &point.slopes, point.pilot_rate);
+  if (station.sample > 0) {
+    judge_.see(station, point.state, point.lengths, &point.slopes, point.pilot_rate);
   }
-  history_.stops.push_back(stop);
+  history_.stations.push_back(station);
   for (const double length : point.lengths) lengths_mm_.push_back(length * width_mm);
   for (const double slope : point.slopes) {
     slopes_mm_per_deg_.push_back(slope * width_mm * kRadPerDeg);
@@ -60,31 +60,31 @@ void Recording::see(const Stop& stop, const PathPoint& point, const SolveQuality
   history_.singular_value_min.push_back(quality.singular_value_min);
   history_.isometry_error_mm.push_back(quality.isometry_error * width_mm);
   const std::vector<int>& samples = model_.margin_samples();
-  if (std::binary_search(samples.begin(), samples.end(), stop.sample)) {
+  if (std::binary_search(samples.begin(), samples.end(), station.sample)) {
     history_.margin_states.push_back(point.state);
   }
-  if (visit_) (*visit_)(stop, point.state);
+  if (visit_) (*visit_)(station, point.state);
 }
 
 FoldingHistory Recording::conclude(const PathResult& path) {
   history_.path = path;
   history_.verdict = judge_.conclude(path);
   history_.between = judge_.between();
-  history_.length_mm = rows_of(lengths_mm_, history_.stops.size());
-  history_.slope_mm_per_deg = rows_of(slopes_mm_per_deg_, history_.stops.size());
-  history_.fold_angle_deg = rows_of(angles_deg_, history_.stops.size());
+  history_.length_mm = rows_of(lengths_mm_, history_.stations.size());
+  history_.slope_mm_per_deg = rows_of(slopes_mm_per_deg_, history_.stations.size());
+  history_.fold_angle_deg = rows_of(angles_deg_, history_.stations.size());
   return std::move(history_);
 }
 
 FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
-                              const StopVisitor* visit) {
+                              const StationVisitor* visit) {
   PathFollower<double> follower(model.mechanism(), model.elimination());
   Recorder<double> recorder(model, follower, visit);
   return std::move(recorder.record(OneSheet(vertices_mm)).front());
 }
 
 FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm,
-                              const StopVisitor* visit) {
+                              const StationVisitor* visit) {
   RecordingObserver observer(model, 1, visit);
   DenseFollower follower(model.mechanism());
   const OneSheet sheet(vertices_mm);

@@ -12,16 +12,16 @@
 
 namespace misalign::solver {
 
-/// One row or entry per stop that was solved; verdicts look at those with sample > 0.
+/// One row or entry per station that was solved; verdicts look at those with sample > 0.
 struct FoldingHistory {
   Verdict verdict;
   PathResult path;
   Between between;
   std::vector<double> flat_mm;  ///< per diagonal
-  std::vector<Stop> stops;
-  Eigen::MatrixXd length_mm;         ///< stops x diagonals
+  std::vector<Station> stations;
+  Eigen::MatrixXd length_mm;         ///< stations x diagonals
   Eigen::MatrixXd slope_mm_per_deg;  ///< the same: their rates of change
-  Eigen::MatrixXd fold_angle_deg;    ///< stops x creases
+  Eigen::MatrixXd fold_angle_deg;    ///< stations x creases
   std::vector<double> open_by;       ///< largest closure entry: radians, panel widths
   std::vector<double> singular_value_min;
   std::vector<double> isometry_error_mm;         ///< see FoldedShape
@@ -29,45 +29,45 @@ struct FoldingHistory {
   std::optional<double> miscut_margin_mm;        ///< once the path has reached all of those
 };
 
-/// How well a stop was solved, and can be.
+/// How well a station was solved, and can be.
 struct SolveQuality {
   double open_by;             ///< largest closure entry: radians, panel widths
   double singular_value_min;  ///< of the square Jacobian
   double isometry_error;      ///< panel widths
 };
 
-/// Called at each stop of a path, in order.
-using StopVisitor = std::function<void(const Stop&, const FoldState<double>&)>;
+/// Called at each station of a path, in order.
+using StationVisitor = std::function<void(const Station&, const FoldState<double>&)>;
 
 /// A history in the making.
 class Recording {
  public:
   /// Both must outlive this object.
-  explicit Recording(const Model& model, const StopVisitor* visit = nullptr);
+  explicit Recording(const Model& model, const StationVisitor* visit = nullptr);
 
   /// A new sheet.
   void begin(const FlatVertices& vertices_mm);
-  /// The next stop of its path; past faults too.
-  void see(const Stop& stop, const PathPoint& point, const SolveQuality& quality);
+  /// The next station of its path; past faults too.
+  void see(const Station& station, const PathPoint& point, const SolveQuality& quality);
   /// The whole, once the path has ended.
   FoldingHistory conclude(const PathResult& path);
 
  private:
   const Model& model_;
-  const StopVisitor* visit_;
+  const StationVisitor* visit_;
   Judge judge_;
-  std::vector<double> lengths_mm_, slopes_mm_per_deg_, angles_deg_;  // stop by stop
+  std::vector<double> lengths_mm_, slopes_mm_per_deg_, angles_deg_;  // station by station
   FoldingHistory history_;
 };
 
 /// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
 /// faults. A path that is lost is followed again by dense matrices: then `visit` sees it from the
-/// first stop once more.
+/// first station once more.
 FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
-                              const StopVisitor* visit = nullptr);
+                              const StationVisitor* visit = nullptr);
 
 /// The same by dense matrices with pivoting alone.
 FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm,
-                              const StopVisitor* visit = nullptr);
+                              const StationVisitor* visit = nullptr);
 
 }  // namespace misalign::solver

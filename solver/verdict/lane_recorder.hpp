@@ -1,4 +1,4 @@
-// Recordings from a path follower of any width: looks closer at the stops of all lanes together,
+// Recordings from a path follower of any width: looks closer at the stations of all lanes together,
 // and hands each to the recording of its lane; then how far off the sheets may be cut.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace misalign::solver {
 
-/// Lanes arrive at their stops one by one: each one's state and factors are kept until it arrives
-/// again or its path ends, and then all that are kept are looked at in one go; with dense factors
-/// where the kept ones are worth nothing.
+/// Lanes arrive at their stations one by one: each one's state and factors are kept until it
+/// arrives again or its path ends, and then all that are kept are looked at in one go; with dense
+/// factors where the kept ones are worth nothing.
 template <class T>
 class LaneRecorder {
  public:
@@ -45,8 +45,8 @@ class LaneRecorder {
     kept_factors_.replace(arrived, follower_.closure().factors());
   }
 
-  bool see(const Stop& stop, int i) {
-    stops_[i] = stop;
+  bool see(const Station& station, int i) {
+    stations_[i] = station;
     lane(waits_, i) = 1;
     return true;
   }
@@ -77,8 +77,8 @@ class LaneRecorder {
       if (!(lane(waits_, i) > 0)) continue;
       PathPoint& point = observer_.point();
       copy_lane(kept_state_, i, point.state);
-      if (stops_[i].pilot_deg > kPoorFactorsFrom_deg || !(lane(misfit, i) <= kLargestMisfit)) {
-        observer_.see(stops_[i], i);
+      if (stations_[i].pilot_deg > kPoorFactorsFrom_deg || !(lane(misfit, i) <= kLargestMisfit)) {
+        observer_.see(stations_[i], i);
         continue;
       }
       for (std::size_t k = 0; k < lengths_.size(); ++k) {
@@ -87,7 +87,8 @@ class LaneRecorder {
       }
       point.pilot_rate = lane(pilot_rate, i);
       observer_.of_lane(i).see(
-          stops_[i], point, {lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
+          stations_[i], point,
+          {lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
     }
     waits_ = T(0);
   }
@@ -103,7 +104,7 @@ class LaneRecorder {
   SmallestSingularValue<T> smallest_;
   FoldedPoints<T> points_;
   std::vector<T> residual_, work_, rates_, lengths_, slopes_;
-  std::array<Stop, kLanes<T>> stops_{};
+  std::array<Station, kLanes<T>> stations_{};
 };
 
 /// Whole histories of blocks of sheets.
@@ -111,7 +112,7 @@ template <class T>
 class Recorder {
  public:
   /// Both must outlive this object.
-  Recorder(const Model& model, PathFollower<T>& follower, const StopVisitor* visit = nullptr)
+  Recorder(const Model& model, PathFollower<T>& follower, const StationVisitor* visit = nullptr)
       : model_(model),
         follower_(follower),
         observer_(model, kLanes<T>, visit),

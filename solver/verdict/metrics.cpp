@@ -20,8 +20,8 @@ double corner_angle_deg(const CreasePattern& sheet, const FlatVertices& vertices
 // Rows of the history that are samples up to D, in order.
 std::vector<Eigen::Index> rows_up_to(const FoldingHistory& history) {
   std::vector<Eigen::Index> rows;
-  for (std::size_t i = 0; i < history.stops.size(); ++i) {
-    const int sample = history.stops[i].sample;
+  for (std::size_t i = 0; i < history.stations.size(); ++i) {
+    const int sample = history.stations[i].sample;
     if (sample > 0 && sample <= history.verdict.deploys_from_sample) {
       rows.push_back(static_cast<Eigen::Index>(i));
     }
@@ -64,7 +64,7 @@ Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
       m.elongation_min = std::min(m.elongation_min, elongation);
       m.elongation_max = std::max(m.elongation_max, elongation);
       stroke = std::max(stroke, std::abs(elongation));
-      if (history.stops[row].pilot_deg >= kSlopeFrom_deg) {
+      if (history.stations[row].pilot_deg >= kSlopeFrom_deg) {
         const double slope = std::abs(length - previous) / sample_deg;
         m.slope_min_mm_per_deg = std::min(m.slope_min_mm_per_deg.value_or(slope), slope);
       }

@@ -116,20 +116,20 @@ void Model::choose_tests() {
     test.lengths_per_closure = lengths_per_closure(mechanism_, geometry, test.base, test.factors);
   }
   if (tests_.size() < 2) return;
-  const auto add_stops = [&](int from, int to, double step_deg) {
+  const auto add_stations = [&](int from, int to, double step_deg) {
     const int step = std::max(1, sample_at(step_deg));
     for (int k = from; k < to; k += step) {
-      approach_.stops.push_back({k * sample_deg_, half_angle_of_deg(k * sample_deg_), k, true});
+      approach_.stations.push_back({k * sample_deg_, half_angle_of_deg(k * sample_deg_), k, true});
     }
   };
-  add_stops(near, far, kApproachStep_deg * 3);
+  add_stations(near, far, kApproachStep_deg * 3);
   if ((threshold_sample_ - far) * sample_deg_ <= kApproachFrom_deg) {
     departs_from_ = 1;
-    add_stops(far, far + 1, kApproachStep_deg);
+    add_stations(far, far + 1, kApproachStep_deg);
     return;
   }
-  add_stops(far, threshold_sample_, kApproachStep_deg);
-  add_stops(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
+  add_stations(far, threshold_sample_, kApproachStep_deg);
+  add_stations(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
 }
 
 void Model::displace(const double* shifts_mm, FlatVertices& vertices_mm) const {

@@ -4,7 +4,7 @@
 
 namespace misalign::solver {
 
-RecordingObserver::RecordingObserver(const Model& model, int lanes, const StopVisitor* visit)
+RecordingObserver::RecordingObserver(const Model& model, int lanes, const StationVisitor* visit)
     : model_(model),
       queue_(model, lanes),
       recordings_(lanes, Recording(model, visit)),
@@ -26,11 +26,11 @@ bool RecordingObserver::next(PathStart& start, int lane) {
   return true;
 }
 
-bool RecordingObserver::see(const Stop& stop, int lane) {
+bool RecordingObserver::see(const Station& station, int lane) {
   place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
   dense_state_.find(geometry_, point_.state, point_);
   model_.shape().place(geometry_, point_.state, points_);
-  recordings_[lane].see(stop, point_,
+  recordings_[lane].see(station, point_,
                         {dense_state_.open_by(), dense_state_.singular_value(),
                          model_.shape().isometry_error(geometry_, points_)});
   return true;

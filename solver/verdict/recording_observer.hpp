@@ -14,7 +14,7 @@ namespace misalign::solver {
 /// matrices; for a follower of lanes there is LaneRecorder, which looks at all lanes together.
 class RecordingObserver {
  public:
-  RecordingObserver(const Model& model, int lanes, const StopVisitor* visit = nullptr);
+  RecordingObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
   ~RecordingObserver();
 
   void begin(const SheetBlock& block);
@@ -22,7 +22,7 @@ class RecordingObserver {
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
   /// point() from its state alone, by dense factors.
-  bool see(const Stop& stop, int lane);
+  bool see(const Station& station, int lane);
   /// What was found of this lane's sheet.
   Recording& of_lane(int lane) { return recordings_[lane]; }
   void ended(PathResult path, int lane);

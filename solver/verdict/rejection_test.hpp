@@ -21,7 +21,7 @@ inline constexpr double kPathSlopeError = 1e-5;
 inline constexpr double kApproachTurn_deg = 0.1;
 
 /// What became of one sheet.
-struct Screened {
+struct Rejection {
   Fault fault = Fault::none;  ///< none: not decided, the full path must tell
   int sample = 0;             ///< where the test looked
 };
@@ -67,7 +67,7 @@ class RejectionTest {
   /// Rejects it if its path ended, by a fold limit short of the threshold.
   void path_ended(int sheet, const PathResult& path);
 
-  const std::vector<Screened>& results() const { return screened_; }
+  const std::vector<Rejection>& results() const { return screened_; }
   bool decided(int sheet) const { return screened_[sheet].fault != Fault::none; }
 
  private:
@@ -75,7 +75,7 @@ class RejectionTest {
 
   const Model& model_;
   const std::size_t diagonals_;
-  std::vector<Screened> screened_;
+  std::vector<Rejection> screened_;
   std::vector<double> flat_, earlier_;  // per sheet and diagonal
   std::vector<int> earlier_sample_;     // per sheet; 0: nothing seen yet
   std::vector<double> earlier_error_;   // per sheet

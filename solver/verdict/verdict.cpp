@@ -21,14 +21,14 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
   between_ = {};
 }
 
-bool Judge::see(const Stop& stop, const FoldState<double>& state,
+bool Judge::see(const Station& station, const FoldState<double>& state,
                 const std::vector<double>& lengths, const std::vector<double>* slopes,
                 double pilot_rate) {
   if (fault_ != Fault::none) return false;
   fault_ = fault_in(state, lengths, where_);
   if (fault_ != Fault::none) return false;
   if (slopes) {
-    const Between between = seen_between(stop, lengths, *slopes, pilot_rate);
+    const Between between = seen_between(station, lengths, *slopes, pilot_rate);
     if (bump_is_fault_ && between.back_where >= 0) {
       fault_ = Fault::bump;
       where_ = between.back_where;
@@ -44,7 +44,7 @@ bool Judge::see(const Stop& stop, const FoldState<double>& state,
   }
   last_ = lengths;
   ++samples_in_order_;
-  last_pilot_deg_ = stop.pilot_deg;
+  last_pilot_deg_ = station.pilot_deg;
   return true;
 }
 
@@ -79,9 +79,9 @@ Fault Judge::fault_in(const FoldState<double>& state, const std::vector<double>&
   return largest_step_back > 0 ? Fault::not_monotone : Fault::none;
 }
 
-Between Judge::seen_between(const Stop& stop, const std::vector<double>& lengths,
+Between Judge::seen_between(const Station& station, const std::vector<double>& lengths,
                             const std::vector<double>& slopes, double pilot_rate) {
-  const double step_deg = stop.pilot_deg - last_pilot_deg_;
+  const double step_deg = station.pilot_deg - last_pilot_deg_;
   const double slowing = last_pilot_rate_ > 0 && pilot_rate > 0 ? pilot_rate / last_pilot_rate_ : 1;
   Between between = between_;
   double longest = 0, longest_bump = 0;

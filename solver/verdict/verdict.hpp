@@ -58,15 +58,16 @@ class Judge {
   /// The next sample in order; false once a fault is known. Nothing changes after that. With the
   /// diagonals' slopes (panel widths per radian of pilot), and the pilot's entry of the unit
   /// tangent, it looks between the samples as well.
-  bool see(const Stop& stop, const FoldState<double>& state, const std::vector<double>& lengths,
-           const std::vector<double>* slopes = nullptr, double pilot_rate = 1);
+  bool see(const Station& station, const FoldState<double>& state,
+           const std::vector<double>& lengths, const std::vector<double>* slopes = nullptr,
+           double pilot_rate = 1);
   /// The verdict, once the path has ended or `see` has said false.
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
 
  private:
   Fault fault_in(const FoldState<double>& state, const std::vector<double>& lengths, int& where);
-  Between seen_between(const Stop& stop, const std::vector<double>& lengths,
+  Between seen_between(const Station& station, const std::vector<double>& lengths,
                        const std::vector<double>& slopes, double pilot_rate);
 
   const Mechanism& mechanism_;

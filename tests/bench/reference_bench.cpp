@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "search/draws/draw.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/pivot_order.hpp"
 #include "solver/reference/reference.hpp"
@@ -48,9 +48,9 @@ void full_path(benchmark::State& state) {
   solver::SheetGeometry<double> geometry;
   for (auto _ : state) {
     solver::place(draws.mechanism, draws.next(), geometry);
-    benchmark::DoNotOptimize(
-        tracker.follow(geometry, draws.plan,
-                       [](const solver::Stop&, const solver::FoldState<double>&) { return true; }));
+    benchmark::DoNotOptimize(tracker.follow(
+        geometry, draws.plan,
+        [](const solver::Station&, const solver::FoldState<double>&) { return true; }));
   }
 }
 BENCHMARK(full_path)->Unit(benchmark::kMillisecond)->Iterations(200);
@@ -138,7 +138,7 @@ struct OnePath {
     departure = {&geometry, &plan.start, &plan};
     return true;
   }
-  bool visit(const solver::Stop&, int) { return true; }
+  bool visit(const solver::Station&, int) { return true; }
   void ended(const solver::PathResult&, int) {}
 };
 

@@ -60,7 +60,7 @@ int run(const std::string& folder, const Speed& speed, double seconds) {
   } else {
     const std::string path = folder + "/sleeping_workers.db";
     std::filesystem::remove(path);
-    search::Trial trial(schema::default_campaign());
+    search::DrawEvaluator trial(schema::default_campaign());
     schema::Catalogue catalogue(path, trial.campaign(), trial.mechanism());
     schema::Goal goal;
     goal.draws = static_cast<std::uint64_t>(speed.draws_per_s * (mpi.ranks() - 1) * seconds);

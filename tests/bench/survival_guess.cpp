@@ -9,7 +9,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/survival.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::bench {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::uint64_t kAtOnce = 256;
 constexpr int kDeeper_deg[] = {0, 5, 10, 12, 15};
 
 // Draws that no run of the catalogue made: far behind its last.
-std::vector<int> deploying_samples(search::Trial& trial, std::uint64_t draws) {
+std::vector<int> deploying_samples(search::DrawEvaluator& trial, std::uint64_t draws) {
   constexpr std::uint64_t kFirst = std::uint64_t{1} << 50;
   std::vector<int> samples;
   for (std::uint64_t lo = 0; lo < draws; lo += kAtOnce) {
@@ -56,7 +56,7 @@ void compare(const schema::Campaign& campaign, const std::vector<int>& samples, 
 void study(const std::string& path, std::uint64_t draws) {
   const auto database = schema::open_for_reading(path);
   const schema::CatalogueState state = schema::read_state(*database);
-  search::Trial trial(schema::read_campaign_of(*database, path));
+  search::DrawEvaluator trial(schema::read_campaign_of(*database, path));
   const std::vector<int> samples = deploying_samples(trial, draws);
   std::puts("draws,from_deg,counted,pieces,guess_over_counted,least,most,intervals_that_hold_it");
   for (const std::size_t size : {250, 500, 1000, 2000}) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "schema/exchange/folding_json.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -20,7 +20,7 @@ class CandidateRows : public testing::Test {
                                  "a test");
   }
   static std::vector<Json> rows() {
-    Trial trial(campaign());
+    DrawEvaluator trial(campaign());
     const schema::UnitRecord unit = work_off(trial, {0, 40});
     std::vector<Json> rows;
     for (const schema::Candidate& candidate : unit.candidates) {

@@ -117,8 +117,8 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
       solver::SheetGeometry<double> geometry;
       solver::place(model.mechanism(), vertices_mm, geometry);
       ContactCheck check(vertices_mm, panels);
-      const solver::StopVisitor compare = [&](const solver::Stop& stop,
-                                              const solver::FoldState<double>& state) {
+      const solver::StationVisitor compare = [&](const solver::Station& stop,
+                                                 const solver::FoldState<double>& state) {
         if (stop.sample % 3 != 0) return;
         const Eigen::Matrix3Xd corners = model.shape().corners_mm(geometry, state);
         bool expected = false;

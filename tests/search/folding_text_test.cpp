@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "schema/files/text_table.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -18,7 +18,7 @@ schema::Campaign campaign(int side) {
       "a test");
 }
 
-std::string text_of(Trial& trial, std::uint64_t draw, const FoldingTextOptions& options) {
+std::string text_of(DrawEvaluator& trial, std::uint64_t draw, const FoldingTextOptions& options) {
   const auto history = trial.history(draw);
   const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
   return folding_text({trial.campaign().pattern, shifts_mm, trial.mechanism(), history,
@@ -46,7 +46,7 @@ TEST(Sparkline, GoesFromTheLeastToTheLargest) {
 
 TEST(FoldingText, FitsTheTerminal) {
   for (const int side : {4, 6, 8}) {
-    Trial trial(campaign(side));
+    DrawEvaluator trial(campaign(side));
     for (std::uint64_t draw = 0; draw < 5; ++draw) {
       const auto history = trial.history(draw);
       const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
@@ -65,7 +65,7 @@ TEST(FoldingText, FitsTheTerminal) {
 
 // Every diagonal has a line, whose lengths are the history's and whose signs go as they do.
 TEST(FoldingText, SaysWhatTheHistorySays) {
-  Trial trial(campaign(4));
+  DrawEvaluator trial(campaign(4));
   for (std::uint64_t draw = 0; draw < 20; ++draw) {
     const auto history = trial.history(draw);
     const auto d = static_cast<Eigen::Index>(history.verdict.deploys_from_sample) - 1;
@@ -97,7 +97,7 @@ TEST(FoldingText, SaysWhatTheHistorySays) {
         const auto before = heights.find(up_to_d[c - 1]), now = heights.find(up_to_d[c]);
         EXPECT_TRUE(change > 0 ? now >= before : now <= before) << *line;
       }
-      const double end_deg = history.stops.back().pilot_deg, d_deg = static_cast<double>(d + 1);
+      const double end_deg = history.stations.back().pilot_deg, d_deg = static_cast<double>(d + 1);
       if (end_deg > d_deg + 10) {
         ASSERT_NE(drawn.find('|'), std::string::npos) << *line;
         EXPECT_NEAR(static_cast<double>(up_to_d.size()) / static_cast<double>(drawn.size()),
@@ -111,7 +111,7 @@ TEST(FoldingText, SaysWhatTheHistorySays) {
 // A diagonal that varies by less than model.md's inactive band, 1e-8 panel widths, is drawn still;
 // one that varies by more is not.
 TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
-  Trial trial(campaign(4));
+  DrawEvaluator trial(campaign(4));
   auto history = trial.history(0);
   const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(0);
   const double band_mm = 1e-8 * 80;
@@ -139,7 +139,7 @@ TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
 }
 
 TEST(FoldingText, TheTableWhereItFitsOrIsAskedFor) {
-  Trial trial(campaign(6));
+  DrawEvaluator trial(campaign(6));
   const auto has_table = [&](int width, bool asked) {
     return text_of(trial, 0, {width, true, asked}).find("\npilot_deg") != std::string::npos;
   };

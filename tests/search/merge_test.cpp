@@ -8,7 +8,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -75,7 +75,7 @@ class MergeTest : public testing::Test {
   }
 
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  Trial trial_{quick_campaign()};
+  DrawEvaluator trial_{quick_campaign()};
   std::filesystem::path folder_;
 };
 
@@ -202,7 +202,7 @@ TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
   const auto a = make("a.db", {{0, 100}});
   EXPECT_EQ(code({a, path("none.db")}), schema::kExitBadInput);
   {
-    const Trial other(schema::read_campaign(
+    const DrawEvaluator other(schema::read_campaign(
         Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "seed": 2})"),
         "test"));
     schema::Catalogue catalogue(path("other.db"), other.campaign(), other.mechanism());
@@ -259,7 +259,8 @@ TEST_F(MergeTest, DecidedDrawsKeepTheirRows) {
   constexpr std::uint64_t kDraw = 268436480;  // 2^28 + 1024, of unit 268436470
   std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db",
                              path("old.db"));
-  Trial trial(schema::read_campaign_of(*schema::open_for_reading(path("old.db")), "old.db"));
+  DrawEvaluator trial(
+      schema::read_campaign_of(*schema::open_for_reading(path("old.db")), "old.db"));
   { schema::Catalogue(path("old.db"), trial.campaign(), trial.mechanism()); }
   const std::string draw = std::to_string(kDraw);
   change("old.db",
@@ -301,7 +302,7 @@ TEST_F(MergeTest, DenserFaultSamples) {
     std::filesystem::remove(path("all.db"));
     return merge({path("all.db"), {path("old.db"), path("new.db")}, run_, schema::Builds::mixed});
   };
-  Trial trial(schema::read_campaign_of(*schema::open_for_reading(old), old));
+  DrawEvaluator trial(schema::read_campaign_of(*schema::open_for_reading(old), old));
   {
     schema::Catalogue catalogue(path("new.db"), trial.campaign(), trial.mechanism());
     catalogue.begin_run(run_, {});

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/duration.hpp"
 
 namespace misalign::search {
@@ -127,7 +127,7 @@ TEST(NothingFound, AsJson) {
 // A real campaign: the share at an angle that a few in a thousand survive, guessed from eighths of
 // the draws that hardly ever have one so deep, against the count over all of them.
 TEST(NothingFound, GuessesOfARealCampaign) {
-  Trial trial(
+  DrawEvaluator trial(
       schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}},
                              {"accept", {{"deploys_from_deg", 180}}}},
                             "a test"));

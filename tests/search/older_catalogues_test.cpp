@@ -8,7 +8,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -57,13 +57,13 @@ class OlderCatalogues : public testing::TestWithParam<int> {
 TEST_P(OlderCatalogues, AreVerifiedAsWhatTheyAre) {
   expect_good("old.db");
   const schema::Campaign campaign = this->campaign();
-  const Trial trial(campaign);
+  const DrawEvaluator trial(campaign);
   { schema::Catalogue(path("old.db"), campaign, trial.mechanism()); }
   expect_good("old.db");  // and after they are brought up to date
 }
 
 TEST_P(OlderCatalogues, AreJoinedWithAFreshRun) {
-  Trial trial(campaign());
+  DrawEvaluator trial(campaign());
   const schema::CatalogueState old = state("old.db");
   {
     schema::Catalogue fresh(path("fresh.db"), trial.campaign(), trial.mechanism());

@@ -12,7 +12,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -106,7 +106,7 @@ class ReadFaults : public testing::Test {
   }
 
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  Trial trial_{
+  DrawEvaluator trial_{
       schema::read_campaign(schema::Json::parse(
                                 R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
               "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),

@@ -10,7 +10,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -67,7 +67,7 @@ class SnapshotTest : public testing::Test {
 
   static constexpr std::uint64_t kDraws = 4000, kStep = 5;
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  Trial trial_{
+  DrawEvaluator trial_{
       schema::read_campaign(schema::Json::parse(
                                 R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
               "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),

@@ -24,7 +24,7 @@ class ToleranceTest : public testing::Test {
   }
   /// A draw that deploys from the threshold.
   static std::uint64_t candidate() {
-    Trial trial(campaign());
+    DrawEvaluator trial(campaign());
     return work_off(trial, {0, 40}).candidates.at(2).draw;
   }
   ToleranceOptions options(double amplitude_mm, std::uint64_t trials) const {

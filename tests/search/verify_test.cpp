@@ -8,7 +8,7 @@
 
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
 namespace {
@@ -32,7 +32,7 @@ class VerifyTest : public testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     static const std::vector<schema::UnitRecord> units = all_units();
-    const Trial trial(campaign());
+    const DrawEvaluator trial(campaign());
     schema::Catalogue catalogue(path_(), trial.campaign(), trial.mechanism());
     catalogue.begin_run({"host", "0", "none", "g++", "-O2", "golden", 1},
                         {{0, kUnits * kUnitDraws}, {}, {}});
@@ -40,7 +40,7 @@ class VerifyTest : public testing::Test {
     catalogue.end_run("complete");
   }
   static std::vector<schema::UnitRecord> all_units() {
-    Trial trial(campaign());
+    DrawEvaluator trial(campaign());
     std::vector<schema::UnitRecord> units;
     for (std::uint64_t k = 0; k < kUnits; ++k) {
       units.push_back(work_off(trial, {k * kUnitDraws, (k + 1) * kUnitDraws}));

@@ -35,7 +35,7 @@ TEST_P(Acceptance, IsTheReferences) {
     SCOPED_TRACE("threshold " + std::to_string(threshold));
     const Model family = sheets.with_threshold(threshold);
     LaneBatch<double, float> scalar(family);
-    const std::vector<Screened>& screened = scalar.screen(block);
+    const std::vector<Rejection>& screened = scalar.screen(block);
     for (int i = 0; i < block.sheets; ++i) {
       const bool passes = screened[i].fault == Fault::none;
       EXPECT_EQ(passes && judged[i].deploys_from_sample >= threshold, deploys_from[i] >= threshold)

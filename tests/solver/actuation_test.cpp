@@ -82,7 +82,7 @@ TEST_F(Table1, AdvantageIsWorkOverWork) {
     EXPECT_TRUE(std::isnan(actuation.mechanical_advantage[0]));
     for (const int deg : {10, 80, 140, 155}) {
       const int row = 100 * deg - 1;
-      ASSERT_NEAR(fine.history.stops[row].pilot_deg, deg, 1e-9);
+      ASSERT_NEAR(fine.history.stations[row].pilot_deg, deg, 1e-9);
       double work = 0;
       for (const Diagonal& diagonal : sheet.mechanism.diagonals) {
         work += std::abs(length(row + 1, diagonal.from, diagonal.to) -

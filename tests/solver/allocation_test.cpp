@@ -91,7 +91,7 @@ TEST_P(BatchAllocation, NoneInAWarmBatch) {
   const auto with = [](const auto& results, auto has) {
     return std::any_of(results.begin(), results.end(), has);
   };
-  EXPECT_TRUE(with(screened, [](const Screened& s) { return s.fault == Fault::fold_limit; }));
+  EXPECT_TRUE(with(screened, [](const Rejection& s) { return s.fault == Fault::fold_limit; }));
   EXPECT_TRUE(with(verdicts, [](const Verdict& v) {
     return v.first_fault == Fault::fold_limit && v.deploys_from_sample == 0;
   })) << "a sheet without a start";

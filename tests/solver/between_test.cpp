@@ -86,7 +86,7 @@ TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
         const double along = direction * fine.length_mm(row, d);
         if (along >= top) {
           top = along;
-          top_deg = fine.stops[row].pilot_deg;
+          top_deg = fine.stations[row].pilot_deg;
         } else if (top - along > 80 * kBumpBand_widths && (where < 0 || top_deg < first_deg)) {
           first_deg = top_deg;
           where = static_cast<int>(d);

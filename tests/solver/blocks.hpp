@@ -95,7 +95,7 @@ inline std::string words(const Verdict& verdict) {
          fault_name(verdict.first_fault) + " at " + std::to_string(verdict.where) + ", end " +
          std::to_string(static_cast<int>(verdict.path_end));
 }
-inline std::string words(const Screened& screened) {
+inline std::string words(const Rejection& screened) {
   return std::string(fault_name(screened.fault)) + " at sample " + std::to_string(screened.sample);
 }
 template <class Result>

@@ -96,7 +96,7 @@ TEST(ClosedForms, UnshiftedMiuraKeepsEveryDiagonalAndIsInactive) {
     PathPlanOptions to_179;
     to_179.end_deg = 179;
     const auto history = sheet.history(sheet.base.sheet.vertices_mm, to_179);
-    ASSERT_EQ(history.stops.size(), 179u);
+    ASSERT_EQ(history.stations.size(), 179u);
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
       EXPECT_LE((history.length_mm.col(d).array() - history.flat_mm[d]).abs().maxCoeff(), 1e-10);
     }

@@ -278,7 +278,7 @@ struct OneRun {
     departure = {&geometry, &plan.start, &plan};
     return true;
   }
-  bool see(const Stop&, int) { return true; }
+  bool see(const Station&, int) { return true; }
   void ended(const PathResult& path, int) { result = path; }
 };
 
@@ -300,7 +300,7 @@ TEST(SparseLu, NewtonConvergesOnALargeMisalignedSheet) {
   for (const int first_deg : {1, 60}) {
     PathPlan plan{{}, sheet.folded(first_deg)};
     for (int k = first_deg; k <= first_deg + 5; ++k) {
-      plan.stops.push_back({1.0 * k, half_angle_of_deg(k), k, true});
+      plan.stations.push_back({1.0 * k, half_angle_of_deg(k), k, true});
     }
     OneRun path{geometry, plan};
     tracker.run(path);

@@ -38,11 +38,11 @@ TEST_P(Families, DiagonalsAreThoseOfVertexCoordinates) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
       const FlatVertices flat_mm = family.vertices(block, i);
       const auto history = record_history(model, flat_mm);
-      EXPECT_GE(history.stops.size(), 5u);
+      EXPECT_GE(history.stations.size(), 5u);
       place(family.mechanism, flat_mm, geometry);
       VertexCoordinates coordinates(family.base, flat_mm, shape.vertices_mm(geometry, start), 1);
-      for (std::size_t k = 0; k < history.stops.size(); ++k) {
-        ASSERT_TRUE(coordinates.fold_to(history.stops[k].pilot_deg));
+      for (std::size_t k = 0; k < history.stations.size(); ++k) {
+        ASSERT_TRUE(coordinates.fold_to(history.stations[k].pilot_deg));
         for (int d = 0; d < family.mechanism.diagonal_count(); ++d) {
           const Diagonal& diagonal = family.mechanism.diagonals[d];
           const double difference_mm = coordinates.distance_mm(diagonal.from, diagonal.to) -
@@ -58,8 +58,8 @@ TEST_P(Families, DiagonalsAreThoseOfVertexCoordinates) {
 
 /// Diagonals at a pilot angle; nothing where it was no stop.
 std::optional<Eigen::RowVectorXd> lengths_at(const FoldingHistory& history, double pilot_deg) {
-  for (std::size_t k = 0; k < history.stops.size(); ++k) {
-    if (std::abs(history.stops[k].pilot_deg - pilot_deg) < 1e-9) {
+  for (std::size_t k = 0; k < history.stations.size(); ++k) {
+    if (std::abs(history.stations[k].pilot_deg - pilot_deg) < 1e-9) {
       return history.length_mm.row(static_cast<Eigen::Index>(k));
     }
   }
@@ -157,7 +157,7 @@ TEST_P(Families, FixedOrderFollowsEveryPath) {
   }
 }
 
-/// Follows a plan from a state near its first stop, and keeps the states at its stops.
+/// Follows a plan from a state near its first stop, and keeps the states at its stations.
 class Walked {
  public:
   Walked(const CarriedFamily& family, const SheetGeometry<double>& geometry, const PathPlan& plan,
@@ -177,7 +177,7 @@ class Walked {
   }
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
-  bool see(const Stop&, int) {
+  bool see(const Station&, int) {
     states.push_back(point_.state);
     return true;
   }
@@ -213,14 +213,15 @@ TEST_P(Families, ThereAndBackAgain) {
       place(family.mechanism, family.vertices(block, i), geometry);
       ASSERT_EQ(homotopy.find(family.vertices(block, i)), PathEnd::end_reached);
       const Walked up(family, geometry, plan, homotopy.state());
-      const auto stops = static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(up.states.size()));
-      ASSERT_GE(stops, 45);
+      const auto stations =
+          static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(up.states.size()));
+      ASSERT_GE(stations, 45);
       PathPlan down;
-      down.stops.assign(plan.stops.rend() - stops, plan.stops.rend());
-      const Walked back(family, geometry, down, up.states[stops - 1]);
+      down.stations.assign(plan.stations.rend() - stations, plan.stations.rend());
+      const Walked back(family, geometry, down, up.states[stations - 1]);
       ASSERT_EQ(back.path.end, PathEnd::end_reached);
-      for (std::ptrdiff_t k = 0; k < stops; ++k) {
-        const double turn = largest_half_sine(up.states[k], back.states[stops - 1 - k]);
+      for (std::ptrdiff_t k = 0; k < stations; ++k) {
+        const double turn = largest_half_sine(up.states[k], back.states[stations - 1 - k]);
         worst_rad = std::max(worst_rad, 2 * turn);
       }
     }

@@ -71,7 +71,7 @@ TEST(Golden, IsometryOnEverySampleAtEveryPanelSize) {
     const auto check = [&](const Json& set, const Json& displacements_mm) {
       const TestSheet sheet(set["rows"], set["columns"], set["holes"], width_mm);
       const auto history = sheet.history(sheet.shifted(displacements_mm));
-      ASSERT_FALSE(history.stops.empty());
+      ASSERT_FALSE(history.stations.empty());
       ++patterns;
       for (const double error_mm : history.isometry_error_mm) {
         worst_ratio = std::max(worst_ratio, error_mm / (1e-9 * width_mm / 80));

@@ -26,7 +26,7 @@ double follow_in_small_steps(const TestFamily& sheets, const Model& family,
     if (sign == 0) sign = newton.factors().determinant_sign();
     // A turn of the branch: no solution near, one on its other half, or one far off.
     if (!closed || newton.factors().determinant_sign() != sign ||
-        largest_half_sine(next, state) > 0.2 * family.path().stops.front().pilot.s) {
+        largest_half_sine(next, state) > 0.2 * family.path().stations.front().pilot.s) {
       return share;
     }
     state = next;

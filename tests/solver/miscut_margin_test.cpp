@@ -52,7 +52,7 @@ double margin_by_differences_mm(const TestSheet& sheet, const FlatVertices& flat
   SheetGeometry<double> geometry;
   place(sheet.mechanism, flat_mm, geometry);
   std::map<int, Eigen::Matrix3Xd> folded_mm;
-  const StopVisitor keep_shape = [&](const Stop& stop, const FoldState<double>& state) {
+  const StationVisitor keep_shape = [&](const Station& stop, const FoldState<double>& state) {
     folded_mm[stop.sample] = shape.vertices_mm(geometry, state);
   };
   record_history(Model(sheet.base), flat_mm, &keep_shape);

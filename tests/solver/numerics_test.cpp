@@ -49,16 +49,16 @@ TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
   ClosureSystem system(sheet.mechanism);
   PathTracker tracker(sheet.mechanism);
   std::size_t row = 0;
-  tracker.follow(geometry, plan, [&](const Stop&, const FoldState<double>& state) {
+  tracker.follow(geometry, plan, [&](const Station&, const FoldState<double>& state) {
     system.evaluate(geometry, state);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
         system.jacobian().leftCols(sheet.mechanism.equations));
     const double expected = svd.singularValues().minCoeff();
     EXPECT_NEAR(history.singular_value_min[row] / expected, 1, 1e-6) << "stop " << row;
     ++row;
-    return row < history.stops.size();
+    return row < history.stations.size();
   });
-  EXPECT_EQ(row, history.stops.size());
+  EXPECT_EQ(row, history.stations.size());
 }
 
 // At 180 degrees, where the pivots of the fixed order vanish: every tenth sheet of 4 x 4 gets
@@ -78,14 +78,15 @@ TEST(Numerics, SmallestSingularValueAtTheFoldedEnd) {
     ++reached;
     place(family.mechanism(), sheets.vertices(block, i), geometry);
     double expected = 0;
-    tracker.follow(geometry, family.path(), [&](const Stop& stop, const FoldState<double>& state) {
-      if (stop.pilot_deg < 180) return true;
-      system.evaluate(geometry, state);
-      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
-          system.jacobian().leftCols(family.mechanism().equations));
-      expected = svd.singularValues().minCoeff();
-      return true;
-    });
+    tracker.follow(geometry, family.path(),
+                   [&](const Station& stop, const FoldState<double>& state) {
+                     if (stop.pilot_deg < 180) return true;
+                     system.evaluate(geometry, state);
+                     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+                         system.jacobian().leftCols(family.mechanism().equations));
+                     expected = svd.singularValues().minCoeff();
+                     return true;
+                   });
     EXPECT_NEAR(histories[i].singular_value_min.back() / expected, 1, 1e-5) << "sheet " << i;
     EXPECT_LE(histories[i].open_by.back(), NewtonOptions{}.closure_tolerance) << "sheet " << i;
   }

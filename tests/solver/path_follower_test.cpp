@@ -29,7 +29,7 @@ class PathRecord {
   }
 
   std::vector<double>& lengths() { return lengths_; }
-  bool see(const Stop& stop, const FoldState<double>& state) {
+  bool see(const Station& stop, const FoldState<double>& state) {
     if (stop.sample == 0) return true;
     judge_.see(stop, state, lengths_);
     followed_.lengths.push_back(lengths_);
@@ -61,7 +61,7 @@ struct OnePath : PathRecord {
   }
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
-  bool see(const Stop& stop, int) {
+  bool see(const Station& stop, int) {
     lengths_ = point_.lengths;
     return PathRecord::see(stop, point_.state);
   }
@@ -93,8 +93,8 @@ class TwoTrackers {
   Followed by_reference(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
     PathRecord seen(sheet_.mechanism, geometry_);
-    seen.conclude(
-        reference_.follow(geometry_, plan_, [&](const Stop& stop, const FoldState<double>& state) {
+    seen.conclude(reference_.follow(
+        geometry_, plan_, [&](const Station& stop, const FoldState<double>& state) {
           folded_lengths(sheet_.mechanism, geometry_, state, seen.lengths().data());
           return seen.see(stop, state);
         }));

@@ -14,7 +14,7 @@ TEST(Path, StopsAreSamplesLooksAndSteps) {
   const PathPlan plan = sheet.plan(options);
   int samples = 0, looks = 0, steps = 0;
   double before = 0;
-  for (const Stop& stop : plan.stops) {
+  for (const Station& stop : plan.stations) {
     EXPECT_GT(stop.pilot_deg, before + 0.4);  // no angle twice
     EXPECT_LE(stop.pilot_deg, before + 1 + 1e-9);
     before = stop.pilot_deg;
@@ -46,8 +46,8 @@ TEST(Path, LengthsAndVerdictDoNotDependOnTheSteps) {
   // Located from different starting points, to 6e-8 degrees each.
   EXPECT_NEAR(finer.path.fold_limit_deg, usual.path.fold_limit_deg, 1e-6);
   Eigen::Index row = 0;
-  for (std::size_t k = 0; k < finer.stops.size(); ++k) {
-    if (finer.stops[k].sample == 0) continue;
+  for (std::size_t k = 0; k < finer.stations.size(); ++k) {
+    if (finer.stations[k].sample == 0) continue;
     const auto difference =
         finer.length_mm.row(static_cast<Eigen::Index>(k)) - usual.length_mm.row(row++);
     EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-9);

@@ -15,7 +15,7 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 PathPlan plan_of(const std::vector<double>& angles_deg) {
   PathPlan plan;
   for (const double angle_deg : angles_deg) {
-    plan.stops.push_back({angle_deg, half_angle_of_deg(angle_deg), 0, true});
+    plan.stations.push_back({angle_deg, half_angle_of_deg(angle_deg), 0, true});
   }
   return plan;
 }
@@ -257,7 +257,7 @@ TEST(CourseProceed, IntegratesPolynomialsExactly) {
     ASSERT_TRUE(control.after(reading).arrived);
     const PathStep move = control.proceed();
     EXPECT_TRUE(move.depart && move.hold);
-    EXPECT_EQ(move.pilot.s, plan.stops[k + 1].pilot.s);
+    EXPECT_EQ(move.pilot.s, plan.stations[k + 1].pilot.s);
     const double from = stops_deg[k] * kRadPerDeg, to = stops_deg[k + 1] * kRadPerDeg;
     for (std::size_t degree = 0; degree < std::min<std::size_t>(k + 1, 3); ++degree) {
       const double power = static_cast<double>(degree);

@@ -19,7 +19,9 @@ class JudgeTest : public testing::Test {
     return see();
   }
   bool see() { return judge_.see(stop(++sample_), state_, lengths_); }
-  static Stop stop(int sample) { return {1.0 * sample, half_angle_of_deg(sample), sample, true}; }
+  static Station stop(int sample) {
+    return {1.0 * sample, half_angle_of_deg(sample), sample, true};
+  }
   Verdict conclude(PathEnd end = PathEnd::end_reached) {
     return judge_.conclude({end, 0, 0, 0, 0});
   }

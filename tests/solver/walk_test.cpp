@@ -14,7 +14,7 @@ constexpr ArcOptions kArc;
 PathPlan stops_at(const std::vector<double>& angles_deg) {
   PathPlan plan;
   for (const double angle_deg : angles_deg) {
-    plan.stops.push_back({angle_deg, half_angle_of_deg(angle_deg), 0, true});
+    plan.stations.push_back({angle_deg, half_angle_of_deg(angle_deg), 0, true});
   }
   return plan;
 }
@@ -50,7 +50,7 @@ class Walker {
 
   /// From 10 degrees to where the path ends, or the last stop.
   void follow(const PathPlan& plan) {
-    last_ = trial_ = curve_.forward_at(plan.stops[0].pilot_deg);
+    last_ = trial_ = curve_.forward_at(plan.stations[0].pilot_deg);
     control_.begin(plan, 0, +1);
     PathStep move = control_.after(reading());
     while (!move.ended) {

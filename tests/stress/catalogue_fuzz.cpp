@@ -15,7 +15,7 @@
 #include "schema/report/report.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/verbs/choice.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
@@ -25,7 +25,7 @@ namespace misalign::stress {
 namespace {
 
 using namespace schema;
-using search::Trial;
+using search::DrawEvaluator;
 
 enum Outcome { unreadable, contradictory, not_joined, joined };
 
@@ -36,7 +36,7 @@ constexpr DrawRange kUnitToAdd{5000, 5005};
 struct Subject {
   explicit Subject(Campaign campaign) : trial(std::move(campaign)) {}
 
-  Trial trial;
+  DrawEvaluator trial;
   std::vector<std::string> intact = {};  // bytes
   UnitRecord unit_to_add = search::work_off(trial, kUnitToAdd);
 };
@@ -50,7 +50,8 @@ Campaign quick_campaign() {
 }
 
 // With an undecided draw: the last one accepted of each unit.
-std::string new_catalogue(Trial& trial, const Folder& folder, const std::vector<DrawRange>& units) {
+std::string new_catalogue(DrawEvaluator& trial, const Folder& folder,
+                          const std::vector<DrawRange>& units) {
   const std::string path = folder.file("new.db");
   {
     Catalogue catalogue(path, trial.campaign(), trial.mechanism());

@@ -117,14 +117,14 @@ Row run(const Setting& setting, int cases, unsigned seed) {
       row.undecided += history.verdict.first_fault == solver::Fault::undecided;
       row.to_the_end += history.path.end == solver::PathEnd::end_reached;
       bool wrong = lanes_know && !same(verdicts[i], history.verdict);
-      for (std::size_t k = 0; k < history.stops.size(); ++k) {
+      for (std::size_t k = 0; k < history.stations.size(); ++k) {
         row.residual = std::max(row.residual, history.open_by[k]);
         row.isometry_mm = std::max(row.isometry_mm, history.isometry_error_mm[k]);
         wrong = wrong || !(history.isometry_error_mm[k] <=
                            kIsometryPerPanel_widths * kept * base.sheet.panel_width_mm);
       }
       // A sheet without a start next to the base is lost to the dense path by its definition.
-      const bool has_path = !history.stops.empty();
+      const bool has_path = !history.stations.empty();
       if (setting.against_dense && has_path) {
         family.displace(block.of(i), vertices_mm);
         const LengthsOf lengths(history, base.sheet.panel_width_mm);
@@ -176,7 +176,7 @@ TurnRow run_turns(const solver::PerforatedSheet& base, double share, int cases, 
     const auto& histories = batch->record(block);
     for (int i = 0; i < block.sheets && row.cases < cases; ++i) {
       // At 180 degrees a path ends whether the curve turns there or not.
-      if (histories[i].path.end != solver::PathEnd::fold_limit || histories[i].stops.empty() ||
+      if (histories[i].path.end != solver::PathEnd::fold_limit || histories[i].stations.empty() ||
           histories[i].path.fold_limit_deg > 179.9) {
         continue;
       }

@@ -22,16 +22,16 @@ class LengthsOf {
       : history_(history), width_mm_(width_mm) {}
 
   /// Panel widths; 0 beyond D.
-  double largest_difference(const solver::Stop& stop, const std::vector<double>& lengths) const {
+  double largest_difference(const solver::Station& stop, const std::vector<double>& lengths) const {
     if (stop.sample > history_.verdict.deploys_from_sample) return 0;
     const auto at =
-        std::find_if(history_.stops.begin(), history_.stops.end(),
-                     [&](const solver::Stop& seen) { return seen.sample == stop.sample; });
-    if (at == history_.stops.end()) return 0;
+        std::find_if(history_.stations.begin(), history_.stations.end(),
+                     [&](const solver::Station& seen) { return seen.sample == stop.sample; });
+    if (at == history_.stations.end()) return 0;
     double largest = 0;
     for (std::size_t d = 0; d < lengths.size(); ++d) {
       const double there_mm =
-          history_.length_mm(at - history_.stops.begin(), static_cast<Eigen::Index>(d));
+          history_.length_mm(at - history_.stations.begin(), static_cast<Eigen::Index>(d));
       largest = std::max(largest, std::abs(lengths[d] - there_mm / width_mm_));
     }
     return largest;
@@ -61,7 +61,7 @@ class Witness {
     judge_.begin(lengths_);
     length_error_ = 0;
   }
-  bool see(const solver::Stop& stop, const solver::FoldState<double>& state,
+  bool see(const solver::Station& stop, const solver::FoldState<double>& state,
            const LengthsOf& history) {
     solver::folded_lengths(mechanism_, geometry_, state, lengths_.data());
     length_error_ = std::max(length_error_, history.largest_difference(stop, lengths_));
@@ -88,7 +88,7 @@ class DensePath : public Witness {
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     begin(vertices_mm);
     return conclude(tracker_.follow(
-        geometry_, plan_, [&](const solver::Stop& stop, const solver::FoldState<double>& state) {
+        geometry_, plan_, [&](const solver::Station& stop, const solver::FoldState<double>& state) {
           return stop.sample == 0 || see(stop, state, history);
         }));
   }
@@ -114,7 +114,7 @@ class CurvePath : public Witness {
     }
     Curve curve(mechanism_, geometry_, homotopy_.state());
     constexpr double kStep_rad = 0.02;
-    for (const solver::Stop& stop : plan_.stops) {
+    for (const solver::Station& stop : plan_.stations) {
       if (stop.sample == 0) continue;
       while (curve.pilot_deg() < stop.pilot_deg - 1e-9) {
         const Curve before = curve;

@@ -10,8 +10,8 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/draws/tolerance.hpp"
-#include "search/draws/trial.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/verdict/flat_gradient.hpp"
 
@@ -144,8 +144,8 @@ class Study {
     const solver::Mechanism& mechanism = model_.mechanism();
     const FlatVertices vertices_mm = model_.base().sheet.vertices_mm + shifts_mm;
     std::vector<solver::FoldState<double>> states;
-    const solver::StopVisitor keep_state = [&](const solver::Stop&,
-                                               const solver::FoldState<double>& state) {
+    const solver::StationVisitor keep_state = [&](const solver::Station&,
+                                                  const solver::FoldState<double>& state) {
       states.push_back(state);
     };
     const auto history = solver::record_history(model_, vertices_mm, &keep_state);
@@ -230,7 +230,7 @@ void run(const std::string& path, double from_deg, std::uint64_t candidates, std
          double amplitude_mm) {
   schema::Campaign campaign = schema::read_campaign_file(path);
   campaign.threshold_deg = from_deg;
-  Trial trial(campaign);
+  DrawEvaluator trial(campaign);
   Study study(campaign, copies, amplitude_mm);
   schema::UnitRecord unit;
   const std::uint64_t block = trial.largest_block() / 16;

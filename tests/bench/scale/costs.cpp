@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "schema/catalogue/catalogue.hpp"
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/messages.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
@@ -149,7 +149,7 @@ BlockTimes measure_blocks(double threshold_deg) {
   constexpr std::size_t kQuantiles = 50;
   schema::Campaign campaign = schema::default_campaign();
   campaign.threshold_deg = threshold_deg;
-  search::Trial trial(campaign);
+  search::DrawEvaluator trial(campaign);
   search::UnitWork work(trial, {0, schema::kEndOfDraws});
   std::vector<double> blocks;
   double sum = 0, squares = 0;
@@ -173,7 +173,7 @@ BlockTimes measure_blocks(double threshold_deg) {
 
 // The first draws of a unit go through the lanes in blocks of 1, 2, 4, ...
 double measure_unit_start() {
-  search::Trial trial(schema::default_campaign());
+  search::DrawEvaluator trial(schema::default_campaign());
   search::work_off(trial, {0, 4096});
   std::uint64_t lo = 1;
   return shortest_s([&] {

@@ -16,9 +16,9 @@ Problem::Problem(const schema::Campaign& campaign, int sheets)
     search::draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
     Sheet sheet{draw, base_.sheet.vertices_mm + shifts_mm, {}};
     solver::place(mechanism_, sheet.vertices_mm, sheet.geometry);
-    const solver::PathResult path =
-        tracker.follow(sheet.geometry, plan,
-                       [](const solver::Stop&, const solver::FoldState<double>&) { return true; });
+    const solver::PathResult path = tracker.follow(
+        sheet.geometry, plan,
+        [](const solver::Station&, const solver::FoldState<double>&) { return true; });
     if (path.end == solver::PathEnd::end_reached) sheets_.push_back(std::move(sheet));
   }
 }

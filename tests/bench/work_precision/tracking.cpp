@@ -45,7 +45,7 @@ bool ProblemObserver::next(solver::PathStart& start, int lane) {
   return true;
 }
 
-bool ProblemObserver::see(const solver::Stop&, int lane) {
+bool ProblemObserver::see(const solver::Station&, int lane) {
   std::vector<double>& lengths = (*tracks_)[sheet_of_lane_[lane]].lengths;
   lengths.insert(lengths.end(), point_.lengths.begin(), point_.lengths.end());
   return true;

@@ -22,7 +22,7 @@ class ProblemObserver {
   bool next(solver::PathStart& start, int lane);
   solver::PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
-  bool see(const solver::Stop&, int lane);
+  bool see(const solver::Station&, int lane);
   void ended(const solver::PathResult& path, int lane);
 
  private:

@@ -25,13 +25,13 @@ struct Draws {
 };
 
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
-class Trial {
+class DrawEvaluator {
  public:
   /// In the widest registers of this machine, or in those of `set`.
-  explicit Trial(schema::Campaign campaign);
-  Trial(schema::Campaign campaign, solver::InstructionSet set);
-  Trial(const Trial&) = delete;
-  Trial& operator=(const Trial&) = delete;
+  explicit DrawEvaluator(schema::Campaign campaign);
+  DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set);
+  DrawEvaluator(const DrawEvaluator&) = delete;
+  DrawEvaluator& operator=(const DrawEvaluator&) = delete;
 
   /// How many draws a block may have at most: what it needs stays within a few megabytes.
   std::uint64_t largest_block() const;
@@ -80,7 +80,7 @@ inline constexpr std::size_t kMostUnit_bytes = 256 << 20;
 /// A range of draws being worked off, one block at a time.
 class UnitWork {
  public:
-  UnitWork(Trial& trial, const schema::DrawRange& range,
+  UnitWork(DrawEvaluator& trial, const schema::DrawRange& range,
            const schema::FaultSampleRule& sampled = schema::FaultSampleRule(),
            std::size_t most_bytes = kMostUnit_bytes);
 
@@ -97,9 +97,9 @@ class UnitWork {
   schema::UnitRecord take();
 
  private:
-  void evaluate(const schema::DrawRange& block, const Trial::PathsAreDue& paths_are_due);
+  void evaluate(const schema::DrawRange& block, const DrawEvaluator::PathsAreDue& paths_are_due);
 
-  Trial& trial_;
+  DrawEvaluator& trial_;
   schema::DrawRange range_;
   schema::FaultSampleRule sampled_;
   std::size_t most_bytes_;
@@ -110,9 +110,9 @@ class UnitWork {
 };
 
 /// A whole range at once, in one unit.
-schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range);
+schema::UnitRecord work_off(DrawEvaluator& trial, const schema::DrawRange& range);
 /// One draw that was undecided, for UnitWriter::settle(): with its fault sample, whichever rule its
 /// unit was made by.
-schema::UnitRecord judge_again(Trial& trial, std::uint64_t draw);
+schema::UnitRecord judge_again(DrawEvaluator& trial, std::uint64_t draw);
 
 }  // namespace misalign::search

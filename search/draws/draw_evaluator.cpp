@@ -1,4 +1,4 @@
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -36,28 +36,29 @@ std::span<const double> Draws::shifts_mm(std::size_t k) const {
   return {shifts.of(static_cast<int>(k)), shifts.shifts_mm.size() / size()};
 }
 
-Trial::Trial(schema::Campaign campaign)
-    : Trial(std::move(campaign), solver::available_instruction_sets().back()) {}
+DrawEvaluator::DrawEvaluator(schema::Campaign campaign)
+    : DrawEvaluator(std::move(campaign), solver::available_instruction_sets().back()) {}
 
-Trial::Trial(schema::Campaign campaign, solver::InstructionSet set)
+DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set)
     : campaign_(std::move(campaign)),
       model_(model_of(campaign_)),
       batch_(solver::make_batch(set, model_)) {}
 
-std::uint64_t Trial::largest_block() const {
+std::uint64_t DrawEvaluator::largest_block() const {
   const std::uint64_t numbers =
       2 * model_.shifted().size() + 3 * model_.mechanism().diagonals.size();
   return std::clamp<std::uint64_t>(kMostNumbers / numbers, 8, kMostDraws);
 }
 
-std::size_t Trial::bytes_of_candidate() const {
+std::size_t DrawEvaluator::bytes_of_candidate() const {
   const auto shifts = 2 * static_cast<std::size_t>(model_.mechanism().vertices);
   return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
          sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2);
 }
 
-void Trial::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
-                     const schema::FaultSampleRule& sampled, const PathsAreDue& paths_are_due) {
+void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
+                             const schema::FaultSampleRule& sampled,
+                             const PathsAreDue& paths_are_due) {
   const auto reject = [&](solver::Fault fault, int sample) {
     ++unit.rejected;
     ++unit.screened[{static_cast<int>(fault), sample}];
@@ -65,7 +66,7 @@ void Trial::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
   // Draw -> displaced pattern.
   make(range);
   // Rejected for certain, or waiting for the full path.
-  const std::vector<solver::Screened>& seen = batch_->screen(made_.shifts);
+  const std::vector<solver::Rejection>& seen = batch_->screen(made_.shifts);
   for (std::size_t k = 0; k < made_.size(); ++k) {
     if (seen[k].fault == solver::Fault::none || sampled.holds(made_.numbers[k])) {
       waiting_.add(made_, k);
@@ -93,7 +94,7 @@ void Trial::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
   add_candidates(unit);
 }
 
-void Trial::make(const schema::DrawRange& range) {
+void DrawEvaluator::make(const schema::DrawRange& range) {
   const std::size_t per_sheet = 2 * model_.shifted().size();
   made_.numbers.resize(range.size());
   made_.shifts.sheets = static_cast<int>(range.size());
@@ -105,7 +106,7 @@ void Trial::make(const schema::DrawRange& range) {
   }
 }
 
-void Trial::add_candidates(schema::UnitRecord& unit) {
+void DrawEvaluator::add_candidates(schema::UnitRecord& unit) {
   solver::FlatVertices vertices_mm;
   Draws some;
   for (std::size_t first = 0; first < accepted_.size(); first += kHistoriesAtOnce) {
@@ -125,7 +126,7 @@ void Trial::add_candidates(schema::UnitRecord& unit) {
   accepted_.clear();
 }
 
-Eigen::Matrix2Xd Trial::per_vertex(std::span<const double> shifts_mm) const {
+Eigen::Matrix2Xd DrawEvaluator::per_vertex(std::span<const double> shifts_mm) const {
   Eigen::Matrix2Xd columns_mm = Eigen::Matrix2Xd::Zero(2, mechanism().vertices);
   std::size_t k = 0;
   for (const int vertex : model_.shifted()) {
@@ -135,22 +136,22 @@ Eigen::Matrix2Xd Trial::per_vertex(std::span<const double> shifts_mm) const {
   return columns_mm;
 }
 
-const std::vector<solver::Verdict>& Trial::judge(const schema::DrawRange& block) {
+const std::vector<solver::Verdict>& DrawEvaluator::judge(const schema::DrawRange& block) {
   make(block);
   return batch_->judge(made_.shifts);
 }
 
-solver::FoldingHistory Trial::history(std::uint64_t draw) {
+solver::FoldingHistory DrawEvaluator::history(std::uint64_t draw) {
   make({draw, draw + 1});
   return std::move(batch_->record(made_.shifts).front());
 }
 
-Eigen::Matrix2Xd Trial::shifts_mm(std::uint64_t draw) const {
+Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {
   return shifts_of_draw(campaign_, draw);
 }
 
 std::string golden_verdicts(solver::InstructionSet set) {
-  Trial trial(
+  DrawEvaluator trial(
       schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
                              {"accept", {{"deploys_from_deg", 180}}}},
                             "the golden campaign"),
@@ -163,7 +164,7 @@ std::string golden_verdicts(solver::InstructionSet set) {
   return schema::hex(schema::hash_of(whole_numbers));
 }
 
-UnitWork::UnitWork(Trial& trial, const schema::DrawRange& range,
+UnitWork::UnitWork(DrawEvaluator& trial, const schema::DrawRange& range,
                    const schema::FaultSampleRule& sampled, std::size_t most_bytes)
     : trial_(trial),
       range_(range),
@@ -195,7 +196,8 @@ void UnitWork::run_next_block() {
 }
 
 // Measures what a full path takes, where some are followed.
-void UnitWork::evaluate(const schema::DrawRange& block, const Trial::PathsAreDue& paths_are_due) {
+void UnitWork::evaluate(const schema::DrawRange& block,
+                        const DrawEvaluator::PathsAreDue& paths_are_due) {
   std::optional<Stopwatch> watch;
   std::size_t paths = 0;
   trial_.evaluate(block, record_, sampled_, [&](std::size_t waiting) {
@@ -223,11 +225,11 @@ schema::UnitRecord worked_off(UnitWork work) {
 
 }  // namespace
 
-schema::UnitRecord work_off(Trial& trial, const schema::DrawRange& range) {
+schema::UnitRecord work_off(DrawEvaluator& trial, const schema::DrawRange& range) {
   return worked_off(UnitWork(trial, range));
 }
 
-schema::UnitRecord judge_again(Trial& trial, std::uint64_t draw) {
+schema::UnitRecord judge_again(DrawEvaluator& trial, std::uint64_t draw) {
   const schema::FaultSampleRule densest(1);
   return worked_off(UnitWork(trial, {draw, draw + 1}, densest));
 }

@@ -1,4 +1,4 @@
-#include "search/draws/trial.hpp"
+#include "search/draws/draw_evaluator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::string words_of(const solver::Verdict& verdict) {
 }
 
 // The frozen reference's verdict on one draw: dense matrices, every degree.
-solver::Verdict reference_verdict(const schema::Campaign& campaign, const Trial& trial,
+solver::Verdict reference_verdict(const schema::Campaign& campaign, const DrawEvaluator& trial,
                                   std::uint64_t draw) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
   const auto plan =
@@ -35,8 +35,8 @@ solver::Verdict reference_verdict(const schema::Campaign& campaign, const Trial&
 
 // The accepted patterns are the reference's, their metrics belong to the verdict, and do not depend
 // on what else is in the block.
-TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
-  Trial trial(small_campaign());
+TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
+  DrawEvaluator trial(small_campaign());
   const schema::UnitRecord unit = work_off(trial, {0, 60});
   EXPECT_EQ(unit.accepted + unit.rejected, 60u);
   EXPECT_GT(unit.accepted, 10u);
@@ -57,7 +57,7 @@ TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
     EXPECT_LE(m.isometry_error_mm, 1e-9);
     EXPECT_LE(m.residual_max, 1e-12);
 
-    Trial fresh(small_campaign());
+    DrawEvaluator fresh(small_campaign());
     const schema::UnitRecord again = work_off(fresh, {draw, draw + 1});
     ASSERT_EQ(again.candidates.size(), 1u);
     EXPECT_EQ(again.candidates[0].metrics.stretch_sq_mm2, m.stretch_sq_mm2);
@@ -67,8 +67,8 @@ TEST(Trial, CandidatesAreWhatTheirDrawsGive) {
 }
 
 // Metrics again from the history, by loops of their own.
-TEST(Trial, MetricsFromTheHistory) {
-  Trial trial(small_campaign());
+TEST(DrawEvaluator, MetricsFromTheHistory) {
+  DrawEvaluator trial(small_campaign());
   const schema::UnitRecord unit = work_off(trial, {0, 20});
   ASSERT_FALSE(unit.candidates.empty());
   const solver::Metrics& m = unit.candidates[0].metrics;
@@ -88,8 +88,8 @@ TEST(Trial, MetricsFromTheHistory) {
   EXPECT_EQ(m.increasing, (stretch.bottomRows(1).array() > 0).count());
 }
 
-TEST(Trial, UnitsCountEveryDrawOnce) {
-  Trial trial(small_campaign());
+TEST(DrawEvaluator, UnitsCountEveryDrawOnce) {
+  DrawEvaluator trial(small_campaign());
   UnitWork work(trial, {1000, 1040});
   work.run_next_block();
   work.run_next_block();
@@ -107,9 +107,9 @@ TEST(Trial, UnitsCountEveryDrawOnce) {
 
 // A unit whose results take more than one message may is several: none of them larger than that and
 // a block, and together what one unit would have been.
-TEST(Trial, UnitsThatAreFullGoOnInOthers) {
+TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
   constexpr schema::DrawRange kAll{0, 600};
-  Trial trial(small_campaign());
+  DrawEvaluator trial(small_campaign());
   const schema::UnitRecord whole = work_off(trial, kAll);
   ASSERT_GT(whole.candidates.size(), 100u);
   const std::size_t most_bytes = 20 * trial.bytes_of_candidate();
@@ -143,8 +143,8 @@ TEST(Trial, UnitsThatAreFullGoOnInOthers) {
 
 // Draws of the fault sample take the full path whatever the fast tests saw: the sample has their
 // first fault, at a threshold that almost all of them miss.
-TEST(Trial, FaultSampleHasTheFirstFault) {
-  Trial trial(small_campaign(180));
+TEST(DrawEvaluator, FaultSampleHasTheFirstFault) {
+  DrawEvaluator trial(small_campaign(180));
   const schema::UnitRecord unit = work_off(trial, {1000, 3100});
   ASSERT_EQ(unit.fault_sample.size(), 3u);
   for (const schema::DrawVerdict& sampled : unit.fault_sample) {
@@ -158,11 +158,11 @@ TEST(Trial, FaultSampleHasTheFirstFault) {
 
 // A draw that the samples pass and that goes back and on again between two of them: found by a
 // campaign of 61,440 draws; here against the lengths every two hundredths of a degree.
-TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
+TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   const Json campaign = {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}},
                          {"misalignment", {{"vertices", "ring"}}},
                          {"accept", {{"deploys_from_deg", 150}}}};
-  Trial trial(schema::read_campaign(campaign, "a test"));
+  DrawEvaluator trial(schema::read_campaign(campaign, "a test"));
   constexpr std::uint64_t kDraw = 49432;
   const solver::FoldingHistory history = trial.history(kDraw);
   EXPECT_TRUE(trial.campaign().accepts(history.verdict));
@@ -183,7 +183,7 @@ TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
   const double sign = fine.length_mm(last, d) > fine.flat_mm[d] ? 1 : -1;
   Eigen::Index top = 1;
   while (top < last && sign * (fine.length_mm(top, d) - fine.length_mm(top - 1, d)) > 0) ++top;
-  EXPECT_NEAR(fine.stops[top - 1].pilot_deg, *metrics.bump_deg, 0.05);
+  EXPECT_NEAR(fine.stations[top - 1].pilot_deg, *metrics.bump_deg, 0.05);
   const double back_mm = sign * (fine.length_mm(top - 1, d) - fine.length_mm(last, d));
   EXPECT_LT(back_mm, 0) << "and on again";
 
@@ -191,7 +191,7 @@ TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
   Json strict = campaign;
   strict["accept"]["between_samples"] = true;
   strict["accept"]["deploys_from_deg"] = 160;
-  Trial strict_trial(schema::read_campaign(strict, "a test"));
+  DrawEvaluator strict_trial(schema::read_campaign(strict, "a test"));
   const solver::Verdict verdict = strict_trial.judge({kDraw, kDraw + 1}).front();
   EXPECT_EQ(verdict.first_fault, solver::Fault::bump);
   EXPECT_EQ(verdict.deploys_from_sample, 159);
@@ -201,7 +201,7 @@ TEST(Trial, BumpBetweenTwoSamplesIsSeen) {
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.
-TEST(Trial, InstructionSetsAndBlocksAgree) {
+TEST(DrawEvaluator, InstructionSetsAndBlocksAgree) {
   const auto draws_of = [](const schema::UnitRecord& unit) {
     std::vector<std::pair<std::uint64_t, int>> draws;
     for (const auto& candidate : unit.candidates) {
@@ -209,11 +209,11 @@ TEST(Trial, InstructionSetsAndBlocksAgree) {
     }
     return draws;
   };
-  Trial widest(small_campaign());
+  DrawEvaluator widest(small_campaign());
   const auto expected = draws_of(work_off(widest, {500, 900}));
   EXPECT_GT(expected.size(), 100u);
   for (const auto set : solver::available_instruction_sets()) {
-    Trial trial(small_campaign(), set);
+    DrawEvaluator trial(small_campaign(), set);
     schema::UnitRecord unit;
     for (std::uint64_t lo = 500; lo < 900; lo += 57) {
       trial.evaluate({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit, schema::FaultSampleRule(),
@@ -228,7 +228,7 @@ TEST(Trial, InstructionSetsAndBlocksAgree) {
 // there, in draws of the main campaign with a limit up to 0.05 degrees beyond D, is what the same
 // path says in steps of a hundredth of a degree. None of them goes on again before D, which would
 // be a bump.
-TEST(Trial, TurnsNextToAFoldLimitAreThoseOfTheFinePath) {
+TEST(DrawEvaluator, TurnsNextToAFoldLimitAreThoseOfTheFinePath) {
   const schema::Campaign campaign = schema::read_campaign(
       {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}}, "a test");
   const SheetFolder coarse(campaign), fine(campaign, 0.01);
@@ -241,8 +241,8 @@ TEST(Trial, TurnsNextToAFoldLimitAreThoseOfTheFinePath) {
     bool goes_back = false;
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
       double top = 0;
-      for (std::size_t row = 0; row < history.stops.size(); ++row) {
-        if (history.stops[row].pilot_deg > metrics.deploys_from_deg) break;
+      for (std::size_t row = 0; row < history.stations.size(); ++row) {
+        if (history.stations[row].pilot_deg > metrics.deploys_from_deg) break;
         const double change = std::abs(history.length_mm(row, d) - history.flat_mm[d]);
         goes_back = goes_back || change < top - 80 * solver::kBumpBand_widths;
         top = std::max(top, change);
