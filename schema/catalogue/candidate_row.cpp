@@ -1,6 +1,7 @@
 #include "schema/catalogue/candidate_row.hpp"
 
 namespace misalign::schema {
+
 Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
                    const solver::Diagonal& diagonal, double flat_mm) {
   return {{"hole", facet_json(base, mechanism.loops[diagonal.loop].hole)},

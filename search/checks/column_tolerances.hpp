@@ -12,8 +12,8 @@ struct ColumnTolerances {
   double width_mm, sample_deg;  ///< of a panel, and between samples
 
   /// Whether two values of this column are the same for what is known of their errors, which the
-  /// table of metrics says. Whole
-  /// numbers and texts must be equal; elongations, the text of a JSON list, agree one by one.
+  /// table of metrics says. Whole numbers and texts must be equal; elongations, the text of a JSON
+  /// list, agree one by one.
   bool agree(const std::string& column, const schema::Json& a, const schema::Json& b) const;
 
  private:

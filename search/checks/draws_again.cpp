@@ -117,12 +117,12 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
           findings);
 }
 
-std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& trial,
+std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluator,
                               const schema::DrawRange& unit,
                               std::vector<schema::Finding>& findings) {
   const Accepted stored = stored_accepted(database, unit);
   const std::vector<StoredVerdict> verdicts = stored_verdicts(database, unit);
-  const schema::UnitRecord record = work_off(trial, unit);
+  const schema::UnitRecord record = work_off(evaluator, unit);
   Accepted again;
   for (const schema::Candidate& c : record.candidates) {
     again[c.draw] = c.metrics.deploys_from_sample;
@@ -133,7 +133,8 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& trial,
     const auto row = std::find_if(verdicts.begin(), verdicts.end(),
                                   [&](const StoredVerdict& v) { return v.draw == sampled.draw; });
     if (row == verdicts.end()) continue;  // whether it must be there is the ledger's to know
-    compare(*row, as_stored(sampled.draw, sampled.verdict, trial.campaign(), trial.mechanism()),
+    compare(*row,
+            as_stored(sampled.draw, sampled.verdict, evaluator.campaign(), evaluator.mechanism()),
             findings);
   }
   return in_one_only;

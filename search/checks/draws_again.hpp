@@ -31,7 +31,7 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
 /// where they deploy, and their fault samples: it finds a candidate that was removed, or invented,
 /// together with all sums. Returns how many draws are undecided in the catalogue or here, and
 /// decided in the other: another build may know, so that is no finding. UserError (3).
-std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& trial,
+std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluator,
                               const schema::DrawRange& unit,
                               std::vector<schema::Finding>& findings);
 

@@ -75,20 +75,20 @@ class Merge {
     if (!checked.findings.empty()) return;
     input.state = std::move(*checked.state);  // or there was a finding
     input.units = schema::units_done(*input.database);
-    if (!trial_) {
-      trial_.emplace(std::move(campaign));
+    if (!evaluator_) {
+      evaluator_.emplace(std::move(campaign));
     } else if (input.state.identity != inputs_.front().state.identity) {
       throw schema::UserError(schema::kExitOtherCampaign,
                               path + ": holds another campaign than " + inputs_.front().path +
                                   " (they differ in " +
-                                  schema::differences(trial_->campaign(), campaign) +
+                                  schema::differences(evaluator_->campaign(), campaign) +
                                   "); join catalogues of one campaign");
     }
     inputs_.push_back(std::move(input));
   }
 
   void write(const std::string& path) {
-    schema::Catalogue catalogue(path, trial_->campaign(), trial_->mechanism());
+    schema::Catalogue catalogue(path, evaluator_->campaign(), evaluator_->mechanism());
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       catalogue.take_over(*inputs_[k].database, plan_.kept[k]);
       report_.units += plan_.kept[k].size();
@@ -96,7 +96,7 @@ class Merge {
     catalogue.begin_run(options_.run, goal_of(inputs_), options_.builds);
     for (const DrawRange& range : plan_.recomputed) {
       for (std::uint64_t next = range.lo; next < range.hi;) {
-        UnitWork work(*trial_, {next, range.hi});
+        UnitWork work(*evaluator_, {next, range.hi});
         while (!work.finished() && !work.is_full()) work.run_next_block();
         schema::UnitRecord unit = work.take();
         next = unit.range.hi;
@@ -115,7 +115,8 @@ class Merge {
     merged.reset();
     for (const Input& input : inputs_) catalogue.take_over_yields(*input.database);
     catalogue.end_run("merged");
-    const auto wrong = schema::check_ledger(*schema::open_for_reading(path), trial_->campaign());
+    const auto wrong =
+        schema::check_ledger(*schema::open_for_reading(path), evaluator_->campaign());
     report_.findings.insert(report_.findings.end(), wrong.begin(), wrong.end());
   }
 
@@ -128,7 +129,7 @@ class Merge {
     std::set_difference(open.begin(), open.end(), open_there.begin(), open_there.end(),
                         std::back_inserter(decided_there));
     for (const std::uint64_t draw : decided_there) {
-      const schema::UnitRecord unit = judge_again(*trial_, draw);
+      const schema::UnitRecord unit = judge_again(*evaluator_, draw);
       if (!unit.undecided.empty()) continue;
       catalogue.settle(unit);
       ++report_.decided;
@@ -165,8 +166,8 @@ class Merge {
     const Json theirs = schema::read_candidate(*input.database, draw);
     const int version = std::min(schema::metrics_version_of(merged, draw),
                                  schema::metrics_version_of(*input.database, draw));
-    const ColumnTolerances tolerances{trial_->mechanism().panel_width_mm,
-                                      trial_->campaign().sample_deg};
+    const ColumnTolerances tolerances{evaluator_->mechanism().panel_width_mm,
+                                      evaluator_->campaign().sample_deg};
     for (const auto& [column, value] : mine.items()) {
       if (column == "draw" || column == "unit") continue;
       if (version < solver::metric_age(column).present) continue;  // another definition
@@ -213,7 +214,7 @@ class Merge {
 
   const MergeOptions& options_;
   std::vector<Input> inputs_;
-  std::optional<DrawEvaluator> trial_;
+  std::optional<DrawEvaluator> evaluator_;
   schema::MergePlan plan_;
   MergeReport report_;
 };

@@ -70,9 +70,9 @@ class Verifier {
       }
     }
     if (units_.empty()) return;
-    DrawEvaluator trial(campaign_);
+    DrawEvaluator evaluator(campaign_);
     for (const schema::DrawRange& unit : units_) {
-      v_.decided_now += make_unit_again(database_, trial, unit, v_.findings);
+      v_.decided_now += make_unit_again(database_, evaluator, unit, v_.findings);
       ++v_.units.checked;
       v_.draws_again += unit.size();
     }

@@ -151,22 +151,22 @@ Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {
 }
 
 std::string golden_verdicts(solver::InstructionSet set) {
-  DrawEvaluator trial(
+  DrawEvaluator evaluator(
       schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
                              {"accept", {{"deploys_from_deg", 180}}}},
                             "the golden campaign"),
       set);
   std::string whole_numbers;
-  for (const solver::Verdict& verdict : trial.judge({0, 32})) {
+  for (const solver::Verdict& verdict : evaluator.judge({0, 32})) {
     whole_numbers += std::to_string(verdict.deploys_from_sample) +
                      solver::fault_name(verdict.first_fault) + std::to_string(verdict.where) + " ";
   }
   return schema::hex(schema::hash_of(whole_numbers));
 }
 
-UnitWork::UnitWork(DrawEvaluator& trial, const schema::DrawRange& range,
+UnitWork::UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
                    const schema::FaultSampleRule& sampled, std::size_t most_bytes)
-    : trial_(trial),
+    : evaluator_(evaluator),
       range_(range),
       sampled_(sampled),
       most_bytes_(most_bytes),
@@ -176,9 +176,9 @@ UnitWork::UnitWork(DrawEvaluator& trial, const schema::DrawRange& range,
 }
 
 bool UnitWork::is_full() const {
-  const std::size_t candidates = record_.candidates.size() + trial_.waiting();
+  const std::size_t candidates = record_.candidates.size() + evaluator_.waiting();
   const std::size_t verdicts = record_.undecided.size() + record_.fault_sample.size();
-  return candidates * trial_.bytes_of_candidate() + verdicts * sizeof(schema::DrawVerdict) >=
+  return candidates * evaluator_.bytes_of_candidate() + verdicts * sizeof(schema::DrawVerdict) >=
          most_bytes_;
 }
 
@@ -191,7 +191,8 @@ void UnitWork::run_next_block() {
     return finished() || static_cast<double>(waiting) * seconds_per_path_ > kPaths_s;
   });
   record_.seconds += watch.seconds();
-  if (watch.seconds() < kShort_s) block_draws_ = std::min(2 * block_draws_, trial_.largest_block());
+  if (watch.seconds() < kShort_s)
+    block_draws_ = std::min(2 * block_draws_, evaluator_.largest_block());
   if (watch.seconds() > kLong_s) block_draws_ = std::max<std::uint64_t>(block_draws_ / 2, 1);
 }
 
@@ -200,7 +201,7 @@ void UnitWork::evaluate(const schema::DrawRange& block,
                         const DrawEvaluator::PathsAreDue& paths_are_due) {
   std::optional<Stopwatch> watch;
   std::size_t paths = 0;
-  trial_.evaluate(block, record_, sampled_, [&](std::size_t waiting) {
+  evaluator_.evaluate(block, record_, sampled_, [&](std::size_t waiting) {
     if (!paths_are_due(waiting)) return false;
     paths = waiting;
     watch.emplace();
@@ -225,13 +226,13 @@ schema::UnitRecord worked_off(UnitWork work) {
 
 }  // namespace
 
-schema::UnitRecord work_off(DrawEvaluator& trial, const schema::DrawRange& range) {
-  return worked_off(UnitWork(trial, range));
+schema::UnitRecord work_off(DrawEvaluator& evaluator, const schema::DrawRange& range) {
+  return worked_off(UnitWork(evaluator, range));
 }
 
-schema::UnitRecord judge_again(DrawEvaluator& trial, std::uint64_t draw) {
+schema::UnitRecord judge_again(DrawEvaluator& evaluator, std::uint64_t draw) {
   const schema::FaultSampleRule densest(1);
-  return worked_off(UnitWork(trial, {draw, draw + 1}, densest));
+  return worked_off(UnitWork(evaluator, {draw, draw + 1}, densest));
 }
 
 }  // namespace misalign::search

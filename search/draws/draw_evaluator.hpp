@@ -80,7 +80,7 @@ inline constexpr std::size_t kMostUnit_bytes = 256 << 20;
 /// A range of draws being worked off, one block at a time.
 class UnitWork {
  public:
-  UnitWork(DrawEvaluator& trial, const schema::DrawRange& range,
+  UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
            const schema::FaultSampleRule& sampled = schema::FaultSampleRule(),
            std::size_t most_bytes = kMostUnit_bytes);
 
@@ -99,7 +99,7 @@ class UnitWork {
  private:
   void evaluate(const schema::DrawRange& block, const DrawEvaluator::PathsAreDue& paths_are_due);
 
-  DrawEvaluator& trial_;
+  DrawEvaluator& evaluator_;
   schema::DrawRange range_;
   schema::FaultSampleRule sampled_;
   std::size_t most_bytes_;
@@ -110,9 +110,9 @@ class UnitWork {
 };
 
 /// A whole range at once, in one unit.
-schema::UnitRecord work_off(DrawEvaluator& trial, const schema::DrawRange& range);
+schema::UnitRecord work_off(DrawEvaluator& evaluator, const schema::DrawRange& range);
 /// One draw that was undecided, for UnitWriter::settle(): with its fault sample, whichever rule its
 /// unit was made by.
-schema::UnitRecord judge_again(DrawEvaluator& trial, std::uint64_t draw);
+schema::UnitRecord judge_again(DrawEvaluator& evaluator, std::uint64_t draw);
 
 }  // namespace misalign::search

@@ -10,12 +10,12 @@ namespace {
 
 class Coordinator {
  public:
-  Coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& trial,
+  Coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& evaluator,
               schema::Catalogue& catalogue, const schema::Goal& goal,
               const CoordinatorOptions& options)
       : mpi_(mpi),
         heartbeat_(heartbeat),
-        trial_(trial),
+        evaluator_(evaluator),
         catalogue_(catalogue),
         options_(options),
         limited_(goal.planned_end() < schema::kEndOfDraws),
@@ -66,7 +66,7 @@ class Coordinator {
     if (mpi_.ranks() > kMostRanksWithOwnDraws) return false;
     if (!own_work_) {
       if (const auto range = dispatcher_.assign(0))
-        own_work_.emplace(trial_, *range, schema::FaultSampleRule(), options_.unit_bytes);
+        own_work_.emplace(evaluator_, *range, schema::FaultSampleRule(), options_.unit_bytes);
     }
     if (!own_work_) return false;
     own_work_->run_next_block();
@@ -141,7 +141,7 @@ class Coordinator {
 
   const MpiSession& mpi_;
   const Heartbeat& heartbeat_;
-  DrawEvaluator& trial_;
+  DrawEvaluator& evaluator_;
   schema::Catalogue& catalogue_;
   const CoordinatorOptions& options_;
   const bool limited_;
@@ -171,10 +171,10 @@ const char* run_end_name(RunEnd end) {
   return "";
 }
 
-RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& trial,
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& evaluator,
                        schema::Catalogue& catalogue, const schema::Goal& goal,
                        const CoordinatorOptions& options) {
-  return Coordinator(mpi, heartbeat, trial, catalogue, goal, options).run();
+  return Coordinator(mpi, heartbeat, evaluator, catalogue, goal, options).run();
 }
 
 }  // namespace misalign::search

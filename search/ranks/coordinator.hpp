@@ -37,7 +37,7 @@ const char* run_end_name(RunEnd end);
 
 /// Runs the campaign until its goal or a stop; every unit that was begun is committed as far as it
 /// was done, but for those of lost ranks. Ends the workers. The catalogue's run has begun already.
-RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& trial,
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& evaluator,
                        schema::Catalogue& catalogue, const schema::Goal& goal,
                        const CoordinatorOptions& options);
 

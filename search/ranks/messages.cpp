@@ -92,6 +92,15 @@ using Seen = std::pair<std::pair<int, int>, std::uint64_t>;
 
 }  // namespace
 
+std::string message_layout() {
+  std::string layout = std::to_string(sizeof(schema::DrawVerdict));
+  const solver::Metrics metrics{};
+  solver::each_metric(metrics, [&](const solver::MetricEntry& entry, const auto& value) {
+    layout += " " + std::string(entry.name) + ":" + std::to_string(sizeof value);
+  });
+  return layout;
+}
+
 Bytes pack(const SentUnit& sent) {
   Writer wire;
   const schema::UnitRecord& unit = sent.unit;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "schema/catalogue/unit_writer.hpp"
@@ -15,6 +16,10 @@ struct SentUnit {
   schema::UnitRecord unit;
   bool was_stopped = false;  ///< by a signal, before the range was done
 };
+
+/// Which metrics a packed unit holds, in their order, and how large its parts are: ranks of two
+/// builds understand each other where this is the same.
+std::string message_layout();
 
 Bytes pack(const SentUnit& sent);
 SentUnit unpack_unit(const Bytes& bytes);

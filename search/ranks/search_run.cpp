@@ -49,14 +49,29 @@ schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campa
 
 // What a rank is, for rank 0 to compare.
 struct RankInfo {
-  std::string host, golden_verdicts;
+  std::string host, message_layout, golden_verdicts;
 };
 
 std::vector<RankInfo> gather_ranks(const MpiSession& mpi, solver::InstructionSet set) {
   std::vector<RankInfo> ranks;
-  const auto hosts = mpi.gather(host_name()), verdicts = mpi.gather(golden_verdicts(set));
-  for (std::size_t k = 0; k < hosts.size(); ++k) ranks.push_back({hosts[k], verdicts[k]});
+  const auto hosts = mpi.gather(host_name()), layouts = mpi.gather(message_layout()),
+             verdicts = mpi.gather(golden_verdicts(set));
+  for (std::size_t k = 0; k < hosts.size(); ++k) {
+    ranks.push_back({hosts[k], layouts[k], verdicts[k]});
+  }
   return ranks;
+}
+
+// UserError (5) if the results of a rank would be read as something else.
+void expect_one_layout(const std::vector<RankInfo>& ranks) {
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    if (ranks[k].message_layout == ranks[0].message_layout) continue;
+    throw schema::UserError(
+        schema::kExitOtherCampaign,
+        fmt::format("rank {} on {} sends its results in another layout than rank 0 on {} (another "
+                    "build); put the same program on every host",
+                    k, ranks[k].host, ranks[0].host));
+  }
 }
 
 // The fingerprint of all ranks; UserError (5) if they differ and must not.
@@ -85,12 +100,12 @@ std::string place_of(const SearchOptions& options, const schema::Campaign& campa
 }
 
 // Judges again what no run could decide so far.
-void retry_undecided(DrawEvaluator& trial, schema::Catalogue& catalogue) {
+void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
   const std::vector<std::uint64_t> draws = catalogue.undecided();
   std::size_t decided = 0;
   for (const std::uint64_t draw : draws) {
     if (stop_wish() != StopWish::none) break;
-    const schema::UnitRecord unit = judge_again(trial, draw);
+    const schema::UnitRecord unit = judge_again(evaluator, draw);
     if (!unit.undecided.empty()) continue;
     catalogue.settle(unit);
     ++decided;
@@ -103,9 +118,9 @@ class RankZero {
  public:
   explicit RankZero(const SearchOptions& options)
       : options_(options),
-        trial_(resolved_campaign(options), options.instruction_set),
-        catalogue_(place_of(options, trial_.campaign()), trial_.campaign(), trial_.mechanism(),
-                   options.storage) {
+        evaluator_(resolved_campaign(options), options.instruction_set),
+        catalogue_(place_of(options, evaluator_.campaign()), evaluator_.campaign(),
+                   evaluator_.mechanism(), options.storage) {
     if (catalogue_.storage() == schema::Storage::network) {
       spdlog::warn(
           "{}: lies on a file system that machines share ({}), where a write-ahead log is not "
@@ -116,9 +131,10 @@ class RankZero {
     }
   }
 
-  const schema::Campaign& campaign() const { return trial_.campaign(); }
+  const schema::Campaign& campaign() const { return evaluator_.campaign(); }
 
   void begin(const std::vector<RankInfo>& ranks) {
+    expect_one_layout(ranks);
     goal_ = goal_of(options_, campaign());
     catalogue_.begin_run(
         run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
@@ -130,7 +146,7 @@ class RankZero {
       spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
                    options_.command_for_all);
     }
-    if (options_.retry_undecided) retry_undecided(trial_, catalogue_);
+    if (options_.retry_undecided) retry_undecided(evaluator_, catalogue_);
   }
 
   // Returns the exit code.
@@ -140,7 +156,7 @@ class RankZero {
     settings.unit_bytes = options_.unit_bytes;
     settings.max_time_s = campaign().stop.wall_s;
     settings.progress = options_.progress;
-    const RunEnd end = run_coordinator(mpi, heartbeat, trial_, catalogue_, goal_, settings);
+    const RunEnd end = run_coordinator(mpi, heartbeat, evaluator_, catalogue_, goal_, settings);
     catalogue_.end_run(run_end_name(end));
     const schema::CommitCost& cost = catalogue_.cost();
     spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
@@ -172,7 +188,7 @@ class RankZero {
   }
 
   const SearchOptions& options_;
-  DrawEvaluator trial_;
+  DrawEvaluator evaluator_;
   schema::Catalogue catalogue_;
   schema::Goal goal_;
 };
@@ -212,12 +228,12 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
   const std::string resolved = mpi.broadcast(std::string());
   int refused = 0;
   const int failure = exit_code_of([&] {
-    DrawEvaluator trial(
+    DrawEvaluator evaluator(
         schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
         options.instruction_set);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
-    if (!refused) run_worker(mpi, trial, options.unit_bytes);
+    if (!refused) run_worker(mpi, evaluator, options.unit_bytes);
   });
   if (failure) mpi.abort(failure);  // rank 0 would wait for ever
   if (!refused) mpi.meet();

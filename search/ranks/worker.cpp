@@ -4,11 +4,11 @@
 
 namespace misalign::search {
 
-void run_worker(const MpiSession& mpi, DrawEvaluator& trial, std::size_t most_bytes) {
+void run_worker(const MpiSession& mpi, DrawEvaluator& evaluator, std::size_t most_bytes) {
   for (;;) {
     const schema::DrawRange range = mpi.receive_range();
     if (range.size() == 0) return;
-    UnitWork work(trial, range, schema::FaultSampleRule(), most_bytes);
+    UnitWork work(evaluator, range, schema::FaultSampleRule(), most_bytes);
     while (!work.finished() && !work.is_full() && stop_wish() == StopWish::none &&
            !mpi.range_waiting()) {
       work.run_next_block();

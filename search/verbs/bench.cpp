@@ -64,12 +64,10 @@ class ReferenceRun {
         base_(campaign.pattern.base),
         plan_(solver::plan_path(mechanism, base_.folding, base_.sheet.vertices_mm,
                                 path_options(campaign, longest_step_deg))),
-        reference_(mechanism, plan_, campaign.between_samples),
-        shifts_mm_(Eigen::Matrix2Xd::Zero(2, base_.sheet.vertex_count())) {}
+        reference_(mechanism, plan_, campaign.between_samples) {}
 
   solver::Verdict judge(std::uint64_t draw) {
-    draw_shifts(campaign_.misalignment, campaign_.seed, draw, shifts_mm_);
-    return reference_.judge(base_.sheet.vertices_mm + shifts_mm_);
+    return reference_.judge(base_.sheet.vertices_mm + shifts_of_draw(campaign_, draw));
   }
   const solver::PathResult& path() const { return reference_.path(); }
 
@@ -85,18 +83,18 @@ class ReferenceRun {
   const solver::PerforatedSheet& base_;
   const solver::PathPlan plan_;
   solver::Reference reference_;
-  Eigen::Matrix2Xd shifts_mm_;
 };
 
 // One instruction set on a campaign's draws: all that a search does but the catalogue.
 class LaneRun {
  public:
-  LaneRun(const schema::Campaign& campaign, solver::InstructionSet set) : trial_(campaign, set) {}
+  LaneRun(const schema::Campaign& campaign, solver::InstructionSet set)
+      : evaluator_(campaign, set) {}
 
   // Blocks for so long; the first ones small, as a search's are.
   void run(double seconds) {
     const Stopwatch watch;
-    UnitWork work(trial_, {next_, schema::kEndOfDraws});
+    UnitWork work(evaluator_, {next_, schema::kEndOfDraws});
     while (watch.seconds() < seconds) work.run_next_block();
     const schema::UnitRecord unit = work.take();
     next_ = unit.range.hi;
@@ -108,17 +106,19 @@ class LaneRun {
   bool accepted(std::uint64_t draw) const {
     return std::binary_search(accepted_.begin(), accepted_.end(), draw);
   }
-  bool wants(const solver::Verdict& verdict) const { return trial_.campaign().accepts(verdict); }
+  bool wants(const solver::Verdict& verdict) const {
+    return evaluator_.campaign().accepts(verdict);
+  }
   SolverSpeed speed() const {
     SolverSpeed speed = speed_;
-    const solver::Effort screening = trial_.batch().screening_effort();
-    const solver::Effort judging = trial_.batch().judging_effort();
+    const solver::Effort screening = evaluator_.batch().screening_effort();
+    const solver::Effort judging = evaluator_.batch().judging_effort();
     speed.effort = {screening.solves + judging.solves, screening.iterations + judging.iterations};
     return speed;
   }
 
  private:
-  DrawEvaluator trial_;
+  DrawEvaluator evaluator_;
   std::uint64_t next_ = 0;
   SolverSpeed speed_;
   std::vector<std::uint64_t> accepted_;
@@ -204,12 +204,12 @@ class Comparison {
 
  private:
   void judge_all(std::uint64_t draws) {
-    DrawEvaluator trial(campaign_, set_);
-    ReferenceRun reference(campaign_, trial.mechanism());
-    ReferenceRun careful(campaign_, trial.mechanism(), kCarefulStep_deg);
-    for (std::uint64_t lo = 0; lo < draws; lo += trial.largest_block()) {
-      const schema::DrawRange block{lo, std::min(draws, lo + trial.largest_block())};
-      const auto& verdicts = trial.judge(block);
+    DrawEvaluator evaluator(campaign_, set_);
+    ReferenceRun reference(campaign_, evaluator.mechanism());
+    ReferenceRun careful(campaign_, evaluator.mechanism(), kCarefulStep_deg);
+    for (std::uint64_t lo = 0; lo < draws; lo += evaluator.largest_block()) {
+      const schema::DrawRange block{lo, std::min(draws, lo + evaluator.largest_block())};
+      const auto& verdicts = evaluator.judge(block);
       full_path_.insert(full_path_.end(), verdicts.begin(), verdicts.end());
     }
     for (std::uint64_t draw = 0; draw < draws; ++draw) {

@@ -19,11 +19,11 @@ struct ReplayCall {
 
 void replay(const ReplayCall& call) {
   const auto database = schema::open_for_reading(call.catalogue_path);
-  DrawEvaluator trial(schema::read_campaign_of(*database, call.catalogue_path));
-  const schema::Campaign& campaign = trial.campaign();
-  const auto history = trial.history(call.draw);
-  const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(call.draw);
-  const schema::FoldingView view{campaign.pattern, shifts_mm, trial.mechanism(), history,
+  DrawEvaluator evaluator(schema::read_campaign_of(*database, call.catalogue_path));
+  const schema::Campaign& campaign = evaluator.campaign();
+  const auto history = evaluator.history(call.draw);
+  const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(call.draw);
+  const schema::FoldingView view{campaign.pattern, shifts_mm, evaluator.mechanism(), history,
                                  campaign.sample_deg};
   const bool accepted = campaign.accepts(history.verdict);
   if (!call.json) {

@@ -205,7 +205,7 @@ Action tolerance_verb(CLI::App& verb) {
   verb.description("how many miscut copies of a sheet still deploy");
   verb.footer(
       "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
-      "[-MM, MM] in x and in y; with --vertices each vertex alone, too. DrawEvaluator t makes\n"
+      "[-MM, MM] in x and in y; with --vertices each vertex alone, too. Trial t makes\n"
       "the same errors for every candidate of a campaign: they are numbers of the\n"
       "campaign's seed and of t. The intervals are exact ones of 95 %.\n"
       "What is found is kept in the catalogue, unless more trials with this amplitude\n"

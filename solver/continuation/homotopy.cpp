@@ -1,9 +1,11 @@
 #include "solver/continuation/homotopy.hpp"
 
+#include <utility>
+
 namespace misalign::solver {
 namespace {
 
-// Shares at which the shifts station growing for a moment: every tenth of them.
+// Shares at which the shifts pause: every tenth of them.
 constexpr int kShares = 10;
 
 // For the residual's rate of change with the share: error 1e-10 of it, which only bends the
@@ -14,7 +16,6 @@ constexpr double kDifference = 1e-5;
 StepControlOptions options_for(const HalfAngle<double>& pilot) {
   const double unit_rad = 2 * pilot.s;
   StepControlOptions options;
-  options.longest_start_share = std::numeric_limits<double>::infinity();  // it starts on the branch
   // Creases at the first station may turn by this share of the pilot's own angle from one share to
   // the next: what goes farther has left the branch.
   options.longest_half_sine = 0.5 * pilot.s;

@@ -39,9 +39,10 @@ PathStep StepControl::after(const NewtonReport& report) {
 // The pilot is at the station and every loop closes: believed if it is still the path's own curve.
 PathStep StepControl::converged(const NewtonReport& report) {
   ++result_.newton_solves;
-  const double longest_turn = phase_ == Phase::landing ? ds_ : options_.longest_half_sine;
+  const double longest_turn = phase_ == Phase::landing ? std::min(ds_, options_.longest_half_sine)
+                                                       : options_.longest_half_sine;
   if (!(report.largest_half_sine <= longest_turn)) return not_there(report);
-  if (tangents_ == 0 &&
+  if (tangents_ == 0 && target().pilot_deg > 0 &&
       corrected_rad_ > options_.longest_start_share * target().pilot_deg * kRadPerDeg) {
     return not_there(report);
   }
@@ -121,8 +122,7 @@ PathStep StepControl::go_along(const HalfAngle<double>& last_pilot) {
   const double rise = ds_ * tangent_pilot_[0];
   if (bend_ > 0 && rise < options_.arc.limit_tolerance_rad) return at_limit_point(rise, last_pilot);
   if (ds_ < options_.arc.shortest_step_rad || arc_steps_ > options_.arc.most_steps) {
-    result_.fold_limit_deg = angle_deg(last_pilot);
-    return end(PathEnd::stalled);
+    return stall(last_pilot);
   }
   corrections_ = 0;
   corrected_rad_ = 0;
@@ -167,6 +167,19 @@ PathStep StepControl::found_on_arc(const NewtonReport& report) {
   PathStep move = go_along(report.pilot);
   move.believe = true;
   move.tangent_sign = sign;
+  return move;
+}
+
+// No step is short enough: lost, or at a station that is singular.
+PathStep StepControl::stall(const HalfAngle<double>& last_pilot) {
+  result_.fold_limit_deg = angle_deg(last_pilot);
+  const double gap_rad = 2 * half_sine_between(target().pilot, last_pilot);
+  if (gap_rad > options_.arc.singular_gap_rad) return end(PathEnd::stalled);
+  phase_ = Phase::stepping;
+  tangents_ = 1;
+  result_.fold_limit_deg = target().pilot_deg;
+  PathStep move;
+  move.arrived = true;  // as the last point believed
   return move;
 }
 

@@ -4,8 +4,6 @@
 // path, for a lane among others and for a homotopy, whatever solves the equations.
 #pragma once
 
-#include <limits>
-
 #include "solver/continuation/path.hpp"
 #include "solver/linear/newton.hpp"
 
@@ -20,6 +18,10 @@ struct ArcOptions {
   int most_steps = 5000;                ///< from one station to the next
   /// How well the pilot's largest value is known: 6e-8 degrees; 0.001 is asked for.
   double limit_tolerance_rad = 1e-9;
+  /// Stalled this close below a station, with the pilot still rising, the path has reached it:
+  /// there the equations are singular, as at 180 degrees where another branch crosses. 0: it has
+  /// not.
+  double singular_gap_rad = 0;
 };
 
 struct StepControlOptions {
@@ -33,9 +35,9 @@ struct StepControlOptions {
   /// to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is a jump to another branch.
   double longest_half_sine = 0.17364817766693033;
   double longest_correction_rad = 2 * kPi;
-  /// Of a path's first station: all corrections together, as a share of the pilot's angle there.
-  /// What is farther from the base folding may belong to another branch: of 2,400 sheets with
-  /// sector angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
+  /// Of a path's first station, unless that is flat: all corrections together, as a share of the
+  /// pilot's angle there. What is farther from the base folding may belong to another branch: of
+  /// 2,400 sheets with sector angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
   double longest_start_share = 0.5;
   /// Between the tangents of neighbouring stations: where they differ more, a limit point may lie
   /// between them. As on the arc, 15 degrees.
@@ -100,6 +102,7 @@ class StepControl {
   PathStep not_there(const NewtonReport& report);
   PathStep begin_arc(const NewtonReport& report);
   PathStep go_along(const HalfAngle<double>& last_pilot);
+  PathStep stall(const HalfAngle<double>& last_pilot);
   PathStep at_limit_point(double rise_rad, const HalfAngle<double>& last_pilot);
   PathStep end(PathEnd end);
 

@@ -1,5 +1,5 @@
-// Many sheets of one model at once, in the widest registers there are: the fast tests that turn
-// most of them away, and the full path of the others.
+// Many sheets of one model at once, in the widest registers there are: the rejection tests that
+// turn most of them away, and the full path of the others.
 #pragma once
 
 #include <memory>
@@ -42,8 +42,8 @@ class Batch {
 
   /// One result per sheet: rejected for certain, or not decided.
   virtual const std::vector<Rejection>& screen(const ShiftBlock& block) = 0;
-  /// Verdicts of all sheets on their full paths. A path that is lost is followed again by dense
-  /// matrices; what those lose too is `undecided`.
+  /// Verdicts of all sheets on their full paths, where dense matrices have the last word (see
+  /// dense_fallback); what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
   /// Whole histories, past faults: for the few sheets that are worth it.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;

@@ -53,7 +53,7 @@ bool JudgingObserver::next(PathStart& start, int lane) {
 
 bool JudgingObserver::see(const Station& station, int lane) {
   if (station.sample == 0) return true;
-  if (!is_dense_ && is_poor(station, lane)) {
+  if (is_poor(station, lane)) {
     place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
     dense_state_.find(geometry_, point_.state, point_);
   }
@@ -87,9 +87,9 @@ void JudgingObserver::ended(PathResult path, int lane) {
 
 void JudgingObserver::fall_back() {
   if (for_dense_.empty()) return;
-  std::vector<int> sheets;
-  for (const ForDense& one : for_dense_) sheets.push_back(one.sheet);
-  queue_.begin_again(sheets);
+  dense_sheets_.clear();
+  for (const ForDense& one : for_dense_) dense_sheets_.push_back(one.sheet);
+  queue_.begin_again(dense_sheets_);
   is_dense_ = true;
   dense_follower_.run(*this);
   is_dense_ = false;

@@ -62,6 +62,7 @@ class JudgingObserver {
     PathResult path;
   };
   std::vector<ForDense> for_dense_;
+  std::vector<int> dense_sheets_;
   bool is_dense_ = false;
   Effort effort_;
 };

@@ -1,5 +1,5 @@
 // The way out for the rare path that the fixed order of elimination does not suit: the same path
-// once more, by dense matrices with pivoting. What comes of it is final.
+// once more, by dense matrices with pivoting. Nothing else judges after them.
 #pragma once
 
 #include <memory>

@@ -35,13 +35,17 @@ void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<dou
     open_by_ = system.evaluate(geometry, point.state);
   }
   factors.factorize(system.jacobian().leftCols(mechanism_.equations));
-  singular_value_ = smallest.of(factors);
   rates.head(mechanism_.equations) = -factors.solve(system.jacobian().col(mechanism_.equations));
   rates[mechanism_.equations] = 1;  // the pilot's, last
   point.pilot_rate = 1 / rates.norm();
   folded_lengths_and_slopes(mechanism_, geometry, point.state, rates.data(), point.lengths.data(),
                             point.slopes.data(), misfit.data());
   point.misfit = misfit.cwiseAbs().maxCoeff();
+}
+
+double DenseState::singular_value() {
+  matrices_->smallest.restart(0);
+  return matrices_->smallest.of(matrices_->factors);
 }
 
 }  // namespace misalign::solver

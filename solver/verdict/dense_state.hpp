@@ -32,14 +32,15 @@ class DenseState {
             PathPoint& point);
 
   double open_by() const { return open_by_; }
-  double singular_value() const { return singular_value_; }
+  /// The least of the square Jacobian's there, whatever was asked before.
+  double singular_value();
 
  private:
   struct Matrices;
 
   const Mechanism& mechanism_;
   std::unique_ptr<Matrices> matrices_;
-  double open_by_ = 0, singular_value_ = 0;
+  double open_by_ = 0;
 };
 
 }  // namespace misalign::solver

@@ -8,7 +8,7 @@ namespace {
 
 constexpr FaultEntry kFaults[] = {
     {Fault::not_monotone, "not_monotone", "diagonal reverses",
-     "a diagonal reverses: it stations growing or shrinking and goes back", ShownBy::diagonal},
+     "a diagonal reverses: it stops growing or shrinking and goes back", ShownBy::diagonal},
     {Fault::fold_limit, "fold_limit", "fold limit",
      "the pilot crease reaches its fold limit: no flatter or deeper state follows",
      ShownBy::nothing},

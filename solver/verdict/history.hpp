@@ -61,7 +61,7 @@ class Recording {
 };
 
 /// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
-/// faults. A path that is lost is followed again by dense matrices: then `visit` sees it from the
+/// faults. Where dense matrices have the last word (see dense_fallback) `visit` sees it from the
 /// first station once more.
 FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit = nullptr);

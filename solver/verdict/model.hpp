@@ -10,7 +10,7 @@
 
 namespace misalign::solver {
 
-/// An angle of the fast tests: the base folding there, and its Jacobian's factors. One step of
+/// An angle of the rejection tests: the base folding there, and its Jacobian's factors. One step of
 /// theirs takes a misaligned sheet from the base folding to within a few per cent of its own.
 struct TestAngle {
   int sample;

@@ -1,5 +1,5 @@
-// The fast tests' rules: what a few converged states of a sheet say about its verdict. They only
-// ever reject, and only what every sample's own test would reject too: samples are a subset of
+// The rejection tests' rules: what a few converged states of a sheet say about its verdict. They
+// only ever reject, and only what every sample's own test would reject too: samples are a subset of
 // those that the verdict looks at, and every comparison leaves room for the error of both sides.
 #pragma once
 

@@ -60,15 +60,15 @@ int run(const std::string& folder, const Speed& speed, double seconds) {
   } else {
     const std::string path = folder + "/sleeping_workers.db";
     std::filesystem::remove(path);
-    search::DrawEvaluator trial(schema::default_campaign());
-    schema::Catalogue catalogue(path, trial.campaign(), trial.mechanism());
+    search::DrawEvaluator evaluator(schema::default_campaign());
+    schema::Catalogue catalogue(path, evaluator.campaign(), evaluator.mechanism());
     schema::Goal goal;
     goal.draws = static_cast<std::uint64_t>(speed.draws_per_s * (mpi.ranks() - 1) * seconds);
     catalogue.begin_run(invented_run(mpi.ranks()), goal);
     const Stopwatch watch;
     search::CoordinatorOptions options;
     options.progress = search::ProgressStyle::none;
-    search::run_coordinator(mpi, heartbeat, trial, catalogue, goal, options);
+    search::run_coordinator(mpi, heartbeat, evaluator, catalogue, goal, options);
     std::printf("%d,%g,%g,%.2f,%llu,%.4f,%.4f", mpi.ranks() - 1, speed.draws_per_s,
                 speed.acceptance, watch.seconds(),
                 static_cast<unsigned long long>(catalogue.cost().commits),

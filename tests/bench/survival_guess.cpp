@@ -18,12 +18,12 @@ constexpr std::uint64_t kAtOnce = 256;
 constexpr int kDeeper_deg[] = {0, 5, 10, 12, 15};
 
 // Draws that no run of the catalogue made: far behind its last.
-std::vector<int> deploying_samples(search::DrawEvaluator& trial, std::uint64_t draws) {
+std::vector<int> deploying_samples(search::DrawEvaluator& evaluator, std::uint64_t draws) {
   constexpr std::uint64_t kFirst = std::uint64_t{1} << 50;
   std::vector<int> samples;
   for (std::uint64_t lo = 0; lo < draws; lo += kAtOnce) {
     const std::uint64_t hi = std::min(lo + kAtOnce, draws);
-    for (const solver::Verdict& verdict : trial.judge({kFirst + lo, kFirst + hi})) {
+    for (const solver::Verdict& verdict : evaluator.judge({kFirst + lo, kFirst + hi})) {
       samples.push_back(verdict.deploys_from_sample);
     }
   }
@@ -56,16 +56,16 @@ void compare(const schema::Campaign& campaign, const std::vector<int>& samples, 
 void study(const std::string& path, std::uint64_t draws) {
   const auto database = schema::open_for_reading(path);
   const schema::CatalogueState state = schema::read_state(*database);
-  search::DrawEvaluator trial(schema::read_campaign_of(*database, path));
-  const std::vector<int> samples = deploying_samples(trial, draws);
+  search::DrawEvaluator evaluator(schema::read_campaign_of(*database, path));
+  const std::vector<int> samples = deploying_samples(evaluator, draws);
   std::puts("draws,from_deg,counted,pieces,guess_over_counted,least,most,intervals_that_hold_it");
   for (const std::size_t size : {250, 500, 1000, 2000}) {
     for (const int deeper_deg : kDeeper_deg) {
-      const double deg = trial.campaign().threshold_deg + deeper_deg;
-      const int sample = static_cast<int>(std::lround(deg / trial.campaign().sample_deg));
+      const double deg = evaluator.campaign().threshold_deg + deeper_deg;
+      const int sample = static_cast<int>(std::lround(deg / evaluator.campaign().sample_deg));
       const auto counted = static_cast<double>(schema::count_deploying_from(*database, sample));
       if (counted > 0) {
-        compare(trial.campaign(), samples, size, sample,
+        compare(evaluator.campaign(), samples, size, sample,
                 counted / static_cast<double>(state.draws));
       }
     }

@@ -20,8 +20,8 @@ class CandidateRows : public testing::Test {
                                  "a test");
   }
   static std::vector<Json> rows() {
-    DrawEvaluator trial(campaign());
-    const schema::UnitRecord unit = work_off(trial, {0, 40});
+    DrawEvaluator evaluator(campaign());
+    const schema::UnitRecord unit = work_off(evaluator, {0, 40});
     std::vector<Json> rows;
     for (const schema::Candidate& candidate : unit.candidates) {
       Json row = schema::metrics_json(candidate.metrics);

@@ -24,25 +24,25 @@ std::string words_of(const solver::Verdict& verdict) {
 }
 
 // The frozen reference's verdict on one draw: dense matrices, every degree.
-solver::Verdict reference_verdict(const schema::Campaign& campaign, const DrawEvaluator& trial,
+solver::Verdict reference_verdict(const schema::Campaign& campaign, const DrawEvaluator& evaluator,
                                   std::uint64_t draw) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
-  const auto plan =
-      solver::plan_path(trial.mechanism(), base.folding, base.sheet.vertices_mm, campaign.path());
-  solver::Reference reference(trial.mechanism(), plan);
-  return reference.judge(base.sheet.vertices_mm + trial.shifts_mm(draw));
+  const auto plan = solver::plan_path(evaluator.mechanism(), base.folding, base.sheet.vertices_mm,
+                                      campaign.path());
+  solver::Reference reference(evaluator.mechanism(), plan);
+  return reference.judge(base.sheet.vertices_mm + evaluator.shifts_mm(draw));
 }
 
 // The accepted patterns are the reference's, their metrics belong to the verdict, and do not depend
 // on what else is in the block.
 TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
-  DrawEvaluator trial(small_campaign());
-  const schema::UnitRecord unit = work_off(trial, {0, 60});
+  DrawEvaluator evaluator(small_campaign());
+  const schema::UnitRecord unit = work_off(evaluator, {0, 60});
   EXPECT_EQ(unit.accepted + unit.rejected, 60u);
   EXPECT_GT(unit.accepted, 10u);
   std::size_t next = 0;
   for (std::uint64_t draw = 0; draw < 60; ++draw) {
-    const solver::Verdict verdict = reference_verdict(trial.campaign(), trial, draw);
+    const solver::Verdict verdict = reference_verdict(evaluator.campaign(), evaluator, draw);
     const bool accepted = next < unit.candidates.size() && unit.candidates[next].draw == draw;
     EXPECT_EQ(accepted, verdict.deploys_from_sample >= 150) << "draw " << draw;
     if (!accepted) continue;
@@ -68,11 +68,11 @@ TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
 
 // Metrics again from the history, by loops of their own.
 TEST(DrawEvaluator, MetricsFromTheHistory) {
-  DrawEvaluator trial(small_campaign());
-  const schema::UnitRecord unit = work_off(trial, {0, 20});
+  DrawEvaluator evaluator(small_campaign());
+  const schema::UnitRecord unit = work_off(evaluator, {0, 20});
   ASSERT_FALSE(unit.candidates.empty());
   const solver::Metrics& m = unit.candidates[0].metrics;
-  const auto history = trial.history(unit.candidates[0].draw);
+  const auto history = evaluator.history(unit.candidates[0].draw);
   const Eigen::Index d_samples = m.deploys_from_sample;
   const Eigen::Map<const Eigen::RowVectorXd> flat(history.flat_mm.data(), 4);
   const Eigen::MatrixXd lengths = history.length_mm.topRows(d_samples);
@@ -89,8 +89,8 @@ TEST(DrawEvaluator, MetricsFromTheHistory) {
 }
 
 TEST(DrawEvaluator, UnitsCountEveryDrawOnce) {
-  DrawEvaluator trial(small_campaign());
-  UnitWork work(trial, {1000, 1040});
+  DrawEvaluator evaluator(small_campaign());
+  UnitWork work(evaluator, {1000, 1040});
   work.run_next_block();
   work.run_next_block();
   EXPECT_FALSE(work.finished());
@@ -109,15 +109,15 @@ TEST(DrawEvaluator, UnitsCountEveryDrawOnce) {
 // a block, and together what one unit would have been.
 TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
   constexpr schema::DrawRange kAll{0, 600};
-  DrawEvaluator trial(small_campaign());
-  const schema::UnitRecord whole = work_off(trial, kAll);
+  DrawEvaluator evaluator(small_campaign());
+  const schema::UnitRecord whole = work_off(evaluator, kAll);
   ASSERT_GT(whole.candidates.size(), 100u);
-  const std::size_t most_bytes = 20 * trial.bytes_of_candidate();
+  const std::size_t most_bytes = 20 * evaluator.bytes_of_candidate();
   std::vector<std::uint64_t> accepted;
   std::uint64_t rejected = 0, next = kAll.lo;
   int units = 0;
   for (; next < kAll.hi; ++units) {
-    UnitWork work(trial, {next, kAll.hi}, schema::FaultSampleRule(), most_bytes);
+    UnitWork work(evaluator, {next, kAll.hi}, schema::FaultSampleRule(), most_bytes);
     std::uint64_t largest_block = 0, before = next;
     while (!work.finished() && !work.is_full()) {
       work.run_next_block();
@@ -129,10 +129,10 @@ TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
     next = unit.range.hi;
     rejected += unit.rejected;
     for (const schema::Candidate& candidate : unit.candidates) accepted.push_back(candidate.draw);
-    EXPECT_LE(pack({unit}).size(), most_bytes + largest_block * trial.bytes_of_candidate());
+    EXPECT_LE(pack({unit}).size(), most_bytes + largest_block * evaluator.bytes_of_candidate());
     // What is counted is no less than what is sent.
     EXPECT_LE(pack({unit}).size(), 1000 + unit.screened.size() * 16 +
-                                       unit.candidates.size() * trial.bytes_of_candidate() +
+                                       unit.candidates.size() * evaluator.bytes_of_candidate() +
                                        unit.undecided.size() * sizeof(schema::DrawVerdict) +
                                        unit.fault_sample.size() * sizeof(schema::DrawVerdict));
   }
@@ -144,12 +144,13 @@ TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
 // Draws of the fault sample take the full path whatever the fast tests saw: the sample has their
 // first fault, at a threshold that almost all of them miss.
 TEST(DrawEvaluator, FaultSampleHasTheFirstFault) {
-  DrawEvaluator trial(small_campaign(180));
-  const schema::UnitRecord unit = work_off(trial, {1000, 3100});
+  DrawEvaluator evaluator(small_campaign(180));
+  const schema::UnitRecord unit = work_off(evaluator, {1000, 3100});
   ASSERT_EQ(unit.fault_sample.size(), 3u);
   for (const schema::DrawVerdict& sampled : unit.fault_sample) {
     EXPECT_EQ(sampled.draw % 1024, 0u);
-    const solver::Verdict expected = reference_verdict(trial.campaign(), trial, sampled.draw);
+    const solver::Verdict expected =
+        reference_verdict(evaluator.campaign(), evaluator, sampled.draw);
     EXPECT_EQ(sampled.verdict.deploys_from_sample, expected.deploys_from_sample);
     EXPECT_EQ(sampled.verdict.first_fault, expected.first_fault);
     EXPECT_EQ(sampled.verdict.where, expected.where);
@@ -162,14 +163,14 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   const Json campaign = {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}},
                          {"misalignment", {{"vertices", "ring"}}},
                          {"accept", {{"deploys_from_deg", 150}}}};
-  DrawEvaluator trial(schema::read_campaign(campaign, "a test"));
+  DrawEvaluator evaluator(schema::read_campaign(campaign, "a test"));
   constexpr std::uint64_t kDraw = 49432;
-  const solver::FoldingHistory history = trial.history(kDraw);
-  EXPECT_TRUE(trial.campaign().accepts(history.verdict));
+  const solver::FoldingHistory history = evaluator.history(kDraw);
+  EXPECT_TRUE(evaluator.campaign().accepts(history.verdict));
   ASSERT_GE(history.between.bump_where, 0);
-  const solver::PerforatedSheet& base = trial.campaign().pattern.base;
+  const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
   const solver::Metrics metrics =
-      solver::measure(base, base.sheet.vertices_mm + trial.shifts_mm(kDraw), history, 1);
+      solver::measure(base, base.sheet.vertices_mm + evaluator.shifts_mm(kDraw), history, 1);
   EXPECT_LT(*metrics.slope_between_min_mm_per_deg, 0);
   EXPECT_GT(*metrics.slope_min_mm_per_deg, 0) << "which the samples do not show";
 
@@ -177,7 +178,7 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   finely.end_deg = history.verdict.deploys_from_sample;
   finely.look_deg = 0.02;
   const auto fine = solver::record_history(solver::Model(base, finely),
-                                           base.sheet.vertices_mm + trial.shifts_mm(kDraw));
+                                           base.sheet.vertices_mm + evaluator.shifts_mm(kDraw));
   const Eigen::Index d = history.between.bump_where;
   const Eigen::Index last = fine.length_mm.rows() - 1;
   const double sign = fine.length_mm(last, d) > fine.flat_mm[d] ? 1 : -1;
@@ -191,13 +192,13 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   Json strict = campaign;
   strict["accept"]["between_samples"] = true;
   strict["accept"]["deploys_from_deg"] = 160;
-  DrawEvaluator strict_trial(schema::read_campaign(strict, "a test"));
-  const solver::Verdict verdict = strict_trial.judge({kDraw, kDraw + 1}).front();
+  DrawEvaluator strict_evaluator(schema::read_campaign(strict, "a test"));
+  const solver::Verdict verdict = strict_evaluator.judge({kDraw, kDraw + 1}).front();
   EXPECT_EQ(verdict.first_fault, solver::Fault::bump);
   EXPECT_EQ(verdict.deploys_from_sample, 159);
   EXPECT_EQ(static_cast<int>(*metrics.bump_deg), 159);
-  EXPECT_EQ(words_of(strict_trial.history(kDraw).verdict), words_of(verdict));
-  EXPECT_FALSE(strict_trial.campaign().accepts(verdict));
+  EXPECT_EQ(words_of(strict_evaluator.history(kDraw).verdict), words_of(verdict));
+  EXPECT_FALSE(strict_evaluator.campaign().accepts(verdict));
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.
@@ -213,13 +214,14 @@ TEST(DrawEvaluator, InstructionSetsAndBlocksAgree) {
   const auto expected = draws_of(work_off(widest, {500, 900}));
   EXPECT_GT(expected.size(), 100u);
   for (const auto set : solver::available_instruction_sets()) {
-    DrawEvaluator trial(small_campaign(), set);
+    DrawEvaluator evaluator(small_campaign(), set);
     schema::UnitRecord unit;
     for (std::uint64_t lo = 500; lo < 900; lo += 57) {
-      trial.evaluate({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit, schema::FaultSampleRule(),
-                     [&](std::size_t) { return lo % 2 == 0; });
+      evaluator.evaluate({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit,
+                         schema::FaultSampleRule(), [&](std::size_t) { return lo % 2 == 0; });
     }
-    trial.evaluate({900, 900}, unit, schema::FaultSampleRule(), [](std::size_t) { return true; });
+    evaluator.evaluate({900, 900}, unit, schema::FaultSampleRule(),
+                       [](std::size_t) { return true; });
     EXPECT_EQ(draws_of(unit), expected) << solver::instruction_set_name(set);
   }
 }

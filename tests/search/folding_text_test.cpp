@@ -18,11 +18,12 @@ schema::Campaign campaign(int side) {
       "a test");
 }
 
-std::string text_of(DrawEvaluator& trial, std::uint64_t draw, const FoldingTextOptions& options) {
-  const auto history = trial.history(draw);
-  const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
-  return folding_text({trial.campaign().pattern, shifts_mm, trial.mechanism(), history,
-                       trial.campaign().sample_deg},
+std::string text_of(DrawEvaluator& evaluator, std::uint64_t draw,
+                    const FoldingTextOptions& options) {
+  const auto history = evaluator.history(draw);
+  const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(draw);
+  return folding_text({evaluator.campaign().pattern, shifts_mm, evaluator.mechanism(), history,
+                       evaluator.campaign().sample_deg},
                       options);
 }
 
@@ -46,12 +47,12 @@ TEST(Sparkline, GoesFromTheLeastToTheLargest) {
 
 TEST(FoldingText, FitsTheTerminal) {
   for (const int side : {4, 6, 8}) {
-    DrawEvaluator trial(campaign(side));
+    DrawEvaluator evaluator(campaign(side));
     for (std::uint64_t draw = 0; draw < 5; ++draw) {
-      const auto history = trial.history(draw);
-      const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(draw);
-      const schema::FoldingView view{trial.campaign().pattern, shifts_mm, trial.mechanism(),
-                                     history, trial.campaign().sample_deg};
+      const auto history = evaluator.history(draw);
+      const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(draw);
+      const schema::FoldingView view{evaluator.campaign().pattern, shifts_mm, evaluator.mechanism(),
+                                     history, evaluator.campaign().sample_deg};
       for (const int width : {80, 100, 200}) {
         for (const bool utf8 : {false, true}) {
           for (const std::string& line : lines_of(folding_text(view, {width, utf8}))) {
@@ -65,14 +66,14 @@ TEST(FoldingText, FitsTheTerminal) {
 
 // Every diagonal has a line, whose lengths are the history's and whose signs go as they do.
 TEST(FoldingText, SaysWhatTheHistorySays) {
-  DrawEvaluator trial(campaign(4));
+  DrawEvaluator evaluator(campaign(4));
   for (std::uint64_t draw = 0; draw < 20; ++draw) {
-    const auto history = trial.history(draw);
+    const auto history = evaluator.history(draw);
     const auto d = static_cast<Eigen::Index>(history.verdict.deploys_from_sample) - 1;
     if (d < 0) continue;
-    const std::vector<std::string> lines = lines_of(text_of(trial, draw, {200, false}));
-    for (std::size_t k = 0; k < trial.mechanism().diagonals.size(); ++k) {
-      const solver::Diagonal& diagonal = trial.mechanism().diagonals[k];
+    const std::vector<std::string> lines = lines_of(text_of(evaluator, draw, {200, false}));
+    for (std::size_t k = 0; k < evaluator.mechanism().diagonals.size(); ++k) {
+      const solver::Diagonal& diagonal = evaluator.mechanism().diagonals[k];
       const std::string name = solver::line_label(diagonal.from, diagonal.to) + " ";
       const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& one) {
         return one.rfind(name, 0) == 0;
@@ -111,9 +112,9 @@ TEST(FoldingText, SaysWhatTheHistorySays) {
 // A diagonal that varies by less than model.md's inactive band, 1e-8 panel widths, is drawn still;
 // one that varies by more is not.
 TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
-  DrawEvaluator trial(campaign(4));
-  auto history = trial.history(0);
-  const Eigen::Matrix2Xd shifts_mm = trial.shifts_mm(0);
+  DrawEvaluator evaluator(campaign(4));
+  auto history = evaluator.history(0);
+  const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(0);
   const double band_mm = 1e-8 * 80;
   for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
     const double up_and_down = row % 2 == 0 ? 1 : 0;
@@ -121,11 +122,11 @@ TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
     history.length_mm(row, 1) = history.flat_mm[1] + 1.01 * band_mm * up_and_down;
   }
   const std::vector<std::string> lines =
-      lines_of(folding_text({trial.campaign().pattern, shifts_mm, trial.mechanism(), history,
-                             trial.campaign().sample_deg},
+      lines_of(folding_text({evaluator.campaign().pattern, shifts_mm, evaluator.mechanism(),
+                             history, evaluator.campaign().sample_deg},
                             {200, false}));
   const auto drawn_of = [&](std::size_t k) {
-    const solver::Diagonal& diagonal = trial.mechanism().diagonals[k];
+    const solver::Diagonal& diagonal = evaluator.mechanism().diagonals[k];
     const std::string name = solver::line_label(diagonal.from, diagonal.to) + " ";
     for (const std::string& line : lines) {
       if (line.rfind(name, 0) == 0) return line;
@@ -139,14 +140,14 @@ TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
 }
 
 TEST(FoldingText, TheTableWhereItFitsOrIsAskedFor) {
-  DrawEvaluator trial(campaign(6));
+  DrawEvaluator evaluator(campaign(6));
   const auto has_table = [&](int width, bool asked) {
-    return text_of(trial, 0, {width, true, asked}).find("\npilot_deg") != std::string::npos;
+    return text_of(evaluator, 0, {width, true, asked}).find("\npilot_deg") != std::string::npos;
   };
   EXPECT_FALSE(has_table(80, false));
   EXPECT_TRUE(has_table(80, true));
   EXPECT_TRUE(has_table(200, false));
-  EXPECT_EQ(text_of(trial, 0, {80, true}).find('\x1b'), std::string::npos);
+  EXPECT_EQ(text_of(evaluator, 0, {80, true}).find('\x1b'), std::string::npos);
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ class MergeTest : public testing::Test {
 
   std::string make(const std::string& name, const std::vector<DrawRange>& units,
                    const DrawRange& goal = {0, 3000}) {
-    schema::Catalogue catalogue(path(name), trial_.campaign(), trial_.mechanism());
+    schema::Catalogue catalogue(path(name), evaluator_.campaign(), evaluator_.mechanism());
     catalogue.begin_run(run_, {goal, {}, {}});
-    for (const DrawRange& unit : units) catalogue.commit({work_off(trial_, unit)});
+    for (const DrawRange& unit : units) catalogue.commit({work_off(evaluator_, unit)});
     catalogue.end_run("stopped");
     return path(name);
   }
@@ -75,7 +75,7 @@ class MergeTest : public testing::Test {
   }
 
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  DrawEvaluator trial_{quick_campaign()};
+  DrawEvaluator evaluator_{quick_campaign()};
   std::filesystem::path folder_;
 };
 
@@ -156,11 +156,11 @@ TEST_F(MergeTest, DisagreementsAreNamedAndNothingIsWritten) {
 TEST_F(MergeTest, VerdictsThatDifferAreNamed) {
   make("a.db", {{0, 500}});
   {
-    schema::UnitRecord unit = work_off(trial_, {0, 500});
+    schema::UnitRecord unit = work_off(evaluator_, {0, 500});
     unit.candidates.pop_back();
     --unit.accepted;
     ++unit.rejected;
-    schema::Catalogue catalogue(path("b.db"), trial_.campaign(), trial_.mechanism());
+    schema::Catalogue catalogue(path("b.db"), evaluator_.campaign(), evaluator_.mechanism());
     catalogue.begin_run(run_, {{0, 3000}, {}, {}});
     catalogue.commit({unit});
     catalogue.end_run("stopped");
@@ -172,12 +172,12 @@ TEST_F(MergeTest, VerdictsThatDifferAreNamed) {
 TEST_F(MergeTest, UndecidedDrawsAreDecidedWhereOthersAre) {
   make("whole.db", {{0, 500}});
   {
-    schema::UnitRecord unit = work_off(trial_, {0, 500});
+    schema::UnitRecord unit = work_off(evaluator_, {0, 500});
     const std::uint64_t draw = unit.candidates.back().draw;
     unit.candidates.pop_back();
     --unit.accepted;
     unit.undecided.push_back({draw, {7, solver::Fault::undecided, -1, solver::PathEnd::stalled}});
-    schema::Catalogue catalogue(path("b.db"), trial_.campaign(), trial_.mechanism());
+    schema::Catalogue catalogue(path("b.db"), evaluator_.campaign(), evaluator_.mechanism());
     catalogue.begin_run(run_, {{0, 3000}, {}, {}});
     catalogue.commit({unit});
     catalogue.end_run("stopped");
@@ -259,9 +259,9 @@ TEST_F(MergeTest, DecidedDrawsKeepTheirRows) {
   constexpr std::uint64_t kDraw = 268436480;  // 2^28 + 1024, of unit 268436470
   std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-3.db",
                              path("old.db"));
-  DrawEvaluator trial(
+  DrawEvaluator evaluator(
       schema::read_campaign_of(*schema::open_for_reading(path("old.db")), "old.db"));
-  { schema::Catalogue(path("old.db"), trial.campaign(), trial.mechanism()); }
+  { schema::Catalogue(path("old.db"), evaluator.campaign(), evaluator.mechanism()); }
   const std::string draw = std::to_string(kDraw);
   change("old.db",
          "INSERT INTO undecided (draw, unit, cause, run) SELECT draw, unit, 'stalled', 3 "
@@ -274,11 +274,11 @@ TEST_F(MergeTest, DecidedDrawsKeepTheirRows) {
              "UPDATE unit SET accepted = accepted - 1, undecided = 1 WHERE lo = 268436470;"
              "UPDATE fault_sample SET first_fault = 'undecided' WHERE draw = " +
              draw);
-  EXPECT_TRUE(work_off(trial, {kDraw, kDraw + 1}).fault_sample.empty());
+  EXPECT_TRUE(work_off(evaluator, {kDraw, kDraw + 1}).fault_sample.empty());
   {
-    schema::Catalogue catalogue(path("old.db"), trial.campaign(), trial.mechanism());
+    schema::Catalogue catalogue(path("old.db"), evaluator.campaign(), evaluator.mechanism());
     catalogue.begin_run(run_, {}, schema::Builds::mixed);
-    catalogue.settle(judge_again(trial, kDraw));
+    catalogue.settle(judge_again(evaluator, kDraw));
     catalogue.end_run("stopped");
   }
   const auto database = schema::open_for_reading(path("old.db"));
@@ -302,13 +302,13 @@ TEST_F(MergeTest, DenserFaultSamples) {
     std::filesystem::remove(path("all.db"));
     return merge({path("all.db"), {path("old.db"), path("new.db")}, run_, schema::Builds::mixed});
   };
-  DrawEvaluator trial(schema::read_campaign_of(*schema::open_for_reading(old), old));
+  DrawEvaluator evaluator(schema::read_campaign_of(*schema::open_for_reading(old), old));
   {
-    schema::Catalogue catalogue(path("new.db"), trial.campaign(), trial.mechanism());
+    schema::Catalogue catalogue(path("new.db"), evaluator.campaign(), evaluator.mechanism());
     catalogue.begin_run(run_, {});
     // Over the old units' ends, longer than they are: those from 2^28 on are compared.
-    catalogue.commit(
-        {work_off(trial, {k2_28 - 10, k2_28 + 20}), work_off(trial, {k2_28 + 1010, k2_28 + 1060})});
+    catalogue.commit({work_off(evaluator, {k2_28 - 10, k2_28 + 20}),
+                      work_off(evaluator, {k2_28 + 1010, k2_28 + 1060})});
     catalogue.end_run("stopped");
   }
   EXPECT_EQ(schema::draws_of(*schema::open_for_reading(path("new.db")), "fault_sample",

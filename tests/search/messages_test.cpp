@@ -3,9 +3,24 @@
 #include <gtest/gtest.h>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "solver/verdict/metric_table.hpp"
 
 namespace misalign::search {
 namespace {
+
+// Ranks compare it: a metric more, elsewhere or of another type makes it another one.
+TEST(Messages, LayoutNamesEveryMetricWithItsSizeInOrder) {
+  const std::string layout = message_layout();
+  std::size_t last = 0;
+  for (const solver::MetricEntry& entry : solver::metric_table()) {
+    const std::size_t at = layout.find(" " + std::string(entry.name) + ":");
+    ASSERT_NE(at, std::string::npos) << entry.name;
+    EXPECT_GT(at, last) << entry.name;
+    last = at;
+  }
+  EXPECT_NE(layout.find("deploys_from_sample:4"), std::string::npos);
+  EXPECT_NE(layout.find("miscut_margin_mm:16"), std::string::npos);
+}
 
 TEST(Messages, AUnitArrivesAsItWasSent) {
   schema::UnitRecord unit;

@@ -127,7 +127,7 @@ TEST(NothingFound, AsJson) {
 // A real campaign: the share at an angle that a few in a thousand survive, guessed from eighths of
 // the draws that hardly ever have one so deep, against the count over all of them.
 TEST(NothingFound, GuessesOfARealCampaign) {
-  DrawEvaluator trial(
+  DrawEvaluator evaluator(
       schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}},
                              {"accept", {{"deploys_from_deg", 180}}}},
                             "a test"));
@@ -136,7 +136,7 @@ TEST(NothingFound, GuessesOfARealCampaign) {
   std::vector<Survival> parts(kParts, Survival(1, 180));
   Survival all(1, 180);
   for (std::uint64_t k = 0; k < kParts; ++k) {
-    for (const solver::Verdict& verdict : trial.judge({k * kDraws, (k + 1) * kDraws})) {
+    for (const solver::Verdict& verdict : evaluator.judge({k * kDraws, (k + 1) * kDraws})) {
       parts[k].add(verdict.deploys_from_sample, WeightedCount::of(1, 1024));
       all.add(verdict.deploys_from_sample, WeightedCount::of(1, 1024));
     }

@@ -57,21 +57,21 @@ class OlderCatalogues : public testing::TestWithParam<int> {
 TEST_P(OlderCatalogues, AreVerifiedAsWhatTheyAre) {
   expect_good("old.db");
   const schema::Campaign campaign = this->campaign();
-  const DrawEvaluator trial(campaign);
-  { schema::Catalogue(path("old.db"), campaign, trial.mechanism()); }
+  const DrawEvaluator evaluator(campaign);
+  { schema::Catalogue(path("old.db"), campaign, evaluator.mechanism()); }
   expect_good("old.db");  // and after they are brought up to date
 }
 
 TEST_P(OlderCatalogues, AreJoinedWithAFreshRun) {
-  DrawEvaluator trial(campaign());
+  DrawEvaluator evaluator(campaign());
   const schema::CatalogueState old = state("old.db");
   {
-    schema::Catalogue fresh(path("fresh.db"), trial.campaign(), trial.mechanism());
+    schema::Catalogue fresh(path("fresh.db"), evaluator.campaign(), evaluator.mechanism());
     fresh.begin_run(run_, old.goal);
     // Units of other sizes: some of both are taken, others compared.
     for (std::uint64_t lo = 0; lo < old.goal_end;) {
       const std::uint64_t hi = std::min(old.goal_end, lo + (lo == 0 ? 20 : 30));
-      fresh.commit({work_off(trial, {lo, hi})});
+      fresh.commit({work_off(evaluator, {lo, hi})});
       lo = hi;
     }
     fresh.end_run("complete");

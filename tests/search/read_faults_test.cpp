@@ -31,10 +31,10 @@ class ReadFaults : public testing::Test {
     std::filesystem::create_directories(folder_);
     const std::vector<std::pair<std::string, std::uint64_t>> kFiles = {{"a.db", 0}, {"b.db", 60}};
     for (const auto& [name, first] : kFiles) {
-      schema::Catalogue catalogue(path(name), trial_.campaign(), trial_.mechanism());
+      schema::Catalogue catalogue(path(name), evaluator_.campaign(), evaluator_.mechanism());
       catalogue.begin_run(run_, {{0, 120}, {}, 10000});
       for (std::uint64_t lo = first; lo < first + 60; lo += 20) {
-        catalogue.commit({work_off(trial_, {lo, lo + 20})});
+        catalogue.commit({work_off(evaluator_, {lo, lo + 20})});
       }
       catalogue.end_run("complete");
     }
@@ -106,7 +106,7 @@ class ReadFaults : public testing::Test {
   }
 
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  DrawEvaluator trial_{
+  DrawEvaluator evaluator_{
       schema::read_campaign(schema::Json::parse(
                                 R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
               "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),

@@ -45,7 +45,7 @@ class SnapshotTest : public testing::Test {
               ("misalign_snapshot_" + std::to_string(::getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    writer_.emplace(path("a.db"), trial_.campaign(), trial_.mechanism());
+    writer_.emplace(path("a.db"), evaluator_.campaign(), evaluator_.mechanism());
     writer_->begin_run(run_, {{0, kDraws}, {}, 100000});
     commit();
     hook = {path("a.db"), [this] { commit(); }};
@@ -60,14 +60,14 @@ class SnapshotTest : public testing::Test {
   // The next few draws.
   void commit() {
     if (next_ == kDraws) return;
-    writer_->commit({work_off(trial_, {next_, next_ + kStep})});
+    writer_->commit({work_off(evaluator_, {next_, next_ + kStep})});
     next_ += kStep;
   }
   std::string path(const std::string& name) const { return folder_ / name; }
 
   static constexpr std::uint64_t kDraws = 4000, kStep = 5;
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  DrawEvaluator trial_{
+  DrawEvaluator evaluator_{
       schema::read_campaign(schema::Json::parse(
                                 R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
               "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),

@@ -32,18 +32,18 @@ class VerifyTest : public testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     static const std::vector<schema::UnitRecord> units = all_units();
-    const DrawEvaluator trial(campaign());
-    schema::Catalogue catalogue(path_(), trial.campaign(), trial.mechanism());
+    const DrawEvaluator evaluator(campaign());
+    schema::Catalogue catalogue(path_(), evaluator.campaign(), evaluator.mechanism());
     catalogue.begin_run({"host", "0", "none", "g++", "-O2", "golden", 1},
                         {{0, kUnits * kUnitDraws}, {}, {}});
     for (const schema::UnitRecord& unit : units) catalogue.commit({unit});
     catalogue.end_run("complete");
   }
   static std::vector<schema::UnitRecord> all_units() {
-    DrawEvaluator trial(campaign());
+    DrawEvaluator evaluator(campaign());
     std::vector<schema::UnitRecord> units;
     for (std::uint64_t k = 0; k < kUnits; ++k) {
-      units.push_back(work_off(trial, {k * kUnitDraws, (k + 1) * kUnitDraws}));
+      units.push_back(work_off(evaluator, {k * kUnitDraws, (k + 1) * kUnitDraws}));
     }
     return units;
   }

@@ -16,7 +16,7 @@ constexpr int kSheets = kFewer > 1 ? 1 : 4;
 class Families : public testing::TestWithParam<std::string> {};
 
 // Diagonals of the paths' every tenth degree to 150 (beyond it another branch may be near, see
-// Model) or to the fold limit by the tracker, and from coordinates that start near the base
+// Model) or to the fold limit by the path follower, and from coordinates that start near the base
 // folding at 1 degree and know nothing of it afterwards. Closed to 1e-12, lengths are open by 1e-12
 // panel widths over the smallest singular value, which is 1e-4 beside a fold limit: 1e-6 mm. But
 // the last correction of either solver squares what was left, and 1e-16 does no harm: worst of
@@ -87,7 +87,7 @@ double largest_difference_mm(const FoldingHistory& one, const FoldingHistory& ot
 
 // Every verdict is the same in steps of 0.1 to 20 degrees, and the lengths up to it: worst of
 // 280 sheets 4e-11 mm, limit 1e-9. Past the verdict a long step can lead across a gap between two
-// curves (see tracker_test.cpp).
+// curves (see path_follower_test.cpp).
 TEST_P(Families, StepsOfTheSolverDoNotMatter) {
   const CarriedFamily whole(GetParam());
   double worst_mm = 0;

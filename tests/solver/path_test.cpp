@@ -84,9 +84,9 @@ TEST(Path, FoldLimitIsATurningPoint) {
   EXPECT_NEAR(above.path.fold_limit_deg, limit_deg, 1e-6);
 }
 
-// Two branches pass close by each other at 170.65 degrees (draw 53262 of miura-4x4, seed 1, found
-// in a review): the walk must stay on its own. The sheet folds a crease past 180 degrees, it does
-// not stall.
+// Two branches pass close by each other at 170.65 degrees (draw 53262 of miura-4x4, seed 1): the
+// way along the arc must stay on its own. The sheet folds a crease past 180 degrees, it does not
+// stall.
 TEST(Path, StaysOnItsBranchWhereAnotherPassesCloseBy) {
   const TestSheet sheet(4, 4);
   const auto history = sheet.history(sheet.shifted(Json::parse(

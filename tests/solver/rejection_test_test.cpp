@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// As screening.cpp has it: per degree, so that it can be compared with a sample's step.
+// As rejection_test.cpp has it: per degree, so that it can be compared with a sample's step.
 constexpr double kLeastSlope_widths_per_rad = 1e-6 / kRadPerDeg;
 
 // Newton's own sequence e' = K e^2 in one unknown: its corrections are e - e'. The error left must

@@ -34,11 +34,11 @@ constexpr DrawRange kUnitToAdd{5000, 5005};
 
 /// One campaign: intact catalogues of it, of which the first is the one to join others with.
 struct Subject {
-  explicit Subject(Campaign campaign) : trial(std::move(campaign)) {}
+  explicit Subject(Campaign campaign) : evaluator(std::move(campaign)) {}
 
-  DrawEvaluator trial;
+  DrawEvaluator evaluator;
   std::vector<std::string> intact = {};  // bytes
-  UnitRecord unit_to_add = search::work_off(trial, kUnitToAdd);
+  UnitRecord unit_to_add = search::work_off(evaluator, kUnitToAdd);
 };
 
 // Short paths, of which a third deploys.
@@ -50,14 +50,14 @@ Campaign quick_campaign() {
 }
 
 // With an undecided draw: the last one accepted of each unit.
-std::string new_catalogue(DrawEvaluator& trial, const Folder& folder,
+std::string new_catalogue(DrawEvaluator& evaluator, const Folder& folder,
                           const std::vector<DrawRange>& units) {
   const std::string path = folder.file("new.db");
   {
-    Catalogue catalogue(path, trial.campaign(), trial.mechanism());
+    Catalogue catalogue(path, evaluator.campaign(), evaluator.mechanism());
     catalogue.begin_run(kRun, {{0, 1200}, {}, 50, 0.3});
     for (const DrawRange& range : units) {
-      UnitRecord unit = search::work_off(trial, range);
+      UnitRecord unit = search::work_off(evaluator, range);
       const std::uint64_t draw = unit.candidates.back().draw;
       unit.candidates.pop_back();
       --unit.accepted;
@@ -76,8 +76,9 @@ class Reader {
   Reader() : old_(read_campaign_of(*open_for_reading(fixture(1)), "")), new_(quick_campaign()) {
     for (const int version : {3, 2, 1}) old_.intact.push_back(bytes_of(fixture(version)));
     new_.intact.push_back(
-        new_catalogue(new_.trial, folder_, {{20, 50}, {1010, 1035}}));  // 1024 is sampled
-    new_.intact.push_back(new_catalogue(new_.trial, folder_, {{0, 20}, {20, 50}, {1000, 1030}}));
+        new_catalogue(new_.evaluator, folder_, {{20, 50}, {1010, 1035}}));  // 1024 is sampled
+    new_.intact.push_back(
+        new_catalogue(new_.evaluator, folder_, {{0, 20}, {20, 50}, {1000, 1030}}));
     new_.intact.push_back(in_small_pages(new_.intact.back()));
   }
 
@@ -100,7 +101,7 @@ class Reader {
       const CatalogueState state = read_state(*database);
       search::status_json(state).dump();
       const Campaign campaign = read_campaign_of(*database, path);
-      is_new = identity(campaign) == identity(new_.trial.campaign());
+      is_new = identity(campaign) == identity(new_.evaluator.campaign());
       const auto deploying =
           search::deploying_from(*database, state, campaign, campaign.threshold_deg);
       check_shown(search::status_text(state, deploying, search::Paint(false)));
@@ -191,13 +192,13 @@ class Reader {
   // A run that resumes: it settles what is undecided, adds a unit, and ends.
   static void write_on(const std::string& path, Subject& subject, bool is_good) {
     const bool is_written = ends([&] {
-      Catalogue catalogue(path, subject.trial.campaign(), subject.trial.mechanism());
+      Catalogue catalogue(path, subject.evaluator.campaign(), subject.evaluator.mechanism());
       catalogue.done();
       catalogue.begin_run(kRun, {{0, 6000}, {}, 100, 0.2}, Builds::mixed);
       const auto undecided = catalogue.undecided();
       if (!undecided.empty() && undecided.front() < kEndOfDraws) {
         const std::uint64_t draw = undecided.front();
-        const UnitRecord decided = search::work_off(subject.trial, {draw, draw + 1});
+        const UnitRecord decided = search::work_off(subject.evaluator, {draw, draw + 1});
         if (decided.undecided.empty()) catalogue.settle(decided);
       }
       catalogue.commit({subject.unit_to_add});

@@ -192,8 +192,8 @@ class Study {
     Eigen::Matrix2Xd errors_mm(2, shifts_mm.cols());
     block_.sheets = static_cast<int>(copies_);
     block_.shifts_mm.clear();
-    for (std::uint64_t trial = 0; trial < copies_; ++trial) {
-      trial_errors(campaign_, amplitude_mm_, trial, errors_mm.data());
+    for (std::uint64_t evaluator = 0; evaluator < copies_; ++evaluator) {
+      trial_errors(campaign_, amplitude_mm_, evaluator, errors_mm.data());
       errors_mm += shifts_mm;
       block_.shifts_mm.insert(block_.shifts_mm.end(), errors_mm.data(),
                               errors_mm.data() + errors_mm.size());
@@ -230,12 +230,12 @@ void run(const std::string& path, double from_deg, std::uint64_t candidates, std
          double amplitude_mm) {
   schema::Campaign campaign = schema::read_campaign_file(path);
   campaign.threshold_deg = from_deg;
-  DrawEvaluator trial(campaign);
+  DrawEvaluator evaluator(campaign);
   Study study(campaign, copies, amplitude_mm);
   schema::UnitRecord unit;
-  const std::uint64_t block = trial.largest_block() / 16;
+  const std::uint64_t block = evaluator.largest_block() / 16;
   for (std::uint64_t lo = 0; unit.candidates.size() < candidates; lo += block) {
-    const schema::UnitRecord more = work_off(trial, {lo, lo + block});
+    const schema::UnitRecord more = work_off(evaluator, {lo, lo + block});
     unit.candidates.insert(unit.candidates.end(), more.candidates.begin(), more.candidates.end());
   }
   for (std::uint64_t k = 0; k < candidates; ++k) study.row(unit.candidates[k]);

@@ -149,8 +149,8 @@ BlockTimes measure_blocks(double threshold_deg) {
   constexpr std::size_t kQuantiles = 50;
   schema::Campaign campaign = schema::default_campaign();
   campaign.threshold_deg = threshold_deg;
-  search::DrawEvaluator trial(campaign);
-  search::UnitWork work(trial, {0, schema::kEndOfDraws});
+  search::DrawEvaluator evaluator(campaign);
+  search::UnitWork work(evaluator, {0, schema::kEndOfDraws});
   std::vector<double> blocks;
   double sum = 0, squares = 0;
   const Stopwatch all;
@@ -173,11 +173,11 @@ BlockTimes measure_blocks(double threshold_deg) {
 
 // The first draws of a unit go through the lanes in blocks of 1, 2, 4, ...
 double measure_unit_start() {
-  search::DrawEvaluator trial(schema::default_campaign());
-  search::work_off(trial, {0, 4096});
+  search::DrawEvaluator evaluator(schema::default_campaign());
+  search::work_off(evaluator, {0, 4096});
   std::uint64_t lo = 1;
   return shortest_s([&] {
-    search::work_off(trial, {lo, lo + 32});
+    search::work_off(evaluator, {lo, lo + 32});
     lo += 1024;
   });
 }

@@ -17,7 +17,7 @@ using schema::DrawRange;
 
 // Workers differ by this much (standard deviation of the logarithm), and one worker's units.
 constexpr double kSpread = 0.2, kNoise = 0.05;
-constexpr double kBeat_s = 4;  // search/heartbeat
+constexpr double kBeat_s = 4;  // search/ranks/heartbeat
 
 // search::Backoff: sleeps of 0, 50, 100, ... us, at most 1 ms.
 class SimulatedBackoff {

@@ -36,7 +36,7 @@ struct SimulatedRun {
   double lost_mean_s, lost_worst_s;  ///< draws that a kill loses, over the draws/s of all ranks
 };
 
-/// With a rank 0 that does what search/coordinator does, in that order.
+/// With a rank 0 that does what search/ranks/coordinator does, in that order.
 SimulatedRun simulate(const SimulatedCampaign& campaign, const Network& network,
                       const Costs& costs);
 

@@ -16,7 +16,7 @@ constexpr double kElsewhere_mm = 0.8;
 
 constexpr int kFirstExponent = 3, kLastExponent = 14;  // tolerances 1e-3 to 1e-14
 
-struct DrawEvaluator {
+struct Trial {
   const Method* method;
   Demand demand;
   Run run;
@@ -24,8 +24,8 @@ struct DrawEvaluator {
   std::vector<double> times_us;
 };
 
-std::vector<DrawEvaluator> all_trials(const std::vector<Method>& methods, const Problem& problem) {
-  std::vector<DrawEvaluator> trials;
+std::vector<Trial> all_trials(const std::vector<Method>& methods, const Problem& problem) {
+  std::vector<Trial> trials;
   for (const int spacing_deg : {1, 10}) {
     for (const Method& method : methods) {
       if (std::find(method.spacings_deg.begin(), method.spacings_deg.end(), spacing_deg) ==
@@ -47,7 +47,7 @@ std::vector<DrawEvaluator> all_trials(const std::vector<Method>& methods, const 
   return trials;
 }
 
-void print(const DrawEvaluator& trial, const Problem& problem, const Truth& truth) {
+void print(const Trial& trial, const Problem& problem, const Truth& truth) {
   const std::size_t samples = static_cast<std::size_t>(kEnd_deg / trial.demand.spacing_deg);
   const std::size_t diagonals = static_cast<std::size_t>(problem.diagonals());
   double largest_mm = 0;
@@ -92,11 +92,10 @@ void measure_methods(int sheets, int repeats) {
                static_cast<int>(problem.sheets().back().draw), truth.open_by());
 
   const std::vector<Method> methods = all_methods();
-  std::vector<DrawEvaluator> trials = all_trials(methods, problem);
-  for (DrawEvaluator& trial : trials)
-    trial.run(trial.tracks);  // warms caches and sizes every buffer
+  std::vector<Trial> trials = all_trials(methods, problem);
+  for (Trial& trial : trials) trial.run(trial.tracks);  // warms caches and sizes every buffer
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    for (DrawEvaluator& trial : trials) {
+    for (Trial& trial : trials) {
       trial.times_us.push_back(elapsed_us([&] { trial.run(trial.tracks); }));
     }
     std::fprintf(stderr, "round %d of %d\n", repeat + 1, repeats);
@@ -105,7 +104,7 @@ void measure_methods(int sheets, int repeats) {
       "samples_deg,method,linear_solver,precision,jacobian,predictor,step_deg,tolerance,us_per_"
       "path,"
       "largest_error_mm,corrections_per_path,evaluations_per_path,paths,not_converged,elsewhere\n");
-  for (const DrawEvaluator& trial : trials) print(trial, problem, truth);
+  for (const Trial& trial : trials) print(trial, problem, truth);
 }
 
 }  // namespace misalign::bench
