@@ -36,7 +36,7 @@ Json cell_json(const SQLite::Column& cell) {
 // For people: six digits; JSON and CSV have all.
 std::string cell_text(const SQLite::Column& cell) {
   if (cell.isNull()) return "";
-  if (cell.isFloat()) return shown_number("%.6g", cell.getDouble());
+  if (cell.isFloat()) return fmt::format("{:.6g}", cell.getDouble());
   const Json value = cell_json(cell);
   return value.is_string() ? value.get<std::string>() : value.dump();
 }

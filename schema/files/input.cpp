@@ -198,10 +198,4 @@ Json json_of(const Json& text) {
 
 std::string shown_number(double value) { return fmt::format("{:.10g}", value); }
 
-std::string shown_number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 }  // namespace misalign::schema

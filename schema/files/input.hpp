@@ -101,7 +101,4 @@ Json json_of(const Json& text);
 /// A number as people write it: 80, 0.4, 1e-09.
 std::string shown_number(double value);
 
-/// The same in a format of printf for one double.
-std::string shown_number(const char* format, double value);
-
 }  // namespace misalign::schema

@@ -1,7 +1,8 @@
 #include "search/checks/pattern_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 
 #include "schema/exchange/folding_json.hpp"
 #include "search/checks/chosen_sheet.hpp"
@@ -109,7 +110,7 @@ std::string pattern_verification_text(const PatternVerification& v) {
           shown_number(v.verdict["deploys_from_deg"].get<double>()) +
           " deg; first fault: " + v.verdict["first_fault"].get<std::string>() + "\n";
   text += "followed     by sparse and by dense matrices: lengths " +
-          shown_number("%.1e", v.apart_mm) + " mm apart\n";
+          fmt::format("{:.1e}", v.apart_mm) + " mm apart\n";
   if (v.has_claims) text += "compared     with what the file says of itself\n";
   text += "worst        " + worst_text(report.shape, report.diagonal_mm) + ", in " +
           std::to_string(v.shapes) + " folded shapes\n";

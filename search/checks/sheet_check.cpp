@@ -1,5 +1,7 @@
 #include "search/checks/sheet_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -128,7 +130,7 @@ schema::Json findings_json(const std::vector<schema::Finding>& findings) {
 }
 
 std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm) {
-  const auto e = [](double value) { return schema::shown_number("%.1e", value); };
+  const auto e = [](double value) { return fmt::format("{:.1e}", value); };
   return "length " + e(shape.length_mm) + " mm, planarity " + e(shape.planarity_mm) +
          " mm, coincidence " + e(shape.coincidence_mm) + " mm, diagonal " + e(diagonal_mm) +
          " mm, angle " + e(shape.angle_deg) + " deg";

@@ -54,7 +54,6 @@ class DrawEvaluator {
   Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
 
   const schema::Campaign& campaign() const { return campaign_; }
-  const solver::Model& model() const { return model_; }
   const solver::Mechanism& mechanism() const { return model_.mechanism(); }
   const solver::Batch& batch() const { return *batch_; }
 

@@ -34,13 +34,13 @@ JudgingObserver::JudgingObserver(const Model& model, int lanes)
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
       dense_state_(model.mechanism()),
-      dense_follower_(model.mechanism()) {}
+      fallback_(model.mechanism()) {}
 
 JudgingObserver::~JudgingObserver() = default;
 
 void JudgingObserver::begin(const SheetBlock& block) {
   verdicts_.assign(static_cast<std::size_t>(block.sheets()), {});
-  for_dense_.clear();
+  fallback_.begin();
   queue_.begin(block);
 }
 
@@ -53,46 +53,27 @@ bool JudgingObserver::next(PathStart& start, int lane) {
 
 bool JudgingObserver::see(const Station& station, int lane) {
   if (station.sample == 0) return true;
-  if (is_poor(station, lane)) {
+  const bool is_unsure = wants_slopes() && !(point_.misfit <= kLargestMisfit);
+  if (is_unsure || station.pilot_deg > kPoorFactorsFrom_deg) {
     place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
-    dense_state_.find(geometry_, point_.state, point_);
+    if (is_unsure || is_open()) dense_state_.find(geometry_, point_.state, point_);
   }
   return judges_[lane].see(station, point_.state, point_.lengths,
                            wants_slopes() ? &point_.slopes : nullptr, point_.pilot_rate);
 }
 
-bool JudgingObserver::is_poor(const Station& station, int lane) {
-  if (wants_slopes() && !(point_.misfit <= kLargestMisfit)) return true;
-  if (station.pilot_deg <= kPoorFactorsFrom_deg) return false;
-  place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
-  const double open_by =
-      evaluate(model_.mechanism(), geometry_, point_.state, residual_.data(), nullptr);
-  return !(open_by <= NewtonOptions{}.closure_tolerance);
+bool JudgingObserver::is_open() {
+  return !(evaluate(model_.mechanism(), geometry_, point_.state, residual_.data(), nullptr) <=
+           NewtonOptions{}.closure_tolerance);
 }
 
 void JudgingObserver::ended(PathResult path, int lane) {
-  if (!is_dense_) count(path, effort_);
+  if (!fallback_.under_way()) count(path, effort_);
   if (!queue_.has_ended(path, lane)) return;
   const int sheet = queue_.of_lane(lane);
   const Verdict verdict = judges_[lane].conclude(path);
-  if (!is_dense_) {
-    verdicts_[sheet] = verdict;
-    if (is_for_dense_matrices(verdict, path)) for_dense_.push_back({sheet, path});
-    return;
-  }
-  const auto before = std::find_if(for_dense_.begin(), for_dense_.end(),
-                                   [&](const ForDense& one) { return one.sheet == sheet; });
-  if (dense_verdict_counts(verdicts_[sheet], before->path, verdict)) verdicts_[sheet] = verdict;
-}
-
-void JudgingObserver::fall_back() {
-  if (for_dense_.empty()) return;
-  dense_sheets_.clear();
-  for (const ForDense& one : for_dense_) dense_sheets_.push_back(one.sheet);
-  queue_.begin_again(dense_sheets_);
-  is_dense_ = true;
-  dense_follower_.run(*this);
-  is_dense_ = false;
+  if (!fallback_.under_way()) fallback_.consider(sheet, verdict, path);
+  if (!fallback_.under_way() || fallback_.counts(sheet, verdict)) verdicts_[sheet] = verdict;
 }
 
 // After a correction from this far open, lengths are known to 1e-10 panel widths; on the arc only

@@ -39,14 +39,14 @@ class JudgingObserver {
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
-  void fall_back();
+  void fall_back() { fallback_.run(queue_, *this); }
 
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
   const Effort& effort() const { return effort_; }
 
  private:
-  /// Whether what was found is not worth its name there: see DenseState.
-  bool is_poor(const Station& station, int lane);
+  /// Whether the loops of the sheet in geometry_ are open at the point found.
+  bool is_open();
 
   const Model& model_;
   SheetQueue queue_;
@@ -56,14 +56,7 @@ class JudgingObserver {
   std::vector<double> residual_;
   SheetGeometry<double> geometry_;
   DenseState dense_state_;
-  DenseFollower dense_follower_;
-  struct ForDense {
-    int sheet;
-    PathResult path;
-  };
-  std::vector<ForDense> for_dense_;
-  std::vector<int> dense_sheets_;
-  bool is_dense_ = false;
+  DenseFallback fallback_;
   Effort effort_;
 };
 

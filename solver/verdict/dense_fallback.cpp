@@ -1,5 +1,7 @@
 #include "solver/verdict/dense_fallback.hpp"
 
+#include <algorithm>
+
 namespace misalign::solver {
 namespace {
 
@@ -12,22 +14,30 @@ constexpr double kDoubtfulLimitsFrom_deg = 180 - 1e-3;
 
 }  // namespace
 
-bool is_for_dense_matrices(const Verdict& verdict, const PathResult& path) {
-  return path.lost() || (verdict.first_fault == Fault::fold_limit &&
-                         path.fold_limit_deg > kDoubtfulLimitsFrom_deg);
+DenseFallback::DenseFallback(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+DenseFallback::~DenseFallback() = default;
+
+void DenseFallback::consider(int sheet, const Verdict& verdict, const PathResult& path) {
+  const bool is_doubtful =
+      verdict.first_fault == Fault::fold_limit && path.fold_limit_deg > kDoubtfulLimitsFrom_deg;
+  if (!path.lost() && !is_doubtful) return;
+  candidates_.push_back({sheet, path.lost(), verdict.first_fault == Fault::undecided});
 }
 
-bool dense_verdict_counts(const Verdict& fixed_order, const PathResult& path,
-                          const Verdict& dense) {
-  return path.lost() ? fixed_order.first_fault == Fault::undecided
-                     : dense.first_fault != Fault::undecided;
+bool DenseFallback::counts(int sheet, const Verdict& dense) const {
+  const auto first = std::find_if(candidates_.begin(), candidates_.end(),
+                                  [&](const Candidate& one) { return one.sheet == sheet; });
+  return first->was_lost ? first->was_undecided : dense.first_fault != Fault::undecided;
 }
 
-DenseFollower::DenseFollower(const Mechanism& mechanism) : mechanism_(mechanism) {}
+const std::vector<int>& DenseFallback::sheets() {
+  sheets_.clear();
+  for (const Candidate& candidate : candidates_) sheets_.push_back(candidate.sheet);
+  return sheets_;
+}
 
-DenseFollower::~DenseFollower() = default;
-
-DenseFollower::Follower& DenseFollower::follower() {
+DenseFallback::Follower& DenseFallback::follower() {
   if (!follower_) {
     system_ = std::make_unique<ClosureSystem>(mechanism_);
     StepControlOptions options;

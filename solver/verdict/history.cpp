@@ -83,13 +83,12 @@ FoldingHistory record_history(const Model& model, const FlatVertices& vertices_m
   return std::move(recorder.record(OneSheet(vertices_mm)).front());
 }
 
-FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm,
-                              const StationVisitor* visit) {
-  RecordingObserver observer(model, 1, visit);
-  DenseFollower follower(model.mechanism());
+FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm) {
+  RecordingObserver observer(model, 1);
+  DenseFallback dense(model.mechanism());
   const OneSheet sheet(vertices_mm);
   observer.begin(sheet);
-  follower.run(observer);
+  dense.follow(observer);
   return std::move(observer.histories().front());
 }
 

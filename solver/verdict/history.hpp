@@ -67,7 +67,6 @@ FoldingHistory record_history(const Model& model, const FlatVertices& vertices_m
                               const StationVisitor* visit = nullptr);
 
 /// The same by dense matrices with pivoting alone.
-FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm,
-                              const StationVisitor* visit = nullptr);
+FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm);
 
 }  // namespace misalign::solver

@@ -10,13 +10,13 @@ RecordingObserver::RecordingObserver(const Model& model, int lanes, const Statio
       recordings_(lanes, Recording(model, visit)),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
-      dense_follower_(model.mechanism()) {}
+      fallback_(model.mechanism()) {}
 
 RecordingObserver::~RecordingObserver() = default;
 
 void RecordingObserver::begin(const SheetBlock& block) {
   histories_.resize(static_cast<std::size_t>(block.sheets()));
-  for_dense_.clear();
+  fallback_.begin();
   queue_.begin(block);
 }
 
@@ -40,25 +40,14 @@ void RecordingObserver::ended(PathResult path, int lane) {
   if (!queue_.has_ended(path, lane)) return;
   const int sheet = queue_.of_lane(lane);
   FoldingHistory history = recordings_[lane].conclude(path);
-  if (!is_dense_) {
-    if (is_for_dense_matrices(history.verdict, path)) for_dense_.push_back(sheet);
-    histories_[sheet] = std::move(history);
-    return;
+  if (!fallback_.under_way()) {
+    fallback_.consider(sheet, history.verdict, path);
+  } else if (!fallback_.counts(sheet, history.verdict)) {
+    const FoldingHistory& before = histories_[sheet];
+    if (!before.path.lost()) return;
+    history.verdict = before.verdict;  // of what was seen before
   }
-  const FoldingHistory& before = histories_[sheet];
-  const bool counts = dense_verdict_counts(before.verdict, before.path, history.verdict);
-  if (!counts && !before.path.lost()) return;
-  // Where the path was lost past a fault, the fault stays said.
-  if (!counts) history.verdict = before.verdict;
   histories_[sheet] = std::move(history);
-}
-
-void RecordingObserver::fall_back() {
-  if (for_dense_.empty()) return;
-  queue_.begin_again(for_dense_);
-  is_dense_ = true;
-  dense_follower_.run(*this);
-  is_dense_ = false;
 }
 
 }  // namespace misalign::solver

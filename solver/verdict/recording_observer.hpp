@@ -10,7 +10,7 @@
 
 namespace misalign::solver {
 
-/// Followed by a DenseFollower, it is an observer by itself and takes all but the state from dense
+/// Followed by a DenseFallback, it is an observer by itself and takes all but the state from dense
 /// matrices; for a follower of lanes there is LaneRecorder, which looks at all lanes together.
 class RecordingObserver {
  public:
@@ -27,7 +27,7 @@ class RecordingObserver {
   Recording& of_lane(int lane) { return recordings_[lane]; }
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
-  void fall_back();
+  void fall_back() { fallback_.run(queue_, *this); }
 
   std::vector<FoldingHistory>& histories() { return histories_; }
 
@@ -40,9 +40,7 @@ class RecordingObserver {
   SheetGeometry<double> geometry_;
   FoldedPoints<double> points_;
   DenseState dense_state_;
-  DenseFollower dense_follower_;
-  std::vector<int> for_dense_;
-  bool is_dense_ = false;
+  DenseFallback fallback_;
 };
 
 }  // namespace misalign::solver

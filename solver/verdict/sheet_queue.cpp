@@ -1,5 +1,6 @@
 #include "solver/verdict/sheet_queue.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace misalign::solver {
@@ -14,47 +15,53 @@ void SheetQueue::begin(const SheetBlock& block) {
   block_ = &block;
   waiting_.resize(static_cast<std::size_t>(block.sheets()));
   std::iota(waiting_.begin(), waiting_.end(), 0);
-  next_ = found_count_ = next_found_ = 0;
+  next_ = far_count_ = 0;
 }
 
 void SheetQueue::begin_again(const std::vector<int>& sheets) {
   waiting_ = sheets;
-  next_ = found_count_ = next_found_ = 0;
+  next_ = 0;
 }
 
 bool SheetQueue::put_next(PathStart& start, int lane) {
-  const FoldState<double>* state = &model_.path().start;
-  if (next_ < waiting_.size()) {
-    put(waiting_[next_++], lane);
-  } else if (next_found_ < found_count_) {
-    const Found& found = found_[next_found_++];
-    put(found.sheet, lane);
-    state = &found.start;
-  } else {
-    return false;
-  }
-  start = {&geometry_, state, &model_.path(), 0, 0};
+  if (next_ == waiting_.size()) return false;
+  put(waiting_[next_++], lane);
+  const FarSheet* const far = far_sheet(of_lane(lane));
+  const bool is_found = far && far->end == PathEnd::end_reached;
+  start = {&geometry_, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
   return true;
 }
 
 bool SheetQueue::has_ended(PathResult& path, int lane) {
   if (path.end != PathEnd::start_lost) return true;
-  const int sheet = sheet_of_lane_[lane];
-  for (std::size_t k = 0; k < found_count_; ++k) {
-    if (found_[k].sheet == sheet) return true;
-  }
+  const int sheet = of_lane(lane);
+  const bool is_known = far_sheet(sheet) != nullptr;
+  const FarSheet& far = is_known ? *far_sheet(sheet) : look_for_start(sheet, lane);
+  if (far.end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
+  if (is_known || far.end != PathEnd::end_reached) return true;
+  waiting_.push_back(sheet);
+  return false;
+}
+
+SheetQueue::FarSheet* SheetQueue::far_sheet(int sheet) {
+  const auto end = far_.begin() + static_cast<std::ptrdiff_t>(far_count_);
+  const auto at =
+      std::find_if(far_.begin(), end, [&](const FarSheet& one) { return one.sheet == sheet; });
+  return at == end ? nullptr : &*at;
+}
+
+const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet, int lane) {
   if (!homotopy_) {
     homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.path(),
                                                 model_.base().sheet.vertices_mm);
   }
   const PathEnd end = homotopy_->find(vertices_mm_of_lane(lane));
-  if (end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
-  if (end != PathEnd::end_reached) return true;
-  if (found_count_ == found_.size()) found_.push_back({sheet, homotopy_->state()});
-  Found& found = found_[found_count_++];
-  found.sheet = sheet;
-  found.start = homotopy_->state();
-  return false;
+  if (far_count_ == far_.size()) far_.emplace_back();
+  FarSheet& far = far_[far_count_++];
+  far.sheet = sheet;
+  far.end = end;
+  far.start = homotopy_->state();
+  return far;
 }
 
 void SheetQueue::put(int sheet, int lane) {

@@ -26,7 +26,7 @@ class SheetQueue {
 
   /// `block` must live until its paths have ended.
   void begin(const SheetBlock& block);
-  /// Only these of the block, from the start once more.
+  /// Only these of the block once more; starts that were found, or are not to be had, stay known.
   void begin_again(const std::vector<int>& sheets);
   /// Puts the next sheet into this lane, to start along the model's path; false: there is none.
   bool put_next(PathStart& start, int lane);
@@ -48,13 +48,16 @@ class SheetQueue {
   std::size_t next_ = 0;
   std::vector<int> sheet_of_lane_;
   std::unique_ptr<ShiftHomotopy> homotopy_;  // made when first needed
-  // Starts that it found, to go from when the block's own are done; grows to what a block needs.
-  struct Found {
+  // What it said of sheets that the base folding was too far off for; grows to what a block needs.
+  struct FarSheet {
     int sheet;
+    PathEnd end;
     FoldState<double> start;
   };
-  std::vector<Found> found_;
-  std::size_t found_count_ = 0, next_found_ = 0;
+  FarSheet* far_sheet(int sheet);
+  const FarSheet& look_for_start(int sheet, int lane);
+  std::vector<FarSheet> far_;
+  std::size_t far_count_ = 0;
   FlatVertices vertices_mm_;
   SheetGeometry<double> geometry_;
 };
