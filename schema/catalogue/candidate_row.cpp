@@ -41,7 +41,7 @@ const char* undecided_cause(const solver::Verdict& verdict) {
 
 Json metrics_json(const solver::Metrics& metrics) {
   Json json;
-  solver::each_metric(metrics, [&](const solver::MetricEntry& entry, const auto& value) {
+  each_metric(metrics, [&](const MetricEntry& entry, const auto& value) {
     if constexpr (requires { value.has_value(); }) {
       json[entry.name] = value ? Json(*value) : Json();
     } else {

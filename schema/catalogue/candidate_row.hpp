@@ -4,7 +4,7 @@
 #include <string>
 
 #include "schema/campaign/campaign.hpp"
-#include "solver/verdict/metric_table.hpp"
+#include "schema/catalogue/metric_table.hpp"
 
 namespace misalign::schema {
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "solver/verdict/metric_table.hpp"
+#include "schema/catalogue/metric_table.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -34,14 +34,14 @@ std::string column_sql(const std::string& table, const std::string& column, int 
       return later.stand_in;
     }
   }
-  const solver::MetricEntry* metric = table == "candidate" ? solver::find_metric(column) : nullptr;
+  const MetricEntry* metric = table == "candidate" ? find_metric(column) : nullptr;
   if (metric && schema_version < metric->schema_since) return "NULL";
   return "\"" + column + "\"";
 }
 
 std::string later_candidate_columns_sql(int schema_version) {
   std::string columns;
-  for (const solver::MetricEntry& metric : solver::metric_table()) {
+  for (const MetricEntry& metric : metric_table()) {
     if (schema_version < metric.schema_since) columns += std::string(", NULL AS ") + metric.name;
   }
   return columns;

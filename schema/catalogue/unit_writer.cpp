@@ -31,7 +31,7 @@ void bind_sum(SQLite::Statement& statement, int column, const CandidateSum& sum)
 // Its values in the order in which write_candidate binds them.
 std::string insert_of_candidates() {
   std::string columns = "draw, unit, displacements_mm, elongation", values = "?,?,?,?";
-  for (const solver::MetricEntry& metric : solver::metric_table()) {
+  for (const MetricEntry& metric : metric_table()) {
     columns += std::string(", ") + metric.name;
     values += ",?";
   }
@@ -148,7 +148,7 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
   candidate_.bind(++column, unit);
   candidate_.bind(++column, displacements_json(candidate.shifts_mm).dump());
   candidate_.bind(++column, elongations_json(candidate.metrics.elongation).dump());
-  solver::each_metric(candidate.metrics, [&](const solver::MetricEntry&, const auto& value) {
+  each_metric(candidate.metrics, [&](const MetricEntry&, const auto& value) {
     if constexpr (requires { value.has_value(); }) {
       value ? candidate_.bind(++column, *value) : candidate_.bind(++column);
     } else {

@@ -74,7 +74,7 @@ Json words_json() {
   for (const solver::FaultEntry& fault : solver::fault_table()) {
     faults.push_back({{"name", fault.name}, {"label", fault.label}, {"meaning", fault.meaning}});
   }
-  for (const solver::MetricEntry& metric : solver::metric_table()) {
+  for (const MetricEntry& metric : metric_table()) {
     if (!metric.label) continue;
     const std::string unit = metric.unit;
     Json& json = metrics.emplace_back();

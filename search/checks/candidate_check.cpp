@@ -85,7 +85,7 @@ void CandidateCheck::check_metrics(const Json& row, int metrics_version,
   };
   const Json recomputed = schema::metrics_json(metrics);
   for (const auto& [column, value] : recomputed.items()) {
-    const solver::MetricAge age = solver::metric_age(column);
+    const schema::MetricAge age = schema::metric_age(column);
     const bool is_younger = metrics_version < age.first;  // then null, if the column is there
     const Json stored = row.value(column, is_younger ? Json() : Json("no such column"));
     const Json expected = is_younger ? Json() : value;

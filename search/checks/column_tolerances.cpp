@@ -8,12 +8,12 @@ namespace {
 using schema::Json;
 
 // Elongations are stored to nine decimals.
-constexpr solver::Allowance kElongations{.absolute = 0.5e-9 + 3e-11};
+constexpr schema::Allowance kElongations{.absolute = 0.5e-9 + 3e-11};
 
 }  // namespace
 
 bool ColumnTolerances::numbers_agree(const Json& a, const Json& b,
-                                     const solver::Allowance& allowance) const {
+                                     const schema::Allowance& allowance) const {
   if (!a.is_number() || !b.is_number() || b.is_number_integer()) return a == b;
   return allowance.allows(a.get<double>(), b.get<double>(), width_mm, sample_deg);
 }
@@ -27,7 +27,7 @@ bool ColumnTolerances::elongations_agree(const Json& a, const Json& b) const {
 
 bool ColumnTolerances::agree(const std::string& column, const Json& a, const Json& b) const {
   if (column == "elongation") return elongations_agree(schema::json_of(a), schema::json_of(b));
-  const solver::MetricEntry* metric = solver::find_metric(column);
+  const schema::MetricEntry* metric = schema::find_metric(column);
   return metric ? numbers_agree(a, b, metric->allowance) : a == b;
 }
 

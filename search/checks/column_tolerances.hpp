@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "schema/catalogue/metric_table.hpp"
 #include "schema/files/input.hpp"
-#include "solver/verdict/metric_table.hpp"
 
 namespace misalign::search {
 
@@ -18,7 +18,7 @@ struct ColumnTolerances {
 
  private:
   bool numbers_agree(const schema::Json& a, const schema::Json& b,
-                     const solver::Allowance& allowance) const;
+                     const schema::Allowance& allowance) const;
   bool elongations_agree(const schema::Json& a, const schema::Json& b) const;
 };
 

@@ -170,7 +170,7 @@ class Merge {
                                       evaluator_->campaign().sample_deg};
     for (const auto& [column, value] : mine.items()) {
       if (column == "draw" || column == "unit") continue;
-      if (version < solver::metric_age(column).present) continue;  // another definition
+      if (version < schema::metric_age(column).present) continue;  // another definition
       const Json other = theirs.value(column, Json());
       if (!tolerances.agree(column, other, value)) differ(input, draw, column, other, value);
     }

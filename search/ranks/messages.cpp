@@ -4,7 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "solver/verdict/metric_table.hpp"
+#include "schema/catalogue/metric_table.hpp"
 
 namespace misalign::search {
 namespace {
@@ -56,7 +56,7 @@ void list(Reader& wire, std::vector<T>& items, Each&& each) {
 
 template <class Wire, class Metrics>
 void metrics_fields(Wire& wire, Metrics& metrics) {
-  solver::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });
+  schema::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });
   list(wire, metrics.elongation, [&](auto& e) { wire.field(e); });
 }
 
@@ -95,7 +95,7 @@ using Seen = std::pair<std::pair<int, int>, std::uint64_t>;
 std::string message_layout() {
   std::string layout = std::to_string(sizeof(schema::DrawVerdict));
   const solver::Metrics metrics{};
-  solver::each_metric(metrics, [&](const solver::MetricEntry& entry, const auto& value) {
+  schema::each_metric(metrics, [&](const schema::MetricEntry& entry, const auto& value) {
     layout += " " + std::string(entry.name) + ":" + std::to_string(sizeof value);
   });
   return layout;

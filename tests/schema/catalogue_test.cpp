@@ -269,7 +269,7 @@ TEST_F(CatalogueTest, CandidateColumnsHoldTheirMetrics) {
   record.candidates = {candidate(0), candidate(1)};
   solver::Metrics& m = record.candidates[0].metrics;
   int next = 100;  // all different, so that no two columns can be exchanged
-  solver::each_metric(m, [&](const auto&, auto& value) {
+  schema::each_metric(m, [&](const auto&, auto& value) {
     value = static_cast<std::conditional_t<std::is_same_v<decltype(value), int&>, int, double>>(
         ++next + 0.5);
   });

@@ -8,12 +8,12 @@
 #include <set>
 #include <sstream>
 
+#include "schema/catalogue/metric_table.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/input.hpp"
 #include "schema/report/report.hpp"
 #include "solver/verdict/fault.hpp"
-#include "solver/verdict/metric_table.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -77,18 +77,18 @@ TEST(FaultTable, IsWhatAnExportMaySay) {
 
 TEST(MetricTable, HasEveryNameAndLabelOnce) {
   std::set<std::string> names, labels;
-  for (const solver::MetricEntry& metric : solver::metric_table()) {
+  for (const schema::MetricEntry& metric : schema::metric_table()) {
     EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
     EXPECT_TRUE(!metric.label || labels.insert(metric.label).second) << metric.name;
-    EXPECT_EQ(solver::find_metric(metric.name), &metric);
-    const solver::Allowance& allowance = metric.allowance;
+    EXPECT_EQ(schema::find_metric(metric.name), &metric);
+    const schema::Allowance& allowance = metric.allowance;
     EXPECT_TRUE(metric.is_whole() || allowance.absolute + allowance.relative > 0) << metric.name;
     EXPECT_TRUE(metric.age.first <= metric.age.present &&
                 metric.age.present <= solver::kMetricsVersion)
         << metric.name;
   }
-  EXPECT_EQ(solver::find_metric("draw"), nullptr);
-  EXPECT_EQ(solver::metric_age("draw").present, 1);
+  EXPECT_EQ(schema::find_metric("draw"), nullptr);
+  EXPECT_EQ(schema::metric_age("draw").present, 1);
 }
 
 struct Column {
@@ -116,7 +116,7 @@ TEST(MetricTable, IsTheColumnsOfEverySchema) {
   std::string made = carried_text("schema/versions/1.sql");
   for (int version = 1; version <= kSchemaVersion; ++version) {
     std::map<std::string, Column> expected;
-    for (const solver::MetricEntry& metric : solver::metric_table()) {
+    for (const schema::MetricEntry& metric : schema::metric_table()) {
       const bool is_there = metric.schema_since <= version;
       EXPECT_EQ(column_sql("candidate", metric.name, version),
                 is_there ? '"' + std::string(metric.name) + '"' : "NULL");
@@ -133,7 +133,7 @@ TEST(MetricTable, IsTheColumnsOfEverySchema) {
 }
 
 // What candidate.schema.json says of one.
-Json property_of(const solver::MetricEntry& metric) {
+Json property_of(const schema::MetricEntry& metric) {
   const std::string unit = metric.unit;
   const std::string shown = unit == "count"   ? "A count."
                             : unit == "share" ? "No unit: 0.02 is 2 %."
@@ -142,7 +142,7 @@ Json property_of(const solver::MetricEntry& metric) {
   Json type = metric.is_whole() ? "integer" : "number";
   if (metric.may_be_none()) type = {type, "null"};
   Json json = {{"description", metric.meaning + (" " + shown)}, {"type", type}};
-  const solver::Range& range = metric.range;
+  const schema::ValueRange& range = metric.range;
   const auto number = [](double value) { return Json(static_cast<int>(value)); };
   if (std::isfinite(range.least)) {
     json[range.above_least ? "exclusiveMinimum" : "minimum"] = number(range.least);
@@ -154,7 +154,7 @@ Json property_of(const solver::MetricEntry& metric) {
 // Text and not values: so that what the test says can be put into the file as it is.
 TEST(MetricTable, IsWhatAnExportSays) {
   std::string names, properties;
-  for (const solver::MetricEntry& metric : solver::metric_table()) {
+  for (const schema::MetricEntry& metric : schema::metric_table()) {
     const std::string name = Json(metric.name).dump();
     names += (names.empty() ? "" : ", ") + name;
     properties +=
@@ -174,7 +174,7 @@ TEST(MetricTable, IsWhatThePageKnowsToWrite) {
     const std::string written = metric.at("written");
     EXPECT_TRUE(std::regex_search(page, std::regex("\n  " + written + "(:|,)"))) << metric;
   }
-  EXPECT_EQ(words.at("metrics").size() + 1, solver::metric_table().size()) << "all but D's sample";
+  EXPECT_EQ(words.at("metrics").size() + 1, schema::metric_table().size()) << "all but D's sample";
   EXPECT_EQ(words.at("faults").size(), solver::fault_table().size());
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "schema/catalogue/candidate_row.hpp"
-#include "solver/verdict/metric_table.hpp"
+#include "schema/catalogue/metric_table.hpp"
 
 namespace misalign::search {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 TEST(Messages, LayoutNamesEveryMetricWithItsSizeInOrder) {
   const std::string layout = message_layout();
   std::size_t last = 0;
-  for (const solver::MetricEntry& entry : solver::metric_table()) {
+  for (const schema::MetricEntry& entry : schema::metric_table()) {
     const std::size_t at = layout.find(" " + std::string(entry.name) + ":");
     ASSERT_NE(at, std::string::npos) << entry.name;
     EXPECT_GT(at, last) << entry.name;
@@ -31,7 +31,7 @@ TEST(Messages, AUnitArrivesAsItWasSent) {
   for (const std::uint64_t draw : {1ULL, 2ULL}) {
     solver::Metrics metrics{};
     int next = 100;  // every metric another number, or none
-    solver::each_metric(metrics, [&](const auto&, auto& value) {
+    schema::each_metric(metrics, [&](const auto&, auto& value) {
       ++next;
       if constexpr (requires { value.reset(); }) {
         if (draw == 1) value = next + 1 / 3.0;

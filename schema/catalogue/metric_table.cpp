@@ -1,15 +1,15 @@
-// To add a metric: a member of Metrics and its formula (metrics.hpp, metrics.cpp), a row here, its
+// To add a metric: a member of Metrics and its formula (solver/verdict/metrics), a row here, its
 // column (schema/catalogue.sql, and a migration). Messages between ranks, rows, JSON, comparisons
 // and the report follow.
-#include "solver/verdict/metric_table.hpp"
+#include "schema/catalogue/metric_table.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace misalign::solver {
+namespace misalign::schema {
 namespace {
 
-constexpr Range kPositive{.least = 0, .above_least = true}, kNotNegative{.least = 0};
+constexpr ValueRange kPositive{.least = 0, .above_least = true}, kNotNegative{.least = 0};
 constexpr auto kWidths = Allowance::Of::width_mm;
 
 // Where the lanes, and dense matrices with step rules of their own (the reference's), differed by w
@@ -18,12 +18,12 @@ constexpr Allowance kShares{.absolute = 3e-11};  // w = 3e-12
 
 constexpr MetricEntry kMetrics[] = {
     {.name = "deploys_from_sample",
-     .member = &Metrics::deploys_from_sample,
+     .member = &solver::Metrics::deploys_from_sample,
      .unit = "count",
      .meaning = "D as a count of samples: every sample up to it is in order.",
      .range = {.least = 1}},
     {.name = "deploys_from_deg",
-     .member = &Metrics::deploys_from_deg,
+     .member = &solver::Metrics::deploys_from_deg,
      .unit = "deg",
      .meaning = "D: the pilot fold angle up to which everything holds at every sample. The path "
                 "exists, no crease is over-folded, mountains and valleys stay, and every diagonal "
@@ -33,7 +33,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "deploys from",
      .written = "whole_deg"},
     {.name = "fold_limit_deg",
-     .member = &Metrics::fold_limit_deg,
+     .member = &solver::Metrics::fold_limit_deg,
      .unit = "deg",
      .meaning =
          "Pilot fold angle where the pilot crease reaches its fold limit: a misaligned sheet "
@@ -43,7 +43,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "fold limit",
      .written = "decimals_2"},
     {.name = "miscut_margin_mm",
-     .member = &Metrics::miscut_margin_mm,
+     .member = &solver::Metrics::miscut_margin_mm,
      .unit = "mm",
      .meaning = "The least distance, to first order, to a sheet of which some diagonal stalls on "
                 "some stretch of 20° up to the threshold (root of the sum of squares of all "
@@ -59,7 +59,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "miscut margin",
      .needs_a_campaign = true},
     {.name = "slope_min_mm_per_deg",
-     .member = &Metrics::slope_min_mm_per_deg,
+     .member = &solver::Metrics::slope_min_mm_per_deg,
      .unit = "mm/deg",
      .meaning = "Margin of monotonicity: least change of any diagonal from one sample to the next, "
                 "over the degrees between them, from 5° to D. None when D lies below 5°.",
@@ -67,7 +67,7 @@ constexpr MetricEntry kMetrics[] = {
      .allowance = {.absolute = 1e-12, .of = Allowance::Of::width_mm_per_sample},  // w = 8e-14
      .label = "slope min"},
     {.name = "slope_between_min_mm_per_deg",
-     .member = &Metrics::slope_between_min_mm_per_deg,
+     .member = &solver::Metrics::slope_between_min_mm_per_deg,
      .unit = "mm/deg",
      .meaning = "Least rate of change of any diagonal in its direction, at and between the samples "
                 "from 5° on (slope min: steps, of which the first ends at 5°). Negative where a "
@@ -80,7 +80,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "slope between",
      .negative_is_bad = true},
     {.name = "bump_deg",
-     .member = &Metrics::bump_deg,
+     .member = &solver::Metrics::bump_deg,
      .unit = "deg",
      .meaning = "Pilot fold angle where a diagonal first goes back and on again between two "
                 "samples; none where it never does up to D.",
@@ -92,7 +92,7 @@ constexpr MetricEntry kMetrics[] = {
      .written = "decimals_1",
      .none_is_best = true},
     {.name = "stroke_min",
-     .member = &Metrics::stroke_min,
+     .member = &solver::Metrics::stroke_min,
      .unit = "share",
      .meaning = "Largest change of length of the least used diagonal, as a share of its flat "
                 "length: 0.05 is 5 %.",
@@ -100,7 +100,7 @@ constexpr MetricEntry kMetrics[] = {
      .allowance = kShares,
      .label = "stroke min"},
     {.name = "stroke_max",
-     .member = &Metrics::stroke_max,
+     .member = &solver::Metrics::stroke_max,
      .unit = "share",
      .meaning = "Largest change of length of the most used diagonal, as a share of its flat "
                 "length: what an actuator must be able to do.",
@@ -109,7 +109,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "stroke max",
      .less_is_better = true},
     {.name = "elongation_min",
-     .member = &Metrics::elongation_min,
+     .member = &solver::Metrics::elongation_min,
      .unit = "share",
      .meaning = "Least elongation (L − L₀)/L₀ over all diagonals up to D: a share of the flat "
                 "length, negative where a diagonal gets shorter.",
@@ -117,7 +117,7 @@ constexpr MetricEntry kMetrics[] = {
      .allowance = kShares,
      .label = "shortest"},
     {.name = "elongation_max",
-     .member = &Metrics::elongation_max,
+     .member = &solver::Metrics::elongation_max,
      .unit = "share",
      .meaning = "Largest elongation (L − L₀)/L₀ over all diagonals up to D: a share of the flat "
                 "length.",
@@ -126,7 +126,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "longest",
      .less_is_better = true},
     {.name = "stretch_sq_mm2",
-     .member = &Metrics::stretch_sq_mm2,
+     .member = &solver::Metrics::stretch_sq_mm2,
      .unit = "mm²",
      .meaning = "Sum of (L − L₀)² over all diagonals at D; half of it times a stiffness is the "
                 "springs' energy.",
@@ -134,26 +134,26 @@ constexpr MetricEntry kMetrics[] = {
      .allowance = {.relative = 2e-9},  // w = 1.4e-10
      .label = "stretch²"},
     {.name = "shifted_vertices",
-     .member = &Metrics::shifted_vertices,
+     .member = &solver::Metrics::shifted_vertices,
      .unit = "count",
      .meaning = "Vertices that are shifted.",
      .range = kNotNegative,
      .label = "shifted",
      .less_is_better = true},
     {.name = "increasing",
-     .member = &Metrics::increasing,
+     .member = &solver::Metrics::increasing,
      .unit = "count",
      .meaning = "Diagonals that are longer at D than flat.",
      .range = kNotNegative,
      .label = "increasing"},
     {.name = "decreasing",
-     .member = &Metrics::decreasing,
+     .member = &solver::Metrics::decreasing,
      .unit = "count",
      .meaning = "Diagonals that are not longer at D than flat.",
      .range = kNotNegative,
      .label = "decreasing"},
     {.name = "kawasaki_defect_deg",
-     .member = &Metrics::kawasaki_defect_deg,
+     .member = &solver::Metrics::kawasaki_defect_deg,
      .unit = "deg",
      .meaning = "Largest |θ₁ + θ₃ − 180°| over the vertices with four panels: zero where such a "
                 "vertex folds flat by itself.",
@@ -162,7 +162,7 @@ constexpr MetricEntry kMetrics[] = {
      .label = "Kawasaki",
      .less_is_better = true},
     {.name = "singular_value_min",
-     .member = &Metrics::singular_value_min,
+     .member = &solver::Metrics::singular_value_min,
      .unit = "",
      .meaning = "Smallest singular value of the square Jacobian up to D (lengths in panel widths, "
                 "angles in radians): how far from a second way to move.",
@@ -170,7 +170,7 @@ constexpr MetricEntry kMetrics[] = {
      .allowance = {.relative = 1e-5},  // its iteration ends at changes of 1e-6
      .label = "singular value"},
     {.name = "residual_max",
-     .member = &Metrics::residual_max,
+     .member = &solver::Metrics::residual_max,
      .unit = "",
      .meaning = "Largest closure error of any loop up to D, in radians or panel widths.",
      .range = kNotNegative,
@@ -179,7 +179,7 @@ constexpr MetricEntry kMetrics[] = {
      .written = "digits_2",
      .less_is_better = true},
     {.name = "isometry_error_mm",
-     .member = &Metrics::isometry_error_mm,
+     .member = &solver::Metrics::isometry_error_mm,
      .unit = "mm",
      .meaning = "Largest change of any panel's edge or diagonal up to D, from the vertex "
                 "coordinates alone.",
@@ -211,4 +211,4 @@ MetricAge metric_age(std::string_view column) {
   return metric ? metric->age : MetricAge{};
 }
 
-}  // namespace misalign::solver
+}  // namespace misalign::schema

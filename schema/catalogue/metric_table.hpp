@@ -9,7 +9,7 @@
 
 #include "solver/verdict/metrics.hpp"
 
-namespace misalign::solver {
+namespace misalign::schema {
 
 /// By how much a value may differ from machine to machine, or from solver to solver: absolute +
 /// relative * |value|. The origin of each stands beside it in the table.
@@ -24,7 +24,7 @@ struct Allowance {
 };
 
 /// What values there may be.
-struct Range {
+struct ValueRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool above_least = false;  ///< the least value itself is none
@@ -36,13 +36,14 @@ struct MetricAge {
 };
 
 struct MetricEntry {
-  using Member = std::variant<int Metrics::*, double Metrics::*, std::optional<double> Metrics::*>;
+  using Member = std::variant<int solver::Metrics::*, double solver::Metrics::*,
+                              std::optional<double> solver::Metrics::*>;
 
   const char* name;  ///< of the column and of the JSON key
   Member member;
   const char* unit;     ///< "share" of a flat length: 0.02 is 2 %; "count"; "" for pure numbers
   const char* meaning;  ///< sentences for people
-  Range range = {};
+  ValueRange range = {};
   Allowance allowance = {};  ///< of numbers that are not whole
   MetricAge age = {};
   int schema_since = 1;         ///< the schema version since which there is its column
@@ -55,9 +56,9 @@ struct MetricEntry {
   bool negative_is_bad = false;   ///< and is shown so
   bool needs_a_campaign = false;  ///< it looks up to the threshold of one
 
-  bool is_whole() const { return std::holds_alternative<int Metrics::*>(member); }
+  bool is_whole() const { return std::holds_alternative<int solver::Metrics::*>(member); }
   bool may_be_none() const {
-    return std::holds_alternative<std::optional<double> Metrics::*>(member);
+    return std::holds_alternative<std::optional<double> solver::Metrics::*>(member);
   }
 };
 
@@ -78,4 +79,4 @@ void each_metric(SomeMetrics& metrics, const See& see) {
   }
 }
 
-}  // namespace misalign::solver
+}  // namespace misalign::schema
