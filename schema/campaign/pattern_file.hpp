@@ -6,7 +6,7 @@
 #include <string>
 
 #include "schema/files/input.hpp"
-#include "solver/pattern/perforated_sheet.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::schema {
 

@@ -45,4 +45,11 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
   return plan;
 }
 
+PathPoint::PathPoint(const Mechanism& mechanism)
+    : state(flat_state<double>(mechanism)),
+      lengths(mechanism.diagonals.size()),
+      slopes(mechanism.diagonals.size()) {}
+
+PathPoint::~PathPoint() = default;
+
 }  // namespace misalign::solver

@@ -1,4 +1,5 @@
-// What a folding path is: the stations at which the pilot is held, and how it ended.
+// What a folding path is: the stations at which the pilot is held, what was found there, and how it
+// ended.
 #pragma once
 
 #include <vector>
@@ -30,6 +31,18 @@ struct PathPlanOptions {
 
 PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
                    const FlatVertices& base_vertices_mm, const PathPlanOptions& options);
+
+/// What was found at a station.
+struct PathPoint {
+  explicit PathPoint(const Mechanism& mechanism);
+  ~PathPoint();
+
+  FoldState<double> state;
+  std::vector<double> lengths, slopes;  ///< of the diagonals: panel widths, per radian of pilot
+  double pilot_rate = 1;                ///< the pilot's entry of the unit tangent
+  /// How far the tangent is from one, per radian of pilot: what slopes are worth.
+  double misfit = 0;
+};
 
 enum class PathEnd {
   end_reached,  ///< the last station was solved

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "solver/continuation/path_point.hpp"
 #include "solver/continuation/step_control.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"

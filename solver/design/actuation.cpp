@@ -28,9 +28,9 @@ std::pair<Index, Index> farthest_apart(const FlatVertices& vertices_mm) {
 std::vector<Index> judged_rows(const FoldingHistory& history) {
   std::vector<Index> rows;
   for (std::size_t i = 0; i < history.stations.size(); ++i) {
-    const Station& stop = history.stations[i];
-    if (stop.sample > 0 && stop.sample <= history.verdict.deploys_from_sample &&
-        stop.pilot_deg >= kSlopeFrom_deg) {
+    const Station& station = history.stations[i];
+    if (station.sample > 0 && station.sample <= history.verdict.deploys_from_sample &&
+        station.pilot_deg >= kSlopeFrom_deg) {
       rows.push_back(static_cast<Index>(i) + 1);
     }
   }

@@ -4,7 +4,7 @@
 
 #include "solver/kinematics/mechanism.hpp"
 #include "solver/kinematics/shape_check.hpp"
-#include "solver/pattern/perforated_sheet.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::solver {
 

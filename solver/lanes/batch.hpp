@@ -2,9 +2,8 @@
 // turn most of them away, and the full path of the others.
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "solver/verdict/history.hpp"
@@ -22,16 +21,6 @@ const char* instruction_set_name(InstructionSet set);
 /// Of this build and this machine, narrowest first.
 std::vector<InstructionSet> available_instruction_sets();
 
-/// Shifts of a block of sheets, mm: x and y of each of the model's shifted vertices in turn.
-struct ShiftBlock {
-  std::vector<double> shifts_mm;  ///< sheet by sheet
-  int sheets = 0;
-
-  const double* of(int sheet) const {
-    return shifts_mm.data() + shifts_mm.size() / static_cast<std::size_t>(sheets) * sheet;
-  }
-};
-
 struct Effort {
   std::uint64_t solves = 0, iterations = 0;
 };
@@ -41,14 +30,14 @@ class Batch {
   virtual ~Batch();
 
   /// One result per sheet: rejected for certain, or not decided.
-  virtual const std::vector<Rejection>& screen(const ShiftBlock& block) = 0;
+  virtual const std::vector<Rejection>& reject(const ShiftBlock& block) = 0;
   /// Verdicts of all sheets on their full paths, where dense matrices have the last word (see
   /// dense_fallback); what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
   /// Whole histories, past faults: for the few sheets that are worth it.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
   /// Of everything so far.
-  virtual Effort screening_effort() const = 0;
+  virtual Effort rejection_effort() const = 0;
   virtual Effort judging_effort() const = 0;
 };
 

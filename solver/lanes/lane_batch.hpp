@@ -5,7 +5,7 @@
 
 #include "solver/lanes/lane_test.hpp"
 #include "solver/lanes/observers.hpp"
-#include "solver/verdict/lane_recorder.hpp"
+#include "solver/verdict/recorder.hpp"
 
 namespace misalign::solver {
 
@@ -14,7 +14,6 @@ class LaneBatch final : public Batch {
  public:
   explicit LaneBatch(const Model& model)
       : model_(model),
-        sheets_(model),
         rejection_(model),
         judging_(model, kLanes<T>),
         approach_(model, kLanes<T>),
@@ -25,34 +24,34 @@ class LaneBatch final : public Batch {
         double_test_(model) {}
 
   // In single precision first, twice as many sheets at once: that turns away six of seven.
-  const std::vector<Rejection>& screen(const ShiftBlock& block) override {
+  const std::vector<Rejection>& reject(const ShiftBlock& block) override {
+    const SheetBlock sheets(model_, block);
     rejection_.begin(block.sheets);
-    approach_.begin(sheets_.of(block), rejection_);
+    approach_.begin(sheets, rejection_);
     open_.clear();
     for (int sheet = 0; sheet < block.sheets; ++sheet) open_.push_back({sheet, -1});
     run_tests(single_test_, block);
     run_tests(double_test_, block);
     if (!model_.approach().stations.empty()) {
-      for (const OpenSheet& open : open_) {
-        if (open.kept_state >= 0) approach_.add(open.sheet, open.kept_state);
-      }
+      approach_.follow(open_);
       approach_follower_.run(approach_);
     }
     return rejection_.results();
   }
 
   const std::vector<Verdict>& judge(const ShiftBlock& block) override {
-    judging_.begin(sheets_.of(block));
+    const SheetBlock sheets(model_, block);
+    judging_.begin(sheets);
     follower_.run(judging_);
     judging_.fall_back();
     return judging_.verdicts();
   }
 
   std::vector<FoldingHistory>& record(const ShiftBlock& block) override {
-    return recorder_.record(sheets_.of(block));
+    return recorder_.record(SheetBlock(model_, block));
   }
 
-  Effort screening_effort() const override {
+  Effort rejection_effort() const override {
     Effort effort = approach_.effort();
     for (const Effort& tests : {single_test_.effort(), double_test_.effort()}) {
       effort.solves += tests.solves;
@@ -73,7 +72,6 @@ class LaneBatch final : public Batch {
   }
 
   const Model& model_;
-  ShiftedSheets sheets_;
   RejectionTest rejection_;
   JudgingObserver judging_;
   ApproachObserver approach_;

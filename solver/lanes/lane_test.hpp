@@ -17,11 +17,6 @@
 
 namespace misalign::solver {
 
-/// A sheet that is not decided yet, and its state kept for the approach; -1: none can be trusted.
-struct OpenSheet {
-  int sheet, kept_state;
-};
-
 template <class T>
 class LaneTest {
  public:
@@ -219,7 +214,7 @@ void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, App
                           angle.with_slopes ? lane_slopes_.data() : nullptr,
                           slope_error(lane(slope_correction_, i)) + rounding_[test]});
     if ((test == model_.departs_from() || open[i].kept_state < 0) && !rules.decided(sheet)) {
-      copy_lane(state_, i, approach.keep(test, open[i].kept_state));
+      copy_lane(state_, i, approach.keep(test, open[i]));
     }
   }
 }

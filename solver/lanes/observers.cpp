@@ -12,21 +12,6 @@ void count(const PathResult& path, Effort& effort) {
 
 }  // namespace
 
-ShiftedSheets::ShiftedSheets(const Model& model) : model_(model) {}
-
-ShiftedSheets::~ShiftedSheets() = default;
-
-const SheetBlock& ShiftedSheets::of(const ShiftBlock& block) {
-  block_ = &block;
-  return *this;
-}
-
-int ShiftedSheets::sheets() const { return block_->sheets; }
-
-void ShiftedSheets::place(int sheet, FlatVertices& vertices_mm) const {
-  model_.displace(block_->of(sheet), vertices_mm);
-}
-
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
@@ -46,7 +31,7 @@ void JudgingObserver::begin(const SheetBlock& block) {
 
 bool JudgingObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
-  flat_lengths(model_.mechanism(), queue_.geometry(), point_.lengths.data());
+  flat_lengths(model_.mechanism(), *start.geometry, point_.lengths.data());
   judges_[lane].begin(point_.lengths);
   return true;
 }
@@ -55,15 +40,15 @@ bool JudgingObserver::see(const Station& station, int lane) {
   if (station.sample == 0) return true;
   const bool is_unsure = wants_slopes() && !(point_.misfit <= kLargestMisfit);
   if (is_unsure || station.pilot_deg > kPoorFactorsFrom_deg) {
-    place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
-    if (is_unsure || is_open()) dense_state_.find(geometry_, point_.state, point_);
+    const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
+    if (is_unsure || is_open(geometry)) dense_state_.find(geometry, point_.state, point_);
   }
   return judges_[lane].see(station, point_.state, point_.lengths,
                            wants_slopes() ? &point_.slopes : nullptr, point_.pilot_rate);
 }
 
-bool JudgingObserver::is_open() {
-  return !(evaluate(model_.mechanism(), geometry_, point_.state, residual_.data(), nullptr) <=
+bool JudgingObserver::is_open(const SheetGeometry<double>& geometry) {
+  return !(evaluate(model_.mechanism(), geometry, point_.state, residual_.data(), nullptr) <=
            NewtonOptions{}.closure_tolerance);
 }
 
@@ -75,6 +60,8 @@ void JudgingObserver::ended(PathResult path, int lane) {
   if (!fallback_.under_way()) fallback_.consider(sheet, verdict, path);
   if (!fallback_.under_way() || fallback_.counts(sheet, verdict)) verdicts_[sheet] = verdict;
 }
+
+void JudgingObserver::fall_back() { fallback_.run(queue_, *this); }
 
 // After a correction from this far open, lengths are known to 1e-10 panel widths; on the arc only
 // the way on is wanted.
@@ -104,29 +91,29 @@ ApproachObserver::~ApproachObserver() = default;
 void ApproachObserver::begin(const SheetBlock& block, RejectionTest& rejection) {
   queue_.begin(block);
   rejection_ = &rejection;
-  waiting_.clear();
   next_ = 0;
   kept_count_ = 0;
 }
 
-FoldState<double>& ApproachObserver::keep(int test, int& kept) {
-  if (kept < 0) kept = kept_count_++;
-  if (kept == static_cast<int>(kept_.size())) kept_.push_back({test, point_.state});
-  kept_[kept].test = test;
-  return kept_[kept].state;
+FoldState<double>& ApproachObserver::keep(int test, OpenSheet& sheet) {
+  if (sheet.kept_state < 0) sheet.kept_state = kept_count_++;
+  if (sheet.kept_state == static_cast<int>(kept_.size())) kept_.push_back({test, point_.state});
+  Kept& kept = kept_[sheet.kept_state];
+  kept.test = test;
+  return kept.state;
 }
 
 bool ApproachObserver::next(PathStart& start, int lane) {
-  if (next_ == waiting_.size()) return false;
-  const Work& work = waiting_[next_++];
-  queue_.put(work.sheet, lane);
-  const Kept& kept = kept_[work.kept];
+  while (next_ < open_->size() && (*open_)[next_].kept_state < 0) ++next_;
+  if (next_ == open_->size()) return false;
+  const auto [sheet, kept_state] = (*open_)[next_++];
+  const Kept& kept = kept_[kept_state];
   const TestAngle& test = model_.tests()[kept.test];
   const auto& stations = model_.approach().stations;
   const auto first = std::find_if(stations.begin(), stations.end(), [&](const Station& station) {
     return station.sample == test.sample;
   });
-  start = {&queue_.geometry(), &kept.state, &model_.approach(),
+  start = {&queue_.put(sheet, lane), &kept.state, &model_.approach(),
            static_cast<std::size_t>(first - stations.begin()), test.determinant_sign};
   return true;
 }

@@ -11,21 +11,6 @@
 
 namespace misalign::solver {
 
-/// The sheets of a block of shifts.
-class ShiftedSheets final : public SheetBlock {
- public:
-  explicit ShiftedSheets(const Model& model);
-  ~ShiftedSheets() override;
-  /// These ones; `block` must live as long as they are asked for.
-  const SheetBlock& of(const ShiftBlock& block);
-  int sheets() const override;
-  void place(int sheet, FlatVertices& vertices_mm) const override;
-
- private:
-  const Model& model_;
-  const ShiftBlock* block_ = nullptr;
-};
-
 /// Full paths: every sample of every sheet goes to a judge, until it has seen enough.
 class JudgingObserver {
  public:
@@ -39,14 +24,14 @@ class JudgingObserver {
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
-  void fall_back() { fallback_.run(queue_, *this); }
+  void fall_back();
 
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
   const Effort& effort() const { return effort_; }
 
  private:
-  /// Whether the loops of the sheet in geometry_ are open at the point found.
-  bool is_open();
+  /// Whether the loops of this sheet are open at the point found.
+  bool is_open(const SheetGeometry<double>& geometry);
 
   const Model& model_;
   SheetQueue queue_;
@@ -54,10 +39,14 @@ class JudgingObserver {
   std::vector<Verdict> verdicts_;
   PathPoint point_;
   std::vector<double> residual_;
-  SheetGeometry<double> geometry_;
   DenseState dense_state_;
   DenseFallback fallback_;
   Effort effort_;
+};
+
+/// A sheet that is not decided yet, and its state kept for the approach; -1: none can be trusted.
+struct OpenSheet {
+  int sheet, kept_state;
 };
 
 /// The step control of the approach: a fold limit is known well enough within a tenth of a degree.
@@ -70,11 +59,10 @@ class ApproachObserver {
   ~ApproachObserver();
 
   void begin(const SheetBlock& block, RejectionTest& rejection);
-  /// Room for a state at the angle of the test with this index: the place `kept`, or if that is -1
-  /// a new one, whose number it becomes.
-  FoldState<double>& keep(int test, int& kept);
-  /// The path of `sheet` is to be followed from its kept state on.
-  void add(int sheet, int kept) { waiting_.push_back({sheet, kept}); }
+  /// Room for a state at the angle of the test with this index: that of `sheet`, or a new one.
+  FoldState<double>& keep(int test, OpenSheet& sheet);
+  /// Hands out those that have a state kept, to be followed from it on.
+  void follow(const std::vector<OpenSheet>& open) { open_ = &open; }
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return true; }
@@ -88,16 +76,13 @@ class ApproachObserver {
     int test;
     FoldState<double> state;
   };
-  struct Work {
-    int sheet, kept;
-  };
 
   const Model& model_;
   SheetQueue queue_;
   RejectionTest* rejection_ = nullptr;
   std::vector<Kept> kept_;  // grows to what a block needs
   int kept_count_ = 0;
-  std::vector<Work> waiting_;
+  const std::vector<OpenSheet>* open_ = nullptr;
   std::size_t next_ = 0;
   PathPoint point_;
   Effort effort_;

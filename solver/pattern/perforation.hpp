@@ -5,9 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "solver/pattern/crease_pattern.hpp"
+#include "solver/pattern/base_folding.hpp"
 
 namespace misalign::solver {
+
+/// A correct sheet with holes: what a campaign or a pattern file describes, before any shift.
+struct PerforatedSheet {
+  CreasePattern sheet;
+  std::vector<int> holes;  ///< facet indices, ascending
+  BaseFolding folding;
+};
 
 /// Facets that may be taken out: none of their vertices lies on the perimeter. Ascending.
 std::vector<int> inner_facets(const CreasePattern& sheet);

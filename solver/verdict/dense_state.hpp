@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "solver/continuation/path_point.hpp"
+#include "solver/continuation/path.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/linear/singular_value.hpp"

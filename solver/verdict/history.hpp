@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "solver/continuation/path_point.hpp"
 #include "solver/verdict/model.hpp"
 #include "solver/verdict/verdict.hpp"
 
@@ -29,36 +28,8 @@ struct FoldingHistory {
   std::optional<double> miscut_margin_mm;        ///< once the path has reached all of those
 };
 
-/// How well a station was solved, and can be.
-struct SolveQuality {
-  double open_by;             ///< largest closure entry: radians, panel widths
-  double singular_value_min;  ///< of the square Jacobian
-  double isometry_error;      ///< panel widths
-};
-
 /// Called at each station of a path, in order.
 using StationVisitor = std::function<void(const Station&, const FoldState<double>&)>;
-
-/// A history in the making.
-class Recording {
- public:
-  /// Both must outlive this object.
-  explicit Recording(const Model& model, const StationVisitor* visit = nullptr);
-
-  /// A new sheet.
-  void begin(const FlatVertices& vertices_mm);
-  /// The next station of its path; past faults too.
-  void see(const Station& station, const PathPoint& point, const SolveQuality& quality);
-  /// The whole, once the path has ended.
-  FoldingHistory conclude(const PathResult& path);
-
- private:
-  const Model& model_;
-  const StationVisitor* visit_;
-  Judge judge_;
-  std::vector<double> lengths_mm_, slopes_mm_per_deg_, angles_deg_;  // station by station
-  FoldingHistory history_;
-};
 
 /// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
 /// faults. Where dense matrices have the last word (see dense_fallback) `visit` sees it from the

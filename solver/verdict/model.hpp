@@ -6,7 +6,7 @@
 #include "solver/continuation/path.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 #include "solver/linear/sparse_lu.hpp"
-#include "solver/pattern/perforated_sheet.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::solver {
 
@@ -20,6 +20,16 @@ struct TestAngle {
   std::vector<double> lengths_per_closure;  ///< diagonals x equations: how errors of closure show
   int determinant_sign;
   bool with_slopes;  ///< whether the diagonals' rates of change are looked at as well
+};
+
+/// Shifts of a block of sheets, mm: x and y of each of the model's shifted vertices in turn.
+struct ShiftBlock {
+  std::vector<double> shifts_mm;  ///< sheet by sheet
+  int sheets = 0;
+
+  const double* of(int sheet) const {
+    return shifts_mm.data() + shifts_mm.size() / static_cast<std::size_t>(sheets) * sheet;
+  }
 };
 
 class Model {

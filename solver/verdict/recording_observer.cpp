@@ -1,13 +1,24 @@
 #include "solver/verdict/recording_observer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace misalign::solver {
+namespace {
+
+Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
+  const Eigen::Index columns = static_cast<Eigen::Index>(rows > 0 ? values.size() / rows : 0);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(values.data(), static_cast<Eigen::Index>(rows), columns);
+}
+
+}  // namespace
 
 RecordingObserver::RecordingObserver(const Model& model, int lanes, const StationVisitor* visit)
     : model_(model),
+      visit_(visit),
       queue_(model, lanes),
-      recordings_(lanes, Recording(model, visit)),
+      lanes_(lanes, Lane{Judge(model.mechanism(), model.bump_is_fault())}),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {}
@@ -22,24 +33,63 @@ void RecordingObserver::begin(const SheetBlock& block) {
 
 bool RecordingObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
-  recordings_[lane].begin(queue_.vertices_mm());
+  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  lengths_mm.clear();
+  slopes_mm_per_deg.clear();
+  angles_deg.clear();
+  history = {};
+  history.flat_mm.resize(model_.mechanism().diagonals.size());
+  flat_lengths(model_.mechanism(), *start.geometry, history.flat_mm.data());
+  judge.begin(history.flat_mm);
+  for (double& length : history.flat_mm) length *= model_.mechanism().panel_width_mm;
   return true;
 }
 
 bool RecordingObserver::see(const Station& station, int lane) {
-  place(model_.mechanism(), queue_.vertices_mm_of_lane(lane), geometry_);
-  dense_state_.find(geometry_, point_.state, point_);
-  model_.shape().place(geometry_, point_.state, points_);
-  recordings_[lane].see(station, point_,
-                        {dense_state_.open_by(), dense_state_.singular_value(),
-                         model_.shape().isometry_error(geometry_, points_)});
+  const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
+  dense_state_.find(geometry, point_.state, point_);
+  model_.shape().place(geometry, point_.state, points_);
+  keep(station, lane,
+       {dense_state_.open_by(), dense_state_.singular_value(),
+        model_.shape().isometry_error(geometry, points_)});
   return true;
+}
+
+void RecordingObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
+  const double width_mm = model_.mechanism().panel_width_mm;
+  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  if (station.sample > 0) {
+    judge.see(station, point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
+  }
+  history.stations.push_back(station);
+  for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);
+  for (const double slope : point_.slopes) {
+    slopes_mm_per_deg.push_back(slope * width_mm * kRadPerDeg);
+  }
+  for (const auto& rho : point_.state.creases) {
+    angles_deg.push_back(model_.mechanism().side * angle_deg(rho));
+  }
+  history.open_by.push_back(quality.open_by);
+  history.singular_value_min.push_back(quality.singular_value_min);
+  history.isometry_error_mm.push_back(quality.isometry_error * width_mm);
+  const std::vector<int>& samples = model_.margin_samples();
+  if (std::binary_search(samples.begin(), samples.end(), station.sample)) {
+    history.margin_states.push_back(point_.state);
+  }
+  if (visit_) (*visit_)(station, point_.state);
 }
 
 void RecordingObserver::ended(PathResult path, int lane) {
   if (!queue_.has_ended(path, lane)) return;
+  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  const std::size_t stations = history.stations.size();
+  history.path = path;
+  history.verdict = judge.conclude(path);
+  history.between = judge.between();
+  history.length_mm = rows_of(lengths_mm, stations);
+  history.slope_mm_per_deg = rows_of(slopes_mm_per_deg, stations);
+  history.fold_angle_deg = rows_of(angles_deg, stations);
   const int sheet = queue_.of_lane(lane);
-  FoldingHistory history = recordings_[lane].conclude(path);
   if (!fallback_.under_way()) {
     fallback_.consider(sheet, history.verdict, path);
   } else if (!fallback_.counts(sheet, history.verdict)) {
@@ -49,5 +99,7 @@ void RecordingObserver::ended(PathResult path, int lane) {
   }
   histories_[sheet] = std::move(history);
 }
+
+void RecordingObserver::fall_back() { fallback_.run(queue_, *this); }
 
 }  // namespace misalign::solver

@@ -1,4 +1,5 @@
-// Full paths of the sheets that are worth it, seen past faults: one recording for each lane.
+// Full paths of the sheets that are worth it, seen past faults: a history in the making for each
+// lane.
 #pragma once
 
 #include <vector>
@@ -10,10 +11,18 @@
 
 namespace misalign::solver {
 
+/// How well a station was solved, and can be.
+struct SolveQuality {
+  double open_by;             ///< largest closure entry: radians, panel widths
+  double singular_value_min;  ///< of the square Jacobian
+  double isometry_error;      ///< panel widths
+};
+
 /// Followed by a DenseFallback, it is an observer by itself and takes all but the state from dense
-/// matrices; for a follower of lanes there is LaneRecorder, which looks at all lanes together.
+/// matrices; a follower of lanes is seen by a Recorder, which looks at all lanes together.
 class RecordingObserver {
  public:
+  /// All must outlive this object.
   RecordingObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
   ~RecordingObserver();
 
@@ -23,21 +32,27 @@ class RecordingObserver {
   bool wants_slopes() const { return false; }
   /// point() from its state alone, by dense factors.
   bool see(const Station& station, int lane);
-  /// What was found of this lane's sheet.
-  Recording& of_lane(int lane) { return recordings_[lane]; }
+  /// The next station of this lane's path, as point() has it; past faults too.
+  void keep(const Station& station, int lane, const SolveQuality& quality);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
-  void fall_back() { fallback_.run(queue_, *this); }
+  void fall_back();
 
   std::vector<FoldingHistory>& histories() { return histories_; }
 
  private:
+  struct Lane {
+    Judge judge;
+    FoldingHistory history{};
+    std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
+  };
+
   const Model& model_;
+  const StationVisitor* visit_;
   SheetQueue queue_;
-  std::vector<Recording> recordings_;  // of lanes
+  std::vector<Lane> lanes_;
   std::vector<FoldingHistory> histories_;
   PathPoint point_;
-  SheetGeometry<double> geometry_;
   FoldedPoints<double> points_;
   DenseState dense_state_;
   DenseFallback fallback_;

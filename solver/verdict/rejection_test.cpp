@@ -72,7 +72,7 @@ RejectionTest::~RejectionTest() = default;
 
 void RejectionTest::begin(int sheets) {
   const std::size_t count = static_cast<std::size_t>(sheets);
-  screened_.assign(count, {});
+  rejections_.assign(count, {});
   flat_.resize(count * diagonals_);
   earlier_.resize(count * diagonals_);
   earlier_sample_.assign(count, 0);
@@ -86,7 +86,7 @@ void RejectionTest::set_flat(int sheet, const double* lengths) {
 
 void RejectionTest::observe(int sheet, const Observation& observation) {
   if (sees_both(sheet, observation)) {
-    screened_[sheet] = {Fault::not_monotone, observation.sample};
+    rejections_[sheet] = {Fault::not_monotone, observation.sample};
     return;
   }
   earlier_sample_[sheet] = observation.sample;
@@ -124,9 +124,9 @@ void RejectionTest::observe(int sheet, int sample, const FoldState<double>& stat
   constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg - kAngleMargin_rad;
   const std::vector<Crease>& creases = model_.mechanism().creases;
   for (std::size_t k = 0; k < creases.size(); ++k) {
-    if (state.creases[k].c < least_cosine) screened_[sheet] = {Fault::over_folded, sample};
+    if (state.creases[k].c < least_cosine) rejections_[sheet] = {Fault::over_folded, sample};
     if (state.creases[k].s * creases[k].assignment < -kAngleMargin_rad) {
-      screened_[sheet] = {Fault::assignment_flipped, sample};
+      rejections_[sheet] = {Fault::assignment_flipped, sample};
     }
   }
 }
@@ -134,8 +134,8 @@ void RejectionTest::observe(int sheet, int sample, const FoldState<double>& stat
 void RejectionTest::path_ended(int sheet, const PathResult& path) {
   const double threshold_deg = model_.threshold_sample() * model_.sample_deg();
   if (path.end == PathEnd::fold_limit && path.fold_limit_deg < threshold_deg - kLimitMargin_deg) {
-    screened_[sheet] = {Fault::fold_limit,
-                        static_cast<int>(path.fold_limit_deg / model_.sample_deg()) + 1};
+    rejections_[sheet] = {Fault::fold_limit,
+                          static_cast<int>(path.fold_limit_deg / model_.sample_deg()) + 1};
   }
 }
 

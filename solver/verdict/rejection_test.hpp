@@ -67,15 +67,15 @@ class RejectionTest {
   /// Rejects it if its path ended, by a fold limit short of the threshold.
   void path_ended(int sheet, const PathResult& path);
 
-  const std::vector<Rejection>& results() const { return screened_; }
-  bool decided(int sheet) const { return screened_[sheet].fault != Fault::none; }
+  const std::vector<Rejection>& results() const { return rejections_; }
+  bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
 
  private:
   bool sees_both(int sheet, const Observation& observation);
 
   const Model& model_;
   const std::size_t diagonals_;
-  std::vector<Rejection> screened_;
+  std::vector<Rejection> rejections_;
   std::vector<double> flat_, earlier_;  // per sheet and diagonal
   std::vector<int> earlier_sample_;     // per sheet; 0: nothing seen yet
   std::vector<double> earlier_error_;   // per sheet

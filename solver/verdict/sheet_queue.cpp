@@ -5,7 +5,20 @@
 
 namespace misalign::solver {
 
-SheetBlock::~SheetBlock() = default;
+SheetBlock::SheetBlock(const Model& model, const ShiftBlock& shifts)
+    : model_(&model), shifts_(&shifts) {}
+
+SheetBlock::SheetBlock(const FlatVertices& vertices_mm) : vertices_mm_(&vertices_mm) {}
+
+int SheetBlock::sheets() const { return shifts_ ? shifts_->sheets : 1; }
+
+void SheetBlock::place(int sheet, FlatVertices& vertices_mm) const {
+  if (vertices_mm_) {
+    vertices_mm = *vertices_mm_;
+  } else {
+    model_->displace(shifts_->of(sheet), vertices_mm);
+  }
+}
 
 SheetQueue::SheetQueue(const Model& model, int lanes) : model_(model), sheet_of_lane_(lanes) {}
 
@@ -25,10 +38,10 @@ void SheetQueue::begin_again(const std::vector<int>& sheets) {
 
 bool SheetQueue::put_next(PathStart& start, int lane) {
   if (next_ == waiting_.size()) return false;
-  put(waiting_[next_++], lane);
+  const SheetGeometry<double>& geometry = put(waiting_[next_++], lane);
   const FarSheet* const far = far_sheet(of_lane(lane));
   const bool is_found = far && far->end == PathEnd::end_reached;
-  start = {&geometry_, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
+  start = {&geometry, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
   return true;
 }
 
@@ -36,7 +49,7 @@ bool SheetQueue::has_ended(PathResult& path, int lane) {
   if (path.end != PathEnd::start_lost) return true;
   const int sheet = of_lane(lane);
   const bool is_known = far_sheet(sheet) != nullptr;
-  const FarSheet& far = is_known ? *far_sheet(sheet) : look_for_start(sheet, lane);
+  const FarSheet& far = is_known ? *far_sheet(sheet) : look_for_start(sheet);
   if (far.end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
   if (is_known || far.end != PathEnd::end_reached) return true;
   waiting_.push_back(sheet);
@@ -50,12 +63,13 @@ SheetQueue::FarSheet* SheetQueue::far_sheet(int sheet) {
   return at == end ? nullptr : &*at;
 }
 
-const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet, int lane) {
+const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet) {
   if (!homotopy_) {
     homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.path(),
                                                 model_.base().sheet.vertices_mm);
   }
-  const PathEnd end = homotopy_->find(vertices_mm_of_lane(lane));
+  block_->place(sheet, vertices_mm_);
+  const PathEnd end = homotopy_->find(vertices_mm_);
   if (far_count_ == far_.size()) far_.emplace_back();
   FarSheet& far = far_[far_count_++];
   far.sheet = sheet;
@@ -64,15 +78,15 @@ const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet, int lane) {
   return far;
 }
 
-void SheetQueue::put(int sheet, int lane) {
+const SheetGeometry<double>& SheetQueue::put(int sheet, int lane) {
   sheet_of_lane_[lane] = sheet;
-  block_->place(sheet, vertices_mm_);
-  solver::place(model_.mechanism(), vertices_mm_, geometry_);
+  return geometry_of_lane(lane);
 }
 
-const FlatVertices& SheetQueue::vertices_mm_of_lane(int lane) {
-  block_->place(sheet_of_lane_[lane], vertices_mm_);
-  return vertices_mm_;
+const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
+  block_->place(of_lane(lane), vertices_mm_);
+  place(model_.mechanism(), vertices_mm_, geometry_);
+  return geometry_;
 }
 
 }  // namespace misalign::solver

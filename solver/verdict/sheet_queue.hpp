@@ -9,12 +9,20 @@
 
 namespace misalign::solver {
 
-/// Sheets by their number from 0 on.
+/// Sheets by their number from 0 on: a model's with these shifts, or the one with these vertices.
+/// What it is made from must outlive it.
 class SheetBlock {
  public:
-  virtual ~SheetBlock();
-  virtual int sheets() const = 0;
-  virtual void place(int sheet, FlatVertices& vertices_mm) const = 0;
+  SheetBlock(const Model& model, const ShiftBlock& shifts);
+  explicit SheetBlock(const FlatVertices& vertices_mm);
+
+  int sheets() const;
+  void place(int sheet, FlatVertices& vertices_mm) const;
+
+ private:
+  const Model* model_ = nullptr;
+  const ShiftBlock* shifts_ = nullptr;
+  const FlatVertices* vertices_mm_ = nullptr;
 };
 
 /// Hands out sheets one after the other, each with the state it starts from: of the base folding,
@@ -34,12 +42,10 @@ class SheetQueue {
   /// from a better one; where there is none, `path` says that it cannot fold next to flat.
   bool has_ended(PathResult& path, int lane);
   /// Puts this sheet into this lane.
-  void put(int sheet, int lane);
+  const SheetGeometry<double>& put(int sheet, int lane);
   int of_lane(int lane) const { return sheet_of_lane_[lane]; }
-  const FlatVertices& vertices_mm_of_lane(int lane);
-  /// Of the sheet put last.
-  const FlatVertices& vertices_mm() const { return vertices_mm_; }
-  const SheetGeometry<double>& geometry() const { return geometry_; }
+  /// Of the sheet in this lane, until another one is asked for.
+  const SheetGeometry<double>& geometry_of_lane(int lane);
 
  private:
   const Model& model_;
@@ -55,7 +61,7 @@ class SheetQueue {
     FoldState<double> start;
   };
   FarSheet* far_sheet(int sheet);
-  const FarSheet& look_for_start(int sheet, int lane);
+  const FarSheet& look_for_start(int sheet);
   std::vector<FarSheet> far_;
   std::size_t far_count_ = 0;
   FlatVertices vertices_mm_;

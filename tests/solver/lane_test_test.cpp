@@ -31,7 +31,7 @@ struct Notes {
 };
 
 struct NothingKept {
-  FoldState<double>& keep(int, int&) { return state; }
+  FoldState<double>& keep(int, OpenSheet&) { return state; }
   FoldState<double> state;
 };
 
@@ -48,30 +48,30 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
  protected:
   LaneTestErrors()
       : sheets_(GetParam().rows, GetParam().columns, GetParam().shifted),
-        family_(sheets_.with_threshold(GetParam().threshold)),
+        model_(sheets_.with_threshold(GetParam().threshold)),
         block_(sheets_.draws(kSheets, kSeed)) {}
 
   // Rows of lengths in panel widths, a tenth of a degree apart up to the far test and one more.
   Eigen::MatrixXd lengths_along_path(int sheet) const {
     PathPlanOptions fine;
     fine.sample_deg = 0.1;
-    fine.end_deg = family_.tests()[0].sample + 0.1;
+    fine.end_deg = model_.tests()[0].sample + 0.1;
     const auto history = sheets_.history(sheets_.vertices(block_, sheet), fine);
     return history.length_mm / sheets_.mechanism.panel_width_mm;
   }
 
   template <class Real>
   void compare() {
-    LaneTest<Real> lanes(family_);
+    LaneTest<Real> lanes(model_);
     const int diagonals = sheets_.mechanism.diagonal_count();
     int seen = 0, looks = 0;
     double most_left = 0;  // of a slope's error, over the correction that bounds it
     std::vector<double> length_errors, slope_errors;
     for (int sheet = 0; sheet < kSheets; ++sheet) {
       const Eigen::MatrixXd path = lengths_along_path(sheet);
-      for (int test = 0; test < static_cast<int>(family_.tests().size()); ++test) {
+      for (int test = 0; test < static_cast<int>(model_.tests().size()); ++test) {
         ++looks;
-        const Eigen::Index row = 10 * family_.tests()[test].sample - 1;
+        const Eigen::Index row = 10 * model_.tests()[test].sample - 1;
         if (row + 1 >= path.rows()) continue;  // the path ended before
         Notes notes;
         notes.lengths.resize(diagonals);
@@ -88,8 +88,8 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
         if (notes.slopes.empty()) continue;
         slope_errors.push_back(notes.slope_error);
         const double floors =
-            slope_error(0) + rounding_error(std::numeric_limits<Real>::epsilon(), family_.extent(),
-                                            family_.tests()[test]);
+            slope_error(0) + rounding_error(std::numeric_limits<Real>::epsilon(), model_.extent(),
+                                            model_.tests()[test]);
         for (int d = 0; d < diagonals; ++d) {
           const double slope = (path(row + 1, d) - path(row - 1, d)) / (0.2 * kRadPerDeg);
           const double left = std::abs(notes.slopes[d] - slope) - kDifferenceError - floors;
@@ -113,8 +113,8 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
   static constexpr int kSheets = 60 / kFewer;
   // Of central differences over a tenth of a degree: h^2 / 6 of third derivatives up to 10.
   static constexpr double kDifferenceError = 5e-6;
-  const TestFamily sheets_;
-  const Model family_;
+  const DrawableSheet sheets_;
+  const Model model_;
   const ShiftBlock block_;
 };
 
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Drawn, LaneTestErrors,
 
 // Against the dense Jacobian, with rates that belong to no path.
 TEST(Slopes, MisfitIsTheJacobianTimesTheRates) {
-  const TestFamily sheets(6, 6);
+  const DrawableSheet sheets(6, 6);
   const FoldState<double> state = sheets.folded(100);
   const int n = sheets.mechanism.equations;
   Eigen::VectorXd rates(sheets.mechanism.unknowns), misfit(n);

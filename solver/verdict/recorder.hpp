@@ -1,8 +1,10 @@
-// Recordings from a path follower of any width: looks closer at the stations of all lanes together,
-// and hands each to the recording of its lane; then how far off the sheets may be cut.
+// Whole histories from a path follower of any width: lanes are looked at together at their
+// stations, and then how far off the sheets may be cut.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "solver/linear/singular_value.hpp"
 #include "solver/verdict/miscut_margin.hpp"
@@ -14,14 +16,14 @@ namespace misalign::solver {
 /// arrives again or its path ends, and then all that are kept are looked at in one go; with dense
 /// factors where the kept ones are worth nothing.
 template <class T>
-class LaneRecorder {
+class Recorder {
  public:
   /// All must outlive this object.
-  LaneRecorder(const Model& model, PathFollower<T>& follower, RecordingObserver& observer)
-      : mechanism_(model.mechanism()),
-        shape_(model.shape()),
+  Recorder(const Model& model, PathFollower<T>& follower, const StationVisitor* visit = nullptr)
+      : model_(model),
+        mechanism_(model.mechanism()),
         follower_(follower),
-        observer_(observer),
+        observer_(model, kLanes<T>, visit),
         kept_state_(flat_state<T>(mechanism_)),
         kept_factors_(follower.closure().factors()),
         square_factors_(kept_factors_),
@@ -30,13 +32,30 @@ class LaneRecorder {
         work_(mechanism_.unknowns, T(0)),
         rates_(work_),
         lengths_(mechanism_.diagonals.size(), T(0)),
-        slopes_(lengths_) {}
+        slopes_(lengths_),
+        margin_(mechanism_, model.elimination()),
+        geometry_(lane_geometry<T>(mechanism_)) {}
 
+  std::vector<FoldingHistory>& record(const SheetBlock& block) {
+    observer_.begin(block);
+    follower_.run(*this);
+    observer_.fall_back();
+    const std::size_t all = model_.margin_samples().size();
+    with_margin_.clear();
+    for (int sheet = 0; all > 0 && sheet < block.sheets(); ++sheet) {
+      if (observer_.histories()[sheet].margin_states.size() == all) with_margin_.push_back(sheet);
+    }
+    for (std::size_t first = 0; first < with_margin_.size(); first += kLanes<T>) {
+      find_margins(block, first);
+    }
+    return observer_.histories();
+  }
+
+  // For the follower.
   bool next(PathStart& start, int lane) {
     smallest_.restart(lane);
     return observer_.next(start, lane);
   }
-
   void arrivals(const T& arrived) {
     bool again = false;
     for (int i = 0; i < kLanes<T>; ++i) again = again || lane(arrived, i) * lane(waits_, i) > 0;
@@ -44,13 +63,11 @@ class LaneRecorder {
     replace(arrived, follower_.state(), kept_state_);
     kept_factors_.replace(arrived, follower_.closure().factors());
   }
-
   bool see(const Station& station, int i) {
     stations_[i] = station;
     lane(waits_, i) = 1;
     return true;
   }
-
   void ended(const PathResult& path, int i) {
     if (lane(waits_, i) > 0) look();
     observer_.ended(path, i);
@@ -71,8 +88,8 @@ class LaneRecorder {
     const T pilot_rate = T(1) / sqrt(square);
     T misfit(0);
     for (const T& rest : residual_) misfit = larger(misfit, magnitude(rest));
-    shape_.place(geometry, kept_state_, points_);
-    const T isometry_error = shape_.isometry_error(geometry, points_);
+    model_.shape().place(geometry, kept_state_, points_);
+    const T isometry_error = model_.shape().isometry_error(geometry, points_);
     for (int i = 0; i < kLanes<T>; ++i) {
       if (!(lane(waits_, i) > 0)) continue;
       PathPoint& point = observer_.point();
@@ -86,17 +103,38 @@ class LaneRecorder {
         point.slopes[k] = lane(slopes_[k], i);
       }
       point.pilot_rate = lane(pilot_rate, i);
-      observer_.of_lane(i).see(
-          stations_[i], point,
-          {lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
+      observer_.keep(stations_[i], i,
+                     {lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});
     }
     waits_ = T(0);
   }
 
+  // Of as many sheets as there are lanes, or those that are left.
+  void find_margins(const SheetBlock& block, std::size_t first) {
+    const auto sheet_of_lane = [&](int i) {
+      return with_margin_[std::min(first + static_cast<std::size_t>(i), with_margin_.size() - 1)];
+    };
+    for (int i = 0; i < kLanes<T>; ++i) {
+      block.place(sheet_of_lane(i), one_vertices_mm_);
+      place(mechanism_, one_vertices_mm_, one_geometry_);
+      put_lane(one_geometry_, geometry_, i);
+    }
+    margin_.begin(geometry_);
+    for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
+      for (int i = 0; i < kLanes<T>; ++i) {
+        put_lane(observer_.histories()[sheet_of_lane(i)].margin_states[k], kept_state_, i);
+      }
+      margin_.see(kept_state_);
+    }
+    for (int i = 0; i < kLanes<T>; ++i) {
+      observer_.histories()[sheet_of_lane(i)].miscut_margin_mm = margin_.mm(i);
+    }
+  }
+
+  const Model& model_;
   const Mechanism& mechanism_;
-  const FoldedShape& shape_;
   PathFollower<T>& follower_;
-  RecordingObserver& observer_;
+  RecordingObserver observer_;
   T waits_ = T(0);  // 1: the lane's kept state has not been looked at
   FoldState<T> kept_state_;
   SparseLu<T> kept_factors_;
@@ -105,70 +143,11 @@ class LaneRecorder {
   FoldedPoints<T> points_;
   std::vector<T> residual_, work_, rates_, lengths_, slopes_;
   std::array<Station, kLanes<T>> stations_{};
-};
-
-/// Whole histories of blocks of sheets.
-template <class T>
-class Recorder {
- public:
-  /// Both must outlive this object.
-  Recorder(const Model& model, PathFollower<T>& follower, const StationVisitor* visit = nullptr)
-      : model_(model),
-        follower_(follower),
-        observer_(model, kLanes<T>, visit),
-        lanes_(model, follower, observer_),
-        margin_(model.mechanism(), model.elimination()),
-        geometry_(lane_geometry<T>(model.mechanism())),
-        state_(flat_state<T>(model.mechanism())) {}
-
-  std::vector<FoldingHistory>& record(const SheetBlock& block) {
-    observer_.begin(block);
-    follower_.run(lanes_);
-    observer_.fall_back();
-    const std::size_t all = model_.margin_samples().size();
-    with_margin_.clear();
-    for (int sheet = 0; all > 0 && sheet < block.sheets(); ++sheet) {
-      if (observer_.histories()[sheet].margin_states.size() == all) with_margin_.push_back(sheet);
-    }
-    for (std::size_t first = 0; first < with_margin_.size(); first += kLanes<T>) {
-      find_margins(block, first);
-    }
-    return observer_.histories();
-  }
-
- private:
-  // Of as many sheets as there are lanes, or those that are left.
-  void find_margins(const SheetBlock& block, std::size_t first) {
-    const auto sheet_of_lane = [&](int i) {
-      return with_margin_[std::min(first + static_cast<std::size_t>(i), with_margin_.size() - 1)];
-    };
-    for (int i = 0; i < kLanes<T>; ++i) {
-      block.place(sheet_of_lane(i), one_vertices_mm_);
-      place(model_.mechanism(), one_vertices_mm_, one_geometry_);
-      put_lane(one_geometry_, geometry_, i);
-    }
-    margin_.begin(geometry_);
-    for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
-      for (int i = 0; i < kLanes<T>; ++i) {
-        put_lane(observer_.histories()[sheet_of_lane(i)].margin_states[k], state_, i);
-      }
-      margin_.see(state_);
-    }
-    for (int i = 0; i < kLanes<T>; ++i) {
-      observer_.histories()[sheet_of_lane(i)].miscut_margin_mm = margin_.mm(i);
-    }
-  }
-
-  const Model& model_;
-  PathFollower<T>& follower_;
-  RecordingObserver observer_;
-  LaneRecorder<T> lanes_;
   MiscutMargin<T> margin_;
   std::vector<int> with_margin_;
   FlatVertices one_vertices_mm_;  // of a single lane
   SheetGeometry<double> one_geometry_;
   SheetGeometry<T> geometry_;
-  FoldState<T> state_;
 };
 
 }  // namespace misalign::solver
