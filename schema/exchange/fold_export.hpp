@@ -6,9 +6,9 @@
 
 namespace misalign::schema {
 
-/// Which stops of a path become files or frames: multiples of `step_deg` up to D, and D itself. A
-/// sheet that deploys from nothing is shown as far as its creases keep their mountains and valleys,
-/// none folded past 180 degrees. Rows of the history; the flat sheet is not among them.
+/// Which stations of a path become files or frames: multiples of `step_deg` up to D, and D itself.
+/// A sheet that deploys from nothing is shown as far as its creases keep their mountains and
+/// valleys, none folded past 180 degrees. Rows of the history; the flat sheet is not among them.
 std::vector<Eigen::Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
                                        double step_deg);
 

@@ -47,13 +47,13 @@ std::string diagonal_rows(const RowKey& key, const FoldingView& view,
   std::string text;
   for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {
     const auto at = static_cast<Index>(row);
-    const std::string stop = sheet + shown_number(actuation.pilot_deg[row]);
+    const std::string station = sheet + shown_number(actuation.pilot_deg[row]);
     for (std::size_t d = 0; d < names.size(); ++d) {
       const auto of = static_cast<Index>(d);
       const double flat_mm = view.history.flat_mm[d];
       const double length_mm = row == 0 ? flat_mm : view.history.length_mm(at - 1, of);
       const double force_n = actuation.force_n(at, of);
-      text += stop + names[d];
+      text += station + names[d];
       append_measured(text, length_mm);
       append_derived(text, (length_mm - flat_mm) / flat_mm);
       append_derived(text, force_n);
@@ -79,18 +79,18 @@ std::string crease_rows(const RowKey& key, const FoldingView& view) {
                     (view.mechanism.is_valley(crease) ? ",valley" : ",mountain"));
   }
   std::string text;
-  const auto add_stop = [&](double pilot_deg, Index row) {
-    const std::string stop = sheet + shown_number(pilot_deg);
+  const auto add_station = [&](double pilot_deg, Index row) {
+    const std::string station = sheet + shown_number(pilot_deg);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      text += stop + names[i];
+      text += station + names[i];
       const auto of = static_cast<Index>(i);
       append_measured(text, row < 0 ? 0.0 : view.history.fold_angle_deg(row, of));
       text += "\n";
     }
   };
-  add_stop(0, -1);
+  add_station(0, -1);
   for (std::size_t row = 0; row < view.history.stations.size(); ++row) {
-    add_stop(view.history.stations[row].pilot_deg, static_cast<Index>(row));
+    add_station(view.history.stations[row].pilot_deg, static_cast<Index>(row));
   }
   return text;
 }

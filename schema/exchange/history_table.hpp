@@ -19,8 +19,8 @@ struct RowKey {
 /// force_n, energy_n_mm, moment_n_mm, mechanical_advantage.
 std::string diagonal_columns(const RowKey& key);
 /// The lines of one sheet, flat first. Force, energy and moment are those of the diagonal's own
-/// spring: over the diagonals of a stop, energies and moments add up to the sheet's. The mechanical
-/// advantage is the sheet's, the same in all rows of a stop, and empty when flat.
+/// spring: over the diagonals of a station, energies and moments add up to the sheet's. The
+/// mechanical advantage is the sheet's, the same in all rows of a station, and empty when flat.
 std::string diagonal_rows(const RowKey& key, const FoldingView& view,
                           const solver::Actuation& actuation);
 

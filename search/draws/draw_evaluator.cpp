@@ -66,7 +66,7 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
   // Draw -> displaced pattern.
   make(range);
   // Rejected for certain, or waiting for the full path.
-  const std::vector<solver::Rejection>& seen = batch_->screen(made_.shifts);
+  const std::vector<solver::Rejection>& seen = batch_->reject(made_.shifts);
   for (std::size_t k = 0; k < made_.size(); ++k) {
     if (seen[k].fault == solver::Fault::none || sampled.holds(made_.numbers[k])) {
       waiting_.add(made_, k);

@@ -41,7 +41,7 @@ std::string summary(const schema::FoldingView& view, const Paint& paint) {
 }
 
 // One diagonal's lengths over the path, flat first.
-struct Course {
+struct DiagonalPath {
   std::vector<double> pilot_deg, length_mm;
 
   double at(double deg) const {
@@ -54,14 +54,14 @@ struct Course {
   }
 };
 
-Course course_of(const solver::FoldingHistory& history, std::size_t diagonal) {
-  Course course{{0}, {history.flat_mm[diagonal]}};
+DiagonalPath path_of(const solver::FoldingHistory& history, std::size_t diagonal) {
+  DiagonalPath path{{0}, {history.flat_mm[diagonal]}};
   for (std::size_t row = 0; row < history.stations.size(); ++row) {
-    course.pilot_deg.push_back(history.stations[row].pilot_deg);
-    course.length_mm.push_back(
+    path.pilot_deg.push_back(history.stations[row].pilot_deg);
+    path.length_mm.push_back(
         history.length_mm(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(diagonal)));
   }
-  return course;
+  return path;
 }
 
 // Least and largest change of a diagonal's length up to `to_deg`, of its flat length; flat is 0.
@@ -69,12 +69,12 @@ struct Changes {
   double least = 0, most = 0;
 };
 
-Changes changes_up_to(double to_deg, const Course& course) {
+Changes changes_up_to(double to_deg, const DiagonalPath& path) {
   Changes changes;
-  const double flat_mm = course.length_mm.front();
-  for (std::size_t row = 0; row < course.pilot_deg.size(); ++row) {
-    if (course.pilot_deg[row] > to_deg + 1e-9) break;
-    const double change = (course.length_mm[row] - flat_mm) / flat_mm;
+  const double flat_mm = path.length_mm.front();
+  for (std::size_t row = 0; row < path.pilot_deg.size(); ++row) {
+    if (path.pilot_deg[row] > to_deg + 1e-9) break;
+    const double change = (path.length_mm[row] - flat_mm) / flat_mm;
     changes.least = std::min(changes.least, change);
     changes.most = std::max(changes.most, change);
   }
@@ -82,10 +82,10 @@ Changes changes_up_to(double to_deg, const Course& course) {
 }
 
 // What varies by less than a verdict takes for motion is rounding, and shown as its flat length.
-void still_if_inactive(Course& course, double panel_width_mm) {
-  const auto [least, most] = std::minmax_element(course.length_mm.begin(), course.length_mm.end());
+void still_if_inactive(DiagonalPath& path, double panel_width_mm) {
+  const auto [least, most] = std::minmax_element(path.length_mm.begin(), path.length_mm.end());
   if (*most - *least >= solver::kInactiveBand_widths * panel_width_mm) return;
-  std::fill(course.length_mm.begin(), course.length_mm.end(), course.length_mm.front());
+  std::fill(path.length_mm.begin(), path.length_mm.end(), path.length_mm.front());
 }
 
 // Where a sparkline of so many columns shows the path up to D.
@@ -137,14 +137,14 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   const std::string to = shown_number(to_deg);
   std::vector<schema::Row> rows = {
       {"diagonal", "hole", "flat_mm", "at " + to, "up to " + to, "elongation %", ""}};
-  std::vector<Course> courses;
+  std::vector<DiagonalPath> paths;
   for (std::size_t k = 0; k < view.mechanism.diagonals.size(); ++k) {
     const solver::Diagonal& diagonal = view.mechanism.diagonals[k];
-    courses.push_back(course_of(history, k));
-    still_if_inactive(courses.back(), view.mechanism.panel_width_mm);
-    const Course& course = courses.back();
-    const double flat_mm = history.flat_mm[k], at_mm = course.at(to_deg);
-    const Changes changes = changes_up_to(to_deg, course);
+    paths.push_back(path_of(history, k));
+    still_if_inactive(paths.back(), view.mechanism.panel_width_mm);
+    const DiagonalPath& path = paths.back();
+    const double flat_mm = history.flat_mm[k], at_mm = path.at(to_deg);
+    const Changes changes = changes_up_to(to_deg, path);
     const Json facet = schema::diagonal_json(view.base, view.mechanism, diagonal, flat_mm)["hole"];
     rows.push_back({solver::line_label(diagonal.from, diagonal.to),
                     facet.is_array() ? facet.dump() : "face " + facet.dump(),
@@ -166,10 +166,10 @@ std::string sparklines(const schema::FoldingView& view, const FoldingTextOptions
   const Scale scale{end_deg, to_deg, columns};
   rows[0][6] = scale_text(scale);
   const std::size_t to_d = scale.columns_to_d();
-  for (std::size_t k = 0; k < courses.size(); ++k) {
+  for (std::size_t k = 0; k < paths.size(); ++k) {
     std::vector<double> values;
     for (std::size_t column = 0; column < columns; ++column) {
-      values.push_back(courses[k].at(scale.deg_of(column)));
+      values.push_back(paths[k].at(scale.deg_of(column)));
     }
     std::string line = sparkline(values, options.utf8);
     if (to_d < columns) {

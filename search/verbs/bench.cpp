@@ -111,9 +111,9 @@ class LaneRun {
   }
   SolverSpeed speed() const {
     SolverSpeed speed = speed_;
-    const solver::Effort screening = evaluator_.batch().screening_effort();
+    const solver::Effort rejection = evaluator_.batch().rejection_effort();
     const solver::Effort judging = evaluator_.batch().judging_effort();
-    speed.effort = {screening.solves + judging.solves, screening.iterations + judging.iterations};
+    speed.effort = {rejection.solves + judging.solves, rejection.iterations + judging.iterations};
     return speed;
   }
 
@@ -243,10 +243,10 @@ class Comparison {
     const auto flush = [&] {
       block.sheets = static_cast<int>(in_block.size());
       if (in_block.empty()) return;
-      const auto& screened = batch->screen(block);
+      const auto& rejections = batch->reject(block);
       for (std::size_t i = 0; i < in_block.size(); ++i) {
         const std::uint64_t draw = in_block[i];
-        const bool accepts = screened[i].fault == solver::Fault::none &&
+        const bool accepts = rejections[i].fault == solver::Fault::none &&
                              full_path_[draw].deploys_from_sample >= threshold;
         ++report_.decisions;
         if (accepts == (expected_[draw].deploys_from_sample >= threshold)) continue;

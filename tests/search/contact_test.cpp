@@ -117,9 +117,9 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
       solver::SheetGeometry<double> geometry;
       solver::place(model.mechanism(), vertices_mm, geometry);
       ContactCheck check(vertices_mm, panels);
-      const solver::StationVisitor compare = [&](const solver::Station& stop,
+      const solver::StationVisitor compare = [&](const solver::Station& station,
                                                  const solver::FoldState<double>& state) {
-        if (stop.sample % 3 != 0) return;
+        if (station.sample % 3 != 0) return;
         const Eigen::Matrix3Xd corners = model.shape().corners_mm(geometry, state);
         bool expected = false;
         for (int a = 0; a < static_cast<int>(panels.size()); ++a) {
@@ -130,7 +130,7 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
         }
         const auto found = check.crossing(corners);
         EXPECT_EQ(found.has_value(), expected)
-            << name << ", draw " << draw << " at " << stop.pilot_deg;
+            << name << ", draw " << draw << " at " << station.pilot_deg;
         if (found) {
           EXPECT_FALSE(shared(found->first, found->second));
         }

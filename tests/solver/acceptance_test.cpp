@@ -14,7 +14,7 @@ class Acceptance : public testing::TestWithParam<DrawnSheets> {};
 // not; and all the others at the same thresholds. Every instruction set turns away the same sheets
 // at the same angle.
 TEST_P(Acceptance, IsTheReferences) {
-  const TestFamily sheets(GetParam().rows, GetParam().columns, GetParam().shifted);
+  const DrawableSheet sheets(GetParam().rows, GetParam().columns, GetParam().shifted);
   const ShiftBlock block = sheets.draws(GetParam().draws / kFewer, kSeed);
   const PathPlan plan = sheets.plan();
   Reference reference(sheets.mechanism, plan);
@@ -33,20 +33,20 @@ TEST_P(Acceptance, IsTheReferences) {
   int to_reject = 0, rejected = 0;
   for (const int threshold : thresholds) {
     SCOPED_TRACE("threshold " + std::to_string(threshold));
-    const Model family = sheets.with_threshold(threshold);
-    LaneBatch<double, float> scalar(family);
-    const std::vector<Rejection>& screened = scalar.screen(block);
+    const Model model = sheets.with_threshold(threshold);
+    LaneBatch<double, float> scalar(model);
+    const std::vector<Rejection>& rejections = scalar.reject(block);
     for (int i = 0; i < block.sheets; ++i) {
-      const bool passes = screened[i].fault == Fault::none;
+      const bool passes = rejections[i].fault == Fault::none;
       EXPECT_EQ(passes && judged[i].deploys_from_sample >= threshold, deploys_from[i] >= threshold)
           << "seed " << kSeed << ", sheet " << i << ", D " << deploys_from[i] << ", judged "
-          << words(judged[i]) << ", screened out: " << words(screened[i]);
-      EXPECT_LE(screened[i].sample, threshold);
+          << words(judged[i]) << ", rejections out: " << words(rejections[i]);
+      EXPECT_LE(rejections[i].sample, threshold);
       to_reject += deploys_from[i] < threshold;
       rejected += !passes;
     }
     for (const InstructionSet set : available_instruction_sets()) {
-      EXPECT_EQ(words(make_batch(set, family)->screen(block)), words(screened))
+      EXPECT_EQ(words(make_batch(set, model)->reject(block)), words(rejections))
           << instruction_set_name(set);
     }
   }

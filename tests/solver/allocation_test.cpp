@@ -69,29 +69,29 @@ class BatchAllocation : public testing::TestWithParam<InstructionSet> {};
 // The threshold is far enough for an approach, and some sheets have no start.
 TEST_P(BatchAllocation, NoneInAWarmBatch) {
   if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(165);
-  const auto batch = make_batch(GetParam(), family);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(165);
+  const auto batch = make_batch(GetParam(), model);
   ShiftBlock block = sheets.draws(600, kSeed);
   const ShiftBlock large = sheets.draws(10, kSeed, 8);
   std::copy(large.shifts_mm.begin(), large.shifts_mm.end(), block.shifts_mm.begin());
   std::vector<int> numbers = all_of(block);
   numbers.resize(64);
   const ShiftBlock some = chosen_of(block, numbers);
-  batch->screen(block);
+  batch->reject(block);
   batch->judge(some);
 
   const long before = allocations;
-  const auto& screened = batch->screen(block);
+  const auto& rejections = batch->reject(block);
   const long between = allocations;
   const auto& verdicts = batch->judge(some);
   const long after = allocations;
-  EXPECT_EQ(between - before, 0) << "screen";
+  EXPECT_EQ(between - before, 0) << "reject";
   EXPECT_EQ(after - between, 0) << "judge";
   const auto with = [](const auto& results, auto has) {
     return std::any_of(results.begin(), results.end(), has);
   };
-  EXPECT_TRUE(with(screened, [](const Rejection& s) { return s.fault == Fault::fold_limit; }));
+  EXPECT_TRUE(with(rejections, [](const Rejection& s) { return s.fault == Fault::fold_limit; }));
   EXPECT_TRUE(with(verdicts, [](const Verdict& v) {
     return v.first_fault == Fault::fold_limit && v.deploys_from_sample == 0;
   })) << "a sheet without a start";

@@ -15,7 +15,7 @@ using ScalarBatch = LaneBatch<double, float>;
 
 class BatchTest : public testing::TestWithParam<InstructionSet> {
  protected:
-  std::unique_ptr<Batch> batch(const Model& family) const { return make_batch(GetParam(), family); }
+  std::unique_ptr<Batch> batch(const Model& model) const { return make_batch(GetParam(), model); }
 };
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchTest,
@@ -30,27 +30,27 @@ TEST(InstructionSets, BaselineIsThereEverywhere) {
 }
 
 TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(160);
-  const auto batch = this->batch(family);
-  ScalarBatch scalar(family);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(160);
+  const auto batch = this->batch(model);
+  ScalarBatch scalar(model);
   for (const int count : {1, 2, 3, 7, 8, 9, 17, 40}) {
     SCOPED_TRACE(count);
     const ShiftBlock block = sheets.draws(count, kSeed + count);
     EXPECT_EQ(words(batch->judge(block)), words(scalar.judge(block)));
-    EXPECT_EQ(words(batch->screen(block)), words(scalar.screen(block)));
+    EXPECT_EQ(words(batch->reject(block)), words(scalar.reject(block)));
   }
   EXPECT_EQ(batch->judging_effort().solves, scalar.judging_effort().solves);
   EXPECT_EQ(batch->judging_effort().iterations, scalar.judging_effort().iterations);
-  EXPECT_EQ(batch->screening_effort().iterations, scalar.screening_effort().iterations);
+  EXPECT_EQ(batch->rejection_effort().iterations, scalar.rejection_effort().iterations);
 }
 
 TEST_P(BatchTest, NothingToDo) {
-  const TestFamily sheets(4, 4);
-  const Model family = sheets.with_threshold(150);
-  const auto batch = this->batch(family);
+  const DrawableSheet sheets(4, 4);
+  const Model model = sheets.with_threshold(150);
+  const auto batch = this->batch(model);
   const ShiftBlock none;
-  EXPECT_TRUE(batch->screen(none).empty());
+  EXPECT_TRUE(batch->reject(none).empty());
   EXPECT_TRUE(batch->judge(none).empty());
   EXPECT_TRUE(batch->record(none).empty());
 }
@@ -58,12 +58,12 @@ TEST_P(BatchTest, NothingToDo) {
 // Between ordinary sheets: large shifts, whose paths need another start, have none or turn early,
 // coordinates that are no number, and vertices that fall on each other.
 TEST_P(BatchTest, FailingNeighboursChangeNothing) {
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(160);
-  const auto batch = this->batch(family);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(160);
+  const auto batch = this->batch(model);
   const ShiftBlock healthy = sheets.draws(24, kSeed);
-  const std::vector<std::string> alone = words(ScalarBatch(family).judge(healthy));
-  const std::vector<std::string> screened_alone = words(ScalarBatch(family).screen(healthy));
+  const std::vector<std::string> alone = words(ScalarBatch(model).judge(healthy));
+  const std::vector<std::string> rejected_alone = words(ScalarBatch(model).reject(healthy));
 
   ShiftBlock mixed = healthy;
   mixed.sheets = 0;
@@ -87,31 +87,31 @@ TEST_P(BatchTest, FailingNeighboursChangeNothing) {
     append(i % 3 == 0 ? broken : i % 3 == 1 ? large : huge, (i / 3) % (i % 3 == 0 ? 3 : 8));
   }
   const auto& verdicts = batch->judge(mixed);
-  const auto& screened = batch->screen(mixed);
+  const auto& rejections = batch->reject(mixed);
   int without_start = 0;
   for (std::size_t i = 0; i < alone.size(); ++i) {
     EXPECT_EQ(words(verdicts[healthy_places[i]]), alone[i]);
-    EXPECT_EQ(words(screened[healthy_places[i]]), screened_alone[i]);
+    EXPECT_EQ(words(rejections[healthy_places[i]]), rejected_alone[i]);
     const Verdict& neighbour = verdicts[healthy_places[i] + 1];
     without_start += words(neighbour) == "D 0, fold_limit at -1, end 2";
     if (i % 3 == 0 && i % 9 < 6) {
       EXPECT_EQ(words(neighbour), "D 0, undecided at -1, end 3") << "start_lost, and no verdict";
-      EXPECT_EQ(screened[healthy_places[i] + 1].fault, Fault::none) << "never a no";
+      EXPECT_EQ(rejections[healthy_places[i] + 1].fault, Fault::none) << "never a no";
     }
   }
   EXPECT_GT(without_start, 3);
-  ScalarBatch scalar(family);
+  ScalarBatch scalar(model);
   EXPECT_EQ(words(batch->judge(mixed)), words(scalar.judge(mixed)));
 }
 
 // Whatever blocks they come in, in whatever order.
 TEST_P(BatchTest, BlocksDoNotMatter) {
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(155);
-  const auto batch = this->batch(family);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(155);
+  const auto batch = this->batch(model);
   const ShiftBlock block = sheets.draws(120 / kFewer, kSeed);
   const std::vector<std::string> verdicts = words(batch->judge(block));
-  const std::vector<std::string> screened = words(batch->screen(block));
+  const std::vector<std::string> rejections = words(batch->reject(block));
 
   std::vector<int> order = all_of(block);
   std::mt19937 shuffle(kSeed);
@@ -123,10 +123,10 @@ TEST_P(BatchTest, BlocksDoNotMatter) {
                                   order.begin() + std::min(first + size, order.size()));
       const ShiftBlock part = chosen_of(block, some);
       const auto part_verdicts = words(batch->judge(part));
-      const auto part_screened = words(batch->screen(part));
+      const auto part_rejections = words(batch->reject(part));
       for (std::size_t i = 0; i < some.size(); ++i) {
         EXPECT_EQ(part_verdicts[i], verdicts[some[i]]);
-        EXPECT_EQ(part_screened[i], screened[some[i]]);
+        EXPECT_EQ(part_rejections[i], rejections[some[i]]);
       }
     }
   }

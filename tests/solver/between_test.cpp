@@ -61,7 +61,7 @@ TEST(LookBetween, AgreesWithTheCubicItself) {
 // On random sheets: where the cubics of a path in steps of a degree see a diagonal go back, against
 // its lengths every hundredth of one.
 TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
-  const TestFamily sheets(6, 6);
+  const DrawableSheet sheets(6, 6);
   const ShiftBlock block = sheets.draws(400 / kFewer, kSeed);
   int bumps = 0, smooth = 0;
   for (int i = 0; i < block.sheets; ++i) {
@@ -110,12 +110,12 @@ TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
 
 // With the bump a fault, D is the sample before it, and lanes and dense matrices agree.
 TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
-  const TestFamily sheets(6, 6);
+  const DrawableSheet sheets(6, 6);
   const Model strict(sheets.base, sheets.shifted_vertices, {}, 150, true);
   const Model lenient = sheets.with_threshold(150);
   const ShiftBlock block = sheets.draws(1000 / kFewer, kSeed);
-  const auto judge = [&](const Model& family) {
-    return make_batch(available_instruction_sets().back(), family)->judge(block);
+  const auto judge = [&](const Model& model) {
+    return make_batch(available_instruction_sets().back(), model)->judge(block);
   };
   const std::vector<Verdict> with = judge(strict), without = judge(lenient);
   int faults = 0;

@@ -41,9 +41,9 @@ inline FlatVertices displaced(FlatVertices vertices_mm, const std::vector<int>& 
 
 enum class Shifted { interior, ring };
 
-struct TestFamily : TestSheet {
-  TestFamily(int rows, int columns, Shifted which = Shifted::interior,
-             const std::string& holes = "checkerboard-odd")
+struct DrawableSheet : TestSheet {
+  DrawableSheet(int rows, int columns, Shifted which = Shifted::interior,
+                const std::string& holes = "checkerboard-odd")
       : TestSheet(rows, columns, holes),
         shifted_vertices(which == Shifted::interior ? interior_vertices(base.sheet)
                                                     : ring_vertices(base.sheet)) {}
@@ -95,8 +95,9 @@ inline std::string words(const Verdict& verdict) {
          fault_name(verdict.first_fault) + " at " + std::to_string(verdict.where) + ", end " +
          std::to_string(static_cast<int>(verdict.path_end));
 }
-inline std::string words(const Rejection& screened) {
-  return std::string(fault_name(screened.fault)) + " at sample " + std::to_string(screened.sample);
+inline std::string words(const Rejection& rejection) {
+  return std::string(fault_name(rejection.fault)) + " at sample " +
+         std::to_string(rejection.sample);
 }
 template <class Result>
 std::vector<std::string> words(const std::vector<Result>& results) {

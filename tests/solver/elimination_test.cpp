@@ -273,9 +273,9 @@ struct OneRun {
   bool given = false;
   PathResult result{};
 
-  bool next(PathStart& departure, int) {
+  bool next(PathStart& start, int) {
     if (std::exchange(given, true)) return false;
-    departure = {&geometry, &plan.start, &plan};
+    start = {&geometry, &plan.start, &plan};
     return true;
   }
   bool see(const Station&, int) { return true; }
@@ -283,7 +283,7 @@ struct OneRun {
 };
 
 // Pivots chosen on open states only are zero where every loop closes: on this sheet 351 and 93
-// iterations went by before the path was given up. Three or four a stop are Newton's own.
+// iterations went by before the path was given up. Three or four a station are Newton's own.
 TEST(SparseLu, NewtonConvergesOnALargeMisalignedSheet) {
   const TestSheet sheet(28, 28);
   const Elimination elimination = plan_of(sheet);
@@ -296,14 +296,14 @@ TEST(SparseLu, NewtonConvergesOnALargeMisalignedSheet) {
   }
   SheetGeometry<double> geometry;
   place(sheet.mechanism, vertices, geometry);
-  PathFollower<double> tracker(sheet.mechanism, elimination);
+  PathFollower<double> follower(sheet.mechanism, elimination);
   for (const int first_deg : {1, 60}) {
     PathPlan plan{{}, sheet.folded(first_deg)};
     for (int k = first_deg; k <= first_deg + 5; ++k) {
       plan.stations.push_back({1.0 * k, half_angle_of_deg(k), k, true});
     }
     OneRun path{geometry, plan};
-    tracker.run(path);
+    follower.run(path);
     EXPECT_EQ(path.result.end, PathEnd::end_reached);
     EXPECT_EQ(path.result.arc_steps, 0);
     EXPECT_LE(path.result.newton_iterations, 4 * path.result.newton_solves);

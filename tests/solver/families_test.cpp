@@ -56,7 +56,7 @@ TEST_P(Families, DiagonalsAreThoseOfVertexCoordinates) {
   RecordProperty("worst_mm", scientific(worst_mm));
 }
 
-/// Diagonals at a pilot angle; nothing where it was no stop.
+/// Diagonals at a pilot angle; nothing where it was no station.
 std::optional<Eigen::RowVectorXd> lengths_at(const FoldingHistory& history, double pilot_deg) {
   for (std::size_t k = 0; k < history.stations.size(); ++k) {
     if (std::abs(history.stations[k].pilot_deg - pilot_deg) < 1e-9) {
@@ -157,7 +157,7 @@ TEST_P(Families, FixedOrderFollowsEveryPath) {
   }
 }
 
-/// Follows a plan from a state near its first stop, and keeps the states at its stations.
+/// Follows a plan from a state near its first station, and keeps the states at its stations.
 class Walked {
  public:
   Walked(const CarriedFamily& family, const SheetGeometry<double>& geometry, const PathPlan& plan,
@@ -196,8 +196,8 @@ class Walked {
   bool started_ = false;
 };
 
-// Up to nine tenths of the way and back down, degree by degree: every crease at every stop is where
-// it was on the way up. Worst of 1,400 sheets 1.3e-11 rad, limit 1e-10.
+// Up to nine tenths of the way and back down, degree by degree: every crease at every station is
+// where it was on the way up. Worst of 1,400 sheets 1.3e-11 rad, limit 1e-10.
 TEST_P(Families, ThereAndBackAgain) {
   const CarriedFamily whole(GetParam());
   double worst_rad = 0;

@@ -10,23 +10,23 @@ namespace {
 
 // The branch in steps so small that Newton cannot leave it: the share up to which it goes, and the
 // state there.
-double follow_in_small_steps(const TestFamily& sheets, const Model& family,
+double follow_in_small_steps(const DrawableSheet& sheets, const Model& model,
                              const FlatVertices& vertices_mm, FoldState<double>& state) {
   constexpr int kSteps = 1000;
-  Newton newton(family.mechanism());
+  Newton newton(model.mechanism());
   SheetGeometry<double> geometry;
-  state = family.path().start;
+  state = model.path().start;
   int sign = 0;
   for (int k = 0; k <= kSteps; ++k) {
     const double share = static_cast<double>(k) / kSteps;
     const FlatVertices& base_mm = sheets.base.sheet.vertices_mm;
-    place(family.mechanism(), base_mm + share * (vertices_mm - base_mm), geometry);
+    place(model.mechanism(), base_mm + share * (vertices_mm - base_mm), geometry);
     FoldState<double> next = state;
     const bool closed = newton.correct(geometry, next).end == NewtonEnd::converged;
     if (sign == 0) sign = newton.factors().determinant_sign();
     // A turn of the branch: no solution near, one on its other half, or one far off.
     if (!closed || newton.factors().determinant_sign() != sign ||
-        largest_half_sine(next, state) > 0.2 * family.path().stations.front().pilot.s) {
+        largest_half_sine(next, state) > 0.2 * model.path().stations.front().pilot.s) {
       return share;
     }
     state = next;
@@ -37,15 +37,15 @@ double follow_in_small_steps(const TestFamily& sheets, const Model& family,
 class Starts : public testing::TestWithParam<double> {};
 
 TEST_P(Starts, AreThoseOfTheBranchOfTheBaseFolding) {
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(1);
-  ShiftHomotopy homotopy(family.mechanism(), family.path(), sheets.base.sheet.vertices_mm);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(1);
+  ShiftHomotopy homotopy(model.mechanism(), model.path(), sheets.base.sheet.vertices_mm);
   const ShiftBlock block = sheets.draws(60 / kFewer, kSeed, GetParam());
   int found = 0, ended = 0;
   for (int i = 0; i < block.sheets; ++i) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
     FoldState<double> expected;
-    const double share = follow_in_small_steps(sheets, family, vertices_mm, expected);
+    const double share = follow_in_small_steps(sheets, model, vertices_mm, expected);
     switch (homotopy.find(vertices_mm)) {
       case PathEnd::end_reached:
         ++found;
@@ -73,11 +73,11 @@ INSTANTIATE_TEST_SUITE_P(Amplitudes, Starts, testing::Values(0.4, 8.0, 11.0),
 
 // A block with such sheets gives what each of them gives alone, and none is undecided.
 TEST(LargeShifts, AreDecidedInLanes) {
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(100);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(100);
   const ShiftBlock block = sheets.draws(40 / kFewer, kSeed, 10);
   for (const InstructionSet set : available_instruction_sets()) {
-    const auto batch = make_batch(set, family);
+    const auto batch = make_batch(set, model);
     const std::vector<Verdict> together = batch->judge(block);
     const std::vector<FoldingHistory> histories = batch->record(block);
     for (int i = 0; i < block.sheets; ++i) {
@@ -85,7 +85,7 @@ TEST(LargeShifts, AreDecidedInLanes) {
       EXPECT_EQ(words(together[i]), words(batch->judge(chosen_of(block, {i}))[0]));
       // Histories go on past the fault.
       const Verdict recorded = histories[i].verdict;
-      const Verdict single = record_history(family, sheets.vertices(block, i)).verdict;
+      const Verdict single = record_history(model, sheets.vertices(block, i)).verdict;
       for (const Verdict& other : {recorded, single}) {
         EXPECT_EQ(other.deploys_from_sample, together[i].deploys_from_sample) << "sheet " << i;
         EXPECT_EQ(other.first_fault, together[i].first_fault) << "sheet " << i;

@@ -52,8 +52,8 @@ double margin_by_differences_mm(const TestSheet& sheet, const FlatVertices& flat
   SheetGeometry<double> geometry;
   place(sheet.mechanism, flat_mm, geometry);
   std::map<int, Eigen::Matrix3Xd> folded_mm;
-  const StationVisitor keep_shape = [&](const Station& stop, const FoldState<double>& state) {
-    folded_mm[stop.sample] = shape.vertices_mm(geometry, state);
+  const StationVisitor keep_shape = [&](const Station& station, const FoldState<double>& state) {
+    folded_mm[station.sample] = shape.vertices_mm(geometry, state);
   };
   record_history(Model(sheet.base), flat_mm, &keep_shape);
   Eigen::VectorXd last_mm;
@@ -88,7 +88,7 @@ FoldingHistory history_to(const TestSheet& sheet, int threshold, const FlatVerti
 }
 
 TEST(MiscutMargin, EqualsDifferencesOfVertexCoordinates) {
-  const TestFamily sheets(4, 4);
+  const DrawableSheet sheets(4, 4);
   const ShiftBlock block = sheets.draws(12, kSeed);
   double worst = 0;
   int seen = 0;
@@ -108,7 +108,7 @@ TEST(MiscutMargin, EqualsDifferencesOfVertexCoordinates) {
 }
 
 TEST(MiscutMargin, NoneWhereThePathEndsBefore) {
-  const TestFamily sheets(6, 6);
+  const DrawableSheet sheets(6, 6);
   const Json table = golden("table1_odd.json");
   const FlatVertices vertices_mm = sheets.shifted(table.at("displacements_mm"));
   EXPECT_TRUE(history_to(sheets, 156, vertices_mm).miscut_margin_mm);
@@ -119,7 +119,7 @@ TEST(MiscutMargin, NoneWhereThePathEndsBefore) {
 // A number that is none would be less than nothing, and so leave the margin of the best sheet of
 // all.
 TEST(MiscutMargin, NoneWhereTheSolverFailed) {
-  const TestFamily sheets(4, 4);
+  const DrawableSheet sheets(4, 4);
   const Elimination elimination =
       plan_elimination(sheets.mechanism, sheets.base.folding, sheets.base.sheet.vertices_mm);
   const FlatVertices vertices_mm = sheets.vertices(sheets.draws(1, kSeed), 0);
@@ -145,7 +145,7 @@ TEST(MiscutMargin, NoneWhereTheSolverFailed) {
 
 // One lane at a time: what failed in one is not held against the others.
 TEST(MiscutMargin, EveryLaneFailsByItself) {
-  const TestFamily sheets(4, 4);
+  const DrawableSheet sheets(4, 4);
   const Elimination elimination =
       plan_elimination(sheets.mechanism, sheets.base.folding, sheets.base.sheet.vertices_mm);
   const FlatVertices vertices_mm = sheets.vertices(sheets.draws(1, kSeed), 0);
@@ -173,16 +173,16 @@ TEST(MiscutMargin, EveryLaneFailsByItself) {
 }
 
 TEST(MiscutMargin, LanesAreTheScalarCode) {
-  const TestFamily sheets(6, 6);
-  const Model family = sheets.with_threshold(kThreshold);
+  const DrawableSheet sheets(6, 6);
+  const Model model = sheets.with_threshold(kThreshold);
   for (const int count : {1, 11}) {  // less than a register, and more than one
     const ShiftBlock block = sheets.draws(count, kSeed + static_cast<unsigned>(count));
     std::vector<FoldingHistory> alone;
     for (int i = 0; i < count; ++i) {
-      alone.push_back(record_history(family, sheets.vertices(block, i)));
+      alone.push_back(record_history(model, sheets.vertices(block, i)));
     }
     for (const auto set : available_instruction_sets()) {
-      const auto batch = make_batch(set, family);
+      const auto batch = make_batch(set, model);
       const auto& histories = batch->record(block);
       for (int i = 0; i < count; ++i) {
         const FoldingHistory& one = alone[i];

@@ -54,7 +54,7 @@ TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
         system.jacobian().leftCols(sheet.mechanism.equations));
     const double expected = svd.singularValues().minCoeff();
-    EXPECT_NEAR(history.singular_value_min[row] / expected, 1, 1e-6) << "stop " << row;
+    EXPECT_NEAR(history.singular_value_min[row] / expected, 1, 1e-6) << "station " << row;
     ++row;
     return row < history.stations.size();
   });
@@ -64,26 +64,26 @@ TEST(Numerics, SmallestSingularValueAlongAPathEqualsSvd) {
 // At 180 degrees, where the pivots of the fixed order vanish: every tenth sheet of 4 x 4 gets
 // there.
 TEST(Numerics, SmallestSingularValueAtTheFoldedEnd) {
-  const TestFamily sheets(4, 4);
-  const Model family = sheets.with_threshold(1);
+  const DrawableSheet sheets(4, 4);
+  const Model model = sheets.with_threshold(1);
   const ShiftBlock block = sheets.draws(60, kSeed);
-  const auto batch = make_batch(available_instruction_sets().back(), family);
+  const auto batch = make_batch(available_instruction_sets().back(), model);
   const auto& histories = batch->record(block);
-  ClosureSystem system(family.mechanism());
-  PathTracker tracker(family.mechanism());
+  ClosureSystem system(model.mechanism());
+  PathTracker tracker(model.mechanism());
   SheetGeometry<double> geometry;
   int reached = 0;
   for (int i = 0; i < block.sheets; ++i) {
     if (histories[i].path.end != PathEnd::end_reached) continue;
     ++reached;
-    place(family.mechanism(), sheets.vertices(block, i), geometry);
+    place(model.mechanism(), sheets.vertices(block, i), geometry);
     double expected = 0;
-    tracker.follow(geometry, family.path(),
-                   [&](const Station& stop, const FoldState<double>& state) {
-                     if (stop.pilot_deg < 180) return true;
+    tracker.follow(geometry, model.path(),
+                   [&](const Station& station, const FoldState<double>& state) {
+                     if (station.pilot_deg < 180) return true;
                      system.evaluate(geometry, state);
                      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
-                         system.jacobian().leftCols(family.mechanism().equations));
+                         system.jacobian().leftCols(model.mechanism().equations));
                      expected = svd.singularValues().minCoeff();
                      return true;
                    });

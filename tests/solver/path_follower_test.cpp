@@ -29,9 +29,9 @@ class PathRecord {
   }
 
   std::vector<double>& lengths() { return lengths_; }
-  bool see(const Station& stop, const FoldState<double>& state) {
-    if (stop.sample == 0) return true;
-    judge_.see(stop, state, lengths_);
+  bool see(const Station& station, const FoldState<double>& state) {
+    if (station.sample == 0) return true;
+    judge_.see(station, state, lengths_);
     followed_.lengths.push_back(lengths_);
     return true;
   }
@@ -61,9 +61,9 @@ struct OnePath : PathRecord {
   }
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
-  bool see(const Station& stop, int) {
+  bool see(const Station& station, int) {
     lengths_ = point_.lengths;
-    return PathRecord::see(stop, point_.state);
+    return PathRecord::see(station, point_.state);
   }
   void ended(const PathResult& path, int) { conclude(path); }
 
@@ -74,29 +74,29 @@ struct OnePath : PathRecord {
 };
 
 /// Both ways of following a sheet's path.
-class TwoTrackers {
+class TwoFollowers {
  public:
-  explicit TwoTrackers(const TestSheet& sheet)
+  explicit TwoFollowers(const TestSheet& sheet)
       : sheet_(sheet),
         plan_(sheet.plan()),
         elimination_(
             plan_elimination(sheet.mechanism, sheet.base.folding, sheet.base.sheet.vertices_mm)),
-        tracker_(sheet.mechanism, elimination_),
+        follower_(sheet.mechanism, elimination_),
         reference_(sheet.mechanism) {}
 
-  Followed by_tracker(const FlatVertices& vertices_mm) {
+  Followed by_follower(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
     OnePath one(sheet_.mechanism, geometry_, plan_);
-    tracker_.run(one);
+    follower_.run(one);
     return one.followed();
   }
   Followed by_reference(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
     PathRecord seen(sheet_.mechanism, geometry_);
     seen.conclude(reference_.follow(
-        geometry_, plan_, [&](const Station& stop, const FoldState<double>& state) {
+        geometry_, plan_, [&](const Station& station, const FoldState<double>& state) {
           folded_lengths(sheet_.mechanism, geometry_, state, seen.lengths().data());
-          return seen.see(stop, state);
+          return seen.see(station, state);
         }));
     return seen.followed();
   }
@@ -105,7 +105,7 @@ class TwoTrackers {
   const TestSheet& sheet_;
   const PathPlan plan_;
   const Elimination elimination_;
-  PathFollower<double> tracker_;
+  PathFollower<double> follower_;
   PathTracker reference_;
   SheetGeometry<double> geometry_;
 };
@@ -122,7 +122,7 @@ double largest_difference_mm(const Followed& a, const Followed& b, std::size_t l
   return largest * panel_width_mm;
 }
 
-class TrackerAgainstReference : public testing::TestWithParam<DrawnSheets> {};
+class PathFollowerAgainstReference : public testing::TestWithParam<DrawnSheets> {};
 
 // Closed to 1e-12, lengths differ by 1e-12 panel widths over the smallest singular value: worst of
 // 3,200 paths 9e-10 mm within a degree of a fold limit (limit 1e-8), 1e-10 mm up to the first
@@ -131,24 +131,24 @@ class TrackerAgainstReference : public testing::TestWithParam<DrawnSheets> {};
 //
 // Past the verdict 30 of those paths end differently, and their ends are not compared: where a
 // curve turns and another begins close by, a step of 1 degree can lead across (20 times the
-// reference's, twice the tracker's: steps of 0.1 degrees find the turn), and 8 arrive at 180
-// degrees all but singular, which the tracker calls a turn.
-TEST_P(TrackerAgainstReference, VerdictsLengthsAndFoldLimits) {
-  const TestFamily family(GetParam().rows, GetParam().columns, GetParam().shifted);
-  TwoTrackers trackers(family);
-  const ShiftBlock block = family.draws(GetParam().draws / kFewer, kSeed);
+// reference's, twice the follower's: steps of 0.1 degrees find the turn), and 8 arrive at 180
+// degrees all but singular, which the follower calls a limit point.
+TEST_P(PathFollowerAgainstReference, VerdictsLengthsAndFoldLimits) {
+  const DrawableSheet sheets(GetParam().rows, GetParam().columns, GetParam().shifted);
+  TwoFollowers followers(sheets);
+  const ShiftBlock block = sheets.draws(GetParam().draws / kFewer, kSeed);
   double worst_judged_mm = 0, worst_mm = 0, worst_limit_deg = 0;
   int other_ends = 0, limits = 0;
   for (int i = 0; i < block.sheets; ++i) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
-    const FlatVertices vertices = family.vertices(block, i);
-    const Followed ours = trackers.by_tracker(vertices);
-    const Followed reference = trackers.by_reference(vertices);
+    const FlatVertices vertices = sheets.vertices(block, i);
+    const Followed ours = followers.by_follower(vertices);
+    const Followed reference = followers.by_reference(vertices);
     EXPECT_EQ(ours.verdict.deploys_from_sample, reference.verdict.deploys_from_sample);
     EXPECT_STREQ(fault_name(ours.verdict.first_fault), fault_name(reference.verdict.first_fault));
     EXPECT_EQ(ours.verdict.where, reference.verdict.where);
     const auto judged = static_cast<std::size_t>(reference.verdict.deploys_from_sample + 1);
-    const double width_mm = family.mechanism.panel_width_mm;
+    const double width_mm = sheets.mechanism.panel_width_mm;
     worst_judged_mm =
         std::max(worst_judged_mm, largest_difference_mm(ours, reference, judged, width_mm));
     worst_mm = std::max(worst_mm, largest_difference_mm(ours, reference, 180, width_mm));
@@ -172,18 +172,18 @@ TEST_P(TrackerAgainstReference, VerdictsLengthsAndFoldLimits) {
   RecordProperty("other_ends", other_ends);
 }
 
-INSTANTIATE_TEST_SUITE_P(Drawn, TrackerAgainstReference,
+INSTANTIATE_TEST_SUITE_P(Drawn, PathFollowerAgainstReference,
                          testing::Values(DrawnSheets{4, 4, Shifted::interior, 400},
                                          DrawnSheets{6, 6, Shifted::interior, 160},
                                          DrawnSheets{6, 6, Shifted::ring, 60},
                                          DrawnSheets{8, 6, Shifted::interior, 40}));
 
 // Again what the reference is held to in golden_test.cpp, with the same tolerances.
-TEST(TrackerGolden, Table1) {
+TEST(PathFollowerGolden, Table1) {
   for (const char* name : {"table1_odd.json", "table1_even.json"}) {
     const Json table = golden(name);
     const TestSheet sheet(table["rows"], table["columns"], table["holes"]);
-    const Followed path = TwoTrackers(sheet).by_tracker(sheet.shifted(table["displacements_mm"]));
+    const Followed path = TwoFollowers(sheet).by_follower(sheet.shifted(table["displacements_mm"]));
     EXPECT_EQ(path.verdict.deploys_from_sample, table["deploys_from_deg"].get<int>());
     EXPECT_EQ(fault_name(path.verdict.first_fault), table["first_fault"].get<std::string>());
     EXPECT_NEAR(path.path.fold_limit_deg, table["fold_limit_deg"].get<double>(), 1e-3);
@@ -200,15 +200,15 @@ TEST(TrackerGolden, Table1) {
   }
 }
 
-TEST(TrackerGolden, AllVerdictsFaultsAndFoldLimits) {
+TEST(PathFollowerGolden, AllVerdictsFaultsAndFoldLimits) {
   const Json verdicts = golden("verdicts.json");
   int cases = 0;
   for (const Json& set : verdicts["sets"]) {
     const TestSheet sheet(set["rows"], set["columns"], set["holes"]);
-    TwoTrackers trackers(sheet);
+    TwoFollowers followers(sheet);
     for (const Json& pattern : set["cases"]) {
       SCOPED_TRACE(pattern["displacements_mm"].dump());
-      const Followed path = trackers.by_tracker(sheet.shifted(pattern["displacements_mm"]));
+      const Followed path = followers.by_follower(sheet.shifted(pattern["displacements_mm"]));
       EXPECT_EQ(path.verdict.deploys_from_sample, pattern["deploys_from_deg"].get<int>());
       EXPECT_EQ(fault_name(path.verdict.first_fault), pattern["first_fault"].get<std::string>());
       if (pattern.contains("fold_limit_deg")) {

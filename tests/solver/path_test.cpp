@@ -14,16 +14,16 @@ TEST(Path, StopsAreSamplesLooksAndSteps) {
   const PathPlan plan = sheet.plan(options);
   int samples = 0, looks = 0, steps = 0;
   double before = 0;
-  for (const Station& stop : plan.stations) {
-    EXPECT_GT(stop.pilot_deg, before + 0.4);  // no angle twice
-    EXPECT_LE(stop.pilot_deg, before + 1 + 1e-9);
-    before = stop.pilot_deg;
-    if (stop.sample > 0) {
-      EXPECT_DOUBLE_EQ(stop.pilot_deg, 5.0 * stop.sample);
-      EXPECT_TRUE(stop.visit);
+  for (const Station& station : plan.stations) {
+    EXPECT_GT(station.pilot_deg, before + 0.4);  // no angle twice
+    EXPECT_LE(station.pilot_deg, before + 1 + 1e-9);
+    before = station.pilot_deg;
+    if (station.sample > 0) {
+      EXPECT_DOUBLE_EQ(station.pilot_deg, 5.0 * station.sample);
+      EXPECT_TRUE(station.visit);
       ++samples;
     } else {
-      ++(stop.visit ? looks : steps);
+      ++(station.visit ? looks : steps);
     }
   }
   EXPECT_EQ(samples, 4);
@@ -57,7 +57,7 @@ TEST(Path, LengthsAndVerdictDoNotDependOnTheSteps) {
 
 // At a turning point the smallest singular value falls like the square root of the distance: this
 // knows nothing of arc length or tangents. Samples close in on the limit found; a wrong limit would
-// either leave stops unsolved below it or break the law.
+// either leave stations unsolved below it or break the law.
 TEST(Path, FoldLimitIsATurningPoint) {
   const Json table = golden("table1_odd.json");
   const TestSheet sheet(6, 6, table["holes"]);

@@ -59,36 +59,36 @@ class ScreeningTest : public testing::Test {
 
   ScreeningTest() { begin(screening_); }
 
-  void begin(RejectionTest& screening) {
-    screening.begin(2);
-    for (const int sheet : {0, kSheet}) screening.set_flat(sheet, flat_.data());
+  void begin(RejectionTest& rejection) {
+    rejection.begin(2);
+    for (const int sheet : {0, kSheet}) rejection.set_flat(sheet, flat_.data());
   }
   /// Diagonal 2 longer than flat by `by`, with this slope; the others do not move.
-  bool rejects(RejectionTest& screening, int sample, double by, double slope = 0,
+  bool rejects(RejectionTest& rejection, int sample, double by, double slope = 0,
                double length_error = 0, double slope_error = 0) {
     std::array<double, 4> lengths = flat_, slopes = {};
     lengths[2] += by;
     slopes[2] = slope;
-    screening.observe(kSheet, {sample, lengths.data(), length_error, slopes.data(), slope_error});
-    EXPECT_FALSE(screening.decided(0));
-    if (screening.decided(kSheet)) {
-      EXPECT_EQ(words(screening.results()[kSheet]),
+    rejection.observe(kSheet, {sample, lengths.data(), length_error, slopes.data(), slope_error});
+    EXPECT_FALSE(rejection.decided(0));
+    if (rejection.decided(kSheet)) {
+      EXPECT_EQ(words(rejection.results()[kSheet]),
                 "not_monotone at sample " + std::to_string(sample));
     }
-    return screening.decided(kSheet);
+    return rejection.decided(kSheet);
   }
   bool rejects(int sample, double by, double slope = 0, double length_error = 0,
                double slope_error = 0) {
     return rejects(screening_, sample, by, slope, length_error, slope_error);
   }
 
-  TestFamily sheets_{4, 4};
-  Model family_{sheets_.base, sheets_.shifted_vertices, {}, kThreshold};
+  DrawableSheet sheets_{4, 4};
+  Model model_{sheets_.base, sheets_.shifted_vertices, {}, kThreshold};
   // Powers of two, so that small differences are exact to 1e-16.
   std::array<double, 4> flat_ = {1, 1, 1, 1};
   // What all steps up to the threshold may hide.
   const double band_ = kStepBand_widths * kThreshold;
-  RejectionTest screening_{family_};
+  RejectionTest screening_{model_};
 };
 
 TEST_F(ScreeningTest, GrownThenShrunkIsRejected) {
@@ -141,12 +141,12 @@ TEST_F(ScreeningTest, StepBandFromBothSides) {
 // The band is that of every step up to the threshold, wherever the test looks.
 TEST_F(ScreeningTest, StepBandGrowsWithTheThreshold) {
   for (const int threshold : {20, 180}) {
-    const Model family = sheets_.with_threshold(threshold);
-    RejectionTest screening(family);
+    const Model model = sheets_.with_threshold(threshold);
+    RejectionTest rejection(model);
     for (const double by : {0.98, 1.02}) {
-      begin(screening);
-      EXPECT_FALSE(rejects(screening, 5, 1e-3));
-      EXPECT_EQ(rejects(screening, 6, 1e-3 - by * threshold * kStepBand_widths), by > 1);
+      begin(rejection);
+      EXPECT_FALSE(rejects(rejection, 5, 1e-3));
+      EXPECT_EQ(rejects(rejection, 6, 1e-3 - by * threshold * kStepBand_widths), by > 1);
     }
   }
 }
@@ -181,13 +181,13 @@ TEST_F(ScreeningTest, SlopesAreIgnoredForCoarseSamples) {
   for (const double sample_deg : {1.0, 2.0, 2.5, 5.0}) {
     PathPlanOptions path;
     path.sample_deg = sample_deg;
-    const Model family = sheets_.with_threshold(30, path);
-    RejectionTest screening(family);
-    begin(screening);
-    EXPECT_EQ(rejects(screening, 10, 1e-3, -0.1), sample_deg <= 2) << sample_deg;
-    begin(screening);
-    EXPECT_FALSE(rejects(screening, 10, 1e-3));
-    EXPECT_TRUE(rejects(screening, 12, 0.9e-3)) << "lengths count at any sample_deg";
+    const Model model = sheets_.with_threshold(30, path);
+    RejectionTest rejection(model);
+    begin(rejection);
+    EXPECT_EQ(rejects(rejection, 10, 1e-3, -0.1), sample_deg <= 2) << sample_deg;
+    begin(rejection);
+    EXPECT_FALSE(rejects(rejection, 10, 1e-3));
+    EXPECT_TRUE(rejects(rejection, 12, 0.9e-3)) << "lengths count at any sample_deg";
   }
 }
 
@@ -220,7 +220,7 @@ TEST_F(ScreeningTest, OverFoldMarginFromBothSides) {
   for (const double share : {0.99, 1.01}) {
     begin(screening_);
     FoldState<double> state = sheets_.folded(120);
-    const int sign = family_.mechanism().creases[5].assignment;
+    const int sign = model_.mechanism().creases[5].assignment;
     state.creases[5] = half_angle_of_deg(sign * (180 + share * (kOverFoldBand_deg + margin_deg)));
     screening_.observe(kSheet, 120, state);
     EXPECT_EQ(words(screening_.results()[kSheet]),
@@ -233,7 +233,7 @@ TEST_F(ScreeningTest, LostSignFromBothSides) {
   for (const double share : {0.99, 1.01}) {
     begin(screening_);
     FoldState<double> state = sheets_.folded(120);
-    state.creases[3].s = -share * 1e-8 * family_.mechanism().creases[3].assignment;
+    state.creases[3].s = -share * 1e-8 * model_.mechanism().creases[3].assignment;
     screening_.observe(kSheet, 120, state);
     EXPECT_EQ(words(screening_.results()[kSheet]),
               share > 1 ? "assignment_flipped at sample 120" : "none at sample 0");

@@ -42,7 +42,7 @@ class StepControlTest : public testing::Test {
     EXPECT_TRUE(control.after(solution_at(10, 10)).arrived);
     EXPECT_TRUE(control.proceed().hold);
   }
-  // 10 degrees in a first step: half the way to the stop along a tangent of pilot entry 0.25 is
+  // 10 degrees in a first step: half the way to the station along a tangent of pilot entry 0.25 is
   // more than the longest step.
   void expect_arc_begins(const StepControl& control, const PathStep& move) {
     EXPECT_TRUE(control.on_arc());
@@ -228,7 +228,7 @@ TEST_F(StepControlTest, StartIsLostWhereNothingWasBelievedYet) {
 
 TEST_F(StepControlTest, EndsAtTheLastStopOrWhenTheVisitorHasSeenEnough) {
   StepControl control;
-  control.begin(plan_, 1, 0);  // the second of three stops
+  control.begin(plan_, 1, 0);  // the second of three stations
   EXPECT_TRUE(control.after(solution_at(20, 20)).arrived);
   EXPECT_TRUE(control.proceed().depart);
   EXPECT_TRUE(control.after(solution_at(20, 30)).arrived);
@@ -268,7 +268,7 @@ TEST(CourseProceed, IntegratesPolynomialsExactly) {
       }
       const double exact = (std::pow(to, power + 1) - std::pow(from, power + 1)) / (power + 1);
       // A dozen roundings of weights below 3 rad.
-      EXPECT_NEAR(moved, exact, 1e-15) << "degree " << degree << " after stop " << k;
+      EXPECT_NEAR(moved, exact, 1e-15) << "degree " << degree << " after station " << k;
     }
     for (std::size_t j = k + 1; j < 3; ++j) EXPECT_EQ(move.along[j], 0);
   }

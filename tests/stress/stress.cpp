@@ -98,15 +98,15 @@ Row run(const Setting& setting, int cases, unsigned seed) {
     const std::vector<Verdict> verdicts = batch->judge(block);
     const std::vector<solver::FoldingHistory>& histories = batch->record(block);
     for (std::size_t k = 0; k < screens.size(); ++k) {
-      const auto& screened = screens[k]->screen(block);
+      const auto& rejections = screens[k]->reject(block);
       for (int i = 0; i < block.sheets; ++i) {
-        const bool rejects = screened[i].fault != solver::Fault::none;
+        const bool rejects = rejections[i].fault != solver::Fault::none;
         const bool deploys = verdicts[i].deploys_from_sample >= thresholds[k]->threshold_sample();
         if (!rejects || !deploys) continue;
         ++row.wrong;
         std::fprintf(stderr, "%s, %s, sheet %d of seed %u: a fast test at sample %d rejects D %d\n",
                      setting.place.c_str(), setting.name.c_str(), i, seed + first,
-                     screened[i].sample, verdicts[i].deploys_from_sample);
+                     rejections[i].sample, verdicts[i].deploys_from_sample);
       }
     }
     for (int i = 0; i < block.sheets; ++i) {

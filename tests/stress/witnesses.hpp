@@ -22,11 +22,12 @@ class LengthsOf {
       : history_(history), width_mm_(width_mm) {}
 
   /// Panel widths; 0 beyond D.
-  double largest_difference(const solver::Station& stop, const std::vector<double>& lengths) const {
-    if (stop.sample > history_.verdict.deploys_from_sample) return 0;
+  double largest_difference(const solver::Station& station,
+                            const std::vector<double>& lengths) const {
+    if (station.sample > history_.verdict.deploys_from_sample) return 0;
     const auto at =
         std::find_if(history_.stations.begin(), history_.stations.end(),
-                     [&](const solver::Station& seen) { return seen.sample == stop.sample; });
+                     [&](const solver::Station& seen) { return seen.sample == station.sample; });
     if (at == history_.stations.end()) return 0;
     double largest = 0;
     for (std::size_t d = 0; d < lengths.size(); ++d) {
@@ -61,11 +62,11 @@ class Witness {
     judge_.begin(lengths_);
     length_error_ = 0;
   }
-  bool see(const solver::Station& stop, const solver::FoldState<double>& state,
+  bool see(const solver::Station& station, const solver::FoldState<double>& state,
            const LengthsOf& history) {
     solver::folded_lengths(mechanism_, geometry_, state, lengths_.data());
-    length_error_ = std::max(length_error_, history.largest_difference(stop, lengths_));
-    return judge_.see(stop, state, lengths_);
+    length_error_ = std::max(length_error_, history.largest_difference(station, lengths_));
+    return judge_.see(station, state, lengths_);
   }
   Verdict conclude(const solver::PathResult& path) const { return judge_.conclude(path); }
 
@@ -88,8 +89,9 @@ class DensePath : public Witness {
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     begin(vertices_mm);
     return conclude(tracker_.follow(
-        geometry_, plan_, [&](const solver::Station& stop, const solver::FoldState<double>& state) {
-          return stop.sample == 0 || see(stop, state, history);
+        geometry_, plan_,
+        [&](const solver::Station& station, const solver::FoldState<double>& state) {
+          return station.sample == 0 || see(station, state, history);
         }));
   }
 
@@ -114,26 +116,26 @@ class CurvePath : public Witness {
     }
     Curve curve(mechanism_, geometry_, homotopy_.state());
     constexpr double kStep_rad = 0.02;
-    for (const solver::Station& stop : plan_.stations) {
-      if (stop.sample == 0) continue;
-      while (curve.pilot_deg() < stop.pilot_deg - 1e-9) {
+    for (const solver::Station& station : plan_.stations) {
+      if (station.sample == 0) continue;
+      while (curve.pilot_deg() < station.pilot_deg - 1e-9) {
         const Curve before = curve;
         if (!curve.step(kStep_rad)) return conclude({PathEnd::stalled, 0, 0, 0, 0});
         if (curve.pilot_rate() > 0) continue;
         // It turned, perhaps only beyond the sample.
         const double limit_deg = Curve(before).walk_to_turn(kStep_rad);
-        if (!(limit_deg >= stop.pilot_deg)) {
+        if (!(limit_deg >= station.pilot_deg)) {
           return conclude({PathEnd::fold_limit, limit_deg, 0, 0, 0});
         }
         curve = before;
         break;
       }
       solver::FoldState<double> state = curve.state();
-      state.creases[mechanism_.pilot] = stop.pilot;
+      state.creases[mechanism_.pilot] = station.pilot;
       if (newton_.correct(geometry_, state).end != solver::NewtonEnd::converged) {
         return conclude({PathEnd::stalled, 0, 0, 0, 0});
       }
-      if (!see(stop, state, history)) break;
+      if (!see(station, state, history)) break;
     }
     return conclude({PathEnd::end_reached, 0, 0, 0, 0});
   }

@@ -1,5 +1,5 @@
 // The production solver as a method of the study: solver::PathFollower, on one sheet after another
-// or on as many as a register has lanes. Every stop is a sample.
+// or on as many as a register has lanes. Every station is a sample.
 #pragma once
 
 #include "solver/continuation/path_follower.hpp"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr ArcOptions kArc;
 
-PathPlan stops_at(const std::vector<double>& angles_deg) {
+PathPlan stations_at(const std::vector<double>& angles_deg) {
   PathPlan plan;
   for (const double angle_deg : angles_deg) {
     plan.stations.push_back({angle_deg, half_angle_of_deg(angle_deg), 0, true});
@@ -37,9 +37,9 @@ HalfAngle<double> half_angle_of_rad(double angle) {
 }
 
 /// Makes the steps of a control on a parabola, as a path follower would with exact arithmetic.
-class Walker {
+class ArcWalker {
  public:
-  Walker(const Parabola& curve, const StepControlOptions& options = {})
+  ArcWalker(const Parabola& curve, const StepControlOptions& options = {})
       : curve_(curve), control_(options) {}
 
   StepControl& control() { return control_; }
@@ -48,7 +48,7 @@ class Walker {
   double below_top_deg() const { return curve_.top_deg - curve_.pilot(last_) / kRadPerDeg; }
   double longest_step() const { return longest_step_; }
 
-  /// From 10 degrees to where the path ends, or the last stop.
+  /// From 10 degrees to where the path ends, or the last station.
   void follow(const PathPlan& plan) {
     last_ = trial_ = curve_.forward_at(plan.stations[0].pilot_deg);
     control_.begin(plan, 0, +1);
@@ -106,10 +106,10 @@ class Walker {
   int readings_ = 0;
 };
 
-// Tops of every height over the last stop and of every width, with the tolerance of full paths and
-// with the approach's. The rest of the error is that of angles in degrees, 1e-13.
+// Tops of every height over the last station and of every width, with the tolerance of full paths
+// and with the approach's. The rest of the error is that of angles in degrees, 1e-13.
 TEST(Walk, FoldLimitIsTheParabolasTop) {
-  const PathPlan plan = stops_at({10, 60});
+  const PathPlan plan = stations_at({10, 60});
   for (const double tolerance_deg : {kArc.limit_tolerance_rad / kRadPerDeg, 0.1}) {
     StepControlOptions options;
     options.arc.limit_tolerance_rad = tolerance_deg * kRadPerDeg;
@@ -117,14 +117,14 @@ TEST(Walk, FoldLimitIsTheParabolasTop) {
     for (const double height_deg : {1e-5, 1e-3, 0.1, 1.0, 7.0, 30.0, 49.9}) {
       for (const double curvature : {0.1, 0.5, 2.0, 10.0, 50.0}) {
         SCOPED_TRACE(testing::Message() << height_deg << " degrees, curvature " << curvature);
-        Walker walker({10 + height_deg, curvature}, options);
-        walker.follow(plan);
-        EXPECT_EQ(walker.result().end, PathEnd::fold_limit);
-        EXPECT_NEAR(walker.result().fold_limit_deg, 10 + height_deg, tolerance_deg);
-        EXPECT_LE(walker.longest_step(), kArc.longest_step_rad);
-        EXPECT_LE(walker.last(), 0) << "the last point believed is on the forward half";
-        EXPECT_LE(walker.below_top_deg(), tolerance_deg) << "which is why the limit can be trusted";
-        worst = std::max(worst, std::abs(walker.result().fold_limit_deg - 10 - height_deg));
+        ArcWalker arc({10 + height_deg, curvature}, options);
+        arc.follow(plan);
+        EXPECT_EQ(arc.result().end, PathEnd::fold_limit);
+        EXPECT_NEAR(arc.result().fold_limit_deg, 10 + height_deg, tolerance_deg);
+        EXPECT_LE(arc.longest_step(), kArc.longest_step_rad);
+        EXPECT_LE(arc.last(), 0) << "the last point believed is on the forward half";
+        EXPECT_LE(arc.below_top_deg(), tolerance_deg) << "which is why the limit can be trusted";
+        worst = std::max(worst, std::abs(arc.result().fold_limit_deg - 10 - height_deg));
       }
     }
     RecordProperty("worst_deg", std::to_string(worst));
@@ -141,12 +141,12 @@ TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
     int roughly = 0;
     for (const double top_deg : {10.1, 17.0, 40.0, 59.9}) {
       for (const double curvature : {0.1, 0.5, 2.0, 10.0, 50.0}) {
-        Walker walker({top_deg, curvature}, options);
-        walker.follow(stops_at({10, kEnd_deg}));
-        EXPECT_EQ(walker.result().end, PathEnd::fold_limit);
-        const double way_deg = kEnd_deg - top_deg + walker.below_top_deg();
-        EXPECT_LE(walker.below_top_deg(), std::max(1e-6, (1 - share) * way_deg));
-        const double error_deg = std::abs(walker.result().fold_limit_deg - top_deg);
+        ArcWalker arc({top_deg, curvature}, options);
+        arc.follow(stations_at({10, kEnd_deg}));
+        EXPECT_EQ(arc.result().end, PathEnd::fold_limit);
+        const double way_deg = kEnd_deg - top_deg + arc.below_top_deg();
+        EXPECT_LE(arc.below_top_deg(), std::max(1e-6, (1 - share) * way_deg));
+        const double error_deg = std::abs(arc.result().fold_limit_deg - top_deg);
         // Half of what the pilot may still rise.
         EXPECT_LE(error_deg, std::max(1e-6, 0.5 * (1 - share) * way_deg));
         roughly += error_deg > 1e-6;
@@ -156,25 +156,25 @@ TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
   }
 }
 
-// Below the top a stop is landed on, and the next one walked to again.
+// Below the top a station is landed on, and the next one reached along the arc again.
 TEST(Walk, LandsOnStopsBelowTheTop) {
   for (const double curvature : {0.1, 2.0, 50.0}) {
-    Walker reaches({31, curvature});
-    reaches.follow(stops_at({10, 20, 30}));
+    ArcWalker reaches({31, curvature});
+    reaches.follow(stations_at({10, 20, 30}));
     EXPECT_EQ(reaches.result().end, PathEnd::end_reached);
     EXPECT_EQ(reaches.result().fold_limit_deg, 30);
     EXPECT_EQ(reaches.last(), (Parabola{31, curvature}.forward_at(30)));
 
-    Walker turns({29, curvature});
-    turns.follow(stops_at({10, 20, 30}));
+    ArcWalker turns({29, curvature});
+    turns.follow(stations_at({10, 20, 30}));
     EXPECT_EQ(turns.result().end, PathEnd::fold_limit);
     EXPECT_NEAR(turns.result().fold_limit_deg, 29, 1e-6);
   }
 }
 
-// After a walk the rates before it say nothing: the next extrapolation is a straight line.
+// After an arc the rates before it say nothing: the next extrapolation is a straight line.
 TEST(Walk, ForgetsTheRatesBeforeIt) {
-  const PathPlan plan = stops_at({10, 20, 30, 40});
+  const PathPlan plan = stations_at({10, 20, 30, 40});
   const NewtonReport at_10 = {0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(10)};
   StepControl control;
   control.begin(plan, 0, 0);
@@ -221,10 +221,10 @@ class WalkStepTest : public testing::Test {
     EXPECT_EQ(move.along[0], step_);
   }
 
-  const PathPlan plan_ = stops_at({10, 40});
+  const PathPlan plan_ = stations_at({10, 40});
   StepControl control_;
   double step_;
-  // Found by the walk: 2 degrees on.
+  // Found along the arc: 2 degrees on.
   const NewtonReport on_curve_ = {
       0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(12)};
 };
@@ -272,7 +272,7 @@ TEST_F(WalkStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
   EXPECT_EQ(move.along[0], 1.5 * step_);
 }
 
-// A landing is believed within the step that led over the stop, on the forward half.
+// A landing is believed within the step that led over the station, on the forward half.
 TEST_F(WalkStepTest, LandingFromBothSidesOfItsBound) {
   NewtonReport beyond = on_curve_;
   beyond.pilot = half_angle_of_deg(41);
