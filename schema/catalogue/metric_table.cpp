@@ -95,7 +95,7 @@ constexpr MetricEntry kMetrics[] = {
      .member = &solver::Metrics::stroke_min,
      .unit = "share",
      .meaning = "Largest change of length of the least used diagonal, as a share of its flat "
-                "length: 0.05 is 5 %.",
+                "length.",
      .range = kNotNegative,
      .allowance = kShares,
      .label = "stroke min"},

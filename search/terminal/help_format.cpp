@@ -100,8 +100,7 @@ std::string HelpFormat::make_help(const CLI::App* app, std::string /*name*/,
   for (const CLI::App* verb : verbs) text += entry(verb->get_name(), verb->get_description());
   for (const CLI::App* group : option_groups(*app)) {
     const bool one_only = group->get_require_option_max() == 1;
-    std::string title =
-        group->get_description() + (one_only ? " (exactly one of these)" : " (one is needed)");
+    std::string title = group->get_description() + (one_only ? " (exactly one of these)" : "");
     title[0] = static_cast<char>(std::toupper(title[0]));
     text += section(title, own_options(*group));
   }

@@ -116,12 +116,15 @@ void show_actuators(const ActuatorsCall& call) {
 Action actuators_verb(CLI::App& verb) {
   verb.description("springs on the diagonals of one sheet");
   verb.footer(
-      "Energy, moment about the pilot crease (dE/d pilot angle; negative: the springs\n"
-      "would fold the sheet further) and mechanical advantage (newtons on the sheet's\n"
-      "span for each newton in every diagonal) along the way, the force on each\n"
-      "diagonal, where the moment is least, and the fewest diagonals that keep half of\n"
-      "that. deployment: (180 - pilot)/180, 1 when flat. Forces and elongations are\n"
-      "positive where a spring is longer than when flat, and pulls.\n\n"
+      "Along the path:\n"
+      "  energy       of all springs\n"
+      "  moment       about the pilot crease, dE/d(pilot angle); negative: the springs would\n"
+      "               fold the sheet further\n"
+      "  advantage    newtons on the sheet's span for each newton in every diagonal\n"
+      "  deployment   (180 - pilot)/180: 1 when flat\n"
+      "Then the force on each diagonal, where the moment is least, and the fewest diagonals\n"
+      "that keep half of that moment. Forces and elongations are positive where a spring is\n"
+      "longer than when flat, and pulls.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json");

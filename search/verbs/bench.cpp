@@ -334,13 +334,13 @@ Action bench_verb(CLI::App& verb) {
       "  misalign bench search/campaigns/ring-6x6.json --agree 2000 --json");
   auto call = std::make_shared<BenchCall>();
   verb.add_option("CAMPAIGN", call->campaign_path, "campaign file [the default campaign]");
-  verb.add_option("--seconds", call->seconds, "for each solver [3]")
+  verb.add_option("--seconds", call->seconds, "how long to run each solver, seconds [3]")
       ->check(within(0.01, 1e6))
       ->type_name("SECONDS");
   verb.add_option(
           "--agree", call->agree_draws,
-          "instead of speed: the verdicts of so many draws, each against the reference's at "
-          "thresholds of every tenth degree, at its own D and one sample above")
+          "instead of speed: compare the verdicts of N draws with the reference's, at thresholds "
+          "of every tenth degree, at the draw's own D and one sample above")
       ->check(counted(1, 100000000))
       ->type_name("N");
   verb.add_flag("--json", call->json, "as JSON");

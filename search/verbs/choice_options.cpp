@@ -20,21 +20,18 @@ CLI::Validator a_condition() {
 
 ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
   ChoiceOptions options{};
-  options.best = group.add_option("--best", choice.best, "so many, the best first")
+  options.best = group.add_option("--best", choice.best, "the K best")
                      ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
                      ->type_name("K");
   options.diverse =
       group
           .add_option("--diverse", choice.diverse,
-                      "so many that differ most, among the best " + std::to_string(kDiverseAmong))
+                      "K that differ most, among the best " + std::to_string(kDiverseAmong))
           ->check(counted(1, std::numeric_limits<std::int64_t>::max()))
           ->excludes(options.best)
           ->type_name("K");
   options.where =
-      group
-          .add_option(
-              "--where", choice.where,
-              "those for which this SQL condition holds; with --best or --diverse: of those")
+      group.add_option("--where", choice.where, "only those for which this SQL condition holds")
           ->type_name("SQL")
           ->check(a_condition());
   options.by =

@@ -39,12 +39,12 @@ int run_doctor(const DoctorCall& call) {
 Action doctor_verb(CLI::App& verb) {
   verb.description("whether this machine can run a campaign well");
   verb.footer(
-      "Looks at random numbers, verdicts in all registers, MPI and its slots, and the\n"
-      "directory for catalogues. Exit code 1 if a campaign would fail, or could not be\n"
-      "trusted.\n\n"
+      "Checks the random numbers, the verdicts of every instruction set on known sheets, MPI\n"
+      "and its slots, and the directory for catalogues. Exit code 1 if a campaign would\n"
+      "fail, or could not be trusted.\n\n"
       "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
   auto call = std::make_shared<DoctorCall>();
-  verb.add_option("DIRECTORY", call->directory, "where catalogues are to be [.]");
+  verb.add_option("DIRECTORY", call->directory, "directory that catalogues will lie in [.]");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] { return run_doctor(*call); };
 }

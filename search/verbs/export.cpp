@@ -110,16 +110,18 @@ void run_export(const ExportCall& call, const CLI::App& verb, const CLI::App& ch
 Action export_verb(CLI::App& verb) {
   verb.description("chosen candidates, or a pattern, as files");
   verb.footer(
-      "Formats: json (pattern, verdict, metrics, springs), csv (one long table, below),\n"
-      "fold (crease pattern and folded states, for Origami Simulator and the like), svg\n"
-      "(true scale, layers for a cutter, hidden ones for springs and labels), obj (one\n"
-      "file per state). Where two holes meet, the panels between them touch in a\n"
-      "point: a ball joint that the drawing does not make. Files are named after the\n"
-      "campaign and the draw, or after the pattern file.\n"
-      "csv: a row for each draw, degree and diagonal, all draws in one file: length,\n"
-      "elongation (a share: 0.02 = 2 %), its spring's force, energy and moment (they add\n"
-      "up to the sheet's), and the sheet's mechanical advantage. Diagonals are numbered\n"
-      "from 0, as in the view diagonals. --creases adds a second table, of fold angles.\n\n"
+      "Formats:\n"
+      "  json  pattern, verdict, metrics, springs\n"
+      "  csv   one table of all draws, a row for each draw, degree and diagonal: length,\n"
+      "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
+      "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
+      "        diagonals are numbered from 0, as in the view diagonals\n"
+      "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
+      "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
+      "  obj   one file for each folded state\n"
+      "Where two holes meet, the panels between them touch in a point: a ball joint, which\n"
+      "no drawing makes. Files are named after the campaign and the draw, or after the\n"
+      "pattern file.\n\n"
       "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
@@ -131,25 +133,25 @@ Action export_verb(CLI::App& verb) {
   Choice& choice = call->choice;
   SheetFilesOptions& files = call->files;
   add_catalogue_or_pattern(verb, files.read_from);
-  auto* group = verb.add_option_group("choice", "which candidates of a catalogue");
+  auto* group = verb.add_option_group("choice", "which candidates of a catalogue (one is needed)");
   auto* draw = add_draws(*group, choice.draws, "this one");
   const ChoiceOptions chosen = add_choice(verb, *group, choice);
   auto* plain =
       group->add_flag("--sqlite-compat", call->compat,
-                      "the whole catalogue, as one file that SQLite from 3.8 (2014) on can read");
+                      "the whole catalogue as one file that SQLite 3.8 (2014) and later reads");
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) {
     draw->excludes(other);
     plain->excludes(other);
   }
   draw->excludes(plain);
-  verb.add_option("--format", files.format, "json, csv, fold, svg or obj [json]")
+  verb.add_option("--format", files.format, "what to write, see above [json]")
       ->transform(one_of<SheetFormat>({{"json", SheetFormat::json},
                                        {"csv", SheetFormat::csv},
                                        {"fold", SheetFormat::fold},
                                        {"svg", SheetFormat::svg},
                                        {"obj", SheetFormat::obj}}));
   verb.add_option("--step", files.step_deg,
-                  "degrees of the pilot between two states of fold and obj [10]")
+                  "fold and obj: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");

@@ -36,10 +36,9 @@ Action fold_verb(CLI::App& verb) {
   verb.description("the folding path of one pattern");
   verb.footer(
       "Each diagonal is drawn from flat to the end of the path, between its least and\n"
-      "its largest length; a bar marks D, the angle that the sheet deploys from\n"
-      "(an angle; the paper's D is a ratio).\n"
-      "Lengths and elongations are those up to D, or up to the end if it does not\n"
-      "deploy.\n"
+      "its largest length. A bar marks D, the pilot angle that the sheet deploys from (here\n"
+      "D is an angle; in the paper it is a ratio).\n"
+      "Lengths and elongations are those up to D, or up to the end of the path if D is 0.\n"
       "An exported candidate, JSON or FOLD, is sampled as its campaign was; any other\n"
       "pattern at every degree to 180.\n\n"
       "Examples:\n"
@@ -49,14 +48,16 @@ Action fold_verb(CLI::App& verb) {
   verb.add_option("PATTERN", call->pattern_path,
                   "pattern file (JSON), exported candidate or FOLD file")
       ->required();
-  verb.add_option("--to", call->to_deg, "last pilot angle, degrees [180, or the campaign's]")
+  verb.add_option("--to", call->to_deg,
+                  "follow the path to this pilot angle, degrees [180, or the campaign's]")
       ->check(within(1, 180))
       ->type_name("DEG");
-  verb.add_option("--step", call->step_deg, "look at multiples of this too, degrees")
+  verb.add_option("--step", call->step_deg, "also look at every multiple of this angle, degrees")
       ->check(within(0.01, 180))
       ->type_name("DEG");
-  verb.add_flag("--table", call->table,
-                "also the lengths every 10 degrees, where they are too wide for the terminal");
+  verb.add_flag(
+      "--table", call->table,
+      "also print the lengths every 10 degrees, though they are too wide for the terminal");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     fold(*call);

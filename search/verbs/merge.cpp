@@ -37,17 +37,18 @@ int merge_catalogues(MergeOptions options) {
 Action merge_verb(CLI::App& verb) {
   verb.description("catalogues of one campaign into one");
   verb.footer(
-      "Draws that several of them have are compared (displacements and samples\n"
-      "exactly, metrics within the tolerances of verify) and counted once; parts of\n"
-      "units that overlap others are computed again. Exit code 6, and no file, if\n"
-      "anything differs.\n\n"
+      "Draws that several catalogues hold are compared (displacements and samples exactly,\n"
+      "metrics within the tolerances of verify) and counted once. Where units overlap in\n"
+      "part, the part is computed again. If anything differs, no file is written and the\n"
+      "exit code is 6.\n\n"
       "Examples:\n  misalign merge all.db part-1.db part-2.db");
   auto options = std::make_shared<MergeOptions>();
-  verb.add_option("OUT", options->output, "catalogue file to write; must not exist")->required();
-  verb.add_option("IN", options->inputs, "catalogue files, read only")->required();
+  verb.add_option("OUT", options->output, "catalogue file to write; it must not exist yet")
+      ->required();
+  verb.add_option("IN", options->inputs, "catalogue files; they are only read")->required();
   verb.add_flag_callback(
       "--allow-mixed-builds", [options] { options->builds = schema::Builds::mixed; },
-      "go on although builds with other golden verdicts wrote them");
+      "go on although their builds judge a set of known sheets differently");
   return [options] { return merge_catalogues(*options); };
 }
 

@@ -44,12 +44,16 @@ void replay(const ReplayCall& call) {
 
 Action replay_verb(CLI::App& verb) {
   verb.description("any draw of a campaign again, from its number");
-  verb.footer("Examples:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
+  verb.footer(
+      "Makes the draw's shifts again, follows its path, and says whether it is accepted and\n"
+      "why.\n\n"
+      "Examples:\n  misalign replay results/miura-6x6-1a2b3c4d.db 1234");
   auto call = std::make_shared<ReplayCall>();
   verb.add_option("CATALOGUE", call->catalogue_path, "catalogue file")->required();
   verb.add_option("DRAW", call->draw, "number of the draw")->required()->check(a_draw());
-  verb.add_flag("--table", call->table,
-                "also the lengths every 10 degrees, where they are too wide for the terminal");
+  verb.add_flag(
+      "--table", call->table,
+      "also print the lengths every 10 degrees, though they are too wide for the terminal");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     replay(*call);

@@ -235,10 +235,9 @@ void write_report_of_pattern(const ReportCall& call) {
 Action report_verb(CLI::App& verb) {
   verb.description("one page to look at, complete in itself");
   verb.footer(
-      "The page needs no network. Its table holds the best candidates; 36 of them, the\n"
-      "best ones or those that are chosen, and the draws that are asked for, can be\n"
-      "looked at: crease pattern, folding, histories, springs. The page of a pattern file\n"
-      "shows that one sheet.\n\n"
+      "The page needs no network. Its table holds the best candidates. Some of them can be\n"
+      "looked at closely (crease pattern, folding, histories, springs): the 36 best, or those\n"
+      "that you choose, and every --draw. The page of a pattern file shows that one sheet.\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --diverse 12 \\\n"
@@ -247,16 +246,16 @@ Action report_verb(CLI::App& verb) {
   auto call = std::make_shared<ReportCall>();
   add_catalogue_or_pattern(verb, call->path);
   verb.add_option("--output", call->output, "HTML file to write")->required()->type_name("FILE");
-  add_draws(verb, call->draws, "a draw to look at, accepted or not");
-  verb.add_option("--rows", call->rows, "at most so many candidates in the table [10000]")
+  add_draws(verb, call->draws, "also this draw, accepted or not");
+  verb.add_option("--rows", call->rows, "how many candidates the table may hold [10000]")
       ->check(counted(0, 1000000))
       ->type_name("N");
   auto* details =
       verb.add_option("--details", call->details,
-                      "so many of the best can be looked at; of those of --where too [36]")
+                      "how many of the best, or of those of --where, can be looked at closely [36]")
           ->check(counted(0, kMostDetails))
           ->type_name("N");
-  auto* group = verb.add_option_group("choice", "which candidates can be looked at");
+  auto* group = verb.add_option_group("choice", "which candidates can be looked at closely");
   const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* many : {chosen.best, chosen.diverse}) {
     many->check(counted(1, kMostDetails))->excludes(details);

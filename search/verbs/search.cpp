@@ -52,20 +52,21 @@ schema::DrawRange parse_range(const std::string& text) {
 // What is wanted, and of which draws.
 void add_goals(CLI::App& verb, SearchOptions& options) {
   const auto draw_count = a_draw();
-  verb.add_option("--draws", options.draws, "draws wanted in total")
+  verb.add_option("--draws", options.draws, "end when the catalogue holds so many draws")
       ->check(draw_count)
       ->type_name("N");
-  verb.add_option("--accepted", options.accepted, "accepted draws wanted in total")
+  verb.add_option("--accepted", options.accepted, "end when it holds so many accepted draws")
       ->check(draw_count)
       ->type_name("K");
   verb.add_option("--relative-error", options.relative_error,
-                  "end when the acceptance rate is known to this share of itself")
+                  "end when the acceptance rate is known to within this share of itself")
       ->check(a_share(1e-6, 1))
       ->type_name("SHARE");
-  verb.add_option("--max-time", options.max_time_s, "end this run after so many seconds")
+  verb.add_option("--max-time", options.max_time_s,
+                  "end this run after so many seconds; the next one goes on")
       ->check(within(0, 1e9))
       ->type_name("SECONDS");
-  verb.add_option("--seed", options.seed, "instead of the campaign's seed")
+  verb.add_option("--seed", options.seed, "use this seed instead of the campaign's")
       ->check(draw_count)
       ->type_name("SEED");
 }
@@ -119,7 +120,8 @@ int start_search(const SearchCall& call, const Words& typed) {
 Action search_verb(CLI::App& verb, const Words& typed) {
   verb.description("run or resume a campaign, alone or under mpirun");
   verb.footer(
-      "The same command again resumes: --draws is the total wanted.\n\n"
+      "The same command again resumes: --draws and --accepted are totals, not what is to be\n"
+      "added.\n\n"
       "Progress goes to standard error: one live line on a terminal (bar), a line\n"
       "every 30 s elsewhere and under mpirun (plain), or an object of JSON every 2 s\n"
       "(json) with the keys elapsed_s, draws, draws_left, draws_per_s,\n"
@@ -129,8 +131,8 @@ Action search_verb(CLI::App& verb, const Words& typed) {
       "Signals, to mpirun or to the program alone: SIGINT and SIGTERM end it within\n"
       "half a second, a second one at once; SIGUSR1 ends it once all that is under\n"
       "way is committed; SIGUSR2 prints a status line.\n\n"
-      "--ranks starts so many ranks on this machine, through mpirun (Open MPI); across\n"
-      "machines, or with options of its own, call mpirun yourself.\n\n"
+      "--ranks starts the ranks on this machine, through mpirun (Open MPI). To use several\n"
+      "machines, or options of mpirun, call mpirun yourself.\n\n"
       "Examples:\n"
       "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
       "  misalign search search/campaigns/miura-6x6.json --ranks all --max-time 3600\n"
@@ -143,28 +145,31 @@ Action search_verb(CLI::App& verb, const Words& typed) {
       ->type_name("CATALOGUE");
   add_goals(verb, options);
   verb.add_option("--range", call->range, "only the draws from LO to HI - 1")->type_name("LO:HI");
-  verb.add_option("--ranks", call->ranks, "so many ranks, a core each; all: as many as cores [1]")
+  verb.add_option("--ranks", call->ranks,
+                  "how many ranks to start, one core each; all: one for every core [1]")
       ->check(rank_count())
       ->type_name("N|all");
-  verb.add_option("--unit-draws", options.unit_draws, "draws of one unit of work [about 5 s worth]")
+  verb.add_option("--unit-draws", options.unit_draws,
+                  "draws in one unit of work [what takes about 5 s]")
       ->check(counted(1, 1000000000))
       ->type_name("N");
   verb.add_option("--unit-bytes", options.unit_bytes)  // so that a test need not make gigabytes
       ->check(counted(1, kMostUnit_bytes))
       ->group(kHidden);
-  verb.add_option("--instruction-set", options.instruction_set,
-                  "changes no answer, only the speed [the widest of this machine]")
+  verb.add_option(
+          "--instruction-set", options.instruction_set,
+          "registers to use; changes the speed, never an answer [the widest of this machine]")
       ->transform(instruction_set_of_this_machine());
   verb.add_option("--storage", options.storage,
-                  "what the catalogue lies on [as the file system says]")
+                  "kind of disk that the catalogue lies on [what the file system says]")
       ->transform(one_of<schema::Storage>(
           {{"local", schema::Storage::local}, {"network", schema::Storage::network}}));
   verb.add_flag("--retry-undecided", options.retry_undecided,
-                "first judge again what no run could decide");
+                "first judge the undecided draws again");
   verb.add_flag_callback(
       "--allow-mixed-builds", [call] { call->options.builds = schema::Builds::mixed; },
-      "go on although ranks or earlier runs give other golden verdicts");
-  verb.add_option("--progress", options.progress, "how to show it, see above [auto]")
+      "go on although ranks or earlier runs judge a set of known sheets differently");
+  verb.add_option("--progress", options.progress, "how to show progress, see above [auto]")
       ->transform(one_of<ProgressStyle>({{"auto", ProgressStyle::automatic},
                                          {"plain", ProgressStyle::plain},
                                          {"bar", ProgressStyle::bar},

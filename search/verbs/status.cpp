@@ -46,15 +46,17 @@ int show_status(const StatusCall& call) {
 Action status_verb(CLI::App& verb) {
   verb.description("how far a campaign is, and what it found");
   verb.footer(
-      "First faults, and survival in the JSON, are from the fault sample: each of its rows\n"
-      "weighs the draws that it stands for. Where nothing was accepted, it says from which\n"
-      "angle draws survive, how rare an accepted one is at most, and what to try.\n\n"
+      "The shares of first faults, and survival in the JSON, come from the fault sample: each\n"
+      "of its rows counts for all the draws that it stands for. Where nothing was accepted,\n"
+      "status says how many draws survive to which angle, how rare an accepted one is at\n"
+      "most, and what to try.\n\n"
       "Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
   auto call = std::make_shared<StatusCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
   verb.add_flag("--json", call->json, "as JSON");
-  verb.add_flag("--check", call->check, "exit with 75 while work remains, 0 when complete");
-  verb.add_option("--at", call->at_deg, "also count what deploys from this many degrees")
+  verb.add_flag("--check", call->check, "exit code 75 while work remains, 0 when complete");
+  verb.add_option("--at", call->at_deg,
+                  "also count the candidates that deploy from this angle, degrees")
       ->type_name("DEG");
   return [call] { return show_status(*call); };
 }

@@ -204,17 +204,16 @@ int run(ToleranceCall call) {
 Action tolerance_verb(CLI::App& verb) {
   verb.description("how many miscut copies of a sheet still deploy");
   verb.footer(
-      "Every vertex, of the perimeter too, is moved by a random error, uniform on\n"
-      "[-MM, MM] in x and in y; with --vertices each vertex alone, too. Trial t makes\n"
-      "the same errors for every candidate of a campaign: they are numbers of the\n"
-      "campaign's seed and of t. The intervals are exact ones of 95 %.\n"
-      "What is found is kept in the catalogue, unless more trials with this amplitude\n"
-      "are: `misalign query FILE yields`, column yield of `export --by` and `--where`.\n"
-      "Whom to ask about: query `tolerant` foretells it.\n"
-      "A copy of a candidate counts as deploying if it reaches its campaign's threshold.\n"
-      "A pattern file, an exported candidate too, names none, and no seed: a copy counts\n"
-      "if it reaches the sheet's own D, the errors are those of seed 1, and nothing is\n"
-      "kept.\n\n"
+      "Every vertex, also on the perimeter, is moved by a random error, uniform on [-MM, MM]\n"
+      "in x and in y. Trial t makes the same errors for every candidate of a campaign: they\n"
+      "follow from the campaign's seed and t. The intervals are exact ones of 95 %.\n"
+      "  of a candidate   a copy deploys if it reaches the campaign's threshold. The yield\n"
+      "                   is kept in the catalogue unless one from more trials with this\n"
+      "                   amplitude is there: see `misalign query FILE yields`, and column\n"
+      "                   yield of `export --by` and `--where`\n"
+      "  of a pattern     (a file, or an exported candidate) a copy deploys if it reaches\n"
+      "                   the sheet's own D; the errors are those of seed 1; nothing is kept\n"
+      "`misalign query FILE tolerant` lists the candidates that promise the most.\n\n"
       "Examples:\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
@@ -224,25 +223,25 @@ Action tolerance_verb(CLI::App& verb) {
   ToleranceOptions& study = call->study;
   add_catalogue_or_pattern(verb, call->path);
   auto* draws = verb.add_option("DRAW", call->choice.draws,
-                                "numbers of candidates' draws, of a catalogue; or choose some:")
+                                "candidates of a catalogue by their draws; or choose:")
                     ->check(a_draw());
-  auto* group = verb.add_option_group("choice", "which candidates of a catalogue");
+  auto* group = verb.add_option_group("choice", "which candidates of a catalogue, instead of DRAW");
   const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
   verb.add_option("--amplitude", study.amplitude_mm, "largest error, mm")
       ->required()
       ->check(within(0, 1e6))
       ->type_name("MM");
-  verb.add_option("--trials", study.trials, "copies with every vertex off its place [1000]")
+  verb.add_option("--trials", study.trials, "how many copies, every vertex off its place [1000]")
       ->check(counted(1, 100000000))
       ->type_name("N");
   verb.add_flag("--vertices", study.vertices,
-                "also each vertex alone, " + std::to_string(kMostTrialsOfOneVertex) +
+                "also move each vertex alone, in " + std::to_string(kMostTrialsOfOneVertex) +
                     " copies at most: which ones matter most");
   verb.add_option("--jobs", call->jobs, "threads; the answer does not depend on them [all cores]")
       ->check(counted(1, 4096))
       ->type_name("N");
-  verb.add_flag("!--no-keep", call->keep, "leave the catalogue as it is");
+  verb.add_flag("!--no-keep", call->keep, "do not write the yields into the catalogue");
   verb.add_flag("--json", call->json, "as JSON; a list, unless one DRAW is named, or a pattern");
   return [call, draws, chosen] {
     if (is_pattern_file(call->path)) {

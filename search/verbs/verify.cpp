@@ -38,18 +38,20 @@ bool is_good_pattern(const VerifyCall& call) {
 }  // namespace
 
 Action verify_verb(CLI::App& verb) {
-  verb.description("a catalogue's ledger and its candidates once more, or a pattern");
+  verb.description("check a catalogue or a pattern: everything it says, computed once more");
   verb.footer(
-      "Checks the file, every unit's candidates and sums, what runs say of themselves,\n"
-      "the goal's end, the diagonals and the digest, all of one moment; follows the\n"
-      "chosen candidates' paths again from their stored displacements and compares\n"
-      "every column; checks each folded shape by its coordinates; judges fault samples\n"
-      "again. --units makes all draws of units chosen at random again: a candidate that\n"
-      "was removed together with its sums is seen by nothing else. Panels that cross are\n"
-      "reported (they are assumed not to), and no fault; so are metrics that an older\n"
-      "build measured by another definition.\n"
-      "A pattern file is one sheet: its path by two solvers, its folded shapes, and what\n"
-      "an exported candidate says of itself.\n"
+      "Of a catalogue, as it is at one moment:\n"
+      "  always       the file, each unit's candidates and sums, what runs say of themselves,\n"
+      "               the goal's end, the diagonals, the digest\n"
+      "  candidates   (--sample, --all) their paths once more from the stored displacements;\n"
+      "               every column is compared, every folded shape checked by its coordinates\n"
+      "  fault sample (as many) the verdicts once more\n"
+      "  units        (--units) all draws of units chosen at random once more: nothing else\n"
+      "               sees a candidate that was removed together with its sums\n"
+      "Reported, but no fault: panels that cross (the search assumes that they do not), and\n"
+      "metrics that an older build measured by another definition.\n"
+      "Of a pattern file: its path by sparse and by dense matrices, its folded shapes, and\n"
+      "what an exported candidate says of itself.\n"
       "Exit code 6 if anything differs.\n\n"
       "Examples:\n  misalign verify results/miura-6x6-1a2b3c4d.db\n"
       "  misalign verify results/miura-6x6-1a2b3c4d.db --all --json\n"
@@ -57,17 +59,20 @@ Action verify_verb(CLI::App& verb) {
       "  misalign verify search/patterns/table1.json");
   auto call = std::make_shared<VerifyCall>();
   add_catalogue_or_pattern(verb, call->path);
-  auto* sample = verb.add_option("--sample", call->options.sample,
-                                 "so many candidates, spread evenly over them in the order "
-                                 "of their draws, and as many fault samples [100]");
+  auto* sample =
+      verb.add_option("--sample", call->options.sample,
+                      "how many candidates, spread evenly in the order of their draws, and how "
+                      "many fault samples [100]");
   sample->check(a_draw())->type_name("N");
   auto* all = verb.add_flag_callback(
       "--all", [call] { call->options.sample.reset(); }, "every candidate and fault sample");
   all->excludes(sample);
-  auto* units = verb.add_option("--units", call->options.units,
-                                "also make all draws of so many units again, chosen at random [0]");
+  auto* units =
+      verb.add_option("--units", call->options.units,
+                      "how many units, chosen at random, all draws of which are made again [0]");
   units->check(a_draw())->type_name("N");
-  verb.add_option("--seed", call->seed, "of that choice, to have the same again [a random one]")
+  verb.add_option("--seed", call->seed,
+                  "seed of that choice, to choose the same units again [a random one]")
       ->check(a_draw())
       ->needs(units)
       ->type_name("N");

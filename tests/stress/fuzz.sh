@@ -55,16 +55,14 @@ fi
 all release 1
 all asan 20
 
-# What the readers of JSON need, without the rest of the program.
-sources="schema/campaign/campaign.cpp schema/campaign/carried_pattern.cpp schema/catalogue/digest.cpp schema/campaign/fold_format.cpp schema/files/input.cpp
-  schema/campaign/mesh_family.cpp schema/campaign/pattern_file.cpp schema/campaign/plane_mesh.cpp schema/files/printable.cpp solver/pattern/base_folding.cpp
-  solver/pattern/crease_pattern.cpp solver/pattern/degree_four.cpp solver/pattern/half_angle.cpp solver/kinematics/loop_closure.cpp
-  solver/kinematics/mechanism.cpp solver/pattern/miura.cpp solver/linear/newton.cpp solver/pattern/outline.cpp solver/pattern/perforation.cpp"
+# What the readers of JSON need, without the rest of the program; the list of keys is made by CMake.
+sources=$(ls schema/files/*.cpp schema/campaign/*.cpp schema/catalogue/digest.cpp solver/pattern/*.cpp \
+  solver/kinematics/*.cpp solver/linear/{mobility,newton}.cpp | grep -v key_list)
 by_coverage() { # NAME INPUTS
   [ "$2" -gt 0 ] || return 0
   clang++ -std=c++20 -O1 -g1 -ffp-contract=off -fno-sanitize-recover=all -fsanitize=fuzzer,address,undefined \
     -DMISALIGN_LIBFUZZER -DMISALIGN_SOURCE_DIR="\"$PWD\"" -I. -isystem /usr/include/eigen3 \
-    "tests/stress/$1.cpp" $sources -lxxhash -o $work/"$1-libfuzzer"
+    "tests/stress/$1.cpp" $sources -lfmt -lsqlite3 -lxxhash -o $work/"$1-libfuzzer"
   build/release/tests/"$1" --corpus $work/"$1-corpus"
   $work/"$1-libfuzzer" -runs="$2" -seed="$seed" -timeout=60 -max_len=8192 -artifact_prefix=$work/ \
     -print_final_stats=1 $work/"$1-corpus"
