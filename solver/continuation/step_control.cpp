@@ -39,6 +39,7 @@ PathStep StepControl::after(const NewtonReport& report) {
 // The pilot is at the station and every loop closes: believed if it is still the path's own curve.
 PathStep StepControl::converged(const NewtonReport& report) {
   ++result_.newton_solves;
+  if (phase_ == Phase::last_try) return arrive(report, report.tangent_pilot < 0 ? -1 : 1);
   const double longest_turn = phase_ == Phase::landing ? std::min(ds_, options_.longest_half_sine)
                                                        : options_.longest_half_sine;
   if (!(report.largest_half_sine <= longest_turn)) return not_there(report);
@@ -58,7 +59,7 @@ PathStep StepControl::converged(const NewtonReport& report) {
 PathStep StepControl::arrive(const NewtonReport& report, double tangent_sign) {
   const double step_rad =
       tangents_ > 0 ? (target().pilot_deg - result_.fold_limit_deg) * kRadPerDeg : 0;
-  if (phase_ == Phase::landing) tangents_ = 0;
+  if (phase_ != Phase::stepping) tangents_ = 0;
   phase_ = Phase::stepping;
   result_.fold_limit_deg = target().pilot_deg;
   tangent_pilot_[2] = std::exchange(tangent_pilot_[1], tangent_pilot_[0]);
@@ -100,6 +101,7 @@ PathStep StepControl::proceed() {
 
 PathStep StepControl::not_there(const NewtonReport& report) {
   if (phase_ == Phase::stepping) return begin_arc(report);
+  if (phase_ == Phase::last_try) return end(result_.end);
   ds_ *= 0.5;
   phase_ = Phase::arc;
   return go_along(report.last_pilot);
@@ -122,7 +124,8 @@ PathStep StepControl::go_along(const HalfAngle<double>& last_pilot) {
   const double rise = ds_ * tangent_pilot_[0];
   if (bend_ > 0 && rise < options_.arc.limit_tolerance_rad) return at_limit_point(rise, last_pilot);
   if (ds_ < options_.arc.shortest_step_rad || arc_steps_ > options_.arc.most_steps) {
-    return stall(last_pilot);
+    result_.fold_limit_deg = angle_deg(last_pilot);
+    return no_way_on(PathEnd::stalled, last_pilot);
   }
   corrections_ = 0;
   corrected_rad_ = 0;
@@ -170,23 +173,23 @@ PathStep StepControl::found_on_arc(const NewtonReport& report) {
   return move;
 }
 
-// No step is short enough: lost, or at a station that is singular.
-PathStep StepControl::stall(const HalfAngle<double>& last_pilot) {
-  result_.fold_limit_deg = angle_deg(last_pilot);
-  const double gap_rad = 2 * half_sine_between(target().pilot, last_pilot);
-  if (gap_rad > options_.arc.singular_gap_rad) return end(PathEnd::stalled);
-  phase_ = Phase::stepping;
-  tangents_ = 1;
-  result_.fold_limit_deg = target().pilot_deg;
-  PathStep move;
-  move.arrived = true;  // as the last point believed
-  return move;
-}
-
 // Between the last point believed and the one that rises by at most `rise_rad` more.
 PathStep StepControl::at_limit_point(double rise_rad, const HalfAngle<double>& last_pilot) {
   result_.fold_limit_deg = angle_deg(last_pilot) + 0.5 * rise_rad / kRadPerDeg;
-  return end(PathEnd::fold_limit);
+  return no_way_on(PathEnd::fold_limit, last_pilot);
+}
+
+// Unless the station is next to the last point believed, and has a solution after all.
+PathStep StepControl::no_way_on(PathEnd why, const HalfAngle<double>& last_pilot) {
+  result_.end = why;
+  const double gap_rad = 2 * half_sine_between(target().pilot, last_pilot);
+  if (gap_rad > options_.arc.singular_gap_rad) return end(why);
+  phase_ = Phase::last_try;
+  corrections_ = 0;
+  PathStep move;
+  move.depart = move.hold = true;
+  move.pilot = target().pilot;
+  return move;
 }
 
 PathStep StepControl::end(PathEnd end) {

@@ -18,9 +18,9 @@ struct ArcOptions {
   int most_steps = 5000;                ///< from one station to the next
   /// How well the pilot's largest value is known: 6e-8 degrees; 0.001 is asked for.
   double limit_tolerance_rad = 1e-9;
-  /// Stalled this close below a station, with the pilot still rising, the path has reached it:
-  /// there the equations are singular, as at 180 degrees where another branch crosses. 0: it has
-  /// not.
+  /// Where a path stalls or finds a limit point this close below a station, the station may be
+  /// singular, as 180 degrees where another branch crosses: it is tried once with the pilot held.
+  /// 0: never.
   double singular_gap_rad = 0;
 };
 
@@ -94,7 +94,7 @@ class StepControl {
   const PathResult& result() const { return result_; }
 
  private:
-  enum class Phase { idle, stepping, arc, landing };
+  enum class Phase { idle, stepping, arc, landing, last_try };
 
   PathStep converged(const NewtonReport& report);
   PathStep found_on_arc(const NewtonReport& report);
@@ -102,8 +102,8 @@ class StepControl {
   PathStep not_there(const NewtonReport& report);
   PathStep begin_arc(const NewtonReport& report);
   PathStep go_along(const HalfAngle<double>& last_pilot);
-  PathStep stall(const HalfAngle<double>& last_pilot);
   PathStep at_limit_point(double rise_rad, const HalfAngle<double>& last_pilot);
+  PathStep no_way_on(PathEnd why, const HalfAngle<double>& last_pilot);
   PathStep end(PathEnd end);
 
   StepControlOptions options_;

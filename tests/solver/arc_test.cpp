@@ -47,6 +47,10 @@ class ArcWalker {
   double last() const { return last_; }
   double below_top_deg() const { return curve_.top_deg - curve_.pilot(last_) / kRadPerDeg; }
   double longest_step() const { return longest_step_; }
+  int tries_beyond_top() const { return tries_beyond_top_; }
+
+  /// Whether a station beyond the top has a solution, which Newton finds from next to it.
+  void close_beyond_top() { closes_beyond_top_ = true; }
 
   /// From 10 degrees to where the path ends, or the last station.
   void follow(const PathPlan& plan) {
@@ -71,6 +75,7 @@ class ArcWalker {
     EXPECT_TRUE(move.depart);
     if (move.hold) {
       EXPECT_FALSE(control_.on_arc());
+      if (control_.target().pilot_deg > curve_.top_deg) return beyond_top(move);
       trial_ = curve_.forward_at(control_.target().pilot_deg);
     } else {
       EXPECT_TRUE(control_.on_arc());
@@ -94,6 +99,12 @@ class ArcWalker {
             half_angle_of_rad(curve_.pilot(last_)),
             half_angle_of_rad(curve_.pilot(trial_))};
   }
+  NewtonReport beyond_top(const PathStep& move) {
+    ++tries_beyond_top_;
+    EXPECT_EQ(move.along[0], 0) << "from the last point believed";
+    trial_ = 0;
+    return closes_beyond_top_ ? reading() : lost();
+  }
   NewtonReport lost() {
     NewtonReport reading = this->reading();
     reading.open_by = std::nan("");
@@ -103,12 +114,13 @@ class ArcWalker {
   Parabola curve_;
   StepControl control_;
   double last_ = 0, trial_ = 0, longest_step_ = 0;
-  int readings_ = 0;
+  int readings_ = 0, tries_beyond_top_ = 0;
+  bool closes_beyond_top_ = false;
 };
 
 // Tops of every height over the last station and of every width, with the tolerance of full paths
 // and with the approach's. The rest of the error is that of angles in degrees, 1e-13.
-TEST(Walk, FoldLimitIsTheParabolasTop) {
+TEST(Arc, FoldLimitIsTheParabolasTop) {
   const PathPlan plan = stations_at({10, 60});
   for (const double tolerance_deg : {kArc.limit_tolerance_rad / kRadPerDeg, 0.1}) {
     StepControlOptions options;
@@ -133,7 +145,7 @@ TEST(Walk, FoldLimitIsTheParabolasTop) {
 
 // A turn far below the plan's end need not be located: it is enough that a share of the way to the
 // end is out of reach. Reported is the middle of where it can be.
-TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
+TEST(Arc, FarFromTheEndALimitPointIsKnownToAShareOfTheWay) {
   constexpr double kEnd_deg = 60;
   for (const double share : {0.5, 0.9, 0.99}) {
     StepControlOptions options;
@@ -157,7 +169,7 @@ TEST(Walk, FarFromTheEndATurnIsKnownToAShareOfTheWay) {
 }
 
 // Below the top a station is landed on, and the next one reached along the arc again.
-TEST(Walk, LandsOnStopsBelowTheTop) {
+TEST(Arc, LandsOnStationsBelowTheTop) {
   for (const double curvature : {0.1, 2.0, 50.0}) {
     ArcWalker reaches({31, curvature});
     reaches.follow(stations_at({10, 20, 30}));
@@ -172,8 +184,31 @@ TEST(Walk, LandsOnStopsBelowTheTop) {
   }
 }
 
+// A limit point next to a station may be the station itself, where the equations are singular: it
+// is tried once with the pilot held.
+TEST(Arc, ALimitPointNextToASingularStation) {
+  StepControlOptions options;
+  options.arc.singular_gap_rad = 1e-5 * kRadPerDeg;
+  const auto followed = [&](double below_deg, bool closes) {
+    ArcWalker arc({30 - below_deg, 1}, options);
+    if (closes) arc.close_beyond_top();
+    arc.follow(stations_at({10, 30}));
+    return arc;
+  };
+  const ArcWalker reached = followed(0.9e-5, true), refused = followed(0.9e-5, false);
+  EXPECT_EQ(reached.result().end, PathEnd::end_reached);
+  EXPECT_EQ(reached.result().fold_limit_deg, 30);
+  EXPECT_EQ(refused.result().end, PathEnd::fold_limit);
+  EXPECT_NEAR(refused.result().fold_limit_deg, 30 - 0.9e-5, 1e-7);
+  const ArcWalker too_far = followed(1.1e-5, true);
+  EXPECT_EQ(too_far.result().end, PathEnd::fold_limit);
+  EXPECT_EQ(reached.tries_beyond_top(), 1);
+  EXPECT_EQ(refused.tries_beyond_top(), 1);
+  EXPECT_EQ(too_far.tries_beyond_top(), 0);
+}
+
 // After an arc the rates before it say nothing: the next extrapolation is a straight line.
-TEST(Walk, ForgetsTheRatesBeforeIt) {
+TEST(Arc, ForgetsTheRatesBeforeIt) {
   const PathPlan plan = stations_at({10, 20, 30, 40});
   const NewtonReport at_10 = {0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(10)};
   StepControl control;
@@ -202,9 +237,9 @@ TEST(Walk, ForgetsTheRatesBeforeIt) {
   EXPECT_EQ(next.along[2], 0);
 }
 
-class WalkStepTest : public testing::Test {
+class ArcStepTest : public testing::Test {
  protected:
-  WalkStepTest() {
+  ArcStepTest() {
     control_.begin(plan_, 0, 0);
     control_.after(on_curve_);
     control_.proceed();
@@ -229,7 +264,7 @@ class WalkStepTest : public testing::Test {
       0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(12)};
 };
 
-TEST_F(WalkStepTest, HalvesWhereTheCorrectorFails) {
+TEST_F(ArcStepTest, HalvesWhereTheCorrectorFails) {
   NewtonReport reading = on_curve_;
   reading.open_by = 1e-3;
   control_.after(reading);
@@ -239,7 +274,7 @@ TEST_F(WalkStepTest, HalvesWhereTheCorrectorFails) {
   expect_half_a_step(reading);
 }
 
-TEST_F(WalkStepTest, HalvesOnAnotherCurve) {
+TEST_F(ArcStepTest, HalvesOnAnotherCurve) {
   NewtonReport reading = on_curve_;
   reading.orientation = -1;
   expect_half_a_step(reading);
@@ -250,7 +285,7 @@ TEST_F(WalkStepTest, HalvesOnAnotherCurve) {
   expect_half_a_step(reading);
 }
 
-TEST_F(WalkStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
+TEST_F(ArcStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
   NewtonReport reading = on_curve_;
   reading.tangent_cosine = kArc.least_tangent_cosine;
   PathStep move = control_.after(reading);
@@ -273,7 +308,7 @@ TEST_F(WalkStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
 }
 
 // A landing is believed within the step that led over the station, on the forward half.
-TEST_F(WalkStepTest, LandingFromBothSidesOfItsBound) {
+TEST_F(ArcStepTest, LandingFromBothSidesOfItsBound) {
   NewtonReport beyond = on_curve_;
   beyond.pilot = half_angle_of_deg(41);
   EXPECT_TRUE(control_.after(beyond).hold);
@@ -295,7 +330,7 @@ TEST_F(WalkStepTest, LandingFromBothSidesOfItsBound) {
 }
 
 // 0.1 rad is below 1e-9 rad after 27 halvings.
-TEST_F(WalkStepTest, StallsBelowTheShortestStep) {
+TEST_F(ArcStepTest, StallsBelowTheShortestStep) {
   NewtonReport reading = on_curve_;
   reading.open_by = std::nan("");
   for (int k = 1; k < 27; ++k) expect_half_a_step(reading);
@@ -305,7 +340,7 @@ TEST_F(WalkStepTest, StallsBelowTheShortestStep) {
   EXPECT_FALSE(control_.under_way());
 }
 
-TEST_F(WalkStepTest, StallsAfterTooManySteps) {
+TEST_F(ArcStepTest, StallsAfterTooManySteps) {
   for (int k = 1; k < kArc.most_steps; ++k) ASSERT_TRUE(control_.after(on_curve_).believe);
   EXPECT_TRUE(control_.after(on_curve_).ended);
   EXPECT_EQ(control_.result().end, PathEnd::stalled);

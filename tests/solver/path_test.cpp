@@ -1,11 +1,12 @@
 // The path: independent of the solver's steps, and its fold limit a true turning point.
 #include "sheets.hpp"
 #include "solver/kinematics/diagonals.hpp"
+#include "solver/reference/arc_length.hpp"
 
 namespace misalign::solver {
 namespace {
 
-TEST(Path, StopsAreSamplesLooksAndSteps) {
+TEST(Path, StationsAreSamplesLooksAndSteps) {
   const TestSheet sheet(4, 4);
   PathPlanOptions options;
   options.sample_deg = 5;
@@ -53,6 +54,42 @@ TEST(Path, LengthsAndVerdictDoNotDependOnTheSteps) {
     EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-9);
   }
   EXPECT_EQ(row, usual.length_mm.rows());
+}
+
+// Draw 424144 of search/campaigns/miura-4x4.json reaches 180 degrees, where its Jacobian is
+// singular: a follower sees a limit point 1e-7 degrees below. Newton in steps of 0.02 degrees knows
+// nothing of tangents, turns or factors in a fixed order.
+TEST(Path, ReachesAStationWhereTheEquationsAreSingular) {
+  const TestSheet sheet(4, 4);
+  const FlatVertices vertices = sheet.shifted({{"A7", {0.4, 0.0}},
+                                               {"A8", {-0.4, 0.0}},
+                                               {"A9", {0.0, -0.4}},
+                                               {"A13", {-0.4, 0.0}},
+                                               {"A14", {-0.4, -0.4}},
+                                               {"A17", {0.4, -0.4}},
+                                               {"A18", {-0.4, 0.4}}});
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism, vertices, geometry);
+  Newton newton(sheet.mechanism);
+  FoldState<double> state = sheet.folded(0.02);
+  for (int k = 1; k <= 9000; ++k) {
+    const FoldState<double> last = state;
+    state.creases[sheet.mechanism.pilot] = half_angle_of_deg(0.02 * k);
+    ASSERT_EQ(newton.correct(geometry, state).end, NewtonEnd::converged) << 0.02 * k;
+    ASSERT_LE(largest_half_sine(last, state), std::sin(0.5 * kRadPerDeg)) << "a jump";
+  }
+  std::vector<double> lengths(sheet.mechanism.diagonals.size());
+  folded_lengths(sheet.mechanism, geometry, state, lengths.data());
+
+  const FoldingHistory history = sheet.history(vertices);
+  EXPECT_EQ(history.path.end, PathEnd::end_reached);
+  EXPECT_EQ(history.path.fold_limit_deg, 180);
+  EXPECT_EQ(history.verdict.deploys_from_sample, 180);
+  EXPECT_LT(history.singular_value_min.back(), 1e-6);
+  // Closed to 1e-12 where the equations are singular: states are known to the root of that.
+  for (std::size_t d = 0; d < lengths.size(); ++d) {
+    EXPECT_NEAR(history.length_mm(179, static_cast<Eigen::Index>(d)), lengths[d] * 80, 80e-6);
+  }
 }
 
 // At a turning point the smallest singular value falls like the square root of the distance: this
