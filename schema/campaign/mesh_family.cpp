@@ -44,8 +44,8 @@ Json lengths_json(const std::vector<double>& lengths) {
   return equal ? Json(lengths.front()) : Json(lengths);
 }
 
-FamilyMesh read_miura(ObjectReader& reader) {
-  int rows = 6, columns = 6;
+// How many panels of a sheet in rows and columns.
+void read_sides(ObjectReader& reader, int& rows, int& columns) {
   const auto side = [&](const char* key, int& into) {
     reader.require(key, "write how many panels, for example 6");
     const Json* value = reader.find(key);
@@ -63,9 +63,14 @@ FamilyMesh read_miura(ObjectReader& reader) {
       into = static_cast<int>(n);
     }
   };
-  const std::size_t before = reader.faults().count();
   side("rows", rows);
   side("columns", columns);
+}
+
+FamilyMesh read_miura(ObjectReader& reader) {
+  int rows = 6, columns = 6;
+  const std::size_t before = reader.faults().count();
+  read_sides(reader, rows, columns);
   solver::MiuraShape shape;
   read_lengths(reader, "panel_width_mm", 80, columns, "try 80", shape.width_mm);
   read_lengths(reader, "panel_height_mm", 80, rows, "try 80", shape.height_mm);

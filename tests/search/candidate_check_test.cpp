@@ -124,16 +124,22 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   }
   EXPECT_EQ(check_.check(nullptr).findings.size(), 1u);
   // What was written before a column was there has none of it, or null in it.
-  Json older = row;
-  older["miscut_margin_mm"] = nullptr;
-  EXPECT_TRUE(check_.check(older, 3).findings.empty());
-  EXPECT_FALSE(check_.check(older).findings.empty());
-  older["slope_between_min_mm_per_deg"] = older["bump_deg"] = nullptr;
+  const auto written_by = [&row](int version) {
+    Json older = row;
+    for (const schema::MetricEntry& metric : schema::metric_table()) {
+      if (metric.age.first > version) older[metric.name] = nullptr;
+    }
+    return older;
+  };
+  EXPECT_TRUE(written_by(3).at("miscut_margin_mm").is_null());
+  EXPECT_TRUE(check_.check(written_by(3), 3).findings.empty());
+  EXPECT_FALSE(check_.check(written_by(3)).findings.empty());
+  Json older = written_by(1);
+  EXPECT_TRUE(older.at("bump_deg").is_null());
   EXPECT_TRUE(check_.check(older, 1).findings.empty());
   EXPECT_FALSE(check_.check(older).findings.empty());
   // What has another meaning by now is noted; what has none is as wrong as ever.
-  Json altered = row;
-  altered["miscut_margin_mm"] = nullptr;  // which came later
+  Json altered = written_by(2);
   altered["bump_deg"] = 40.0;
   altered["slope_between_min_mm_per_deg"] = -1.0;
   const CandidateReport by_then = check_.check(altered, 2);
