@@ -39,7 +39,8 @@ constexpr MetricEntry kMetrics[] = {
          "Pilot fold angle where the pilot crease reaches its fold limit: a misaligned sheet "
          "generally cannot fold flat. Or the end of the path.",
      .range = kPositive,
-     .allowance = {.absolute = 1e-6},  // located to 1e-7; the path's end at 180 to 4e-7
+     .allowance = {.absolute = 1e-6},  // located to 1e-7
+     .age = {1, 5},
      .label = "fold limit",
      .written = "decimals_2"},
     {.name = "miscut_margin_mm",

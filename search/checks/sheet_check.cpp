@@ -41,8 +41,9 @@ FollowedSheet SheetCheck::follow(const solver::FlatVertices& vertices_mm) const 
   const solver::StationVisitor keep_state = [&](const solver::Station& station,
                                                 const solver::FoldState<double>& state) {
     if (station.sample == 0) return;
-    sheet.states.resize(station.sample);
-    sheet.states.back() = state;
+    const std::size_t samples = static_cast<std::size_t>(station.sample);
+    sheet.states.resize(std::max(sheet.states.size(), samples));  // some are followed once more
+    sheet.states[samples - 1] = state;
   };
   sheet.history = solver::record_history(model_, vertices_mm, &keep_state);
   return sheet;

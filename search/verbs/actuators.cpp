@@ -122,9 +122,9 @@ Action actuators_verb(CLI::App& verb) {
       "               fold the sheet further\n"
       "  advantage    newtons on the sheet's span for each newton in every diagonal\n"
       "  deployment   (180 - pilot)/180: 1 when flat\n"
-      "Then the force on each diagonal, where the moment is least, and the fewest diagonals\n"
-      "that keep half of that moment. Forces and elongations are positive where a spring is\n"
-      "longer than when flat, and pulls.\n\n"
+      "Before it: where the moment is least, and the fewest diagonals that keep half of that\n"
+      "moment. After it: the force on each diagonal at D. Forces and elongations are positive\n"
+      "where a spring is longer than when flat, and pulls.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
       "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json");

@@ -235,9 +235,9 @@ class Comparison {
   // The fast path accepts what its tests leave and its full path takes as far as the threshold.
   template <class Chosen>
   void decide(int threshold, const Chosen& is_chosen) {
-    const solver::Model family(campaign_.pattern.base, campaign_.misalignment.vertices,
-                               campaign_.path(), threshold, campaign_.between_samples);
-    const auto batch = solver::make_batch(set_, family);
+    const solver::Model model(campaign_.pattern.base, campaign_.misalignment.vertices,
+                              campaign_.path(), threshold, campaign_.between_samples);
+    const auto batch = solver::make_batch(set_, model);
     solver::ShiftBlock block;
     std::vector<std::uint64_t> in_block;
     const auto flush = [&] {
@@ -260,9 +260,9 @@ class Comparison {
     for (std::uint64_t draw = 0; draw < expected_.size(); ++draw) {
       if (!is_chosen(expected_[draw])) continue;
       in_block.push_back(draw);
-      block.shifts_mm.resize(in_block.size() * 2 * family.shifted().size());
+      block.shifts_mm.resize(in_block.size() * 2 * model.shifted().size());
       draw_shifts(campaign_.misalignment, campaign_.seed, draw,
-                  block.shifts_mm.data() + block.shifts_mm.size() - 2 * family.shifted().size());
+                  block.shifts_mm.data() + block.shifts_mm.size() - 2 * model.shifted().size());
       if (in_block.size() == kBlock) flush();
     }
     flush();
@@ -340,7 +340,7 @@ Action bench_verb(CLI::App& verb) {
   verb.add_option(
           "--agree", call->agree_draws,
           "instead of speed: compare the verdicts of N draws with the reference's, at thresholds "
-          "of every tenth degree, at the draw's own D and one sample above")
+          "every 10 degrees, at the draw's own D and one sample above")
       ->check(counted(1, 100000000))
       ->type_name("N");
   verb.add_flag("--json", call->json, "as JSON");

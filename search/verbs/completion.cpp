@@ -229,8 +229,8 @@ std::string zsh_completion(const CLI::App& program) {
 Action completion_verb(CLI::App& verb) {
   verb.description("completion script for a shell");
   verb.footer(
-      "Where the program was installed into a place that the shell looks at, it is there "
-      "already.\n\n"
+      "The script is there already where the program was installed into a place that the\n"
+      "shell searches.\n\n"
       "Examples:\n"
       "  source <(misalign completion bash)\n"
       "  misalign completion zsh > ~/.zfunc/_misalign");

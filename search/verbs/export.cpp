@@ -119,8 +119,9 @@ Action export_verb(CLI::App& verb) {
       "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
       "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
       "  obj   one file for each folded state\n"
-      "Where two holes meet, the panels between them touch in a point: a ball joint, which\n"
-      "no drawing makes. Files are named after the campaign and the draw, or after the\n"
+      "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
+      "joint there, which is not in the files. Files are named after the campaign and the draw, or "
+      "after the\n"
       "pattern file.\n\n"
       "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
       "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
@@ -133,7 +134,8 @@ Action export_verb(CLI::App& verb) {
   Choice& choice = call->choice;
   SheetFilesOptions& files = call->files;
   add_catalogue_or_pattern(verb, files.read_from);
-  auto* group = verb.add_option_group("choice", "which candidates of a catalogue (one is needed)");
+  auto* group =
+      verb.add_option_group("choice", "which candidates of a catalogue (at least one of these)");
   auto* draw = add_draws(*group, choice.draws, "this one");
   const ChoiceOptions chosen = add_choice(verb, *group, choice);
   auto* plain =

@@ -55,9 +55,8 @@ Action fold_verb(CLI::App& verb) {
   verb.add_option("--step", call->step_deg, "also look at every multiple of this angle, degrees")
       ->check(within(0.01, 180))
       ->type_name("DEG");
-  verb.add_flag(
-      "--table", call->table,
-      "also print the lengths every 10 degrees, though they are too wide for the terminal");
+  verb.add_flag("--table", call->table,
+                "print the lengths every 10 degrees even where they are too wide for the terminal");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     fold(*call);

@@ -39,8 +39,8 @@ Action merge_verb(CLI::App& verb) {
   verb.footer(
       "Draws that several catalogues hold are compared (displacements and samples exactly,\n"
       "metrics within the tolerances of verify) and counted once. Where units overlap in\n"
-      "part, the part is computed again. If anything differs, no file is written and the\n"
-      "exit code is 6.\n\n"
+      "part, one is kept, and what the other has beyond it is computed again. If anything\n"
+      "differs, no file is written and the exit code is 6.\n\n"
       "Examples:\n  misalign merge all.db part-1.db part-2.db");
   auto options = std::make_shared<MergeOptions>();
   verb.add_option("OUT", options->output, "catalogue file to write; it must not exist yet")

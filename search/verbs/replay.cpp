@@ -51,9 +51,8 @@ Action replay_verb(CLI::App& verb) {
   auto call = std::make_shared<ReplayCall>();
   verb.add_option("CATALOGUE", call->catalogue_path, "catalogue file")->required();
   verb.add_option("DRAW", call->draw, "number of the draw")->required()->check(a_draw());
-  verb.add_flag(
-      "--table", call->table,
-      "also print the lengths every 10 degrees, though they are too wide for the terminal");
+  verb.add_flag("--table", call->table,
+                "print the lengths every 10 degrees even where they are too wide for the terminal");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     replay(*call);

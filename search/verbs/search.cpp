@@ -52,10 +52,13 @@ schema::DrawRange parse_range(const std::string& text) {
 // What is wanted, and of which draws.
 void add_goals(CLI::App& verb, SearchOptions& options) {
   const auto draw_count = a_draw();
-  verb.add_option("--draws", options.draws, "end when the catalogue holds so many draws")
+  verb.add_option(
+          "--draws", options.draws,
+          "end after the first N draws (of --range, if given), those of earlier runs among them")
       ->check(draw_count)
       ->type_name("N");
-  verb.add_option("--accepted", options.accepted, "end when it holds so many accepted draws")
+  verb.add_option("--accepted", options.accepted,
+                  "end when so many of them are accepted, those of earlier runs too")
       ->check(draw_count)
       ->type_name("K");
   verb.add_option("--relative-error", options.relative_error,

@@ -48,8 +48,8 @@ Action status_verb(CLI::App& verb) {
   verb.footer(
       "The shares of first faults, and survival in the JSON, come from the fault sample: each\n"
       "of its rows counts for all the draws that it stands for. Where nothing was accepted,\n"
-      "status says how many draws survive to which angle, how rare an accepted one is at\n"
-      "most, and what to try.\n\n"
+      "status says how many draws survive to which angle, how frequent an accepted\n"
+      "one can be at most, and what to try.\n\n"
       "Examples:\n  misalign status results/miura-6x6-1a2b3c4d.db --at 160");
   auto call = std::make_shared<StatusCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file")->required();

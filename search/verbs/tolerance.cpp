@@ -208,12 +208,13 @@ Action tolerance_verb(CLI::App& verb) {
       "in x and in y. Trial t makes the same errors for every candidate of a campaign: they\n"
       "follow from the campaign's seed and t. The intervals are exact ones of 95 %.\n"
       "  of a candidate   a copy deploys if it reaches the campaign's threshold. The yield\n"
-      "                   is kept in the catalogue unless one from more trials with this\n"
-      "                   amplitude is there: see `misalign query FILE yields`, and column\n"
+      "                   is kept in the catalogue unless one from as many trials or more\n"
+      "                   with this amplitude is there: see `misalign query FILE yields`, and "
+      "column\n"
       "                   yield of `export --by` and `--where`\n"
       "  of a pattern     (a file, or an exported candidate) a copy deploys if it reaches\n"
       "                   the sheet's own D; the errors are those of seed 1; nothing is kept\n"
-      "`misalign query FILE tolerant` lists the candidates that promise the most.\n\n"
+      "`misalign query FILE tolerant` lists the candidates that miscuts should harm least.\n\n"
       "Examples:\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
@@ -222,9 +223,9 @@ Action tolerance_verb(CLI::App& verb) {
   auto call = std::make_shared<ToleranceCall>();
   ToleranceOptions& study = call->study;
   add_catalogue_or_pattern(verb, call->path);
-  auto* draws = verb.add_option("DRAW", call->choice.draws,
-                                "candidates of a catalogue by their draws; or choose:")
-                    ->check(a_draw());
+  auto* draws =
+      verb.add_option("DRAW", call->choice.draws, "draw numbers of candidates of a catalogue")
+          ->check(a_draw());
   auto* group = verb.add_option_group("choice", "which candidates of a catalogue, instead of DRAW");
   const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);

@@ -38,11 +38,11 @@ bool is_good_pattern(const VerifyCall& call) {
 }  // namespace
 
 Action verify_verb(CLI::App& verb) {
-  verb.description("check a catalogue or a pattern: everything it says, computed once more");
+  verb.description("check a catalogue (its ledger, and candidates computed again) or a pattern");
   verb.footer(
-      "Of a catalogue, as it is at one moment:\n"
-      "  always       the file, each unit's candidates and sums, what runs say of themselves,\n"
-      "               the goal's end, the diagonals, the digest\n"
+      "Of a catalogue:\n"
+      "  always       as they are at one moment: the file, each unit's candidates and sums,\n"
+      "               what runs say of themselves, the goal's end, the diagonals, the digest\n"
       "  candidates   (--sample, --all) their paths once more from the stored displacements;\n"
       "               every column is compared, every folded shape checked by its coordinates\n"
       "  fault sample (as many) the verdicts once more\n"

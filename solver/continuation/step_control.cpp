@@ -39,10 +39,11 @@ PathStep StepControl::after(const NewtonReport& report) {
 // The pilot is at the station and every loop closes: believed if it is still the path's own curve.
 PathStep StepControl::converged(const NewtonReport& report) {
   ++result_.newton_solves;
-  if (phase_ == Phase::last_try) return arrive(report, report.tangent_pilot < 0 ? -1 : 1);
-  const double longest_turn = phase_ == Phase::landing ? std::min(ds_, options_.longest_half_sine)
-                                                       : options_.longest_half_sine;
+  const double longest_turn = phase_ == Phase::last_try  ? options_.arc.longest_try_half_sine
+                              : phase_ == Phase::landing ? std::min(ds_, options_.longest_half_sine)
+                                                         : options_.longest_half_sine;
   if (!(report.largest_half_sine <= longest_turn)) return not_there(report);
+  if (phase_ == Phase::last_try) return arrive(report, report.tangent_pilot < 0 ? -1 : 1);
   if (tangents_ == 0 && target().pilot_deg > 0 &&
       corrected_rad_ > options_.longest_start_share * target().pilot_deg * kRadPerDeg) {
     return not_there(report);
@@ -183,9 +184,10 @@ PathStep StepControl::at_limit_point(double rise_rad, const HalfAngle<double>& l
 PathStep StepControl::no_way_on(PathEnd why, const HalfAngle<double>& last_pilot) {
   result_.end = why;
   const double gap_rad = 2 * half_sine_between(target().pilot, last_pilot);
-  if (gap_rad > options_.arc.singular_gap_rad) return end(why);
+  if (!(gap_rad > 0 && gap_rad <= options_.arc.singular_gap_rad)) return end(why);
   phase_ = Phase::last_try;
   corrections_ = 0;
+  corrected_rad_ = 0;
   PathStep move;
   move.depart = move.hold = true;
   move.pilot = target().pilot;

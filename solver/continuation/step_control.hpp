@@ -22,6 +22,9 @@ struct ArcOptions {
   /// singular, as 180 degrees where another branch crosses: it is tried once with the pilot held.
   /// 0: never.
   double singular_gap_rad = 0;
+  /// Of a crease in that try, sin(half of its turn). The curve's own solution is at a distance like
+  /// the root of the gap: 4e-4 rad from 1e-5 degrees.
+  double longest_try_half_sine = 5e-3;
 };
 
 struct StepControlOptions {

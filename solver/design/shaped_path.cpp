@@ -7,6 +7,10 @@
 namespace misalign::solver {
 namespace {
 
+// Where all is folded flat the equations are singular, and angles known to the root of the closure
+// tolerance: 6e-5 degrees.
+constexpr double kShownOverFold_deg = 1e-3;
+
 Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
   Eigen::Matrix3Xd place_mm = Eigen::Matrix3Xd::Zero(3, flat_mm.cols());
   place_mm.topRows<2>() = flat_mm;
@@ -33,7 +37,7 @@ Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& 
     for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
       const double angle = angle_deg(row, static_cast<Eigen::Index>(i));
       const bool valley = mechanism.is_valley(mechanism.creases[i]);
-      if ((angle > 0) != valley || std::abs(angle) > 180 + kOverFoldBand_deg) return row;
+      if ((angle > 0) != valley || std::abs(angle) > 180 + kShownOverFold_deg) return row;
     }
   }
   return angle_deg.rows();

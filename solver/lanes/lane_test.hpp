@@ -8,8 +8,10 @@
 // precision left it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_math.hpp"

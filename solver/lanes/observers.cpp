@@ -75,7 +75,7 @@ StepControlOptions approach_options() {
   StepControlOptions options;
   options.closure_tolerance = kStationClosure;
   options.arc_closure_tolerance = kArcClosure;
-  options.arc.limit_tolerance_rad = kApproachTurn_deg * kRadPerDeg;
+  options.arc.limit_tolerance_rad = kRejection.approach_limit_deg * kRadPerDeg;
   options.limit_certain_share = 0.5;  // half the way to the threshold
   options.longest_half_sine = kLongestHalfSine;
   options.longest_correction_rad = kLongestCorrection_rad;
@@ -120,8 +120,8 @@ bool ApproachObserver::next(PathStart& start, int lane) {
 
 bool ApproachObserver::see(const Station& station, int lane) {
   const int sheet = queue_.of_lane(lane);
-  rejection_->observe(sheet, {station.sample, point_.lengths.data(), kPathLengthError,
-                              point_.slopes.data(), kPathSlopeError});
+  rejection_->observe(sheet, {station.sample, point_.lengths.data(), kRejection.path_length_widths,
+                              point_.slopes.data(), kRejection.path_slope_widths_per_rad});
   rejection_->observe(sheet, station.sample, point_.state);
   return !rejection_->decided(sheet);
 }

@@ -24,7 +24,10 @@ class DenseFallback {
   ~DenseFallback();
 
   /// A new block.
-  void begin() { candidates_.clear(); }
+  void begin() {
+    candidates_.clear();
+    under_way_ = false;
+  }
   /// Whether the second pass goes on.
   bool under_way() const { return under_way_; }
   /// Of the first pass: how a sheet's path ended.

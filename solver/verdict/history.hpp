@@ -32,8 +32,8 @@ struct FoldingHistory {
 using StationVisitor = std::function<void(const Station&, const FoldState<double>&)>;
 
 /// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
-/// faults. Where dense matrices have the last word (see dense_fallback) `visit` sees it from the
-/// first station once more.
+/// faults. Where dense matrices follow it again (see dense_fallback) `visit` sees it from the first
+/// station once more.
 FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit = nullptr);
 

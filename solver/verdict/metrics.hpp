@@ -14,8 +14,9 @@ inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
 /// Of the definitions below: each run stores the version that it measured by; whoever changes a
 /// definition raises it and says so in schema/catalogue/metric_table. 1: all but slope_between_min
 /// and bump_deg. 2: these two, by cubics in the pilot's angle. 3: by cubics along the path, which
-/// see no bump before a fold limit where there is none. 4: with miscut_margin.
-inline constexpr int kMetricsVersion = 4;
+/// see no bump before a fold limit where there is none. 4: with miscut_margin. 5: fold_limit_deg
+/// of paths that end at 180 degrees, where the equations are singular, is 180.
+inline constexpr int kMetricsVersion = 5;
 
 /// Over the samples up to D. Units, meanings, and which are none when:
 /// schema/catalogue/metric_table.

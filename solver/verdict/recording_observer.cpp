@@ -94,7 +94,7 @@ void RecordingObserver::ended(PathResult path, int lane) {
     fallback_.consider(sheet, history.verdict, path);
   } else if (!fallback_.counts(sheet, history.verdict)) {
     const FoldingHistory& before = histories_[sheet];
-    if (!before.path.lost()) return;
+    if (!before.path.lost() || history.stations.size() < before.stations.size()) return;
     history.verdict = before.verdict;  // of what was seen before
   }
   histories_[sheet] = std::move(history);

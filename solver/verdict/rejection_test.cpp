@@ -5,49 +5,19 @@
 #include <numeric>
 
 namespace misalign::solver {
-namespace {
-
-// A slope counts when it carries the diagonal by more than this in one degree: a diagonal that
-// turned round and back again within two degrees had smaller ones in 318,000 cases.
-constexpr double kLeastSlope_widths_per_deg = 1e-6;
-
-// Slopes speak of the samples next to theirs only if those are close.
-constexpr double kLongestSampleForSlopes_deg = 2;
-
-// A fold limit is taken for certain when it lies this far below the threshold.
-constexpr double kLimitMargin_deg = 4 * kApproachTurn_deg;
-
-// Fold angles of a converged state are better than this by far (rad).
-constexpr double kAngleMargin_rad = 1e-8;
-
-// Of the second correction to the first: beyond it, nothing is believed (2 of 1,000 sheets at 150
-// degrees).
-constexpr double kLargestRatio = 0.25;
-
-// Room for the constant K, and for how much of a rounding shows in a diagonal (0.2 of it at most
-// was seen), to be this much larger than they were found: there by the corrections, here on the
-// base folding.
-constexpr double kSafety = 10;
-
-// The same for what is left of a slope's error, in corrections: the estimate that corrects it has
-// the base folding's weights. Beside the floors 1.9 were seen in double precision, 4.0 in single,
-// in 150,000 cases.
-constexpr double kSlopeSafety = 5;
-
-}  // namespace
 
 std::optional<double> newton_error(double first_correction_rad, double second_correction_rad,
                                    double length_per_rad) {
   const double ratio = second_correction_rad / first_correction_rad;
-  if (!(ratio < kLargestRatio)) return std::nullopt;
-  return length_per_rad * kSafety * ratio * ratio * second_correction_rad;
+  if (!(ratio < kRejection.largest_ratio)) return std::nullopt;
+  return length_per_rad * kRejection.safety * ratio * ratio * second_correction_rad;
 }
 
 std::optional<double> chord_error(double first_correction_rad, double second_correction_rad,
                                   double length_per_rad) {
   const double ratio = second_correction_rad / first_correction_rad;
-  if (!(ratio < kLargestRatio)) return std::nullopt;
-  return length_per_rad * kSafety * ratio * second_correction_rad;
+  if (!(ratio < kRejection.largest_ratio)) return std::nullopt;
+  return length_per_rad * kRejection.safety * ratio * second_correction_rad;
 }
 
 double rounding_error(double epsilon, double extent, const TestAngle& test) {
@@ -60,10 +30,12 @@ double rounding_error(double epsilon, double extent, const TestAngle& test) {
                         [](double all, double share) { return all + std::abs(share); });
     most = std::max(most, sum);
   }
-  return kSafety * most * epsilon * extent + kPathLengthError;
+  return kRejection.safety * most * epsilon * extent + kRejection.path_length_widths;
 }
 
-double slope_error(double correction) { return kSlopeSafety * correction + kPathSlopeError; }
+double slope_error(double correction) {
+  return kRejection.slope_safety * correction + kRejection.path_slope_widths_per_rad;
+}
 
 RejectionTest::RejectionTest(const Model& model)
     : model_(model), diagonals_(model.mechanism().diagonals.size()) {}
@@ -102,9 +74,10 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
   // Of so many steps one at least is longer than the band.
   const double flat_margin = now.length_error + kStepBand_widths * model_.threshold_sample();
   const double earlier_margin = flat_margin + earlier_error_[sheet];
-  const bool slopes_count = now.slopes && model_.sample_deg() <= kLongestSampleForSlopes_deg &&
+  const bool slopes_count = now.slopes &&
+                            model_.sample_deg() <= kRejection.longest_sample_for_slopes_deg &&
                             now.sample < model_.threshold_sample();
-  const double slope_margin = now.slope_error + kLeastSlope_widths_per_deg / kRadPerDeg;
+  const double slope_margin = now.slope_error + kRejection.least_slope_widths_per_deg / kRadPerDeg;
   for (std::size_t i = 0; i < diagonals_; ++i) {
     bool grows = direction_[first + i] > 0, shrinks = direction_[first + i] < 0;
     const auto moved = [&](double by, double margin) {
@@ -121,11 +94,11 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
 }
 
 void RejectionTest::observe(int sheet, int sample, const FoldState<double>& state) {
-  constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg - kAngleMargin_rad;
+  constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg - kRejection.fold_angle_rad;
   const std::vector<Crease>& creases = model_.mechanism().creases;
   for (std::size_t k = 0; k < creases.size(); ++k) {
     if (state.creases[k].c < least_cosine) rejections_[sheet] = {Fault::over_folded, sample};
-    if (state.creases[k].s * creases[k].assignment < -kAngleMargin_rad) {
+    if (state.creases[k].s * creases[k].assignment < -kRejection.fold_angle_rad) {
       rejections_[sheet] = {Fault::assignment_flipped, sample};
     }
   }
@@ -133,7 +106,8 @@ void RejectionTest::observe(int sheet, int sample, const FoldState<double>& stat
 
 void RejectionTest::path_ended(int sheet, const PathResult& path) {
   const double threshold_deg = model_.threshold_sample() * model_.sample_deg();
-  if (path.end == PathEnd::fold_limit && path.fold_limit_deg < threshold_deg - kLimitMargin_deg) {
+  if (path.end == PathEnd::fold_limit &&
+      path.fold_limit_deg < threshold_deg - kRejection.certain_limit_deg) {
     rejections_[sheet] = {Fault::fold_limit,
                           static_cast<int>(path.fold_limit_deg / model_.sample_deg()) + 1};
   }

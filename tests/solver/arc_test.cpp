@@ -2,7 +2,10 @@
 // unknown, with a top, a forward half and a backward half. The test is its corrector.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "solver/continuation/step_control.hpp"
 
@@ -42,15 +45,14 @@ class ArcWalker {
   ArcWalker(const Parabola& curve, const StepControlOptions& options = {})
       : curve_(curve), control_(options) {}
 
-  StepControl& control() { return control_; }
   const PathResult& result() const { return control_.result(); }
   double last() const { return last_; }
   double below_top_deg() const { return curve_.top_deg - curve_.pilot(last_) / kRadPerDeg; }
   double longest_step() const { return longest_step_; }
   int tries_beyond_top() const { return tries_beyond_top_; }
 
-  /// Whether a station beyond the top has a solution, which Newton finds from next to it.
-  void close_beyond_top() { closes_beyond_top_ = true; }
+  /// A station beyond the top has a solution, which Newton finds this far (rad) from the top.
+  void close_beyond_top(double away) { closes_at_ = away; }
 
   /// From 10 degrees to where the path ends, or the last station.
   void follow(const PathPlan& plan) {
@@ -102,8 +104,8 @@ class ArcWalker {
   NewtonReport beyond_top(const PathStep& move) {
     ++tries_beyond_top_;
     EXPECT_EQ(move.along[0], 0) << "from the last point believed";
-    trial_ = 0;
-    return closes_beyond_top_ ? reading() : lost();
+    trial_ = closes_at_.value_or(0);
+    return closes_at_ ? reading() : lost();
   }
   NewtonReport lost() {
     NewtonReport reading = this->reading();
@@ -115,7 +117,7 @@ class ArcWalker {
   StepControl control_;
   double last_ = 0, trial_ = 0, longest_step_ = 0;
   int readings_ = 0, tries_beyond_top_ = 0;
-  bool closes_beyond_top_ = false;
+  std::optional<double> closes_at_;
 };
 
 // Tops of every height over the last station and of every width, with the tolerance of full paths
@@ -189,19 +191,22 @@ TEST(Arc, LandsOnStationsBelowTheTop) {
 TEST(Arc, ALimitPointNextToASingularStation) {
   StepControlOptions options;
   options.arc.singular_gap_rad = 1e-5 * kRadPerDeg;
-  const auto followed = [&](double below_deg, bool closes) {
+  const auto followed = [&](double below_deg, std::optional<double> away) {
     ArcWalker arc({30 - below_deg, 1}, options);
-    if (closes) arc.close_beyond_top();
+    if (away) arc.close_beyond_top(*away);
     arc.follow(stations_at({10, 30}));
     return arc;
   };
-  const ArcWalker reached = followed(0.9e-5, true), refused = followed(0.9e-5, false);
+  const ArcWalker reached = followed(0.9e-5, 0), refused = followed(0.9e-5, {});
   EXPECT_EQ(reached.result().end, PathEnd::end_reached);
   EXPECT_EQ(reached.result().fold_limit_deg, 30);
   EXPECT_EQ(refused.result().end, PathEnd::fold_limit);
   EXPECT_NEAR(refused.result().fold_limit_deg, 30 - 0.9e-5, 1e-7);
-  const ArcWalker too_far = followed(1.1e-5, true);
+  const ArcWalker too_far = followed(1.1e-5, 0);
   EXPECT_EQ(too_far.result().end, PathEnd::fold_limit);
+  // sin(half of it) is 0.005, but for the 1e-4 from the last point believed to the top.
+  EXPECT_EQ(followed(0.9e-5, 0.0095).result().end, PathEnd::end_reached);
+  EXPECT_EQ(followed(0.9e-5, 0.0105).result().end, PathEnd::fold_limit) << "another branch";
   EXPECT_EQ(reached.tries_beyond_top(), 1);
   EXPECT_EQ(refused.tries_beyond_top(), 1);
   EXPECT_EQ(too_far.tries_beyond_top(), 0);

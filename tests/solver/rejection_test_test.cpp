@@ -1,4 +1,4 @@
-// The fast tests' rules on made-up observations, every margin from both sides.
+// The rejection tests' rules on made-up observations, every margin from both sides.
 #include "solver/verdict/rejection_test.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// As rejection_test.cpp has it: per degree, so that it can be compared with a sample's step.
+// As RejectionTolerances has it, per radian.
 constexpr double kLeastSlope_widths_per_rad = 1e-6 / kRadPerDeg;
 
 // Newton's own sequence e' = K e^2 in one unknown: its corrections are e - e'. The error left must
@@ -53,11 +53,11 @@ TEST(ChordError, BoundsWhatIsLeftOfALinearSequence) {
 }
 
 // Two sheets of four diagonals: what is said of the second must not touch the first.
-class ScreeningTest : public testing::Test {
+class RejectionRules : public testing::Test {
  protected:
   static constexpr int kThreshold = 150, kSheet = 1;
 
-  ScreeningTest() { begin(screening_); }
+  RejectionRules() { begin(rejection_); }
 
   void begin(RejectionTest& rejection) {
     rejection.begin(2);
@@ -79,7 +79,7 @@ class ScreeningTest : public testing::Test {
   }
   bool rejects(int sample, double by, double slope = 0, double length_error = 0,
                double slope_error = 0) {
-    return rejects(screening_, sample, by, slope, length_error, slope_error);
+    return rejects(rejection_, sample, by, slope, length_error, slope_error);
   }
 
   DrawableSheet sheets_{4, 4};
@@ -88,27 +88,27 @@ class ScreeningTest : public testing::Test {
   std::array<double, 4> flat_ = {1, 1, 1, 1};
   // What all steps up to the threshold may hide.
   const double band_ = kStepBand_widths * kThreshold;
-  RejectionTest screening_{model_};
+  RejectionTest rejection_{model_};
 };
 
-TEST_F(ScreeningTest, GrownThenShrunkIsRejected) {
+TEST_F(RejectionRules, GrownThenShrunkIsRejected) {
   EXPECT_FALSE(rejects(100, 1e-3));
   EXPECT_TRUE(rejects(140, 0.9e-3));
 }
 
-TEST_F(ScreeningTest, ShrunkThenGrownIsRejectedInAnyOrderOfLooking) {
+TEST_F(RejectionRules, ShrunkThenGrownIsRejectedInAnyOrderOfLooking) {
   EXPECT_FALSE(rejects(140, -1e-3));
   EXPECT_TRUE(rejects(30, -2e-3));  // shorter than later: it has grown since
 }
 
-TEST_F(ScreeningTest, OneDirectionIsNotRejected) {
+TEST_F(RejectionRules, OneDirectionIsNotRejected) {
   EXPECT_FALSE(rejects(140, 3e-3, 1e-2));
   EXPECT_FALSE(rejects(30, 1e-3, 1e-2));
   EXPECT_FALSE(rejects(145, 4e-3, 1e-2));
-  EXPECT_EQ(words(screening_.results()[kSheet]), "none at sample 0");
+  EXPECT_EQ(words(rejection_.results()[kSheet]), "none at sample 0");
 }
 
-TEST_F(ScreeningTest, NoiseIsNotRejected) {
+TEST_F(RejectionRules, NoiseIsNotRejected) {
   for (const double noise : {0.9, -0.9, 0.5, -0.7}) {
     EXPECT_FALSE(rejects(10, noise * 0.5 * band_));
     EXPECT_FALSE(rejects(20, noise * 1e-8, 0, 2e-8));
@@ -120,18 +120,18 @@ TEST_F(ScreeningTest, NoiseIsNotRejected) {
 }
 
 // From flat, and from what was seen before: with the band of every step, and the errors of both.
-TEST_F(ScreeningTest, StepBandFromBothSides) {
+TEST_F(RejectionRules, StepBandFromBothSides) {
   for (const double error : {0.0, 1e-9}) {
     SCOPED_TRACE(error);
     const double margin = error + band_;
     for (const double by : {0.98 * margin, 1.02 * margin}) {
-      begin(screening_);
+      begin(rejection_);
       EXPECT_FALSE(rejects(30, -by, 0, error));  // shorter than flat, if that is certain ...
       EXPECT_EQ(rejects(30, 1e-3, 0, error), by > margin);  // ... and the same sample: longer
-      begin(screening_);
+      begin(rejection_);
       EXPECT_FALSE(rejects(30, 1e-3, 0, error));
       EXPECT_EQ(rejects(60, 1e-3 - by - error, 0, error), by > margin);
-      begin(screening_);
+      begin(rejection_);
       EXPECT_FALSE(rejects(60, 1e-3, 0, error));
       EXPECT_EQ(rejects(30, 1e-3 + by + error, 0, error), by > margin);
     }
@@ -139,7 +139,7 @@ TEST_F(ScreeningTest, StepBandFromBothSides) {
 }
 
 // The band is that of every step up to the threshold, wherever the test looks.
-TEST_F(ScreeningTest, StepBandGrowsWithTheThreshold) {
+TEST_F(RejectionRules, StepBandGrowsWithTheThreshold) {
   for (const int threshold : {20, 180}) {
     const Model model = sheets_.with_threshold(threshold);
     RejectionTest rejection(model);
@@ -152,16 +152,16 @@ TEST_F(ScreeningTest, StepBandGrowsWithTheThreshold) {
 }
 
 // Two looks at one sample are one: their lengths are not compared with each other.
-TEST_F(ScreeningTest, EqualSamplesAreOne) {
+TEST_F(RejectionRules, EqualSamplesAreOne) {
   EXPECT_FALSE(rejects(30, 1e-3));
   EXPECT_FALSE(rejects(30, 0.9e-3));
   EXPECT_TRUE(rejects(31, 0.8e-3));
 }
 
-TEST_F(ScreeningTest, SlopeMarginFromBothSides) {
+TEST_F(RejectionRules, SlopeMarginFromBothSides) {
   for (const double error : {0.0, 1e-2}) {
     for (const double share : {0.999, 1.001}) {
-      begin(screening_);
+      begin(rejection_);
       EXPECT_FALSE(rejects(30, 1e-3));
       EXPECT_EQ(rejects(60, 1e-3, -share * (error + kLeastSlope_widths_per_rad), 0, error),
                 share > 1);
@@ -170,14 +170,14 @@ TEST_F(ScreeningTest, SlopeMarginFromBothSides) {
 }
 
 // A slope speaks of the step to the next sample, which at the threshold is nobody's business.
-TEST_F(ScreeningTest, SlopesAreIgnoredAtTheThreshold) {
+TEST_F(RejectionRules, SlopesAreIgnoredAtTheThreshold) {
   for (const int sample : {kThreshold - 1, kThreshold}) {
-    begin(screening_);
+    begin(rejection_);
     EXPECT_EQ(rejects(sample, 1e-3, -0.1), sample < kThreshold);
   }
 }
 
-TEST_F(ScreeningTest, SlopesAreIgnoredForCoarseSamples) {
+TEST_F(RejectionRules, SlopesAreIgnoredForCoarseSamples) {
   for (const double sample_deg : {1.0, 2.0, 2.5, 5.0}) {
     PathPlanOptions path;
     path.sample_deg = sample_deg;
@@ -191,73 +191,73 @@ TEST_F(ScreeningTest, SlopesAreIgnoredForCoarseSamples) {
   }
 }
 
-TEST_F(ScreeningTest, SlopesNeedNotBeKnown) {
+TEST_F(RejectionRules, SlopesNeedNotBeKnown) {
   std::array<double, 4> lengths = flat_;
   for (double& length : lengths) length += 1e-3;
-  screening_.observe(kSheet, {30, lengths.data(), 0, nullptr, 0});
-  EXPECT_FALSE(screening_.decided(kSheet));
+  rejection_.observe(kSheet, {30, lengths.data(), 0, nullptr, 0});
+  EXPECT_FALSE(rejection_.decided(kSheet));
   EXPECT_TRUE(rejects(60, 1e-3, -0.1));
 }
 
-TEST_F(ScreeningTest, WhatIsNoNumberIsNoReason) {
+TEST_F(RejectionRules, WhatIsNoNumberIsNoReason) {
   EXPECT_FALSE(rejects(30, 1e-3));
   EXPECT_FALSE(rejects(60, kNan, kNan));
   EXPECT_FALSE(rejects(90, 0.5, -1, kNan, kNan));
 }
 
-TEST_F(ScreeningTest, BeginForgets) {
+TEST_F(RejectionRules, BeginForgets) {
   EXPECT_FALSE(rejects(30, 1e-3));
-  begin(screening_);
+  begin(rejection_);
   EXPECT_FALSE(rejects(60, -1e-3));
   EXPECT_TRUE(rejects(90, 1e-3));
-  begin(screening_);
-  EXPECT_FALSE(screening_.decided(kSheet));
+  begin(rejection_);
+  EXPECT_FALSE(rejection_.decided(kSheet));
 }
 
 // Beyond the verdict's own band by what a fold angle can be off; one of many creases.
-TEST_F(ScreeningTest, OverFoldMarginFromBothSides) {
+TEST_F(RejectionRules, OverFoldMarginFromBothSides) {
   const double margin_deg = 2e-8 / kRadPerDeg;  // 1e-8 of the half angle's cosine
   for (const double share : {0.99, 1.01}) {
-    begin(screening_);
+    begin(rejection_);
     FoldState<double> state = sheets_.folded(120);
     const int sign = model_.mechanism().creases[5].assignment;
     state.creases[5] = half_angle_of_deg(sign * (180 + share * (kOverFoldBand_deg + margin_deg)));
-    screening_.observe(kSheet, 120, state);
-    EXPECT_EQ(words(screening_.results()[kSheet]),
+    rejection_.observe(kSheet, 120, state);
+    EXPECT_EQ(words(rejection_.results()[kSheet]),
               share > 1 ? "over_folded at sample 120" : "none at sample 0");
-    EXPECT_FALSE(screening_.decided(0));
+    EXPECT_FALSE(rejection_.decided(0));
   }
 }
 
-TEST_F(ScreeningTest, LostSignFromBothSides) {
+TEST_F(RejectionRules, LostSignFromBothSides) {
   for (const double share : {0.99, 1.01}) {
-    begin(screening_);
+    begin(rejection_);
     FoldState<double> state = sheets_.folded(120);
     state.creases[3].s = -share * 1e-8 * model_.mechanism().creases[3].assignment;
-    screening_.observe(kSheet, 120, state);
-    EXPECT_EQ(words(screening_.results()[kSheet]),
+    rejection_.observe(kSheet, 120, state);
+    EXPECT_EQ(words(rejection_.results()[kSheet]),
               share > 1 ? "assignment_flipped at sample 120" : "none at sample 0");
   }
 }
 
-TEST_F(ScreeningTest, LimitMarginFromBothSides) {
-  const double margin_deg = 4 * kApproachTurn_deg;
+TEST_F(RejectionRules, LimitMarginFromBothSides) {
+  const double margin_deg = kRejection.certain_limit_deg;
   for (const double below_deg : {0.0, margin_deg - 1e-9, margin_deg + 1e-9, 20.5}) {
-    begin(screening_);
-    screening_.path_ended(kSheet, {PathEnd::fold_limit, kThreshold - below_deg, 0, 0, 0});
+    begin(rejection_);
+    rejection_.path_ended(kSheet, {PathEnd::fold_limit, kThreshold - below_deg, 0, 0, 0});
     // The first sample that is not there.
     const std::string seen =
         "fold_limit at sample " + std::to_string(kThreshold - static_cast<int>(below_deg));
-    EXPECT_EQ(words(screening_.results()[kSheet]),
+    EXPECT_EQ(words(rejection_.results()[kSheet]),
               below_deg > margin_deg ? seen : "none at sample 0");
   }
 }
 
-TEST_F(ScreeningTest, OnlyAFoldLimitIsAReason) {
+TEST_F(RejectionRules, OnlyAFoldLimitIsAReason) {
   for (const PathEnd end :
        {PathEnd::end_reached, PathEnd::stopped, PathEnd::start_lost, PathEnd::stalled}) {
-    screening_.path_ended(kSheet, {end, 100, 0, 0, 0});
-    EXPECT_FALSE(screening_.decided(kSheet));
+    rejection_.path_ended(kSheet, {end, 100, 0, 0, 0});
+    EXPECT_FALSE(rejection_.decided(kSheet));
   }
 }
 

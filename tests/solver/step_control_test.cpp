@@ -37,7 +37,7 @@ bool does_nothing(const PathStep& move) {
 class StepControlTest : public testing::Test {
  protected:
   // Step control has arrived at 10 degrees and is on its way to 20.
-  void arrive_at_first_stop(StepControl& control) {
+  void arrive_at_first_station(StepControl& control) {
     control.begin(plan_, 0, 0);
     EXPECT_TRUE(control.after(solution_at(10, 10)).arrived);
     EXPECT_TRUE(control.proceed().hold);
@@ -97,7 +97,7 @@ TEST_F(StepControlTest, GrowingResidualAtTheStart) {
 // Later one that grows in the first iteration may still converge; after that it is lost.
 TEST_F(StepControlTest, GrowingResidualWalks) {
   StepControl control;
-  arrive_at_first_stop(control);
+  arrive_at_first_station(control);
   EXPECT_TRUE(does_nothing(control.after(open_by(1e-3, at_20_))));
   EXPECT_TRUE(does_nothing(control.after(open_by(1e-2, at_20_))));
   expect_arc_begins(control, control.after(open_by(1e-2, at_20_)));
@@ -106,7 +106,7 @@ TEST_F(StepControlTest, GrowingResidualWalks) {
 TEST_F(StepControlTest, ResidualThatIsNoNumberWalks) {
   for (const double open : {kNoNumber, std::numeric_limits<double>::infinity()}) {
     StepControl control;
-    arrive_at_first_stop(control);
+    arrive_at_first_station(control);
     expect_arc_begins(control, control.after(open_by(open, at_20_)));
   }
 }
@@ -120,14 +120,14 @@ TEST_F(StepControlTest, TangentThatIsNoNumberIsNeverBelieved) {
   control.begin(plan_, 0, 0);
   EXPECT_TRUE(control.after(reading).ended);
   EXPECT_EQ(control.result().end, PathEnd::start_lost);
-  arrive_at_first_stop(control);
+  arrive_at_first_station(control);
   expect_arc_begins(control, control.after(reading));
 }
 
 TEST_F(StepControlTest, OneCorrectionTooManyWalks) {
   for (const int corrections : {kUsual.max_corrections, kUsual.max_corrections + 1}) {
     StepControl control;
-    arrive_at_first_stop(control);
+    arrive_at_first_station(control);
     for (int k = 0; k < kUsual.max_corrections; ++k) {
       EXPECT_TRUE(does_nothing(control.after(open_by(std::pow(0.5, k), at_20_))));
     }
@@ -141,7 +141,7 @@ TEST_F(StepControlTest, OneCorrectionTooManyWalks) {
 
 TEST_F(StepControlTest, ChangedDeterminantSignWalks) {
   StepControl control;
-  arrive_at_first_stop(control);
+  arrive_at_first_station(control);
   NewtonReport reading = at_20_;
   reading.determinant_sign = -1;
   expect_arc_begins(control, control.after(reading));
@@ -152,7 +152,7 @@ TEST_F(StepControlTest, JumpWalksFromItsBoundOn) {
   for (const double half_sine :
        {kUsual.longest_half_sine, 1.001 * kUsual.longest_half_sine, kNoNumber}) {
     StepControl control;
-    arrive_at_first_stop(control);
+    arrive_at_first_station(control);
     NewtonReport reading = at_20_;
     reading.largest_half_sine = half_sine;
     const PathStep move = control.after(reading);
@@ -226,7 +226,7 @@ TEST_F(StepControlTest, StartIsLostWhereNothingWasBelievedYet) {
   }
 }
 
-TEST_F(StepControlTest, EndsAtTheLastStopOrWhenTheVisitorHasSeenEnough) {
+TEST_F(StepControlTest, EndsAtTheLastStationOrWhenTheVisitorHasSeenEnough) {
   StepControl control;
   control.begin(plan_, 1, 0);  // the second of three stations
   EXPECT_TRUE(control.after(solution_at(20, 20)).arrived);
@@ -237,7 +237,7 @@ TEST_F(StepControlTest, EndsAtTheLastStopOrWhenTheVisitorHasSeenEnough) {
   EXPECT_EQ(control.result().fold_limit_deg, 30);
   EXPECT_FALSE(control.under_way());
 
-  arrive_at_first_stop(control);
+  arrive_at_first_station(control);
   EXPECT_TRUE(control.stop().ended);
   EXPECT_EQ(control.result().end, PathEnd::stopped);
   EXPECT_FALSE(control.under_way());
@@ -245,7 +245,7 @@ TEST_F(StepControlTest, EndsAtTheLastStopOrWhenTheVisitorHasSeenEnough) {
 
 // Adams-Bashforth with unequal steps: with k rates known, polynomials of degree k - 1 in the pilot
 // are integrated exactly, whatever the tangents' pilot entries are.
-TEST(CourseProceed, IntegratesPolynomialsExactly) {
+TEST(StepControlProceed, IntegratesPolynomialsExactly) {
   const std::vector<double> stops_deg = {5, 6, 9, 10.5, 20, 21};
   const std::vector<double> tangent_pilots = {0.5, -0.125, 0.3, 0.7, -0.11, 0.2};
   const PathPlan plan = plan_of(stops_deg);

@@ -73,22 +73,22 @@ Row run(const Setting& setting, int cases, unsigned seed) {
   solver::PathPlanOptions path = setting.path;
   path.end_deg = std::min(path.end_deg, base.folding.end_deg());
   const std::vector<int> shifted = solver::interior_vertices(base.sheet);
-  const Model family(base, shifted, path, 1);
-  const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
+  const Model model(base, shifted, path, 1);
+  const auto batch = solver::make_batch(solver::available_instruction_sets().back(), model);
   // What the fast tests reject must not deploy from their threshold.
   std::vector<std::unique_ptr<Model>> thresholds;
-  std::vector<std::unique_ptr<solver::Batch>> screens;
+  std::vector<std::unique_ptr<solver::Batch>> batches;
   for (const double part : {0.3, 0.7, 0.85, 0.95}) {
     if (!setting.against_dense) break;
     const int sample = static_cast<int>(part * path.end_deg / path.sample_deg);
     if (sample < 2) continue;
     thresholds.push_back(std::make_unique<Model>(base, shifted, path, sample));
-    screens.push_back(
+    batches.push_back(
         solver::make_batch(solver::available_instruction_sets().back(), *thresholds.back()));
   }
   const int kept = base.sheet.facet_count() - static_cast<int>(base.holes.size());
-  DensePath dense(family, family.path());
-  CurvePath curve(family, family.path());
+  DensePath dense(model, model.path());
+  CurvePath curve(model, model.path());
   Row row;
   FlatVertices vertices_mm;
   constexpr int kAtOnce = 64;
@@ -97,8 +97,8 @@ Row run(const Setting& setting, int cases, unsigned seed) {
         draws(base, shifted, setting.share, std::min(kAtOnce, cases - first), seed + first);
     const std::vector<Verdict> verdicts = batch->judge(block);
     const std::vector<solver::FoldingHistory>& histories = batch->record(block);
-    for (std::size_t k = 0; k < screens.size(); ++k) {
-      const auto& rejections = screens[k]->reject(block);
+    for (std::size_t k = 0; k < batches.size(); ++k) {
+      const auto& rejections = batches[k]->reject(block);
       for (int i = 0; i < block.sheets; ++i) {
         const bool rejects = rejections[i].fault != solver::Fault::none;
         const bool deploys = verdicts[i].deploys_from_sample >= thresholds[k]->threshold_sample();
@@ -126,7 +126,7 @@ Row run(const Setting& setting, int cases, unsigned seed) {
       // A sheet without a start next to the base is lost to the dense path by its definition.
       const bool has_path = !history.stations.empty();
       if (setting.against_dense && has_path) {
-        family.displace(block.of(i), vertices_mm);
+        model.displace(block.of(i), vertices_mm);
         const LengthsOf lengths(history, base.sheet.panel_width_mm);
         bool agrees = same(dense.judge(vertices_mm, lengths), history.verdict) &&
                       dense.length_error() <= kLengthBand_widths;
@@ -167,9 +167,9 @@ struct TurnRow {
 
 TurnRow run_turns(const solver::PerforatedSheet& base, double share, int cases, unsigned seed) {
   const std::vector<int> shifted = solver::interior_vertices(base.sheet);
-  const Model family(base, shifted, {}, 1);
-  const auto batch = solver::make_batch(solver::available_instruction_sets().back(), family);
-  const solver::Mechanism& mechanism = family.mechanism();
+  const Model model(base, shifted, {}, 1);
+  const auto batch = solver::make_batch(solver::available_instruction_sets().back(), model);
+  const solver::Mechanism& mechanism = model.mechanism();
   TurnRow row;
   for (unsigned next = seed; row.cases < cases && next < seed + 100; ++next) {
     const ShiftBlock block = draws(base, shifted, share, 64, next);
@@ -182,10 +182,10 @@ TurnRow run_turns(const solver::PerforatedSheet& base, double share, int cases, 
       }
       ++row.cases;
       FlatVertices vertices_mm;
-      family.displace(block.of(i), vertices_mm);
+      model.displace(block.of(i), vertices_mm);
       solver::SheetGeometry<double> geometry;
       solver::place(mechanism, vertices_mm, geometry);
-      solver::FoldState<double> start = family.path().start;
+      solver::FoldState<double> start = model.path().start;
       solver::Newton newton(mechanism);
       newton.correct(geometry, start);
       newton.correct(geometry, start);  // to rounding: a closure of 1e-12 leaves 4e-9 next to flat

@@ -50,11 +50,11 @@ class Witness {
   double length_error() const { return length_error_; }  ///< panel widths
 
  protected:
-  Witness(const Model& family, const solver::PathPlan& plan)
+  Witness(const Model& model, const solver::PathPlan& plan)
       : plan_(plan),
-        mechanism_(family.mechanism()),
-        judge_(family.mechanism()),
-        lengths_(family.mechanism().diagonals.size()) {}
+        mechanism_(model.mechanism()),
+        judge_(model.mechanism()),
+        lengths_(model.mechanism().diagonals.size()) {}
 
   void begin(const FlatVertices& vertices_mm) {
     solver::place(mechanism_, vertices_mm, geometry_);
@@ -83,8 +83,8 @@ class Witness {
 // The path by dense matrices from sample to sample.
 class DensePath : public Witness {
  public:
-  DensePath(const Model& family, const solver::PathPlan& plan)
-      : Witness(family, plan), tracker_(family.mechanism()) {}
+  DensePath(const Model& model, const solver::PathPlan& plan)
+      : Witness(model, plan), tracker_(model.mechanism()) {}
 
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     begin(vertices_mm);
@@ -103,10 +103,10 @@ class DensePath : public Witness {
 // matrices in steps of a degree and the lanes differ.
 class CurvePath : public Witness {
  public:
-  CurvePath(const Model& family, const solver::PathPlan& plan)
-      : Witness(family, plan),
-        newton_(family.mechanism()),
-        homotopy_(family.mechanism(), plan, family.base().sheet.vertices_mm) {}
+  CurvePath(const Model& model, const solver::PathPlan& plan)
+      : Witness(model, plan),
+        newton_(model.mechanism()),
+        homotopy_(model.mechanism(), plan, model.base().sheet.vertices_mm) {}
 
   Verdict judge(const FlatVertices& vertices_mm, const LengthsOf& history) {
     using solver::PathEnd;

@@ -53,7 +53,7 @@ class Adaptive {
     corrector_.tangent(last_.tangent);
     double wanted_deg = spacing_deg_, taken_deg = 0;
     while (at_deg < kEnd_deg) {
-      const double to_deg = next_stop(at_deg, wanted_deg);
+      const double to_deg = next_station(at_deg, wanted_deg);
       const double step_deg = to_deg - at_deg;
       predict(to_deg, taken_deg > 0);
       if (!corrector_.correct(sheet.geometry, state_, track.effort) ||
@@ -81,7 +81,7 @@ class Adaptive {
 
  private:
   // The last sample within reach, or an equal part of the way to the next one.
-  double next_stop(double at_deg, double wanted_deg) const {
+  double next_station(double at_deg, double wanted_deg) const {
     const double reach =
         std::min(std::floor((at_deg + wanted_deg) / spacing_deg_ + 1e-9) * spacing_deg_,
                  static_cast<double>(kEnd_deg));
