@@ -8,6 +8,10 @@
 namespace misalign::schema {
 namespace {
 
+// Where all is folded flat the equations are singular, and angles known to the root of the closure
+// tolerance: 6e-5 degrees.
+constexpr double kShownOverFold_deg = 1e-3;
+
 using Eigen::Index;
 
 // Creases lie between kept facets; every other edge is one of a hole or of the perimeter.
@@ -47,7 +51,9 @@ std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPat
                                 double step_deg) {
   std::vector<Index> rows;
   const Index up_to_d = path.rows_up_to_d();
-  const Index end = up_to_d > 0 ? up_to_d : solver::rows_folded_well(view.mechanism, view.history);
+  const Index end =
+      up_to_d > 0 ? up_to_d
+                  : solver::rows_folded_well(view.mechanism, view.history, kShownOverFold_deg);
   for (Index row = 0; row < end; ++row) {
     const double away = std::remainder(path.history.stations[row].pilot_deg, step_deg);
     if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);

@@ -7,10 +7,6 @@
 namespace misalign::solver {
 namespace {
 
-// Where all is folded flat the equations are singular, and angles known to the root of the closure
-// tolerance: 6e-5 degrees.
-constexpr double kShownOverFold_deg = 1e-3;
-
 Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
   Eigen::Matrix3Xd place_mm = Eigen::Matrix3Xd::Zero(3, flat_mm.cols());
   place_mm.topRows<2>() = flat_mm;
@@ -31,13 +27,14 @@ Eigen::Index ShapedPath::rows_up_to_d() const {
   return rows;
 }
 
-Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history) {
+Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history,
+                              double band_deg) {
   const Eigen::MatrixXd& angle_deg = history.fold_angle_deg;
   for (Eigen::Index row = 0; row < angle_deg.rows(); ++row) {
     for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
       const double angle = angle_deg(row, static_cast<Eigen::Index>(i));
       const bool valley = mechanism.is_valley(mechanism.creases[i]);
-      if ((angle > 0) != valley || std::abs(angle) > 180 + kShownOverFold_deg) return row;
+      if ((angle > 0) != valley || std::abs(angle) > 180 + band_deg) return row;
     }
   }
   return angle_deg.rows();

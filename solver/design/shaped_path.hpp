@@ -15,9 +15,10 @@ struct ShapedPath {
   Eigen::Index rows_up_to_d() const;
 };
 
-/// How many rows from the first on have every crease on its side, and none folded past 180 degrees:
-/// what can be shown of a sheet that deploys from nothing.
-Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history);
+/// How many rows from the first on have every crease on its side, and none folded past 180 degrees
+/// by more than the band: what can be shown of a sheet that deploys from nothing.
+Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history,
+                              double band_deg = kOverFoldBand_deg);
 
 /// As record_history. Each shape is turned and moved, as it is, to where it lies best over the flat
 /// sheet at z = 0 (least squares over the vertices; Kabsch 1976), so that neighbours differ little.
