@@ -16,6 +16,19 @@ constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones
 constexpr std::size_t kHistoriesAtOnce = 64;     // of 60 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
+void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {
+  ++unit.rejected;
+  ++unit.screened[{static_cast<int>(fault), sample}];
+}
+
+void turn_down(std::uint64_t draw, const solver::Verdict& verdict, schema::UnitRecord& unit) {
+  if (verdict.first_fault == solver::Fault::undecided) {
+    unit.undecided.push_back({draw, verdict});
+  } else {
+    reject(verdict.first_fault, verdict.fault_sample(), unit);
+  }
+}
+
 }  // namespace
 
 void Draws::clear() {
@@ -59,10 +72,6 @@ std::size_t DrawEvaluator::bytes_of_candidate() const {
 void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
                              const schema::FaultSampleRule& sampled,
                              const PathsAreDue& paths_are_due) {
-  const auto reject = [&](solver::Fault fault, int sample) {
-    ++unit.rejected;
-    ++unit.screened[{static_cast<int>(fault), sample}];
-  };
   // Draw -> displaced pattern.
   make(range);
   // Rejected for certain, or waiting for the full path.
@@ -71,27 +80,34 @@ void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord&
     if (seen[k].fault == solver::Fault::none || sampled.holds(made_.numbers[k])) {
       waiting_.add(made_, k);
     } else {
-      reject(seen[k].fault, seen[k].sample);
+      reject(seen[k].fault, seen[k].sample, unit);
     }
   }
   if (waiting_.size() == 0 || !paths_are_due(waiting_.size())) return;
-  // Path -> diagonals -> verdict.
-  const std::vector<solver::Verdict>& verdicts = batch_->judge(waiting_.shifts);
+  // Path -> diagonals -> verdict: of the fault sample, most of which no test lets pass ...
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
-    const solver::Verdict& verdict = verdicts[k];
+    if (sampled.holds(waiting_.numbers[k])) sampled_.add(waiting_, k);
+  }
+  const std::vector<solver::Verdict>& verdicts = batch_->judge(sampled_.shifts);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < waiting_.size(); ++k) {
     const std::uint64_t draw = waiting_.numbers[k];
-    if (sampled.holds(draw)) unit.fault_sample.push_back({draw, verdict});
-    if (verdict.first_fault == solver::Fault::undecided) {
-      unit.undecided.push_back({draw, verdict});
-    } else if (campaign_.accepts(verdict)) {
-      accepted_.add(waiting_, k);
+    if (!sampled.holds(draw)) {
+      open_.add(waiting_, k);
+      continue;
+    }
+    const solver::Verdict& verdict = verdicts[next++];
+    unit.fault_sample.push_back({draw, verdict});
+    if (campaign_.accepts(verdict)) {
+      open_.add(waiting_, k);
     } else {
-      reject(verdict.first_fault, verdict.fault_sample());
+      turn_down(draw, verdict, unit);
     }
   }
   waiting_.clear();
-  // Metrics -> unit.
-  add_candidates(unit);
+  sampled_.clear();
+  // ... and of the others with all that there is to know: -> metrics -> unit.
+  record(unit);
 }
 
 void DrawEvaluator::make(const schema::DrawRange& range) {
@@ -106,15 +122,20 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
   }
 }
 
-void DrawEvaluator::add_candidates(schema::UnitRecord& unit) {
+// Most of those that no test rejects are accepted.
+void DrawEvaluator::record(schema::UnitRecord& unit) {
   solver::FlatVertices vertices_mm;
   Draws some;
-  for (std::size_t first = 0; first < accepted_.size(); first += kHistoriesAtOnce) {
+  for (std::size_t first = 0; first < open_.size(); first += kHistoriesAtOnce) {
     some.clear();
-    const std::size_t last = std::min(first + kHistoriesAtOnce, accepted_.size());
-    for (std::size_t k = first; k < last; ++k) some.add(accepted_, k);
+    const std::size_t last = std::min(first + kHistoriesAtOnce, open_.size());
+    for (std::size_t k = first; k < last; ++k) some.add(open_, k);
     const std::vector<solver::FoldingHistory>& histories = batch_->record(some.shifts);
     for (std::size_t k = 0; k < some.size(); ++k) {
+      if (!campaign_.accepts(histories[k].verdict)) {
+        turn_down(some.numbers[k], histories[k].verdict, unit);
+        continue;
+      }
       model_.displace(some.shifts_mm(k).data(), vertices_mm);
       unit.candidates.push_back(
           {some.numbers[k],
@@ -123,7 +144,7 @@ void DrawEvaluator::add_candidates(schema::UnitRecord& unit) {
       ++unit.accepted;
     }
   }
-  accepted_.clear();
+  open_.clear();
 }
 
 Eigen::Matrix2Xd DrawEvaluator::per_vertex(std::span<const double> shifts_mm) const {

@@ -59,13 +59,13 @@ class DrawEvaluator {
 
  private:
   void make(const schema::DrawRange& range);
-  void add_candidates(schema::UnitRecord& unit);
+  void record(schema::UnitRecord& unit);
   Eigen::Matrix2Xd per_vertex(std::span<const double> shifts_mm) const;
 
   const schema::Campaign campaign_;
   const solver::Model model_;
   std::unique_ptr<solver::Batch> batch_;
-  Draws made_, waiting_, accepted_;
+  Draws made_, waiting_, sampled_, open_;
 };
 
 /// Fingerprint of this build's verdicts on fixed draws of a small sheet, in these registers: whole

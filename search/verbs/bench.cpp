@@ -112,7 +112,7 @@ class LaneRun {
   SolverSpeed speed() const {
     SolverSpeed speed = speed_;
     const solver::Effort rejection = evaluator_.batch().rejection_effort();
-    const solver::Effort judging = evaluator_.batch().judging_effort();
+    const solver::Effort judging = evaluator_.batch().path_effort();
     speed.effort = {rejection.solves + judging.solves, rejection.iterations + judging.iterations};
     return speed;
   }

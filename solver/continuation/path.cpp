@@ -52,4 +52,14 @@ PathPoint::PathPoint(const Mechanism& mechanism)
 
 PathPoint::~PathPoint() = default;
 
+void Effort::add(const PathResult& path) {
+  solves += static_cast<std::uint64_t>(path.newton_solves + path.arc_steps);
+  iterations += static_cast<std::uint64_t>(path.newton_iterations);
+}
+
+void Effort::add(const Effort& other) {
+  solves += other.solves;
+  iterations += other.iterations;
+}
+
 }  // namespace misalign::solver

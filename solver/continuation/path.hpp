@@ -2,6 +2,7 @@
 // ended.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "solver/kinematics/fold_state.hpp"
@@ -60,6 +61,14 @@ struct PathResult {
 
   /// Whether the solver failed where the path may go on.
   bool lost() const { return end == PathEnd::start_lost || end == PathEnd::stalled; }
+};
+
+/// Of many paths.
+struct Effort {
+  std::uint64_t solves = 0, iterations = 0;
+
+  void add(const PathResult& path);
+  void add(const Effort& other);
 };
 
 }  // namespace misalign::solver

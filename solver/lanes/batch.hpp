@@ -21,10 +21,6 @@ const char* instruction_set_name(InstructionSet set);
 /// Of this build and this machine, narrowest first.
 std::vector<InstructionSet> available_instruction_sets();
 
-struct Effort {
-  std::uint64_t solves = 0, iterations = 0;
-};
-
 class Batch {
  public:
   virtual ~Batch();
@@ -38,7 +34,7 @@ class Batch {
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
   /// Of everything so far.
   virtual Effort rejection_effort() const = 0;
-  virtual Effort judging_effort() const = 0;
+  virtual Effort path_effort() const = 0;
 };
 
 /// `model` must outlive the batch. The verdicts are the same for every instruction set.

@@ -53,13 +53,15 @@ class LaneBatch final : public Batch {
 
   Effort rejection_effort() const override {
     Effort effort = approach_.effort();
-    for (const Effort& tests : {single_test_.effort(), double_test_.effort()}) {
-      effort.solves += tests.solves;
-      effort.iterations += tests.iterations;
-    }
+    effort.add(single_test_.effort());
+    effort.add(double_test_.effort());
     return effort;
   }
-  Effort judging_effort() const override { return judging_.effort(); }
+  Effort path_effort() const override {
+    Effort effort = judging_.effort();
+    effort.add(recorder_.effort());
+    return effort;
+  }
 
  private:
   // Far first. What a test leaves is packed into full registers for the next.

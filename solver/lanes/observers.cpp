@@ -3,14 +3,6 @@
 #include <algorithm>
 
 namespace misalign::solver {
-namespace {
-
-void count(const PathResult& path, Effort& effort) {
-  effort.solves += static_cast<std::uint64_t>(path.newton_solves + path.arc_steps);
-  effort.iterations += static_cast<std::uint64_t>(path.newton_iterations);
-}
-
-}  // namespace
 
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : model_(model),
@@ -53,7 +45,7 @@ bool JudgingObserver::is_open(const SheetGeometry<double>& geometry) {
 }
 
 void JudgingObserver::ended(PathResult path, int lane) {
-  if (!fallback_.under_way()) count(path, effort_);
+  if (!fallback_.under_way()) effort_.add(path);
   if (!queue_.has_ended(path, lane)) return;
   const int sheet = queue_.of_lane(lane);
   const Verdict verdict = judges_[lane].conclude(path);
@@ -128,7 +120,7 @@ bool ApproachObserver::see(const Station& station, int lane) {
 
 void ApproachObserver::ended(const PathResult& path, int lane) {
   rejection_->path_ended(queue_.of_lane(lane), path);
-  count(path, effort_);
+  effort_.add(path);
 }
 
 }  // namespace misalign::solver

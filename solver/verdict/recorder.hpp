@@ -51,6 +51,8 @@ class Recorder {
     return observer_.histories();
   }
 
+  const Effort& effort() const { return observer_.effort(); }
+
   // For the follower.
   bool next(PathStart& start, int lane) {
     smallest_.restart(lane);

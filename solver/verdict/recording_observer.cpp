@@ -80,6 +80,7 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
 }
 
 void RecordingObserver::ended(PathResult path, int lane) {
+  if (!fallback_.under_way()) effort_.add(path);
   if (!queue_.has_ended(path, lane)) return;
   auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
   const std::size_t stations = history.stations.size();

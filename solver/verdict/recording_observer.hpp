@@ -39,6 +39,7 @@ class RecordingObserver {
   void fall_back();
 
   std::vector<FoldingHistory>& histories() { return histories_; }
+  const Effort& effort() const { return effort_; }
 
  private:
   struct Lane {
@@ -56,6 +57,7 @@ class RecordingObserver {
   FoldedPoints<double> points_;
   DenseState dense_state_;
   DenseFallback fallback_;
+  Effort effort_;
 };
 
 }  // namespace misalign::solver

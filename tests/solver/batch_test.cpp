@@ -40,8 +40,8 @@ TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
     EXPECT_EQ(words(batch->judge(block)), words(scalar.judge(block)));
     EXPECT_EQ(words(batch->reject(block)), words(scalar.reject(block)));
   }
-  EXPECT_EQ(batch->judging_effort().solves, scalar.judging_effort().solves);
-  EXPECT_EQ(batch->judging_effort().iterations, scalar.judging_effort().iterations);
+  EXPECT_EQ(batch->path_effort().solves, scalar.path_effort().solves);
+  EXPECT_EQ(batch->path_effort().iterations, scalar.path_effort().iterations);
   EXPECT_EQ(batch->rejection_effort().iterations, scalar.rejection_effort().iterations);
 }
 
