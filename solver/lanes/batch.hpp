@@ -30,9 +30,9 @@ class Batch {
   /// Verdicts of all sheets on their full paths, where dense matrices have the last word (see
   /// dense_fallback); what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
-  /// Whole histories, past faults: for the few sheets that are worth it.
+  /// Whole histories, past faults, each with its verdict: of the sheets that no test rejects.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
-  /// Of everything so far.
+  /// Of everything so far; of paths, those that were judged and those that were recorded.
   virtual Effort rejection_effort() const = 0;
   virtual Effort path_effort() const = 0;
 };

@@ -1,4 +1,4 @@
-// Everything about one path, for the few sheets that are worth it.
+// Everything about one path, its verdict too.
 #pragma once
 
 #include <Eigen/Core>
