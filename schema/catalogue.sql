@@ -1,7 +1,7 @@
 -- The catalogue of one campaign, version 4. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 4;
+PRAGMA user_version = 5;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -120,7 +120,9 @@ CREATE TABLE candidate (
   slope_between_min_mm_per_deg REAL,  -- and when it deploys from less than 6 degrees
   bump_deg REAL,  -- null when no bump was seen between two samples
   -- Since version 4; null in rows that were written before.
-  miscut_margin_mm REAL
+  miscut_margin_mm REAL,
+  -- Since version 5; null in rows that were written before.
+  reverses_at_deg REAL  -- and when no diagonal turns back up to the end of its path
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
@@ -165,7 +167,7 @@ CREATE VIEW candidates AS
 SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_per_deg,
        slope_between_min_mm_per_deg,
        coalesce(slope_between_min_mm_per_deg < 0, 0) AS goes_back,
-       bump_deg, stroke_min, stroke_max,
+       bump_deg, reverses_at_deg, stroke_min, stroke_max,
        elongation_min, elongation_max, stretch_sq_mm2, shifted_vertices, increasing, decreasing,
        kawasaki_defect_deg, singular_value_min, residual_max, isometry_error_mm,
        (SELECT share FROM common_yield WHERE common_yield.draw = candidate.draw) AS yield,

@@ -76,7 +76,7 @@ constexpr MetricEntry kMetrics[] = {
      // Rates of change, from the tangent: its error is the closure's over the singular value,
      // 1e-12 / 1e-4 radians a radian.
      .allowance = {.absolute = 1e-8 / 57, .of = kWidths},
-     .age = {2, 3},
+     .age = {2, 6},
      .schema_since = 2,
      .label = "slope between",
      .negative_is_bad = true},
@@ -87,11 +87,22 @@ constexpr MetricEntry kMetrics[] = {
                 "samples; none where it never does up to D.",
      .range = {.least = 0, .most = 180},
      .allowance = {.absolute = 1e-3},  // known by the root of what a rate of change is
-     .age = {2, 3},
+     .age = {2, 6},
      .schema_since = 2,
      .label = "bump",
      .written = "decimals_1",
      .none_is_best = true},
+    {.name = "reverses_at_deg",
+     .member = &solver::Metrics::reverses_at_deg,
+     .unit = "deg",
+     .meaning = "Pilot fold angle where a diagonal first turns back, at or between the samples, D "
+                "or not; none where none does up to the last sample of the path.",
+     .range = {.least = 0, .most = 180},
+     .allowance = {.absolute = 1e-6},  // by a solution next to it, and the step that its slope asks
+     .age = {6, 6},
+     .schema_since = 5,
+     .label = "reverses",
+     .written = "decimals_2"},
     {.name = "stroke_min",
      .member = &solver::Metrics::stroke_min,
      .unit = "share",

@@ -72,7 +72,7 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
     return report;
   }
   check_metrics(row, metrics_version,
-                solver::measure(base, vertices_mm, history, campaign_.sample_deg), report);
+                sheets_.measure(vertices_mm, history), report);
   sheets_.check_shapes(where, sheet, history.verdict.deploys_from_sample, report);
   return report;
 }

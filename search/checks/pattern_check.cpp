@@ -22,8 +22,7 @@ Json said_of(const ChosenSheet& sheet, const SheetCheck& check,
                                  sheet.sampling.sample_deg};
   Json said = {{"verdict", schema::verdict_json(view)}, {"metrics", nullptr}};
   if (history.verdict.deploys_from_sample > 0) {
-    const auto metrics =
-        solver::measure(sheet.base.base, vertices_mm, history, sheet.sampling.sample_deg);
+    const solver::Metrics metrics = check.measure(vertices_mm, history);
     said["metrics"] = schema::metrics_json(metrics);
     said["metrics"]["elongation"] = Json(metrics.elongation).dump();
   }

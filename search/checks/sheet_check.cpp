@@ -53,6 +53,12 @@ solver::FoldingHistory SheetCheck::follow_densely(const solver::FlatVertices& ve
   return solver::record_densely(model_, vertices_mm);
 }
 
+solver::Metrics SheetCheck::measure(const solver::FlatVertices& vertices_mm,
+                                    const solver::FoldingHistory& history) const {
+  return solver::measure(base_.base, vertices_mm,
+                         solver::record_of(model_, vertices_mm, history), sampling_.sample_deg);
+}
+
 void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& sheet,
                               Eigen::Index samples, SheetReport& report) const {
   const auto& [vertices_mm, history, states] = sheet;

@@ -49,6 +49,9 @@ class SheetCheck {
   FollowedSheet follow(const solver::FlatVertices& vertices_mm) const;
   /// The same path by dense matrices with pivoting.
   solver::FoldingHistory follow_densely(const solver::FlatVertices& vertices_mm) const;
+  /// Metrics of a path with D >= 1.
+  solver::Metrics measure(const solver::FlatVertices& vertices_mm,
+                          const solver::FoldingHistory& history) const;
   /// The first `samples` folded shapes: rigid panels, creases and diagonals as the history says;
   /// and where panels first cross, which is no fault. `where` names the sheet.
   void check_shapes(const std::string& where, const FollowedSheet& sheet, Eigen::Index samples,

@@ -130,16 +130,16 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
     some.clear();
     const std::size_t last = std::min(first + kHistoriesAtOnce, open_.size());
     for (std::size_t k = first; k < last; ++k) some.add(open_, k);
-    const std::vector<solver::FoldingHistory>& histories = batch_->record(some.shifts);
+    const std::vector<solver::PathRecord>& records = batch_->measure(some.shifts);
     for (std::size_t k = 0; k < some.size(); ++k) {
-      if (!campaign_.accepts(histories[k].verdict)) {
-        turn_down(some.numbers[k], histories[k].verdict, unit);
+      if (!campaign_.accepts(records[k].verdict)) {
+        turn_down(some.numbers[k], records[k].verdict, unit);
         continue;
       }
       model_.displace(some.shifts_mm(k).data(), vertices_mm);
       unit.candidates.push_back(
           {some.numbers[k],
-           solver::measure(model_.base(), vertices_mm, histories[k], campaign_.sample_deg),
+           solver::measure(model_.base(), vertices_mm, records[k], campaign_.sample_deg),
            per_vertex(some.shifts_mm(k))});
       ++unit.accepted;
     }
@@ -164,7 +164,9 @@ const std::vector<solver::Verdict>& DrawEvaluator::judge(const schema::DrawRange
 
 solver::FoldingHistory DrawEvaluator::history(std::uint64_t draw) {
   make({draw, draw + 1});
-  return std::move(batch_->record(made_.shifts).front());
+  solver::FlatVertices vertices_mm;
+  model_.displace(made_.shifts.of(0), vertices_mm);
+  return solver::record_history(model_, vertices_mm);
 }
 
 Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {

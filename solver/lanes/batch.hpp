@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver/verdict/history.hpp"
+#include "solver/verdict/path_record.hpp"
 #include "solver/verdict/rejection_test.hpp"
 
 namespace misalign::solver {
@@ -30,9 +30,12 @@ class Batch {
   /// Verdicts of all sheets on their full paths, where dense matrices have the last word (see
   /// dense_fallback); what those lose too is `undecided`.
   virtual const std::vector<Verdict>& judge(const ShiftBlock& block) = 0;
-  /// Whole histories, past faults, each with its verdict: of the sheets that no test rejects.
+  /// What metrics need of each path, with its verdict: of the sheets that no test rejects. Where it
+  /// does not deploy from the threshold only the verdict.
+  virtual const std::vector<PathRecord>& measure(const ShiftBlock& block) = 0;
+  /// Whole histories, past faults, every sample solved.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
-  /// Of everything so far; of paths, those that were judged and those that were recorded.
+  /// Of everything so far; of paths, those that were judged, measured and recorded.
   virtual Effort rejection_effort() const = 0;
   virtual Effort path_effort() const = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "solver/lanes/lane_test.hpp"
 #include "solver/lanes/observers.hpp"
+#include "solver/verdict/function_recorder.hpp"
 #include "solver/verdict/recorder.hpp"
 
 namespace misalign::solver {
@@ -15,10 +16,13 @@ class LaneBatch final : public Batch {
   explicit LaneBatch(const Model& model)
       : model_(model),
         rejection_(model),
+        functions_(model, kLanes<T>),
         judging_(model, kLanes<T>),
         approach_(model, kLanes<T>),
+        node_follower_(model.mechanism(), model.elimination()),
         follower_(model.mechanism(), model.elimination()),
         approach_follower_(model.mechanism(), model.elimination(), approach_options()),
+        function_recorder_(model, node_follower_),
         recorder_(model, follower_),
         single_test_(model),
         double_test_(model) {}
@@ -42,9 +46,18 @@ class LaneBatch final : public Batch {
   const std::vector<Verdict>& judge(const ShiftBlock& block) override {
     const SheetBlock sheets(model_, block);
     judging_.begin(sheets);
+    if (!model_.bump_is_fault()) {
+      functions_.begin(sheets, judging_.verdicts());
+      node_follower_.run(functions_);
+      judging_.only(functions_.left());
+    }
     follower_.run(judging_);
     judging_.fall_back();
     return judging_.verdicts();
+  }
+
+  const std::vector<PathRecord>& measure(const ShiftBlock& block) override {
+    return measure_paths(SheetBlock(model_, block), function_recorder_, recorder_);
   }
 
   std::vector<FoldingHistory>& record(const ShiftBlock& block) override {
@@ -59,6 +72,8 @@ class LaneBatch final : public Batch {
   }
   Effort path_effort() const override {
     Effort effort = judging_.effort();
+    effort.add(functions_.effort());
+    effort.add(function_recorder_.effort());
     effort.add(recorder_.effort());
     return effort;
   }
@@ -75,9 +90,12 @@ class LaneBatch final : public Batch {
 
   const Model& model_;
   RejectionTest rejection_;
+  FunctionObserver functions_;
   JudgingObserver judging_;
   ApproachObserver approach_;
+  NodeFollower<T> node_follower_;
   PathFollower<T> follower_, approach_follower_;
+  FunctionRecorder<T> function_recorder_;
   Recorder<T> recorder_;
   LaneTest<Single> single_test_;
   LaneTest<T> double_test_;

@@ -4,6 +4,38 @@
 
 namespace misalign::solver {
 
+FunctionObserver::FunctionObserver(const Model& model, int lanes)
+    : model_(model),
+      queue_(model, lanes),
+      judges_(static_cast<std::size_t>(lanes), FunctionJudge(model.mechanism())),
+      flat_(model.mechanism().diagonals.size()) {}
+
+FunctionObserver::~FunctionObserver() = default;
+
+void FunctionObserver::begin(const SheetBlock& block, std::vector<Verdict>& verdicts) {
+  verdicts_ = &verdicts;
+  left_.clear();
+  queue_.begin(block);
+}
+
+bool FunctionObserver::next(PathStart& start, int lane) {
+  if (!queue_.put_next(start, lane)) return false;
+  flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
+  judges_[lane].begin(*start.plan, flat_);
+  return true;
+}
+
+void FunctionObserver::ended(const PathResult& path, int lane) {
+  effort_.add(path);
+  const int sheet = queue_.of_lane(lane);
+  const std::optional<Verdict> verdict = judges_[lane].conclude(path);
+  if (verdict) {
+    (*verdicts_)[static_cast<std::size_t>(sheet)] = *verdict;
+  } else {
+    left_.push_back(sheet);
+  }
+}
+
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
@@ -35,7 +67,7 @@ bool JudgingObserver::see(const Station& station, int lane) {
     const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
     if (is_unsure || is_open(geometry)) dense_state_.find(geometry, point_.state, point_);
   }
-  return judges_[lane].see(station, point_.state, point_.lengths,
+  return judges_[lane].see(station, &point_.state, point_.lengths,
                            wants_slopes() ? &point_.slopes : nullptr, point_.pilot_rate);
 }
 

@@ -7,17 +7,46 @@
 #include "solver/lanes/batch.hpp"
 #include "solver/verdict/dense_fallback.hpp"
 #include "solver/verdict/dense_state.hpp"
+#include "solver/verdict/function_judge.hpp"
 #include "solver/verdict/sheet_queue.hpp"
 
 namespace misalign::solver {
 
-/// Full paths: every sample of every sheet goes to a judge, until it has seen enough.
+/// Full paths as functions: what these say for certain.
+class FunctionObserver {
+ public:
+  FunctionObserver(const Model& model, int lanes);
+  ~FunctionObserver();
+
+  /// Verdicts go to `verdicts`.
+  void begin(const SheetBlock& block, std::vector<Verdict>& verdicts);
+  bool next(PathStart& start, int lane);
+  Answer see(const PathFunction& function, int lane) { return judges_[lane].see(function); }
+  void ended(const PathResult& path, int lane);
+
+  /// The sheets that were not decided.
+  const std::vector<int>& left() const { return left_; }
+  const Effort& effort() const { return effort_; }
+
+ private:
+  const Model& model_;
+  SheetQueue queue_;
+  std::vector<FunctionJudge> judges_;  // of lanes
+  std::vector<Verdict>* verdicts_ = nullptr;
+  std::vector<int> left_;
+  std::vector<double> flat_;
+  Effort effort_;
+};
+
+/// Full paths in close steps: every sample of a sheet goes to a judge, until it has seen enough.
 class JudgingObserver {
  public:
   JudgingObserver(const Model& model, int lanes);
   ~JudgingObserver();
 
   void begin(const SheetBlock& block);
+  /// Only these sheets of the block.
+  void only(const std::vector<int>& sheets) { queue_.begin_again(sheets); }
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return model_.bump_is_fault(); }
@@ -26,7 +55,7 @@ class JudgingObserver {
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
   void fall_back();
 
-  const std::vector<Verdict>& verdicts() const { return verdicts_; }
+  std::vector<Verdict>& verdicts() { return verdicts_; }
   const Effort& effort() const { return effort_; }
 
  private:

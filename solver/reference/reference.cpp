@@ -22,11 +22,11 @@ Verdict Reference::judge(const FlatVertices& vertices_mm) {
                             if (station.sample == 0) return true;
                             if (bump_is_fault_) {
                               dense_state_.find(geometry_, state, point_);
-                              return judge_.see(station, point_.state, point_.lengths,
+                              return judge_.see(station, &point_.state, point_.lengths,
                                                 &point_.slopes, point_.pilot_rate);
                             }
                             folded_lengths(mechanism_, geometry_, state, point_.lengths.data());
-                            return judge_.see(station, state, point_.lengths);
+                            return judge_.see(station, &state, point_.lengths);
                           });
   return judge_.conclude(path_);
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/verdict/history.hpp"
+#include "solver/verdict/path_record.hpp"
 
 namespace misalign::solver {
 
@@ -15,8 +15,10 @@ inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
 /// definition raises it and says so in schema/catalogue/metric_table. 1: all but slope_between_min
 /// and bump_deg. 2: these two, by cubics in the pilot's angle. 3: by cubics along the path, which
 /// see no bump before a fold limit where there is none. 4: with miscut_margin. 5: fold_limit_deg
-/// of paths that end at 180 degrees, where the equations are singular, is 180.
-inline constexpr int kMetricsVersion = 5;
+/// of paths that end at 180 degrees, where the equations are singular, is 180. 6: with reverses_at;
+/// slope_between_min and bump_deg of the path as a function; singular_value_min, residual_max and
+/// isometry_error over the states that were solved.
+inline constexpr int kMetricsVersion = 6;
 
 /// Over the samples up to D. Units, meanings, and which are none when:
 /// schema/catalogue/metric_table.
@@ -29,6 +31,7 @@ struct Metrics {
   std::optional<double> slope_min_mm_per_deg;
   std::optional<double> slope_between_min_mm_per_deg;
   std::optional<double> bump_deg;
+  std::optional<double> reverses_at_deg;
   std::optional<double> miscut_margin_mm;  ///< none, too, if the history was made without
   double stretch_sq_mm2;
   double singular_value_min;
@@ -42,7 +45,7 @@ struct Metrics {
 
 /// Metrics of a path with D >= 1 on samples of `sample_deg`.
 Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
-                const FoldingHistory& history, double sample_deg);
+                const PathRecord& record, double sample_deg);
 
 /// |theta_1 + theta_3 - 180 deg| (Kawasaki's condition), the largest over the vertices whose four
 /// facets are all kept: zero where such a vertex can fold flat by itself.

@@ -25,14 +25,12 @@ std::vector<int> margin_samples(double sample_deg, int threshold_sample);
 template <class T>
 class MiscutMargin {
  public:
-  /// Both must outlive this object.
-  MiscutMargin(const Mechanism& mechanism, const Elimination& elimination)
+  /// `mechanism` must outlive this object.
+  explicit MiscutMargin(const Mechanism& mechanism)
       : mechanism_(mechanism),
-        factors_(elimination),
         gradient_(mechanism),
-        residual_(mechanism.equations, T(0)),
-        work_(residual_),
-        weights_(residual_),
+        work_(mechanism.equations, T(0)),
+        weights_(work_),
         rates_(mechanism.unknowns, T(0)),
         last_lengths_(mechanism.diagonals.size(), T(0)),
         row_(static_cast<std::size_t>(2 * mechanism.vertices), T(0)),
@@ -58,13 +56,11 @@ class MiscutMargin {
     }
   }
 
-  /// The closed state where the next stretch ends.
-  void see(const FoldState<T>& state) {
-    evaluate(mechanism_, *geometry_, state, residual_.data(), factors_.entries());
-    factors_.factorize();
+  /// The closed state where the next stretch ends, and its Jacobian's factors.
+  void see(const FoldState<T>& state, const SparseLu<T>& factors) {
     gradient_.at(*geometry_, state);
     for (std::size_t d = 0; d < last_lengths_.size(); ++d) {
-      find_row(static_cast<int>(d));
+      find_row(static_cast<int>(d), factors);
       T square(0);
       for (std::size_t k = 0; k < row_.size(); ++k) {
         const T change = row_[k] - last_rows_[d][k];
@@ -92,9 +88,9 @@ class MiscutMargin {
   static constexpr double kFar = 1e6;  // panel widths: beyond any distance
 
   // d length / d vertex with the pilot held, into row_.
-  void find_row(int diagonal) {
+  void find_row(int diagonal, const SparseLu<T>& factors) {
     gradient_.of_unknowns(diagonal, rates_.data());
-    factors_.transposed(rates_.data(), work_.data(), weights_.data());
+    factors.transposed(rates_.data(), work_.data(), weights_.data());
     for (T& weight : weights_) weight = -weight;
     for (T& entry : row_) entry = T(0);
     gradient_.add_length(diagonal, row_.data());
@@ -102,10 +98,9 @@ class MiscutMargin {
   }
 
   const Mechanism& mechanism_;
-  SparseLu<T> factors_;
   FlatGradient<T> gradient_;
   const SheetGeometry<T>* geometry_ = nullptr;
-  std::vector<T> residual_, work_, weights_, rates_, last_lengths_, row_;
+  std::vector<T> work_, weights_, rates_, last_lengths_, row_;
   std::vector<std::vector<T>>
       last_rows_;  // of each diagonal: its gradient where the last one ended
   T least_square_ = T(0);

@@ -33,22 +33,18 @@ class Recorder {
         rates_(work_),
         lengths_(mechanism_.diagonals.size(), T(0)),
         slopes_(lengths_),
-        margin_(mechanism_, model.elimination()),
+        margin_(mechanism_),
         geometry_(lane_geometry<T>(mechanism_)) {}
 
   std::vector<FoldingHistory>& record(const SheetBlock& block) {
     observer_.begin(block);
-    follower_.run(*this);
-    observer_.fall_back();
-    const std::size_t all = model_.margin_samples().size();
-    with_margin_.clear();
-    for (int sheet = 0; all > 0 && sheet < block.sheets(); ++sheet) {
-      if (observer_.histories()[sheet].margin_states.size() == all) with_margin_.push_back(sheet);
-    }
-    for (std::size_t first = 0; first < with_margin_.size(); first += kLanes<T>) {
-      find_margins(block, first);
-    }
-    return observer_.histories();
+    return record_waiting(block);
+  }
+  /// Only these sheets of the block; the others' histories are empty.
+  std::vector<FoldingHistory>& record(const SheetBlock& block, const std::vector<int>& sheets) {
+    observer_.begin(block);
+    observer_.only(sheets);
+    return record_waiting(block);
   }
 
   const Effort& effort() const { return observer_.effort(); }
@@ -76,6 +72,20 @@ class Recorder {
   }
 
  private:
+  std::vector<FoldingHistory>& record_waiting(const SheetBlock& block) {
+    follower_.run(*this);
+    observer_.fall_back();
+    const std::size_t all = model_.margin_samples().size();
+    with_margin_.clear();
+    for (int sheet = 0; all > 0 && sheet < block.sheets(); ++sheet) {
+      if (observer_.histories()[sheet].margin_states.size() == all) with_margin_.push_back(sheet);
+    }
+    for (std::size_t first = 0; first < with_margin_.size(); first += kLanes<T>) {
+      find_margins(block, first);
+    }
+    return observer_.histories();
+  }
+
   MISALIGN_FLATTEN void look() {
     const SheetGeometry<T>& geometry = follower_.geometry();
     const T open_by = evaluate(mechanism_, geometry, kept_state_, residual_.data(), nullptr);
@@ -126,7 +136,9 @@ class Recorder {
       for (int i = 0; i < kLanes<T>; ++i) {
         put_lane(observer_.histories()[sheet_of_lane(i)].margin_states[k], kept_state_, i);
       }
-      margin_.see(kept_state_);
+      evaluate(mechanism_, geometry_, kept_state_, residual_.data(), kept_factors_.entries());
+      kept_factors_.factorize();
+      margin_.see(kept_state_, kept_factors_);
     }
     for (int i = 0; i < kLanes<T>; ++i) {
       observer_.histories()[sheet_of_lane(i)].miscut_margin_mm = margin_.mm(i);

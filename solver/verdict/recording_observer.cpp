@@ -31,6 +31,11 @@ void RecordingObserver::begin(const SheetBlock& block) {
   queue_.begin(block);
 }
 
+void RecordingObserver::only(const std::vector<int>& sheets) {
+  for (FoldingHistory& history : histories_) history = {};
+  queue_.begin_again(sheets);
+}
+
 bool RecordingObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
   auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
@@ -59,7 +64,7 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
   const double width_mm = model_.mechanism().panel_width_mm;
   auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
   if (station.sample > 0) {
-    judge.see(station, point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
+    judge.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
   }
   history.stations.push_back(station);
   for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);

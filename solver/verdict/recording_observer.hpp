@@ -27,6 +27,8 @@ class RecordingObserver {
   ~RecordingObserver();
 
   void begin(const SheetBlock& block);
+  /// Only these sheets of the block.
+  void only(const std::vector<int>& sheets);
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }

@@ -21,7 +21,7 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
   between_ = {};
 }
 
-bool Judge::see(const Station& station, const FoldState<double>& state,
+bool Judge::see(const Station& station, const FoldState<double>* state,
                 const std::vector<double>& lengths, const std::vector<double>* slopes,
                 double pilot_rate) {
   if (fault_ != Fault::none) return false;
@@ -48,19 +48,19 @@ bool Judge::see(const Station& station, const FoldState<double>& state,
   return true;
 }
 
-Fault Judge::fault_in(const FoldState<double>& state, const std::vector<double>& lengths,
+Fault Judge::fault_in(const FoldState<double>* state, const std::vector<double>& lengths,
                       int& where) {
   // |rho| = 180 degrees + band has cos(rho / 2) = -sin(band / 2), to first order.
   constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg;
-  const int creases = static_cast<int>(mechanism_.creases.size());
+  const int creases = state ? static_cast<int>(mechanism_.creases.size()) : 0;
   for (int i = 0; i < creases; ++i) {
-    if (state.creases[i].c < least_cosine) {
+    if (state->creases[i].c < least_cosine) {
       where = i;
       return Fault::over_folded;
     }
   }
   for (int i = 0; i < creases; ++i) {
-    if (!(state.creases[i].s * mechanism_.creases[i].assignment > 0)) {
+    if (!(state->creases[i].s * mechanism_.creases[i].assignment > 0)) {
       where = i;
       return Fault::assignment_flipped;
     }
@@ -109,6 +109,13 @@ Between Judge::seen_between(const Station& station, const std::vector<double>& l
     }
   }
   return between;
+}
+
+double Judge::least_span() const {
+  double least = std::numeric_limits<double>::infinity();
+  if (last_pilot_deg_ < kInactiveFrom_deg) return least;
+  for (std::size_t i = 0; i < least_.size(); ++i) least = std::min(least, most_[i] - least_[i]);
+  return least;
 }
 
 Verdict Judge::conclude(const PathResult& path) const {

@@ -55,18 +55,26 @@ class Judge {
 
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
-  /// The next sample in order; false once a fault is known. Nothing changes after that. With the
+  /// The next sample in order; false once a fault is known. Nothing changes after that. Without a
+  /// state its creases are known to be in order. With the
   /// diagonals' slopes (panel widths per radian of pilot), and the pilot's entry of the unit
   /// tangent, it looks between the samples as well.
-  bool see(const Station& station, const FoldState<double>& state,
+  bool see(const Station& station, const FoldState<double>* state,
            const std::vector<double>& lengths, const std::vector<double>* slopes = nullptr,
            double pilot_rate = 1);
   /// The verdict, once the path has ended or `see` has said false.
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
+  /// The lengths at the last sample, better known.
+  void correct_last(const std::vector<double>& lengths) { last_ = lengths; }
+  /// Whether this step is against the direction that the diagonal has set.
+  bool goes_back(int diagonal, double step) const { return direction_[diagonal] * step < 0; }
+  int direction(int diagonal) const { return direction_[diagonal]; }
+  /// By how much the least active diagonal has varied; what is judged near flat counts as much.
+  double least_span() const;
 
  private:
-  Fault fault_in(const FoldState<double>& state, const std::vector<double>& lengths, int& where);
+  Fault fault_in(const FoldState<double>* state, const std::vector<double>& lengths, int& where);
   Between seen_between(const Station& station, const std::vector<double>& lengths,
                        const std::vector<double>& slopes, double pilot_rate);
 

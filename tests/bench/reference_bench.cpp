@@ -60,8 +60,8 @@ void full_path_with_metrics(benchmark::State& state) {
   const solver::Model model(draws.base, draws.campaign.path());
   for (auto _ : state) {
     const auto& vertices = draws.next();
-    const auto history = solver::record_history(model, vertices);
-    benchmark::DoNotOptimize(solver::measure(draws.base, vertices, history, 1));
+    const auto record = solver::record_path(model, vertices);
+    benchmark::DoNotOptimize(solver::measure(draws.base, vertices, record, 1));
   }
 }
 BENCHMARK(full_path_with_metrics)->Unit(benchmark::kMillisecond)->Iterations(100);

@@ -19,8 +19,10 @@ Json table1_candidate() {
     }
     const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
     const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
-    const auto path = solver::record_shapes(solver::Model(base, campaign.path()), vertices_mm);
-    const auto metrics = solver::measure(base, vertices_mm, path.history, campaign.sample_deg);
+    const solver::Model model(base, campaign.path());
+    const auto path = solver::record_shapes(model, vertices_mm);
+    const auto metrics = solver::measure(base, vertices_mm, solver::record_path(model, vertices_mm),
+                                         campaign.sample_deg);
     const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
                            campaign.sample_deg};
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed

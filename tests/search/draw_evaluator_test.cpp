@@ -169,16 +169,16 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   EXPECT_TRUE(evaluator.campaign().accepts(history.verdict));
   ASSERT_GE(history.between.bump_where, 0);
   const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
-  const solver::Metrics metrics =
-      solver::measure(base, base.sheet.vertices_mm + evaluator.shifts_mm(kDraw), history, 1);
+  const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + evaluator.shifts_mm(kDraw);
+  const solver::Metrics metrics = solver::measure(
+      base, vertices_mm, solver::record_path(solver::Model(base), vertices_mm), 1);
   EXPECT_LT(*metrics.slope_between_min_mm_per_deg, 0);
   EXPECT_GT(*metrics.slope_min_mm_per_deg, 0) << "which the samples do not show";
 
   solver::PathPlanOptions finely;
   finely.end_deg = history.verdict.deploys_from_sample;
   finely.look_deg = 0.02;
-  const auto fine = solver::record_history(solver::Model(base, finely),
-                                           base.sheet.vertices_mm + evaluator.shifts_mm(kDraw));
+  const auto fine = solver::record_history(solver::Model(base, finely), vertices_mm);
   const Eigen::Index d = history.between.bump_where;
   const Eigen::Index last = fine.length_mm.rows() - 1;
   const double sign = fine.length_mm(last, d) > fine.flat_mm[d] ? 1 : -1;

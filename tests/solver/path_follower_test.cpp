@@ -31,7 +31,7 @@ class PathRecord {
   std::vector<double>& lengths() { return lengths_; }
   bool see(const Station& station, const FoldState<double>& state) {
     if (station.sample == 0) return true;
-    judge_.see(station, state, lengths_);
+    judge_.see(station, &state, lengths_);
     followed_.lengths.push_back(lengths_);
     return true;
   }

@@ -18,7 +18,7 @@ class JudgeTest : public testing::Test {
     for (std::size_t d = 0; d < lengths_.size(); ++d) lengths_[d] += slopes_[d];
     return see();
   }
-  bool see() { return judge_.see(station(++sample_), state_, lengths_); }
+  bool see() { return judge_.see(station(++sample_), &state_, lengths_); }
   static Station station(int sample) {
     return {1.0 * sample, half_angle_of_deg(sample), sample, true};
   }

@@ -66,7 +66,7 @@ class Witness {
            const LengthsOf& history) {
     solver::folded_lengths(mechanism_, geometry_, state, lengths_.data());
     length_error_ = std::max(length_error_, history.largest_difference(station, lengths_));
-    return judge_.see(station, state, lengths_);
+    return judge_.see(station, &state, lengths_);
   }
   Verdict conclude(const solver::PathResult& path) const { return judge_.conclude(path); }
 

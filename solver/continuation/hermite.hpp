@@ -1,0 +1,56 @@
+// Polynomials through values and rates of change at nodes (Hermite interpolation): weights for a
+// point, and Newton's divided differences for many functions of the same nodes at once.
+#pragma once
+
+#include <vector>
+
+namespace misalign::solver {
+
+/// With which weights values and rates at distinct nodes make the polynomial's value at `x`. If
+/// `origin` is given, the value there counts too, with a weight of its own, its rate does not.
+void hermite_weights(const double* nodes, int count, const double* origin, double x,
+                     double* of_values, double* of_rates, double* of_origin);
+
+/// Several functions through the same nodes, each with its value and its rate there (order 2 n for
+/// n nodes; Stoer & Bulirsch, Introduction to Numerical Analysis, 2.1.5).
+class HermiteTable {
+ public:
+  /// Room for so many functions and nodes. Allocates nothing afterwards.
+  HermiteTable(int functions, int most_nodes);
+
+  /// New nodes follow; what comes first decides most.
+  void begin() { order_ = 0; }
+  /// The next node: values and rates of all functions there.
+  void add(double x, const double* values, const double* rates);
+  /// Once all nodes are there.
+  void finish();
+
+  int order() const { return order_; }
+  double value(int function, double x) const;
+  double rate(int function, double x) const;
+  double value_and_rate(int function, double x, double& rate) const;
+  double second_rate(int function, double x) const;
+  /// The sizes of the last two terms of all functions at x: by how much the polynomial would change
+  /// there if the last node were left out. That bounds its error as long as terms fall.
+  double last_terms(int function, double x) const;
+  /// How fast the terms fall at x: of the largest last terms of these functions, the share of the
+  /// largest of the two before.
+  double fall(double x, int functions) const;
+  /// The first so many functions at once, their values and last terms.
+  void find_values(double x, int functions, double* values, double* last_terms) const;
+  /// The same with rates.
+  void look(double x, int functions, double* values, double* rates, double* last_terms) const;
+
+ private:
+  const double* row(int k) const { return terms_.data() + k * functions_; }
+  double* row(int k) { return terms_.data() + k * functions_; }
+  void last_products(double x, double& before, double& last) const;
+  void find_last_terms(double x, int functions, double* last_terms) const;
+
+  const int functions_;
+  int order_ = 0;
+  std::vector<double> nodes_;          // each twice
+  std::vector<double> terms_, rates_;  // per entry of nodes_ and function; divided differences
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,134 @@
+// A folding path as a function: between two of its solved points (nodes) everything is a polynomial
+// through the last nodes' values and rates of change, with a bound of its error.
+//
+// The variable is the fold angle of one crease: of the pilot as long as that turns about as fast as
+// any other, then of a faster one, along which the path goes on smoothly where the pilot turns back
+// (local parameterisation; Rheinboldt & Burkardt, ACM TOMS 9, 1983). Flat is a node too, where
+// lengths are known and do not change.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/continuation/hermite.hpp"
+#include "solver/kinematics/fold_state.hpp"
+
+namespace misalign::solver {
+
+/// A solved point. Rates are per unit of arc length: those of the creases are the unit tangent's
+/// entries, in the direction of the path.
+struct PathNode {
+  explicit PathNode(const Mechanism& mechanism);
+  ~PathNode();
+  PathNode(const PathNode&);
+  PathNode(PathNode&&);
+
+  std::vector<HalfAngle<double>> creases;
+  std::vector<double> crease_rates;
+  std::vector<double> lengths, slopes;  ///< of the diagonals, panel widths
+  double misfit = 0;  ///< how far the tangent is from one
+};
+
+/// What an observer says of a new piece of a path.
+enum class Answer {
+  go_on,
+  go_to_end,  ///< only its end is wanted
+  enough,     ///< nothing more is wanted of the path
+  lost,       ///< it cannot be judged by a function
+  unsure      ///< the errors are too large for what it wants to know: a shorter piece is wanted
+};
+
+/// What is known of the diagonals at a point between nodes.
+struct PathEstimate {
+  explicit PathEstimate(const Mechanism& mechanism);
+  ~PathEstimate();
+
+  std::vector<double> lengths;        ///< panel widths
+  std::vector<double> length_errors;  ///< bounds
+  std::vector<double> slopes;         ///< panel widths per radian of pilot
+};
+
+class PathFunction {
+ public:
+  /// Nodes that the polynomials go through, at most.
+  static constexpr int kNodes = 5;
+
+  /// `mechanism` must outlive this object, which owns its memory from the start.
+  explicit PathFunction(const Mechanism& mechanism);
+  ~PathFunction();
+  PathFunction(const PathFunction&);
+  PathFunction(PathFunction&&);
+
+  /// A sheet whose diagonals have these lengths flat.
+  void begin(const double* flat_lengths);
+  /// Where the next node is to be written, before add().
+  PathNode& vacant() { return nodes_[place(-1)]; }
+  /// The next node, at the end of a new piece or (`inside`) of the last one, whose turning point it
+  /// is near.
+  void add(bool inside = false);
+  /// Takes the last node back.
+  void drop();
+
+  int count() const { return count_; }
+  /// The k-th node, the newest first; as many as kNodes are kept.
+  const PathNode& node(int k) const { return nodes_[place(k)]; }
+  int kept() const;
+
+  /// The crease whose fold angle is the variable, and its value at the k-th node, increasing (rad).
+  int variable() const { return variable_; }
+  double at(int k) const { return at_[k]; }
+  /// Of the k-th node's tangent: its entry for the variable.
+  double variable_rate(int k) const { return sign_ * node(k).crease_rates[variable_]; }
+  /// Whether flat counts as a node, at 0.
+  bool from_flat() const { return kept() == count_ && count_ < kNodes && variable_ == pilot_; }
+  /// The newest piece: from node to node, or to the pilot's turning point.
+  double from() const { return from_; }
+  double to() const { return at_[inside_]; }
+  bool turns() const { return node(inside_).crease_rates[pilot_] <= 0; }
+  double end() const { return end_; }
+  /// By how much the piece's lengths and pilot angle would change without its last node, at the
+  /// middle of it (panel widths, rad).
+  double roughness() const;
+  double fall() const { return table_.fall(0.5 * (from() + to()), diagonals_ + 1); }
+  /// The pilot's fold angle (rad), its rate, and a bound of its error.
+  double pilot(double x) const;
+  double pilot_slope(double x) const;
+  double pilot_error(double x) const;
+  /// Where on the way from the oldest node kept the pilot has this angle; it must grow there.
+  double locate(double pilot_rad) const;
+  double pilot_at_oldest() const { return pilot(from_flat() ? 0 : at_[kept() - 1]); }
+  /// Whether the pilot goes on all over the piece for certain, though not at its end if it turns.
+  bool pilot_goes_on() const;
+
+  /// The diagonals' lengths at a point of the piece (panel widths), and bounds of their errors.
+  void find_lengths(double x, std::vector<double>& lengths, std::vector<double>& errors) const;
+  /// The same with their slopes.
+  void look(double x, PathEstimate& estimate) const;
+  /// The same of a single one: its rate per radian of pilot.
+  double slope(int diagonal, double x) const;
+
+  /// Whether no crease comes near zero or 180 degrees on the piece.
+  bool creases_are_clear() const;
+  /// The creases at a point of the piece, and a bound of the error of any of these numbers.
+  double find_creases(double x, std::vector<HalfAngle<double>>& creases) const;
+
+ private:
+  int place(int k) const { return (count_ - 1 - k + 4 * (kNodes + 1)) % (kNodes + 1); }
+  void choose_variable();
+  void make_table();
+  double turning_point() const;
+  double floor() const;
+
+  const Mechanism& mechanism_;
+  const int pilot_, diagonals_;
+  int count_ = 0, inside_ = 0;  // nodes; those added inside the newest piece
+  std::vector<PathNode> nodes_;  // a ring
+  std::vector<double> flat_, values_, rates_;
+  int variable_ = 0;
+  double sign_ = 1;
+  double at_[kNodes + 1] = {};
+  double from_ = 0, end_ = 0;
+  HermiteTable table_;  // of the diagonals, and of the pilot's angle
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,59 @@
+// The verdict on a path that is a function: at every sample whatever its polynomials say for
+// certain. What hangs on their error is not said: such a sheet is for the close steps.
+#pragma once
+
+#include <vector>
+
+#include "solver/continuation/path_function.hpp"
+#include "solver/verdict/verdict.hpp"
+
+namespace misalign::solver {
+
+class FunctionJudge {
+ public:
+  explicit FunctionJudge(const Mechanism& mechanism);
+  ~FunctionJudge();
+  FunctionJudge(const FunctionJudge&);
+
+  void begin(const PathPlan& plan, const std::vector<double>& flat_lengths);
+  /// Looks at the samples of the newest piece that it has not seen yet: enough once a fault is known.
+  Answer see(const PathFunction& function);
+  /// The verdict once the path has ended; nothing where that is not certain.
+  std::optional<Verdict> conclude(const PathResult& path) const;
+
+  /// How many samples are in order so far; the lengths at them, sample by sample (panel widths).
+  int samples_in_order() const { return samples_; }
+  const double* lengths_at(int sample) const {
+    return rows_.data() + static_cast<std::size_t>(sample - 1) * last_.size();
+  }
+  /// Where the newest function has this sample, the last of those in order.
+  double place_of(int sample, const PathFunction& function) const;
+  /// +1 for a diagonal that grows, -1 for one that shrinks, 0 where it has not moved yet.
+  int direction(int diagonal) const { return judge_.direction(diagonal); }
+
+ private:
+  bool is_decisive();
+  void know_last_better(const PathFunction& function);
+  Answer lost() {
+    is_sure_ = false;
+    return Answer::lost;
+  }
+  Answer unsure() {
+    is_sure_ = false;
+    return Answer::unsure;
+  }
+
+  const Mechanism& mechanism_;
+  Judge judge_;
+  const PathPlan* plan_ = nullptr;
+  std::size_t next_ = 0;
+  bool is_sure_ = true;
+  double last_rad_ = 0;
+  PathEstimate here_, again_;
+  int samples_ = 0;
+  std::vector<double> last_, last_errors_, rows_;
+  std::vector<double> places_;  // of the samples that the newest function has shown
+  FoldState<double> state_;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,67 @@
+#include "solver/verdict/path_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+// The first sign change of a diagonal's rate against the direction it has set.
+std::optional<double> first_reversal_deg(const FoldingHistory& history, double width_mm) {
+  std::optional<double> first_deg;
+  for (std::size_t d = 0; d < history.flat_mm.size(); ++d) {
+    const auto column = static_cast<Eigen::Index>(d);
+    LengthAndSlope last{history.flat_mm[d] / width_mm, 0};
+    double last_deg = 0;
+    int direction = 0;
+    for (std::size_t i = 0; i < history.stations.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const double at_deg = history.stations[i].pilot_deg;
+      const LengthAndSlope here{history.length_mm(row, column) / width_mm,
+                                history.slope_mm_per_deg(row, column) / width_mm / kRadPerDeg};
+      const double step = here.length - last.length;
+      if (direction == 0 && std::abs(step) >= kStepBand_widths) direction = step > 0 ? 1 : -1;
+      if (direction != 0) {
+        const double step_rad = (at_deg - last_deg) * kRadPerDeg;
+        const BetweenSamples seen = look_between(last, here, step_rad, 1, direction);
+        if (seen.back > 0) {
+          const double from_deg = last_deg + seen.from * (at_deg - last_deg);
+          if (!first_deg || from_deg < *first_deg) first_deg = from_deg;
+          break;
+        }
+      }
+      last = here;
+      last_deg = at_deg;
+    }
+  }
+  return first_deg;
+}
+
+}  // namespace
+
+PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) {
+  const double width_mm = mechanism.panel_width_mm;
+  PathRecord record;
+  record.verdict = history.verdict;
+  record.path = history.path;
+  record.miscut_margin_mm = history.miscut_margin_mm;
+  for (const double length_mm : history.flat_mm) record.flat.push_back(length_mm / width_mm);
+  record.extremes.least_slope = history.between.least_slope;
+  if (history.between.bump_where >= 0) record.extremes.bump_deg = history.between.bump_deg;
+  record.extremes.reverses_deg = first_reversal_deg(history, width_mm);
+  for (std::size_t i = 0; i < history.stations.size(); ++i) {
+    const int sample = history.stations[i].sample;
+    if (sample == 0 || sample > history.verdict.deploys_from_sample) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+      record.lengths.push_back(history.length_mm(row, d) / width_mm);
+    }
+    record.singular_value_min = std::min(record.singular_value_min, history.singular_value_min[i]);
+    record.residual_max = std::max(record.residual_max, history.open_by[i]);
+    record.isometry_error =
+        std::max(record.isometry_error, history.isometry_error_mm[i] / width_mm);
+  }
+  return record;
+}
+
+}  // namespace misalign::solver

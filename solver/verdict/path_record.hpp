@@ -1,0 +1,44 @@
+// What metrics need to know of one path.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/verdict/history.hpp"
+
+namespace misalign::solver {
+
+/// Of the diagonals' rates of change in their directions, all over the path.
+struct PathExtremes {
+  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
+  double least_slope = std::numeric_limits<double>::infinity();
+  /// Where a diagonal first goes back, and on again before D without a sample having shown it.
+  std::optional<double> bump_deg;
+  /// Where a diagonal first turns back, up to the last sample that was followed.
+  std::optional<double> reverses_deg;
+};
+
+struct PathRecord {
+  Verdict verdict;
+  PathResult path;
+  std::vector<double> flat;  ///< lengths of the diagonals, panel widths
+  /// The same at the samples up to D: sample by sample.
+  std::vector<double> lengths;
+  PathExtremes extremes;
+  /// Up to D, of the states that were solved for the purpose: see the metrics of these names.
+  double singular_value_min = std::numeric_limits<double>::infinity();
+  double residual_max = 0, isometry_error = 0;  ///< panel widths
+  std::optional<double> miscut_margin_mm;
+};
+
+/// The same of a path whose every sample was solved; between them by cubics.
+PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
+
+/// The same with the extremes of the path as a function.
+PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
+                     const FoldingHistory& history);
+
+/// Of the sheet with these vertices, as a campaign's draws are measured.
+PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);
+
+}  // namespace misalign::solver
