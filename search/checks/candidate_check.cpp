@@ -71,8 +71,7 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
     differs("deploys_from_sample", cell("deploys_from_sample"), 0);
     return report;
   }
-  check_metrics(row, metrics_version,
-                sheets_.measure(vertices_mm, history), report);
+  check_metrics(row, metrics_version, sheets_.measure(vertices_mm, history), report);
   sheets_.check_shapes(where, sheet, history.verdict.deploys_from_sample, report);
   return report;
 }

@@ -55,8 +55,8 @@ solver::FoldingHistory SheetCheck::follow_densely(const solver::FlatVertices& ve
 
 solver::Metrics SheetCheck::measure(const solver::FlatVertices& vertices_mm,
                                     const solver::FoldingHistory& history) const {
-  return solver::measure(base_.base, vertices_mm,
-                         solver::record_of(model_, vertices_mm, history), sampling_.sample_deg);
+  return solver::measure(base_.base, vertices_mm, solver::record_of(model_, vertices_mm, history),
+                         sampling_.sample_deg);
 }
 
 void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& sheet,

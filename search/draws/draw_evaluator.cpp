@@ -13,7 +13,7 @@ namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones are slower
-constexpr std::size_t kHistoriesAtOnce = 64;     // of 60 kB each on 6 x 6
+constexpr std::size_t kRecordsAtOnce = 256;      // of 40 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
 void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {
@@ -126,9 +126,9 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
 void DrawEvaluator::record(schema::UnitRecord& unit) {
   solver::FlatVertices vertices_mm;
   Draws some;
-  for (std::size_t first = 0; first < open_.size(); first += kHistoriesAtOnce) {
+  for (std::size_t first = 0; first < open_.size(); first += kRecordsAtOnce) {
     some.clear();
-    const std::size_t last = std::min(first + kHistoriesAtOnce, open_.size());
+    const std::size_t last = std::min(first + kRecordsAtOnce, open_.size());
     for (std::size_t k = first; k < last; ++k) some.add(open_, k);
     const std::vector<solver::PathRecord>& records = batch_->measure(some.shifts);
     for (std::size_t k = 0; k < some.size(); ++k) {

@@ -20,16 +20,19 @@ constexpr int kMostLimitNodes = 3;
 }  // namespace
 
 NodeControl::NodeControl(const Mechanism& mechanism, int lanes, const NodeControlOptions& options)
-    : pilot_(mechanism.pilot),
+    : mechanism_(mechanism),
+      pilot_(mechanism.pilot),
       options_(options),
+      flat_(mechanism.diagonals.size()),
       paths_(static_cast<std::size_t>(lanes), Path{.function = PathFunction(mechanism)}) {}
 
 NodeControl::~NodeControl() = default;
 
-void NodeControl::begin(const PathStart& start, const double* flat_lengths, int lane) {
+void NodeControl::begin(const PathStart& start, int lane) {
+  flat_lengths(mechanism_, *start.geometry, flat_.data());
   Path& path = paths_[lane];
   path.plan = start.plan;
-  path.function.begin(flat_lengths);
+  path.function.begin(flat_.data());
   path.result = {};
   path.is_free = path.is_loose = path.to_limit = path.from_flat = false;
   path.limit_nodes = 0;
@@ -80,12 +83,12 @@ NodeStep NodeControl::after(const NewtonReport& report, int lane) {
 
 bool NodeControl::take(int lane) {
   Path& path = paths_[lane];
-  path.function.add(path.to_limit);
+  path.to_limit ? path.function.add_at_turn() : path.function.add();
   if (path.function.count() == 1) return true;
   const double most = options_.most_roughness *
                       (path.is_loose ? options_.loose_roughness / options_.wanted_roughness : 1);
-  return path.function.roughness() <= most &&
-         path.function.to() > path.function.from() && path.function.pilot_goes_on();
+  return path.function.roughness() <= most && path.function.to() > path.function.from() &&
+         path.function.pilot_goes_on();
 }
 
 NodeStep NodeControl::take_back(int lane) {
@@ -95,8 +98,12 @@ NodeStep NodeControl::take_back(int lane) {
 
 bool NodeControl::ends_piece(int lane) const {
   const PathFunction& function = paths_[lane].function;
-  return !function.turns() ||
-         function.pilot_error(function.end()) <= options_.limit_tolerance_rad;
+  if (!function.turns()) return true;
+  // From a node next to the turn the rise follows from its rate and the bend of the pilot's angle,
+  // which is known to a hundredth.
+  return function.has_node_at_turn()
+             ? function.pilot_rise() <= 100 * options_.limit_tolerance_rad
+             : function.pilot_error(function.end()) <= options_.limit_tolerance_rad;
 }
 
 NodeStep NodeControl::proceed(int lane) {
@@ -152,10 +159,9 @@ void NodeControl::choose_step(Path& path) {
   }
   const double rough = std::max(function.roughness(), 1e-15);
   const double wanted = path.is_loose ? options_.loose_roughness : options_.wanted_roughness;
-  const double by_roughness =
-      last * std::pow(wanted / rough, 1.0 / (2 * function.kept() - 2));
-  path.step = std::min({kCaution * step, kCaution * by_roughness, kLonger * last,
-                        options_.longest_step_rad});
+  const double by_roughness = last * std::pow(wanted / rough, 1.0 / (2 * function.kept() - 2));
+  path.step = std::min(
+      {kCaution * step, kCaution * by_roughness, kLonger * last, options_.longest_step_rad});
 }
 
 NodeStep NodeControl::depart(Path& path) {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "solver/continuation/path_follower.hpp"
 #include "solver/continuation/path_function.hpp"
+#include "solver/continuation/step_control.hpp"
 
 namespace misalign::solver {
 
@@ -50,7 +50,7 @@ class NodeControl {
   NodeControl(const Mechanism& mechanism, int lanes, const NodeControlOptions& options = {});
   ~NodeControl();
 
-  void begin(const PathStart& start, const double* flat_lengths, int lane);
+  void begin(const PathStart& start, int lane);
   bool under_way(int lane) const { return paths_[lane].plan != nullptr; }
   bool is_free(int lane) const { return paths_[lane].is_free; }
   /// After an iteration.
@@ -95,8 +95,10 @@ class NodeControl {
   NodeStep weights(const Path& path, double x) const;
   static double distance_to_nodes(const PathFunction& function, double x);
 
+  const Mechanism& mechanism_;
   const int pilot_;
   const NodeControlOptions options_;
+  std::vector<double> flat_;
   std::vector<Path> paths_;
 };
 

@@ -27,8 +27,7 @@ class NodeFollower {
         tangent_(mechanism.unknowns, T(0)),
         lengths_(mechanism.diagonals.size(), T(0)),
         slopes_(lengths_),
-        misfits_(mechanism.equations, T(0)),
-        flat_(mechanism.diagonals.size()) {
+        misfits_(mechanism.equations, T(0)) {
     for (StateNode& node : nodes_) node = {ahead_, ahead_, tangent_};
   }
 
@@ -77,10 +76,9 @@ class NodeFollower {
     steps_[i] = {};
     PathStart start{};
     if (!observer.next(start, i)) return;
-    corrector_.put(*start.geometry, *start.state,
-                   start.plan->stations[start.first_station].pilot, i);
-    flat_lengths(mechanism_, *start.geometry, flat_.data());
-    control_.begin(start, flat_.data(), i);
+    corrector_.put(*start.geometry, *start.state, start.plan->stations[start.first_station].pilot,
+                   i);
+    control_.begin(start, i);
   }
 
   template <class Observer>
@@ -129,7 +127,6 @@ class NodeFollower {
   std::vector<T> tangent_;  // the newest node's
   std::vector<T> lengths_, slopes_, misfits_;
   T misfit_;
-  std::vector<double> flat_;
   std::array<NodeStep, kWidth> steps_;
 };
 

@@ -23,6 +23,15 @@ struct PathPlan {
   FoldState<double> start;
 };
 
+/// One path to follow: the sheet, and a state near the plan's station number `first_station`.
+struct PathStart {
+  const SheetGeometry<double>* geometry;
+  const FoldState<double>* state;
+  const PathPlan* plan;
+  std::size_t first_station = 0;
+  int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
+};
+
 struct PathPlanOptions {
   double sample_deg = 1;
   double end_deg = 180;  ///< visited, whether it is a sample or not

@@ -12,21 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "solver/continuation/lane_corrector.hpp"
 #include "solver/continuation/step_control.hpp"
 #include "solver/kinematics/diagonals.hpp"
-#include "solver/kinematics/lane_state.hpp"
-#include "solver/linear/sparse_closure.hpp"
 
 namespace misalign::solver {
-
-/// One path to follow: the sheet, and a state near the plan's station number `first_station`.
-struct PathStart {
-  const SheetGeometry<double>* geometry;
-  const FoldState<double>* state;
-  const PathPlan* plan;
-  std::size_t first_station = 0;
-  int forward_sign = 0;  ///< of the determinant on this half of the curve; 0: not known
-};
 
 /// `Closure` is a SparseClosure<T>, or for T = double a DenseClosure.
 template <class T, class Closure = SparseClosure<T>>
@@ -71,10 +61,10 @@ class PathFollower {
   }
 
   /// The sheets of all lanes, and their states at the last points they found.
-  const SheetGeometry<T>& geometry() const { return geometry_; }
+  const SheetGeometry<T>& geometry() const { return corrector_.geometry(); }
   const FoldState<T>& state() const { return last_; }
   /// The equations there, but for the last correction (1e-12 / the Jacobian's singular values).
-  const Closure& closure() const { return closure_; }
+  const Closure& closure() const { return corrector_.closure(); }
 
  private:
   template <class Observer>
@@ -114,7 +104,6 @@ class PathFollower {
 
   void put(const PathStart& start, int i);
   MISALIGN_FLATTEN void iterate();
-  void correct();
   NewtonReport report(int i) const;
   MISALIGN_FLATTEN void believe();
   void predict();
@@ -124,13 +113,11 @@ class PathFollower {
 
   const Mechanism& mechanism_;
   const int unknowns_;
-  Closure closure_;
-  SheetGeometry<T> geometry_;
-  FoldState<T> trial_, last_, ahead_;
-  std::vector<T> correction_, null_, move_, lengths_, slopes_, misfits_;
+  LaneCorrector<T, Closure> corrector_;
+  FoldState<T> last_, ahead_;
+  std::vector<T> move_, lengths_, slopes_, misfits_;
   std::array<std::vector<T>, 3> tangents_;  // newest first
-  T open_, largest_correction_, misfit_, determinant_sign_, orientation_, cosine_,
-      largest_half_sine_;
+  T misfit_, largest_half_sine_;
   bool lengths_known_ = false, slopes_known_ = false;
   std::array<StepControl, kWidth> controls_;
   std::array<PathStep, kWidth> steps_;
@@ -141,74 +128,35 @@ PathFollower<T, Closure>::PathFollower(const Mechanism& mechanism, Closure closu
                                        const StepControlOptions& options)
     : mechanism_(mechanism),
       unknowns_(mechanism.unknowns),
-      closure_(std::move(closure)),
-      geometry_(lane_geometry<T>(mechanism)),
-      trial_(flat_state<T>(mechanism)),
-      last_(trial_),
-      ahead_(trial_),
-      correction_(mechanism.unknowns, T(0)),
-      null_(correction_),
-      move_(correction_),
+      corrector_(mechanism, std::move(closure)),
+      last_(flat_state<T>(mechanism)),
+      ahead_(last_),
+      move_(mechanism.unknowns, T(0)),
       lengths_(mechanism.diagonals.size(), T(0)),
       slopes_(lengths_),
       misfits_(mechanism.equations, T(0)),
-      tangents_{correction_, correction_, correction_} {
+      tangents_{move_, move_, move_} {
   controls_.fill(StepControl(options));
 }
 
 template <class T, class Closure>
 void PathFollower<T, Closure>::put(const PathStart& start, int i) {
-  closure_.restart(i);
-  put_lane(*start.geometry, geometry_, i);
-  put_lane(*start.state, trial_, i);
-  const HalfAngle<double>& pilot = start.plan->stations[start.first_station].pilot;
-  lane(trial_.creases[mechanism_.pilot].c, i) = pilot.c;
-  lane(trial_.creases[mechanism_.pilot].s, i) = pilot.s;
+  corrector_.put(*start.geometry, *start.state, start.plan->stations[start.first_station].pilot, i);
   put_lane(*start.state, last_, i);
 }
 
 // One Newton iteration of every lane, and what its step control wants to know.
 template <class T, class Closure>
 void PathFollower<T, Closure>::iterate() {
-  open_ = closure_.linearize(geometry_, trial_);
-  correct();
-  largest_correction_ = T(0);
-  for (T& turn : correction_) {
-    turn = -turn;
-    largest_correction_ = larger(largest_correction_, magnitude(turn));
-  }
-  advance(mechanism_, correction_.data(), trial_);
-  largest_half_sine_ = T(0);
-  for (std::size_t k = 0; k < trial_.creases.size(); ++k) {
-    largest_half_sine_ = larger(largest_half_sine_,
-                                magnitude(half_sine_between(trial_.creases[k], last_.creases[k])));
-  }
-}
-
-// The unit tangent, and the correction: with the pilot held, or for lanes on the arc the shortest.
-template <class T, class Closure>
-void PathFollower<T, Closure>::correct() {
-  using std::sqrt;
   T on_arc(0);
   for (int i = 0; i < kWidth; ++i) lane(on_arc, i) = controls_[i].on_arc() ? 1 : 0;
-  closure_.solve(on_arc, correction_.data());
-  closure_.null_vector(null_.data());
-  T square(0), along(0);
-  cosine_ = T(0);
-  for (int j = 0; j < unknowns_; ++j) {
-    square = square + null_[j] * null_[j];
-    along = along + null_[j] * correction_[j];
-    cosine_ = cosine_ + null_[j] * tangents_[0][j];
+  corrector_.iterate(on_arc, tangents_[0]);
+  const FoldState<T>& trial = corrector_.trial();
+  largest_half_sine_ = T(0);
+  for (std::size_t k = 0; k < trial.creases.size(); ++k) {
+    largest_half_sine_ = larger(largest_half_sine_,
+                                magnitude(half_sine_between(trial.creases[k], last_.creases[k])));
   }
-  const T scale = T(1) / sqrt(square);
-  cosine_ = cosine_ * scale;
-  along = select(on_arc > T(0), along / square, T(0));
-  for (int j = 0; j < unknowns_; ++j) {
-    correction_[j] = correction_[j] - along * null_[j];
-    null_[j] = null_[j] * scale;
-  }
-  orientation_ = closure_.orientation();
-  determinant_sign_ = select(null_[unknowns_ - 1] < T(0), -orientation_, orientation_);
 }
 
 template <class T, class Closure>
@@ -217,15 +165,15 @@ NewtonReport PathFollower<T, Closure>::report(int i) const {
     const HalfAngle<T>& pilot = state.creases[mechanism_.pilot];
     return HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)};
   };
-  return {lane(open_, i),
-          lane(largest_correction_, i),
-          lane(determinant_sign_, i) < 0 ? -1 : 1,
-          lane(orientation_, i) < 0 ? -1 : 1,
-          lane(null_[unknowns_ - 1], i),
-          lane(cosine_, i),
+  return {lane(corrector_.open_by(), i),
+          lane(corrector_.largest_correction(), i),
+          lane(corrector_.determinant_sign(), i) < 0 ? -1 : 1,
+          lane(corrector_.orientation(), i) < 0 ? -1 : 1,
+          lane(corrector_.tangent()[unknowns_ - 1], i),
+          lane(corrector_.cosine(), i),
           lane(largest_half_sine_, i),
           pilot_of(last_),
-          pilot_of(trial_)};
+          pilot_of(corrector_.trial())};
 }
 
 // Keeps the states, tangents and diagonals of the lanes that found a point of their curve.
@@ -239,12 +187,12 @@ void PathFollower<T, Closure>::believe() {
     any = any || steps_[i].believe;
   }
   if (!any) return;
-  replace(believed, trial_, last_);
+  replace(believed, corrector_.trial(), last_);
   const auto chosen = believed > T(0);
   for (int j = 0; j < unknowns_; ++j) {
     tangents_[2][j] = select(chosen, tangents_[1][j], tangents_[2][j]);
     tangents_[1][j] = select(chosen, tangents_[0][j], tangents_[1][j]);
-    tangents_[0][j] = select(chosen, sign * null_[j], tangents_[0][j]);
+    tangents_[0][j] = select(chosen, sign * corrector_.tangent()[j], tangents_[0][j]);
   }
   lengths_known_ = slopes_known_ = false;
 }
@@ -268,24 +216,22 @@ void PathFollower<T, Closure>::predict() {
   }
   ahead_ = last_;
   advance(mechanism_, move_.data(), ahead_);
-  replace(departs, ahead_, trial_);
+  replace(departs, ahead_, corrector_.trial());
   for (int i = 0; i < kWidth; ++i) {
-    if (!steps_[i].hold) continue;
-    lane(trial_.creases[mechanism_.pilot].c, i) = steps_[i].pilot.c;
-    lane(trial_.creases[mechanism_.pilot].s, i) = steps_[i].pilot.s;
+    if (steps_[i].hold) corrector_.hold(steps_[i].pilot, i);
   }
 }
 
 template <class T, class Closure>
 void PathFollower<T, Closure>::find_lengths() {
-  folded_lengths(mechanism_, geometry_, last_, lengths_.data());
+  folded_lengths(mechanism_, corrector_.geometry(), last_, lengths_.data());
   lengths_known_ = true;
 }
 
 template <class T, class Closure>
 void PathFollower<T, Closure>::find_slopes() {
-  folded_lengths_and_slopes(mechanism_, geometry_, last_, tangents_[0].data(), lengths_.data(),
-                            slopes_.data(), misfits_.data());
+  folded_lengths_and_slopes(mechanism_, corrector_.geometry(), last_, tangents_[0].data(),
+                            lengths_.data(), slopes_.data(), misfits_.data());
   misfit_ = T(0);
   for (const T& rest : misfits_) misfit_ = larger(misfit_, magnitude(rest));
   lengths_known_ = slopes_known_ = true;

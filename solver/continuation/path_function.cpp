@@ -12,8 +12,8 @@ constexpr double kFastEnough = 0.6;
 // Of a solved point's length, and per radian of the piece for each unit of the tangent's misfit.
 constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
-// Terms do not always fall: of the largest last terms of all diagonals the largest error seen was 10.4
-// times as large, in 4 million cases.
+// Terms do not always fall: of the largest last terms of all diagonals the largest error seen
+// was 10.4 times as large, in 4 million cases.
 constexpr double kSafety = 20;
 
 double angle_rad(const HalfAngle<double>& rho) { return 2 * std::atan2(rho.s, rho.c); }
@@ -29,6 +29,7 @@ PathNode::PathNode(const Mechanism& mechanism)
 PathNode::~PathNode() = default;
 PathNode::PathNode(const PathNode&) = default;
 PathNode::PathNode(PathNode&&) = default;
+PathNode& PathNode::operator=(PathNode&&) = default;
 
 PathEstimate::PathEstimate(const Mechanism& mechanism)
     : lengths(mechanism.diagonals.size()), length_errors(lengths), slopes(lengths) {}
@@ -58,9 +59,23 @@ void PathFunction::begin(const double* flat_lengths) {
 
 int PathFunction::kept() const { return std::min(count_, kNodes); }
 
-void PathFunction::add(bool inside) {
+void PathFunction::add() {
   ++count_;
-  inside_ = inside ? inside_ + 1 : 0;
+  inside_ = 0;
+  renew();
+}
+
+void PathFunction::add_at_turn() {
+  if (inside_ > 0) {
+    std::swap(nodes_[place(-1)], nodes_[place(0)]);  // too close to each other for one table
+  } else {
+    ++count_;
+    inside_ = 1;
+  }
+  renew();
+}
+
+void PathFunction::renew() {
   choose_variable();
   for (int k = 0; k < kept(); ++k) at_[k] = sign_ * angle_rad(node(k).creases[variable_]);
   from_ = count_ > inside_ + 1 ? at_[inside_ + 1] : 0;
@@ -133,6 +148,11 @@ double PathFunction::pilot_slope(double x) const {
 
 double PathFunction::pilot_error(double x) const {
   return variable_ == pilot_ ? 0 : kSafety * table_.last_terms(diagonals_, x) + 1e-14;
+}
+
+double PathFunction::pilot_rise() const {
+  const double rate = pilot_slope(at_[0]);
+  return 0.5 * rate * rate / std::abs(table_.second_rate(diagonals_, at_[0]));
 }
 
 double PathFunction::locate(double pilot_rad) const {
@@ -208,7 +228,8 @@ double PathFunction::slope(int diagonal, double x) const {
 }
 
 bool PathFunction::creases_are_clear() const {
-  // A cubic stays within 4/27 of its ends' tangents from the chord; twice that for what is no cubic.
+  // A cubic stays within 4/27 of its ends' tangents from the chord; twice that for what is no
+  // cubic.
   constexpr double kRoom = 8.0 / 27;
   const PathNode& next = node(0);
   const double step = to() - from(), next_rate = 0.5 / variable_rate(0);

@@ -22,11 +22,12 @@ struct PathNode {
   ~PathNode();
   PathNode(const PathNode&);
   PathNode(PathNode&&);
+  PathNode& operator=(PathNode&&);
 
   std::vector<HalfAngle<double>> creases;
   std::vector<double> crease_rates;
   std::vector<double> lengths, slopes;  ///< of the diagonals, panel widths
-  double misfit = 0;  ///< how far the tangent is from one
+  double misfit = 0;                    ///< how far the tangent is from one
 };
 
 /// What an observer says of a new piece of a path.
@@ -63,9 +64,11 @@ class PathFunction {
   void begin(const double* flat_lengths);
   /// Where the next node is to be written, before add().
   PathNode& vacant() { return nodes_[place(-1)]; }
-  /// The next node, at the end of a new piece or (`inside`) of the last one, whose turning point it
-  /// is near.
-  void add(bool inside = false);
+  /// The next node, at the end of a new piece.
+  void add();
+  /// The next node near the turning point of the newest piece: instead of another one that is
+  /// there.
+  void add_at_turn();
   /// Takes the last node back.
   void drop();
 
@@ -84,6 +87,7 @@ class PathFunction {
   /// The newest piece: from node to node, or to the pilot's turning point.
   double from() const { return from_; }
   double to() const { return at_[inside_]; }
+  bool has_node_at_turn() const { return inside_ > 0; }
   bool turns() const { return node(inside_).crease_rates[pilot_] <= 0; }
   double end() const { return end_; }
   /// By how much the piece's lengths and pilot angle would change without its last node, at the
@@ -94,6 +98,8 @@ class PathFunction {
   double pilot(double x) const;
   double pilot_slope(double x) const;
   double pilot_error(double x) const;
+  /// How far the pilot still goes on from the node at the turn.
+  double pilot_rise() const;
   /// Where on the way from the oldest node kept the pilot has this angle; it must grow there.
   double locate(double pilot_rad) const;
   double pilot_at_oldest() const { return pilot(from_flat() ? 0 : at_[kept() - 1]); }
@@ -115,13 +121,14 @@ class PathFunction {
  private:
   int place(int k) const { return (count_ - 1 - k + 4 * (kNodes + 1)) % (kNodes + 1); }
   void choose_variable();
+  void renew();
   void make_table();
   double turning_point() const;
   double floor() const;
 
   const Mechanism& mechanism_;
   const int pilot_, diagonals_;
-  int count_ = 0, inside_ = 0;  // nodes; those added inside the newest piece
+  int count_ = 0, inside_ = 0;   // nodes; of them at the newest piece's turn, 0 or 1
   std::vector<PathNode> nodes_;  // a ring
   std::vector<double> flat_, values_, rates_;
   int variable_ = 0;

@@ -16,7 +16,8 @@ class FunctionJudge {
   FunctionJudge(const FunctionJudge&);
 
   void begin(const PathPlan& plan, const std::vector<double>& flat_lengths);
-  /// Looks at the samples of the newest piece that it has not seen yet: enough once a fault is known.
+  /// Looks at the samples of the newest piece that it has not seen yet: enough once a fault is
+  /// known.
   Answer see(const PathFunction& function);
   /// The verdict once the path has ended; nothing where that is not certain.
   std::optional<Verdict> conclude(const PathResult& path) const;

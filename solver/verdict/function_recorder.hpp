@@ -21,6 +21,7 @@ class FunctionRecorder {
         mechanism_(model.mechanism()),
         follower_(follower),
         records_(model, kLanes<T>),
+        placed_(mechanism_),
         geometry_(lane_geometry<T>(mechanism_)),
         state_(flat_state<T>(mechanism_)),
         factors_(model.elimination()),
@@ -70,9 +71,7 @@ class FunctionRecorder {
       return sheets[std::min(first + static_cast<std::size_t>(i), sheets.size() - 1)];
     };
     for (int i = 0; i < kLanes<T>; ++i) {
-      block.place(sheet_of_lane(i), one_vertices_mm_);
-      place(mechanism_, one_vertices_mm_, one_geometry_);
-      put_lane(one_geometry_, geometry_, i);
+      put_lane(placed_.of(block, sheet_of_lane(i)), geometry_, i);
       smallest_.restart(i);
     }
     const int margins = static_cast<int>(model_.margin_samples().size());
@@ -94,20 +93,19 @@ class FunctionRecorder {
     }
   }
 
-  static constexpr int kMostCorrections = 4;
-
-  // Corrections with the pilot held, and what is wanted of the state that they reach.
+  // Two corrections with the pilot held, or four where it may be next to a limit point, whatever
+  // the neighbours need; and what is wanted of the state that they reach.
   MISALIGN_FLATTEN void solve(int beside_margin) {
-    const bool for_lengths =
-        beside_margin == static_cast<int>(Wanted::before_least_step) ||
-        beside_margin == static_cast<int>(Wanted::after_least_step);
+    const bool for_lengths = beside_margin == static_cast<int>(Wanted::before_least_step) ||
+                             beside_margin == static_cast<int>(Wanted::after_least_step);
     const bool for_slopes = beside_margin == static_cast<int>(Wanted::reversal);
     correct(true);
-    for (int k = 0; k < kMostCorrections; ++k) {
+    correct(true);
+    if (beside_margin >= static_cast<int>(Wanted::before_d)) {
       correct(!for_lengths);
-      open_by_ = evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-      if (!any_open()) break;
+      correct(!for_lengths);
     }
+    open_by_ = evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
     factors_.null_vector(-factors_.pilot_coefficient() / factors_.partner_coefficient(), T(1),
                          work_.data(), turn_.data());
     folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),
@@ -116,13 +114,6 @@ class FunctionRecorder {
     singular_value_ = smallest_.of(square_factors_);
     model_.shape().place(geometry_, state_, points_);
     isometry_error_ = model_.shape().isometry_error(geometry_, points_);
-  }
-
-  bool any_open() const {
-    for (int i = 0; i < kLanes<T>; ++i) {
-      if (!(lane(open_by_, i) <= NewtonOptions{}.closure_tolerance)) return true;
-    }
-    return false;
   }
 
   void correct(bool new_factors) {
@@ -154,8 +145,7 @@ class FunctionRecorder {
   const Mechanism& mechanism_;
   NodeFollower<T>& follower_;
   FunctionRecords records_;
-  FlatVertices one_vertices_mm_;  // of a single lane
-  SheetGeometry<double> one_geometry_;
+  PlacedSheet placed_;
   SheetGeometry<T> geometry_;
   FoldState<T> state_;
   SparseLu<T> factors_;

@@ -3,43 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace misalign::solver {
 namespace {
-
-// Where the rate of change of a diagonal in its direction falls to zero, from `low`, where it is
-// positive, to `high`, where it is not.
-double root_of_slope(const PathFunction& function, int diagonal, int direction, double low,
-                     double high) {
-  for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
-    const double middle = 0.5 * (low + high);
-    (direction * function.slope(diagonal, middle) > 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-// The point of a stretch where that rate is least, if it has one minimum (golden section).
-double least_slope_at(const PathFunction& function, int diagonal, int direction, double low,
-                      double high) {
-  constexpr double kGolden = 0.6180339887498949;
-  const auto slope = [&](double x) { return direction * function.slope(diagonal, x); };
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = slope(a), at_b = slope(b);
-  for (int k = 0; k < 30; ++k) {
-    if (at_a < at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      at_a = slope(a = high - kGolden * (high - low));
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      at_b = slope(b = low + kGolden * (high - low));
-    }
-  }
-  return 0.5 * (low + high);
-}
 
 // Between two states that were looked at the least singular value was never below this share of
 // the smaller of theirs, where it does not go on falling beyond them.
@@ -47,6 +12,9 @@ constexpr double kLeastBetween = 0.5;
 
 // Errors of functions are below this by far; other branches are farther away.
 constexpr double kSameLength_widths = 1e-5;
+
+// Pieces of fewer samples are short.
+constexpr int kShortPiece_samples = 4;
 
 // A reversal is moved by the step that the exact slope asks for, if that is no longer than this.
 constexpr double kLongestReversalStep_rad = 1e-4;
@@ -56,7 +24,9 @@ constexpr double kLongestReversalStep_rad = 1e-4;
 FunctionRecords::FunctionRecords(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
-      lanes_(static_cast<std::size_t>(lanes), Lane{FunctionJudge(model.mechanism())}),
+      lanes_(static_cast<std::size_t>(lanes),
+             Lane{FunctionJudge(model.mechanism()),
+                  ExtremeFinder(model.mechanism().diagonal_count())}),
       solved_(static_cast<std::size_t>(lanes)),
       flat_(model.mechanism().diagonals.size()),
       here_(model.mechanism()) {
@@ -64,7 +34,8 @@ FunctionRecords::FunctionRecords(const Model& model, int lanes)
     if (station.sample > 0) samples_.push_back(&station);
   }
   const std::size_t diagonals = flat_.size();
-  const SolvedState nothing{0, 0, 0, std::vector<double>(diagonals), std::vector<double>(diagonals)};
+  const SolvedState nothing{0, 0, 0, std::vector<double>(diagonals),
+                            std::vector<double>(diagonals)};
   for (auto& of_lane : solved_) of_lane.assign(static_cast<std::size_t>(wanted_count()), nothing);
 }
 
@@ -84,12 +55,9 @@ bool FunctionRecords::next(PathStart& start, int lane) {
   one.record.record.flat = flat_;
   one.record.wanted.resize(model_.margin_samples().size() + kWantedBesideMargin);
   one.next = 0;
-  one.fault_seen = one.reversal_known = false;
-  one.last_deg = one.last_x = 0;
+  one.fault_seen = false;
   one.least_step = std::numeric_limits<double>::infinity();
-  one.last = flat_;
-  one.last_slopes.assign(flat_.size(), 0);
-  one.back_since_deg.assign(flat_.size(), 0);
+  one.finder.begin(flat_);
   return true;
 }
 
@@ -99,7 +67,7 @@ Answer FunctionRecords::look(const PathFunction& function, int lane) {
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
   if (one.fault_seen) {
     look_up_to(end_deg, function, one);
-    return one.reversal_known ? Answer::go_to_end : Answer::go_on;
+    return one.has_reversed() ? Answer::go_to_end : Answer::go_on;
   }
   const Answer seen = one.judge.see(function);
   if (seen == Answer::unsure || seen == Answer::lost) return seen;
@@ -108,11 +76,26 @@ Answer FunctionRecords::look(const PathFunction& function, int lane) {
   if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
   look_up_to(end_deg, function, one);
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
-  if ((one.fault_seen || is_last) && in_order > 0) {
-    want(wanted_index(Wanted::before_d), station_of(std::max(in_order - 1, 1)), function, one);
-    want(wanted_index(Wanted::at_d), station_of(in_order), function, one);
-  }
-  return one.fault_seen && one.reversal_known ? Answer::go_to_end : Answer::go_on;
+  // After short pieces the last nodes may not reach back to D any more: it is noted on the way.
+  const double piece_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
+  const bool is_short = piece_deg < kShortPiece_samples * samples_.front()->pilot_deg;
+  if ((one.fault_seen || is_last || is_short) && in_order > 0) want_d(in_order, function, one);
+  return one.fault_seen && one.has_reversed() ? Answer::go_to_end : Answer::go_on;
+}
+
+void FunctionRecords::want_d(int sample, const PathFunction& function, Lane& lane) {
+  WantedState& at_d = lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::at_d))];
+  WantedState& before =
+      lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::before_d))];
+  const double reaches_rad =
+      function.pilot(function.at(std::min(function.kept(), kStateNodes) - 1));
+  const auto is_reached = [&](int k) {
+    return station_of(k).pilot_deg * kRadPerDeg >= reaches_rad;
+  };
+  const int last = std::max(sample - 1, 1);
+  if (at_d.sample == last && before.sample != last && !is_reached(last)) std::swap(at_d, before);
+  if (before.sample != last) want(wanted_index(Wanted::before_d), station_of(last), function, lane);
+  if (at_d.sample != sample) want(wanted_index(Wanted::at_d), station_of(sample), function, lane);
 }
 
 // Samples up to the piece's end; beyond D only for the first reversal.
@@ -123,7 +106,7 @@ void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, L
   for (; lane.next < samples_.size() && samples_[lane.next]->pilot_deg <= end_deg; ++lane.next) {
     const Station& station = *samples_[lane.next];
     const bool is_in_order = station.sample <= in_order;
-    if (!is_in_order && (!lane.fault_seen || lane.reversal_known)) break;
+    if (!is_in_order && (!lane.fault_seen || lane.has_reversed())) break;
     const double x = function.locate(station.pilot_deg * kRadPerDeg);
     function.look(x, here_);
     if (is_in_order) {
@@ -137,11 +120,12 @@ void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, L
       if (station.sample <= 2) want(wanted_index(Wanted::second), station, function, lane);
       note_least_step(station, lane);
     }
-    look_between_samples(station, x, function, lane);
-    lane.last_deg = station.pilot_deg;
-    lane.last_x = x;
-    std::swap(lane.last, here_.lengths);
-    std::swap(lane.last_slopes, here_.slopes);
+    const bool had_reversed = lane.has_reversed();
+    lane.finder.see(station, x, here_, lane.judge, function);
+    if (had_reversed || !lane.has_reversed()) continue;
+    const Reversal& reversal = lane.finder.first_reversal();
+    want(wanted_index(Wanted::reversal), reversal.pilot_deg, half_angle_of_deg(reversal.pilot_deg),
+         reversal.x, lane);
   }
   const int least = lane.record.least_step_sample;
   if (least == least_step_before) return;
@@ -151,89 +135,18 @@ void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, L
 
 void FunctionRecords::note_least_step(const Station& station, Lane& lane) {
   if (station.pilot_deg < kInactiveFrom_deg) return;
-  for (std::size_t d = 0; d < lane.last.size(); ++d) {
-    const double step = std::abs(here_.lengths[d] - lane.last[d]);
+  for (std::size_t d = 0; d < here_.lengths.size(); ++d) {
+    const double step = std::abs(here_.lengths[d] - lane.finder.lengths()[d]);
     if (step >= lane.least_step) continue;
     lane.least_step = step;
     lane.record.least_step_sample = station.sample;
-    lane.record.least_step_of = static_cast<int>(d);
   }
-}
-
-void FunctionRecords::look_between_samples(const Station& station, double x,
-                                           const PathFunction& function, Lane& lane) {
-  const double step_rad = (station.pilot_deg - lane.last_deg) * kRadPerDeg;
-  const bool is_in_order = station.sample <= lane.judge.samples_in_order();
-  // The variable may have changed with the last node.
-  const auto last_x = [&] {
-    return lane.last_deg > 0 ? function.locate(lane.last_deg * kRadPerDeg) : 0;
-  };
-  PathExtremes& extremes = lane.record.record.extremes;
-  double first_x = std::numeric_limits<double>::infinity();
-  int first_of = -1;
-  for (int d = 0; d < static_cast<int>(lane.last.size()); ++d) {
-    const int direction = lane.judge.direction(d);
-    if (direction == 0) continue;
-    // The cubic's rate is a parabola, above the least of these three (its Bernstein coefficients).
-    const double left = direction * lane.last_slopes[d], right = direction * here_.slopes[d];
-    const double inner = 3 * direction * (here_.lengths[d] - lane.last[d]) / step_rad - left - right;
-    const double above = std::min({left, right, inner});
-    if (above >= 0 && (above >= extremes.least_slope || lane.last_deg < kInactiveFrom_deg)) {
-      lane.back_since_deg[d] = 0;
-      continue;
-    }
-    const BetweenSamples seen =
-        look_between({lane.last[d], lane.last_slopes[d]}, {here_.lengths[d], here_.slopes[d]},
-                     step_rad, 1, direction);
-    if (is_in_order && lane.last_deg >= kInactiveFrom_deg &&
-        seen.least_slope < extremes.least_slope) {
-      double least = std::min(left, right);
-      if (seen.least_slope < least) {
-        const double at = least_slope_at(function, d, direction, last_x(), x);
-        least = std::min(least, direction * function.slope(d, at));
-      }
-      extremes.least_slope = std::min(extremes.least_slope, least);
-    }
-    const bool goes_on = here_.slopes[d] * direction >= 0;
-    if (goes_on && !(seen.least_slope < 0)) {
-      lane.back_since_deg[d] = 0;
-      continue;
-    }
-    double from_deg = lane.back_since_deg[d];
-    if (from_deg == 0) {
-      const double high = goes_on ? least_slope_at(function, d, direction, last_x(), x) : x;
-      if (direction * function.slope(d, high) >= 0) continue;
-      const double root = root_of_slope(function, d, direction, last_x(), high);
-      from_deg = function.pilot(root) / kRadPerDeg;
-      if (root < first_x) {
-        first_x = root;
-        first_of = d;
-      }
-    }
-    lane.back_since_deg[d] = goes_on ? 0 : from_deg;
-    if (!is_in_order || !goes_on || seen.back < kBumpBand_widths) continue;
-    extremes.bump_deg = std::min(extremes.bump_deg.value_or(from_deg), from_deg);
-  }
-  if (first_of >= 0 && !lane.reversal_known) note_reversal(first_of, first_x, function, lane);
-}
-
-void FunctionRecords::note_reversal(int diagonal, double x, const PathFunction& function,
-                                    Lane& lane) {
-  lane.reversal_known = true;
-  lane.record.reversing = diagonal;
-  constexpr double kPart = 1e-3;  // of a piece: for its curvature
-  const double by = kPart * (function.to() - function.from());
-  lane.record.reversal_curvature =
-      (function.slope(diagonal, x + by) - function.slope(diagonal, x - by)) /
-      (function.pilot(x + by) - function.pilot(x - by));
-  const double pilot_deg = function.pilot(x) / kRadPerDeg;
-  want(wanted_index(Wanted::reversal), pilot_deg, half_angle_of_deg(pilot_deg), x, lane);
 }
 
 void FunctionRecords::want(int index, const Station& station, const PathFunction& function,
                            Lane& lane) {
-  want(index, station.pilot_deg, station.pilot,
-       function.locate(station.pilot_deg * kRadPerDeg), lane);
+  want(index, station.pilot_deg, station.pilot, function.locate(station.pilot_deg * kRadPerDeg),
+       lane);
   lane.record.wanted[static_cast<std::size_t>(index)].sample = station.sample;
 }
 
@@ -258,6 +171,8 @@ void FunctionRecords::ended(const PathResult& path, int lane) {
   PathRecord& record = made.record;
   record.verdict = *verdict;
   record.path = path;
+  record.extremes = one.finder.extremes();
+  made.reversal = one.finder.first_reversal();
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
   if (!made.is_accepted) return;
@@ -360,14 +275,12 @@ void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_mar
   values.push_back(of(Wanted::at_d).singular_value);
   record.singular_value_min = *std::min_element(values.begin(), values.end());
   made.is_sure = std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
-  if (made.reversing >= 0) {
+  if (made.reversal.diagonal >= 0) {
     const SolvedState& reversal = of(Wanted::reversal);
-    const double step_rad =
-        -reversal.slopes[static_cast<std::size_t>(made.reversing)] / made.reversal_curvature;
+    const double step_rad = -reversal.slopes[static_cast<std::size_t>(made.reversal.diagonal)] /
+                            made.reversal.curvature;
     made.is_sure = made.is_sure && std::abs(step_rad) <= kLongestReversalStep_rad;
-    record.extremes.reverses_deg =
-        made.wanted[static_cast<std::size_t>(wanted_index(Wanted::reversal))].pilot_deg +
-        step_rad / kRadPerDeg;
+    record.extremes.reverses_deg = made.reversal.pilot_deg + step_rad / kRadPerDeg;
   }
 }
 
@@ -375,7 +288,8 @@ bool FunctionRecords::ends_are_least(const std::vector<double>& values, int in_o
   if (in_order <= 4) return true;  // all were looked at but one
   const std::size_t last = values.size() - 1;
   const double least = std::min(values[0], values[last]);
-  const bool falls_to_first = values[0] <= values[1], falls_to_last = values[last] <= values[last - 1];
+  const bool falls_to_first = values[0] <= values[1],
+             falls_to_last = values[last] <= values[last - 1];
   for (std::size_t k = 1; k + 2 <= last; ++k) {
     const double here = values[k], next = values[k + 1];
     if (kLeastBetween * std::min(here, next) >= least) continue;

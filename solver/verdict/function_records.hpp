@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "solver/verdict/function_judge.hpp"
+#include "solver/continuation/node_control.hpp"
+#include "solver/verdict/extreme_finder.hpp"
 #include "solver/verdict/model.hpp"
-#include "solver/verdict/path_record.hpp"
 #include "solver/verdict/sheet_queue.hpp"
 
 namespace misalign::solver {
@@ -26,7 +26,8 @@ struct SolvedState {
   std::vector<double> lengths, slopes;             ///< panel widths, per radian of pilot
 };
 
-/// Which states of a path are wanted: those of the model's margin_samples, and these, in this order.
+/// Which states of a path are wanted: those of the model's margin_samples, and these, in this
+/// order.
 enum class Wanted { first, second, before_d, at_d, before_least_step, after_least_step, reversal };
 inline constexpr int kWantedBesideMargin = 7;
 
@@ -36,9 +37,8 @@ struct FunctionRecord {
   bool is_accepted = false;  ///< it deploys from the threshold: the record is complete
   PathRecord record;
   std::vector<WantedState> wanted;  ///< of margin_samples, and of Wanted
-  int reversing = -1;               ///< diagonal
-  double reversal_curvature = 0;    ///< of its length, per radian squared
-  int least_step_sample = 0, least_step_of = -1;
+  Reversal reversal;
+  int least_step_sample = 0;
 };
 
 class FunctionRecords {
@@ -80,11 +80,13 @@ class FunctionRecords {
   };
   struct Lane {
     FunctionJudge judge;
+    ExtremeFinder finder;
     FunctionRecord record{};
     std::size_t next = 0;  // station
-    bool fault_seen = false, reversal_known = false;
-    double last_deg = 0, last_x = 0, least_step = 0;
-    std::vector<double> last{}, last_slopes{}, back_since_deg{};
+    bool fault_seen = false;
+    double least_step = 0;
+
+    bool has_reversed() const { return finder.first_reversal().diagonal >= 0; }
   };
 
   bool is_the_same(const PathRecord& record, const WantedState& wanted,
@@ -92,10 +94,8 @@ class FunctionRecords {
   static bool ends_are_least(const std::vector<double>& singular_values, int in_order);
   Answer look(const PathFunction& function, int lane);
   void look_up_to(double end_deg, const PathFunction& function, Lane& lane);
-  void look_between_samples(const Station& station, double x, const PathFunction& function,
-                            Lane& lane);
+  void want_d(int sample, const PathFunction& function, Lane& lane);
   void note_least_step(const Station& station, Lane& lane);
-  void note_reversal(int diagonal, double x, const PathFunction& function, Lane& lane);
   void want(int index, const Station& station, const PathFunction& function, Lane& lane);
   void want(int index, double pilot_deg, const HalfAngle<double>& pilot, double x, Lane& lane);
   int wanted_index(Wanted wanted) const {

@@ -34,6 +34,7 @@ class Recorder {
         lengths_(mechanism_.diagonals.size(), T(0)),
         slopes_(lengths_),
         margin_(mechanism_),
+        placed_(mechanism_),
         geometry_(lane_geometry<T>(mechanism_)) {}
 
   std::vector<FoldingHistory>& record(const SheetBlock& block) {
@@ -127,9 +128,7 @@ class Recorder {
       return with_margin_[std::min(first + static_cast<std::size_t>(i), with_margin_.size() - 1)];
     };
     for (int i = 0; i < kLanes<T>; ++i) {
-      block.place(sheet_of_lane(i), one_vertices_mm_);
-      place(mechanism_, one_vertices_mm_, one_geometry_);
-      put_lane(one_geometry_, geometry_, i);
+      put_lane(placed_.of(block, sheet_of_lane(i)), geometry_, i);
     }
     margin_.begin(geometry_);
     for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
@@ -159,8 +158,7 @@ class Recorder {
   std::array<Station, kLanes<T>> stations_{};
   MiscutMargin<T> margin_;
   std::vector<int> with_margin_;
-  FlatVertices one_vertices_mm_;  // of a single lane
-  SheetGeometry<double> one_geometry_;
+  PlacedSheet placed_;
   SheetGeometry<T> geometry_;
 };
 

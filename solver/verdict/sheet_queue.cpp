@@ -20,7 +20,18 @@ void SheetBlock::place(int sheet, FlatVertices& vertices_mm) const {
   }
 }
 
-SheetQueue::SheetQueue(const Model& model, int lanes) : model_(model), sheet_of_lane_(lanes) {}
+PlacedSheet::PlacedSheet(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+PlacedSheet::~PlacedSheet() = default;
+
+const SheetGeometry<double>& PlacedSheet::of(const SheetBlock& block, int sheet) {
+  block.place(sheet, vertices_mm_);
+  place(mechanism_, vertices_mm_, geometry_);
+  return geometry_;
+}
+
+SheetQueue::SheetQueue(const Model& model, int lanes)
+    : model_(model), sheet_of_lane_(lanes), placed_(model.mechanism()) {}
 
 SheetQueue::~SheetQueue() = default;
 
@@ -84,9 +95,7 @@ const SheetGeometry<double>& SheetQueue::put(int sheet, int lane) {
 }
 
 const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
-  block_->place(of_lane(lane), vertices_mm_);
-  place(model_.mechanism(), vertices_mm_, geometry_);
-  return geometry_;
+  return placed_.of(*block_, of_lane(lane));
 }
 
 }  // namespace misalign::solver

@@ -25,6 +25,22 @@ class SheetBlock {
   const FlatVertices* vertices_mm_ = nullptr;
 };
 
+/// Where the vertices of one sheet of a block lie.
+class PlacedSheet {
+ public:
+  /// `mechanism` must outlive this object.
+  explicit PlacedSheet(const Mechanism& mechanism);
+  ~PlacedSheet();
+
+  /// Until another one is asked for.
+  const SheetGeometry<double>& of(const SheetBlock& block, int sheet);
+
+ private:
+  const Mechanism& mechanism_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+};
+
 /// Hands out sheets one after the other, each with the state it starts from: of the base folding,
 /// or where that is too far off, found from there.
 class SheetQueue {
@@ -65,7 +81,7 @@ class SheetQueue {
   std::vector<FarSheet> far_;
   std::size_t far_count_ = 0;
   FlatVertices vertices_mm_;
-  SheetGeometry<double> geometry_;
+  PlacedSheet placed_;
 };
 
 }  // namespace misalign::solver

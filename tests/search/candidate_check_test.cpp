@@ -63,7 +63,7 @@ TEST_F(CandidateRows, EveryAlteredColumnIsNamed) {
       altered[column] = value.get<int>() + 1;
     } else if (column == "residual_max") {
       altered[column] = 3e-12;
-    } else if (column == "bump_deg") {  // known to a thousandth of a degree; null without a bump
+    } else if (column == "bump_deg" || value.is_null()) {  // known to a thousandth of a degree
       altered[column] = value.is_null() ? 40.0 : value.get<double>() + 0.01;
     } else if (value.is_number()) {
       altered[column] = value.get<double>() * (1 + 1e-4) + 1e-8;
@@ -145,7 +145,10 @@ TEST_F(CandidateRows, WhatIsNoNumberOrNoShiftIsNamed) {
   const CandidateReport by_then = check_.check(altered, 2);
   EXPECT_TRUE(by_then.findings.empty());
   EXPECT_EQ(by_then.not_comparable.size(), 2u);
-  EXPECT_EQ(check_.check(altered, 3).findings.size(), 2u);
+  Json altered_now = row;
+  altered_now["bump_deg"] = 40.0;
+  altered_now["slope_between_min_mm_per_deg"] = -1.0;
+  EXPECT_EQ(check_.check(altered_now).findings.size(), 2u);
   altered["stroke_max"] = 1.0;
   EXPECT_EQ(check_.check(altered, 2).findings.size(), 1u);
   older.erase("slope_between_min_mm_per_deg");

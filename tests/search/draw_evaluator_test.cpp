@@ -78,13 +78,14 @@ TEST(DrawEvaluator, MetricsFromTheHistory) {
   const Eigen::MatrixXd lengths = history.length_mm.topRows(d_samples);
   const Eigen::MatrixXd stretch = lengths.rowwise() - flat;
   const Eigen::MatrixXd elongation = stretch.array().rowwise() / flat.array();
-  EXPECT_NEAR(m.elongation_max, std::max(0.0, elongation.maxCoeff()), 1e-15);
-  EXPECT_NEAR(m.elongation_min, std::min(0.0, elongation.minCoeff()), 1e-15);
-  EXPECT_NEAR(m.stretch_sq_mm2, stretch.bottomRows(1).squaredNorm(), 1e-12 * m.stretch_sq_mm2);
+  // Both solve these states, each its own way to them: loops close to 1e-12 of a panel.
+  EXPECT_NEAR(m.elongation_max, std::max(0.0, elongation.maxCoeff()), 1e-12);
+  EXPECT_NEAR(m.elongation_min, std::min(0.0, elongation.minCoeff()), 1e-12);
+  EXPECT_NEAR(m.stretch_sq_mm2, stretch.bottomRows(1).squaredNorm(), 1e-9 * m.stretch_sq_mm2);
   const Eigen::MatrixXd slopes =
       (lengths.bottomRows(d_samples - 4) - lengths.middleRows(3, d_samples - 4)).cwiseAbs();
-  EXPECT_NEAR(*m.slope_min_mm_per_deg, slopes.minCoeff(), 1e-15);
-  EXPECT_NEAR(m.stroke_min, elongation.cwiseAbs().colwise().maxCoeff().minCoeff(), 1e-15);
+  EXPECT_NEAR(*m.slope_min_mm_per_deg, slopes.minCoeff(), 1e-12 * 80);
+  EXPECT_NEAR(m.stroke_min, elongation.cwiseAbs().colwise().maxCoeff().minCoeff(), 1e-12);
   EXPECT_EQ(m.increasing, (stretch.bottomRows(1).array() > 0).count());
 }
 
@@ -170,8 +171,8 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
   ASSERT_GE(history.between.bump_where, 0);
   const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
   const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + evaluator.shifts_mm(kDraw);
-  const solver::Metrics metrics = solver::measure(
-      base, vertices_mm, solver::record_path(solver::Model(base), vertices_mm), 1);
+  const solver::Metrics metrics =
+      solver::measure(base, vertices_mm, solver::record_path(solver::Model(base), vertices_mm), 1);
   EXPECT_LT(*metrics.slope_between_min_mm_per_deg, 0);
   EXPECT_GT(*metrics.slope_min_mm_per_deg, 0) << "which the samples do not show";
 

@@ -40,7 +40,7 @@ for column in $columns; do
     displacements_mm) change="replace($column, '0.4', '0.39')" names="draw $draw: $column" ;;
     elongation) change="json_set($column, '\$[1]', json_extract($column, '\$[1]') + 1e-9)"
       names="draw $draw: $column" ;;
-    bump_deg) change="coalesce($column, 40) + 0.01" names="draw $draw: $column" ;;
+    bump_deg | reverses_at_deg) change="coalesce($column, 40) + 0.01" names="draw $draw: $column" ;;
     *) change="$column * 1.0001 + 1e-7" names="draw $draw: $column" ;;
   esac
   found "UPDATE candidate SET $column = $change WHERE draw = $draw" "$names"

@@ -1,0 +1,57 @@
+// The diagonals' rates of change all over a path that is a function: the least of them, and where
+// one of them changes its sign. From sample to sample a parabola says whether anything may happen
+// between them; only then the function is searched.
+#pragma once
+
+#include <vector>
+
+#include "solver/verdict/function_judge.hpp"
+#include "solver/verdict/path_record.hpp"
+
+namespace misalign::solver {
+
+/// Where a diagonal turns back for the first time.
+struct Reversal {
+  int diagonal = -1;  ///< -1: none does
+  double x = 0;       ///< the variable of the function that showed it
+  double pilot_deg = 0;
+  double curvature = 0;  ///< of its length, panel widths per radian of pilot squared
+};
+
+class ExtremeFinder {
+ public:
+  explicit ExtremeFinder(int diagonals);
+  ~ExtremeFinder();
+  ExtremeFinder(const ExtremeFinder&);
+
+  void begin(const std::vector<double>& flat_lengths);
+  /// The next sample, at this point of the newest piece; `here` is what is known of it, and `judge`
+  /// which samples are in order, and which way diagonals go.
+  void see(const Station& station, double x, const PathEstimate& here, const FunctionJudge& judge,
+           const PathFunction& function);
+
+  /// At the last sample that was seen.
+  const std::vector<double>& lengths() const { return last_; }
+  const PathExtremes& extremes() const { return extremes_; }
+  const Reversal& first_reversal() const { return reversal_; }
+
+ private:
+  struct Stretch {
+    const PathFunction& function;
+    int diagonal, direction;
+    double from, to;  // of the function's variable
+
+    double slope(double x) const { return direction * function.slope(diagonal, x); }
+    double root_of_slope(double high) const;
+    double least_slope_at() const;
+  };
+  void note_reversal(int diagonal, double x, const PathFunction& function);
+
+  PathExtremes extremes_;
+  Reversal reversal_;
+  double last_deg_ = 0;
+  std::vector<double> last_, last_slopes_;
+  std::vector<double> back_since_deg_;  // of diagonals that go back at the last sample; else 0
+};
+
+}  // namespace misalign::solver
