@@ -99,17 +99,14 @@ void HermiteTable::last_products(double x, double& before, double& last) const {
   before = std::abs(before);
 }
 
-double HermiteTable::fall(double x, int functions) const {
-  if (order_ < 4) return 1;
-  double product = 1, most[4] = {0, 0, 0, 0};
-  for (int k = 0; k < order_; ++k) {
-    const int last = k - (order_ - 4);
-    for (int f = 0; last >= 0 && f < functions; ++f) {
-      most[last] = std::max(most[last], std::abs(row(k)[f] * product));
-    }
-    product *= x - nodes_[k];
+double HermiteTable::largest_last_terms(double x) const {
+  double before, last, most = 0;
+  last_products(x, before, last);
+  const double *const term = row(order_ - 2), *const last_term = row(order_ - 1);
+  for (int f = 0; f < functions_; ++f) {
+    most = std::max(most, std::abs(term[f]) * before + std::abs(last_term[f]) * last);
   }
-  return (most[2] + most[3]) / (most[0] + most[1]);
+  return most;
 }
 
 double HermiteTable::last_terms(int function, double x) const {

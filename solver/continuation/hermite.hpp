@@ -33,9 +33,8 @@ class HermiteTable {
   /// The sizes of the last two terms of all functions at x: by how much the polynomial would change
   /// there if the last node were left out. That bounds its error as long as terms fall.
   double last_terms(int function, double x) const;
-  /// How fast the terms fall at x: of the largest last terms of these functions, the share of the
-  /// largest of the two before.
-  double fall(double x, int functions) const;
+  /// The largest of any function.
+  double largest_last_terms(double x) const;
   /// The first so many functions at once, their values and last terms.
   void find_values(double x, int functions, double* values, double* last_terms) const;
   /// The same with rates.

@@ -34,7 +34,7 @@ void NodeControl::begin(const PathStart& start, int lane) {
   path.plan = start.plan;
   path.function.begin(flat_.data());
   path.result = {};
-  path.is_free = path.is_loose = path.to_limit = path.from_flat = false;
+  path.is_free = path.to_limit = path.from_flat = false;
   path.limit_nodes = 0;
   path.forward_sign = path.corrections = 0;
   path.corrected_rad = path.last_open = 0;
@@ -85,10 +85,8 @@ bool NodeControl::take(int lane) {
   Path& path = paths_[lane];
   path.to_limit ? path.function.add_at_turn() : path.function.add();
   if (path.function.count() == 1) return true;
-  const double most = options_.most_roughness *
-                      (path.is_loose ? options_.loose_roughness / options_.wanted_roughness : 1);
-  return path.function.roughness() <= most && path.function.to() > path.function.from() &&
-         path.function.pilot_goes_on();
+  return path.function.roughness() <= options_.most_roughness &&
+         path.function.to() > path.function.from() && path.function.pilot_goes_on();
 }
 
 NodeStep NodeControl::take_back(int lane) {
@@ -113,6 +111,13 @@ NodeStep NodeControl::proceed(int lane) {
   if (function.turns()) {
     const double turn = function.end();
     path.result.fold_limit_deg = function.pilot(turn) / kRadPerDeg;
+    if (std::min(path.result.fold_limit_deg, last.pilot_deg) > options_.last_deg) {
+      return end(path, PathEnd::stalled);
+    }
+    if (path.result.fold_limit_deg >= last.pilot_deg) {
+      path.result.fold_limit_deg = last.pilot_deg;
+      return end(path, PathEnd::end_reached);
+    }
     if (ends_piece(lane)) return end(path, PathEnd::fold_limit);
     if (++path.limit_nodes > kMostLimitNodes) return end(path, PathEnd::stalled);
     path.to_limit = path.is_free = true;
@@ -124,6 +129,7 @@ NodeStep NodeControl::proceed(int lane) {
   }
   const double here_deg = angle_deg(function.node(0).creases[pilot_]);
   path.result.fold_limit_deg = std::min(here_deg, last.pilot_deg);
+  if (std::min(here_deg, last.pilot_deg) > options_.last_deg) return end(path, PathEnd::stalled);
   if (here_deg >= last.pilot_deg - 1e-9) return end(path, PathEnd::end_reached);
   choose_step(path);
   return depart(path);
@@ -158,8 +164,8 @@ void NodeControl::choose_step(Path& path) {
     step *= std::pow(off, -1.0 / order);
   }
   const double rough = std::max(function.roughness(), 1e-15);
-  const double wanted = path.is_loose ? options_.loose_roughness : options_.wanted_roughness;
-  const double by_roughness = last * std::pow(wanted / rough, 1.0 / (2 * function.kept() - 2));
+  const double by_roughness =
+      last * std::pow(options_.wanted_roughness / rough, 1.0 / (2 * function.kept() - 2));
   path.step = std::min(
       {kCaution * step, kCaution * by_roughness, kLonger * last, options_.longest_step_rad});
 }

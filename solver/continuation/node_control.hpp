@@ -24,8 +24,8 @@ struct NodeControlOptions {
   /// The same of what a piece's polynomials would lose without their last node (panel widths, rad);
   /// beyond the last number the piece is not believed.
   double wanted_roughness = 3e-8, most_roughness = 3e-7;
-  /// Wanted where nothing but the path's end matters.
-  double loose_roughness = 3e-7;
+  /// Beyond it paths are followed closely: next to 180 degrees branches are near each other.
+  double last_deg = 178.5;
   double longest_step_rad = 0.4, shortest_step_rad = 1e-3;
   /// Between the tangents of neighbouring nodes.
   double least_tangent_cosine = 0.7;
@@ -64,13 +64,12 @@ class NodeControl {
   /// Whether the node ends a piece: one on the way to a limit point does not.
   bool ends_piece(int lane) const;
   const PathFunction& function(int lane) const { return paths_[lane].function; }
+  int forward_sign(int lane) const { return paths_[lane].forward_sign; }
   /// In which of the places of the last nodes' states the newest one's belongs.
   int place(int lane) const { return (paths_[lane].function.count() - 1) % kStatePlaces; }
   /// The path up to here: its end if it has reached one.
   const PathResult& result(int lane) const { return paths_[lane].result; }
   NodeStep proceed(int lane);
-  /// From now on only the end of this lane's path is wanted.
-  void want_end_only(int lane) { paths_[lane].is_loose = true; }
   NodeStep stop(PathEnd how, int lane) { return end(paths_[lane], how); }
   /// Weights by place for the state at a point of the newest piece.
   NodeStep state_at(double x, int lane) const;
@@ -80,7 +79,7 @@ class NodeControl {
     const PathPlan* plan = nullptr;
     PathFunction function;
     PathResult result{};
-    bool is_free = false, is_loose = false, to_limit = false, from_flat = false;
+    bool is_free = false, to_limit = false, from_flat = false;
     int limit_nodes = 0;
     int forward_sign = 0, corrections = 0;
     double tangent_sign = 1, corrected_rad = 0, first_correction_rad = 0, last_open = 0;

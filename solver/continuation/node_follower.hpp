@@ -60,6 +60,9 @@ class NodeFollower {
     }
   }
 
+  /// The path of this lane as it is known, and the determinant's sign on it.
+  const PathFunction& function(int i) const { return control_.function(i); }
+  int forward_sign(int i) const { return control_.forward_sign(i); }
   /// The state of this lane's sheet at a point of its newest piece, as the last nodes foretell it;
   /// `state` has its size already.
   void find_state(double x, int i, FoldState<double>& state) const;
@@ -90,7 +93,6 @@ class NodeFollower {
       const Answer seen = observer.see(control_.function(i), i);
       if (seen == Answer::enough) return control_.stop(PathEnd::stopped, i);
       if (seen == Answer::lost) return control_.stop(PathEnd::stalled, i);
-      if (seen == Answer::go_to_end) control_.want_end_only(i);
       if (seen == Answer::unsure) {
         const NodeStep step = control_.take_back(i);
         if (control_.under_way(i)) put_tangent(i);

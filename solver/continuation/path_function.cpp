@@ -12,9 +12,9 @@ constexpr double kFastEnough = 0.6;
 // Of a solved point's length, and per radian of the piece for each unit of the tangent's misfit.
 constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
-// Terms do not always fall: of the largest last terms of all diagonals the largest error seen
-// was 10.4 times as large, in 4 million cases.
-constexpr double kSafety = 20;
+// Terms do not always fall: the largest error that was seen was 36 times the largest last terms of
+// all diagonals, in 5 million angles of 110,000 sheets; in all but one family 11 times.
+constexpr double kSafety = 60;
 
 double angle_rad(const HalfAngle<double>& rho) { return 2 * std::atan2(rho.s, rho.c); }
 
@@ -131,12 +131,7 @@ void PathFunction::make_table() {
   table_.finish();
 }
 
-double PathFunction::roughness() const {
-  const double middle = 0.5 * (from() + to());
-  double most = 0;
-  for (int f = 0; f <= diagonals_; ++f) most = std::max(most, table_.last_terms(f, middle));
-  return most;
-}
+double PathFunction::roughness() const { return table_.largest_last_terms(0.5 * (from() + to())); }
 
 double PathFunction::pilot(double x) const {
   return variable_ == pilot_ ? x : table_.value(diagonals_, x);
@@ -147,7 +142,8 @@ double PathFunction::pilot_slope(double x) const {
 }
 
 double PathFunction::pilot_error(double x) const {
-  return variable_ == pilot_ ? 0 : kSafety * table_.last_terms(diagonals_, x) + 1e-14;
+  // Its own last terms may vanish by accident.
+  return variable_ == pilot_ ? 0 : kSafety * table_.largest_last_terms(x) + 1e-14;
 }
 
 double PathFunction::pilot_rise() const {

@@ -33,10 +33,9 @@ struct PathNode {
 /// What an observer says of a new piece of a path.
 enum class Answer {
   go_on,
-  go_to_end,  ///< only its end is wanted
-  enough,     ///< nothing more is wanted of the path
-  lost,       ///< it cannot be judged by a function
-  unsure      ///< the errors are too large for what it wants to know: a shorter piece is wanted
+  enough,  ///< nothing more is wanted of the path
+  lost,    ///< it cannot be judged by a function
+  unsure   ///< the errors are too large for what it wants to know: a shorter piece is wanted
 };
 
 /// What is known of the diagonals at a point between nodes.
@@ -93,7 +92,6 @@ class PathFunction {
   /// By how much the piece's lengths and pilot angle would change without its last node, at the
   /// middle of it (panel widths, rad).
   double roughness() const;
-  double fall() const { return table_.fall(0.5 * (from() + to()), diagonals_ + 1); }
   /// The pilot's fold angle (rad), its rate, and a bound of its error.
   double pilot(double x) const;
   double pilot_slope(double x) const;

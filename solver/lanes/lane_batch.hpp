@@ -22,7 +22,7 @@ class LaneBatch final : public Batch {
         node_follower_(model.mechanism(), model.elimination()),
         follower_(model.mechanism(), model.elimination()),
         approach_follower_(model.mechanism(), model.elimination(), approach_options()),
-        function_recorder_(model, node_follower_),
+        function_recorder_(model, node_follower_, follower_),
         recorder_(model, follower_),
         single_test_(model),
         double_test_(model) {}

@@ -19,9 +19,8 @@ DenseFallback::DenseFallback(const Mechanism& mechanism) : mechanism_(mechanism)
 DenseFallback::~DenseFallback() = default;
 
 void DenseFallback::consider(int sheet, const Verdict& verdict, const PathResult& path) {
-  const bool is_doubtful =
-      verdict.first_fault == Fault::fold_limit && path.fold_limit_deg > kDoubtfulLimitsFrom_deg;
-  if (!path.lost() && !is_doubtful) return;
+  const bool hangs_on_it = verdict.first_fault == Fault::fold_limit && is_doubtful(path);
+  if (!path.lost() && !hangs_on_it) return;
   candidates_.push_back({sheet, path.lost(), verdict.first_fault == Fault::undecided});
 }
 
@@ -29,6 +28,10 @@ bool DenseFallback::counts(int sheet, const Verdict& dense) const {
   const auto first = std::find_if(candidates_.begin(), candidates_.end(),
                                   [&](const Candidate& one) { return one.sheet == sheet; });
   return first->was_lost ? first->was_undecided : dense.first_fault != Fault::undecided;
+}
+
+bool DenseFallback::is_doubtful(const PathResult& path) {
+  return path.end == PathEnd::fold_limit && path.fold_limit_deg > kDoubtfulLimitsFrom_deg;
 }
 
 const std::vector<int>& DenseFallback::sheets() {

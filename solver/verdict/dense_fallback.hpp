@@ -23,6 +23,8 @@ class DenseFallback {
   explicit DenseFallback(const Mechanism& mechanism);
   ~DenseFallback();
 
+  /// Whether a path's end lies so close to 180 degrees that only dense matrices can tell it.
+  static bool is_doubtful(const PathResult& path);
   /// A new block.
   void begin() {
     candidates_.clear();

@@ -36,6 +36,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
   samples_ = 0;
   rows_.clear();
   is_sure_ = true;
+  fault_known_ = false;
   last_ = flat_lengths;
   std::fill(last_errors_.begin(), last_errors_.end(), 0.0);
   judge_.begin(flat_lengths);
@@ -73,7 +74,10 @@ Answer FunctionJudge::see(const PathFunction& function) {
       know_last_better(function);
       if (!is_decisive()) return unsure();
     }
-    if (!judge_.see(station, in_order ? nullptr : &state_, here_.lengths)) return Answer::enough;
+    if (!judge_.see(station, in_order ? nullptr : &state_, here_.lengths)) {
+      fault_known_ = true;
+      return Answer::enough;
+    }
     std::swap(last_, here_.lengths);
     std::swap(last_errors_, here_.length_errors);
     last_rad_ = pilot_rad;
@@ -119,7 +123,7 @@ bool FunctionJudge::is_decisive() {
 }
 
 std::optional<Verdict> FunctionJudge::conclude(const PathResult& path) const {
-  if (!is_sure_ || path.lost()) return std::nullopt;
+  if (!is_sure_ || (path.lost() && !fault_known_)) return std::nullopt;
   if (std::abs(judge_.least_span() - kInactiveBand_widths) <= kInactiveError_widths) {
     return std::nullopt;
   }

@@ -19,7 +19,8 @@ class FunctionJudge {
   /// Looks at the samples of the newest piece that it has not seen yet: enough once a fault is
   /// known.
   Answer see(const PathFunction& function);
-  /// The verdict once the path has ended; nothing where that is not certain.
+  /// The verdict once the path has ended; nothing where that is not certain, or would need to know
+  /// how a path goes on that was lost.
   std::optional<Verdict> conclude(const PathResult& path) const;
 
   /// How many samples are in order so far; the lengths at them, sample by sample (panel widths).
@@ -48,7 +49,7 @@ class FunctionJudge {
   Judge judge_;
   const PathPlan* plan_ = nullptr;
   std::size_t next_ = 0;
-  bool is_sure_ = true;
+  bool is_sure_ = true, fault_known_ = false;
   double last_rad_ = 0;
   PathEstimate here_, again_;
   int samples_ = 0;

@@ -15,11 +15,12 @@ namespace misalign::solver {
 template <class T>
 class FunctionRecorder {
  public:
-  /// Both must outlive this object.
-  FunctionRecorder(const Model& model, NodeFollower<T>& follower)
+  /// All must outlive this object; the close follower has the last degrees of some paths.
+  FunctionRecorder(const Model& model, NodeFollower<T>& follower, PathFollower<T>& close_follower)
       : model_(model),
         mechanism_(model.mechanism()),
         follower_(follower),
+        close_follower_(close_follower),
         records_(model, kLanes<T>),
         placed_(mechanism_),
         geometry_(lane_geometry<T>(mechanism_)),
@@ -42,6 +43,8 @@ class FunctionRecorder {
       return records_.left();
     }
     follower_.run(*this);
+    FunctionRecords::Ends ends(records_);
+    close_follower_.run(ends);
     const std::vector<int>& complete = records_.complete();
     for (std::size_t first = 0; first < complete.size(); first += kLanes<T>) {
       solve_wanted(block, complete, first);
@@ -62,7 +65,11 @@ class FunctionRecorder {
       follower_.find_state(x, lane, state);
     });
   }
-  void ended(const PathResult& path, int lane) { records_.ended(path, lane); }
+  void ended(const PathResult& path, int lane) {
+    records_.ended(
+        path, follower_.function(lane), follower_.forward_sign(lane), lane,
+        [&](double x, FoldState<double>& state) { follower_.find_state(x, lane, state); });
+  }
 
  private:
   // Of as many sheets as there are lanes, or those that are left.
@@ -144,6 +151,7 @@ class FunctionRecorder {
   const Model& model_;
   const Mechanism& mechanism_;
   NodeFollower<T>& follower_;
+  PathFollower<T>& close_follower_;
   FunctionRecords records_;
   PlacedSheet placed_;
   SheetGeometry<T> geometry_;

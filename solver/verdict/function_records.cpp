@@ -13,6 +13,9 @@ constexpr double kLeastBetween = 0.5;
 // Errors of functions are below this by far; other branches are farther away.
 constexpr double kSameLength_widths = 1e-5;
 
+// Where close steps take over at the latest.
+constexpr double kLastHandedOver_deg = 178;
+
 // Pieces of fewer samples are short.
 constexpr int kShortPiece_samples = 4;
 
@@ -29,7 +32,8 @@ FunctionRecords::FunctionRecords(const Model& model, int lanes)
                   ExtremeFinder(model.mechanism().diagonal_count())}),
       solved_(static_cast<std::size_t>(lanes)),
       flat_(model.mechanism().diagonals.size()),
-      here_(model.mechanism()) {
+      here_(model.mechanism()),
+      near_(flat_state<double>(model.mechanism())) {
   for (const Station& station : model.path().stations) {
     if (station.sample > 0) samples_.push_back(&station);
   }
@@ -44,6 +48,8 @@ FunctionRecords::~FunctionRecords() = default;
 void FunctionRecords::begin(const SheetBlock& block) {
   records_.resize(static_cast<std::size_t>(block.sheets()));
   queue_.begin(block);
+  unfinished_.clear();
+  next_unfinished_ = 0;
 }
 
 bool FunctionRecords::next(PathStart& start, int lane) {
@@ -67,7 +73,7 @@ Answer FunctionRecords::look(const PathFunction& function, int lane) {
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
   if (one.fault_seen) {
     look_up_to(end_deg, function, one);
-    return one.has_reversed() ? Answer::go_to_end : Answer::go_on;
+    return Answer::go_on;
   }
   const Answer seen = one.judge.see(function);
   if (seen == Answer::unsure || seen == Answer::lost) return seen;
@@ -80,7 +86,7 @@ Answer FunctionRecords::look(const PathFunction& function, int lane) {
   const double piece_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
   const bool is_short = piece_deg < kShortPiece_samples * samples_.front()->pilot_deg;
   if ((one.fault_seen || is_last || is_short) && in_order > 0) want_d(in_order, function, one);
-  return one.fault_seen && one.has_reversed() ? Answer::go_to_end : Answer::go_on;
+  return Answer::go_on;
 }
 
 void FunctionRecords::want_d(int sample, const PathFunction& function, Lane& lane) {
@@ -160,14 +166,18 @@ void FunctionRecords::want(int index, double pilot_deg, const HalfAngle<double>&
   requests_.push_back({index, x});
 }
 
-void FunctionRecords::ended(const PathResult& path, int lane) {
+// Says where the state is wanted from which an unfinished path goes on.
+std::optional<double> FunctionRecords::conclude(const PathResult& path,
+                                                const PathFunction& function, int forward_sign,
+                                                int lane) {
   effort_.add(path);
   Lane& one = lanes_[lane];
-  FunctionRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
+  const int sheet = queue_.of_lane(lane);
+  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
   const std::optional<Verdict> verdict = one.judge.conclude(path);
   made = std::move(one.record);
   made.is_sure = verdict.has_value();
-  if (!verdict) return;
+  if (!verdict) return std::nullopt;
   PathRecord& record = made.record;
   record.verdict = *verdict;
   record.path = path;
@@ -175,7 +185,7 @@ void FunctionRecords::ended(const PathResult& path, int lane) {
   made.reversal = one.finder.first_reversal();
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
-  if (!made.is_accepted) return;
+  if (!made.is_accepted) return std::nullopt;
   const double* const lengths = one.judge.lengths_at(1);
   record.lengths.assign(lengths, lengths + static_cast<std::size_t>(in_order) * flat_.size());
   // What never came to be wanted is as good as another state that is.
@@ -183,6 +193,34 @@ void FunctionRecords::ended(const PathResult& path, int lane) {
   for (WantedState& wanted : made.wanted) {
     if (wanted.pilot_deg == 0) wanted = at_d;
   }
+  if (!path.lost()) return std::nullopt;
+  const auto& stations = model_.path().stations;
+  const double last_deg =
+      std::min(function.pilot(function.at(0)) / kRadPerDeg, kLastHandedOver_deg);
+  const auto next = std::upper_bound(
+      stations.begin(), stations.end(), last_deg,
+      [](double angle_deg, const Station& station) { return angle_deg < station.pilot_deg; });
+  const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
+  // A reversal must have been found before, or is looked for in close steps.
+  made.is_sure = next != stations.begin() && stations[station].sample >= in_order &&
+                 made.reversal.diagonal >= 0;
+  if (!made.is_sure) return std::nullopt;
+  unfinished_.push_back({sheet, station, forward_sign, near_});
+  return function.locate(stations[station].pilot_deg * kRadPerDeg);
+}
+
+bool FunctionRecords::next_unfinished(PathStart& start, int lane) {
+  if (next_unfinished_ == unfinished_.size()) return false;
+  const Unfinished& one = unfinished_[next_unfinished_++];
+  start = {&queue_.put(one.sheet, lane), &one.near, &model_.path(), one.station, one.forward_sign};
+  return true;
+}
+
+void FunctionRecords::finish(const PathResult& path, int lane) {
+  effort_.add(path);
+  FunctionRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
+  made.record.path = path;
+  made.is_sure = !path.lost() && !DenseFallback::is_doubtful(path);
 }
 
 void FunctionRecords::leave_all() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/continuation/node_control.hpp"
+#include "solver/verdict/dense_fallback.hpp"
 #include "solver/verdict/extreme_finder.hpp"
 #include "solver/verdict/model.hpp"
 #include "solver/verdict/sheet_queue.hpp"
@@ -55,7 +56,25 @@ class FunctionRecords {
     for (const Request& request : requests_) find_state(request.x, wanted_near(request, lane));
     return seen;
   }
-  void ended(const PathResult& path, int lane);
+  template <class FindState>
+  void ended(const PathResult& path, const PathFunction& function, int forward_sign, int lane,
+             const FindState& find_state) {
+    const std::optional<double> x = conclude(path, function, forward_sign, lane);
+    if (x) find_state(*x, unfinished_.back().near);
+  }
+
+  /// Paths whose nodes ended after the verdict, but before the path did: for a close follower, from
+  /// the last station before.
+  class Ends {
+   public:
+    explicit Ends(FunctionRecords& records) : records_(records) {}
+    bool next(PathStart& start, int lane) { return records_.next_unfinished(start, lane); }
+    bool see(const Station&, int) { return true; }
+    void ended(const PathResult& path, int lane) { records_.finish(path, lane); }
+
+   private:
+    FunctionRecords& records_;
+  };
 
   /// Every sheet of the block is for the close steps.
   void leave_all();
@@ -91,6 +110,10 @@ class FunctionRecords {
 
   bool is_the_same(const PathRecord& record, const WantedState& wanted,
                    const SolvedState& solved) const;
+  std::optional<double> conclude(const PathResult& path, const PathFunction& function,
+                                 int forward_sign, int lane);
+  bool next_unfinished(PathStart& start, int lane);
+  void finish(const PathResult& path, int lane);
   static bool ends_are_least(const std::vector<double>& singular_values, int in_order);
   Answer look(const PathFunction& function, int lane);
   void look_up_to(double end_deg, const PathFunction& function, Lane& lane);
@@ -114,9 +137,18 @@ class FunctionRecords {
   std::vector<PathRecord> merged_;
   std::vector<std::vector<SolvedState>> solved_;  // of lanes
   std::vector<int> complete_, left_;
+  struct Unfinished {
+    int sheet;
+    std::size_t station;
+    int forward_sign;
+    FoldState<double> near;
+  };
+  std::vector<Unfinished> unfinished_;
+  std::size_t next_unfinished_ = 0;
   std::vector<Request> requests_;
   std::vector<double> flat_;
   PathEstimate here_;
+  const FoldState<double> near_;  // of the size that a state has
   Effort effort_;
 };
 

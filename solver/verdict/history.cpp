@@ -15,8 +15,8 @@ FoldingHistory record_history(const Model& model, const FlatVertices& vertices_m
 
 PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
   NodeFollower<double> node_follower(model.mechanism(), model.elimination());
-  FunctionRecorder<double> functions(model, node_follower);
   PathFollower<double> follower(model.mechanism(), model.elimination());
+  FunctionRecorder<double> functions(model, node_follower, follower);
   Recorder<double> recorder(model, follower);
   return measure_paths(SheetBlock(vertices_mm), functions, recorder).front();
 }

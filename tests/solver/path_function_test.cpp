@@ -157,7 +157,8 @@ TEST_P(PathFunctions, RecordsAreThoseOfTheHistory) {
 TEST_P(PathFunctions, ReverseWhereARateOfChangeIsZero) {
   const Model model = sheets_.with_threshold(60);
   NodeFollower<double> follower(model.mechanism(), model.elimination());
-  FunctionRecorder<double> functions(model, follower);
+  PathFollower<double> close_follower(model.mechanism(), model.elimination());
+  FunctionRecorder<double> functions(model, follower, close_follower);
   int reversed = 0;
   for (int i = 0; i < block_.sheets / 3; ++i) {
     SCOPED_TRACE(i);
