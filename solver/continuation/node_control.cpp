@@ -17,6 +17,12 @@ constexpr double kCaution = 0.9;
 // Nodes that are solved for the sake of one limit point.
 constexpr int kMostLimitNodes = 3;
 
+// Whether a state is extrapolated from flat as well.
+bool counts_flat(const PathFunction& function) {
+  return function.count() < kStateNodes && function.from_flat();
+}
+static_assert(PathFunction::kNodes == kStateNodes + 1);  // choose_step counts on it
+
 }  // namespace
 
 NodeControl::NodeControl(const Mechanism& mechanism, int lanes, const NodeControlOptions& options)
@@ -34,7 +40,7 @@ void NodeControl::begin(const PathStart& start, int lane) {
   path.plan = start.plan;
   path.function.begin(flat_.data());
   path.result = {};
-  path.is_free = path.to_limit = path.from_flat = false;
+  path.is_free = path.to_limit = false;
   path.limit_nodes = 0;
   path.forward_sign = path.corrections = 0;
   path.corrected_rad = path.last_open = 0;
@@ -139,7 +145,7 @@ double NodeControl::distance_to_nodes(const PathFunction& function, double x) {
   double product = 1;
   const int count = std::min(function.kept(), kStateNodes);
   for (int k = 0; k < count; ++k) product *= (x - function.at(k)) * (x - function.at(k));
-  if (function.count() < kStateNodes && function.from_flat()) product *= x;
+  if (counts_flat(function)) product *= x;
   return product;
 }
 
@@ -152,8 +158,9 @@ void NodeControl::choose_step(Path& path) {
   }
   const double last = function.to() - function.from();
   double step = kLonger * last;
-  // The extrapolation's error is a constant times the product of the distances to its nodes.
-  double distance = path.from_flat ? here : 1;
+  // The extrapolation's error is a constant times the product of the distances to its nodes: those
+  // before the newest, and flat as long as they were fewer than kStateNodes.
+  double distance = function.from_flat() ? here : 1;
   const int before = std::min(function.kept() - 1, kStateNodes);
   for (int k = 1; k <= before; ++k) distance *= (here - function.at(k)) * (here - function.at(k));
   const double share =
@@ -192,7 +199,6 @@ NodeStep NodeControl::depart(Path& path) {
       path.is_free = true;
     }
   }
-  path.from_flat = function.count() < kStateNodes && function.from_flat();
   step = weights(path, x);
   step.depart = true;
   if (target) {
@@ -225,7 +231,7 @@ NodeStep NodeControl::weights(const Path& path, double x) const {
   const PathFunction& function = path.function;
   const int count = std::min(function.kept(), kStateNodes);
   const double origin = 0;
-  const bool from_flat = function.count() < kStateNodes && function.from_flat();
+  const bool from_flat = counts_flat(function);
   double nodes[kStateNodes], of_values[kStateNodes], of_rates[kStateNodes];
   for (int k = 0; k < count; ++k) nodes[k] = function.at(k);
   NodeStep step;

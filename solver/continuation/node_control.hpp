@@ -79,7 +79,7 @@ class NodeControl {
     const PathPlan* plan = nullptr;
     PathFunction function;
     PathResult result{};
-    bool is_free = false, to_limit = false, from_flat = false;
+    bool is_free = false, to_limit = false;
     int limit_nodes = 0;
     int forward_sign = 0, corrections = 0;
     double tangent_sign = 1, corrected_rad = 0, first_correction_rad = 0, last_open = 0;

@@ -227,15 +227,16 @@ bool PathFunction::creases_are_clear() const {
   // A cubic stays within 4/27 of its ends' tangents from the chord; twice that for what is no
   // cubic.
   constexpr double kRoom = 8.0 / 27;
-  const PathNode& next = node(0);
-  const double step = to() - from(), next_rate = 0.5 / variable_rate(0);
-  const bool is_first = count_ == 1;
-  const double last_rate = is_first ? 0 : 0.5 / variable_rate(1);
+  const PathNode& next = node(inside_);
+  const double step = to() - from(), next_rate = 0.5 / variable_rate(inside_);
+  const int before = inside_ + 1;
+  const bool is_first = count_ == before;
+  const double last_rate = is_first ? 0 : 0.5 / variable_rate(before);
   for (std::size_t k = 0; k < next.creases.size(); ++k) {
     const int assignment = mechanism_.creases[k].assignment;
-    const HalfAngle<double> a = is_first ? HalfAngle<double>{1, 0} : node(1).creases[k];
+    const HalfAngle<double> a = is_first ? HalfAngle<double>{1, 0} : node(before).creases[k];
     const HalfAngle<double>& b = next.creases[k];
-    const double turn_a = is_first ? 0 : node(1).crease_rates[k] * last_rate;
+    const double turn_a = is_first ? 0 : node(before).crease_rates[k] * last_rate;
     const double turn_b = next.crease_rates[k] * next_rate;
     const auto is_clear = [&](double at_a, double at_b, double rate_a, double rate_b) {
       const double chord = (at_b - at_a) / step;

@@ -7,7 +7,6 @@
 // lengths are known and do not change.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "solver/continuation/hermite.hpp"
@@ -82,7 +81,7 @@ class PathFunction {
   /// Of the k-th node's tangent: its entry for the variable.
   double variable_rate(int k) const { return sign_ * node(k).crease_rates[variable_]; }
   /// Whether flat counts as a node, at 0.
-  bool from_flat() const { return kept() == count_ && count_ < kNodes && variable_ == pilot_; }
+  bool from_flat() const { return count_ < kNodes && variable_ == pilot_; }
   /// The newest piece: from node to node, or to the pilot's turning point.
   double from() const { return from_; }
   double to() const { return at_[inside_]; }

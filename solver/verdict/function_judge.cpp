@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/continuation/node_control.hpp"
+
 namespace misalign::solver {
 namespace {
 
 // Of the band within which a diagonal is inactive, and of a limit point's angle (rad): what a
 // path's close steps leave.
 constexpr double kInactiveError_widths = 1e-9, kLimitError_rad = 1e-8;
-
-// Beyond it the close steps judge: the equations are singular at 180 degrees.
-constexpr double kLastJudged_deg = 178.5;
-
-constexpr double kOverFoldCosine = -0.5 * kOverFoldBand_deg * kRadPerDeg;
 
 }  // namespace
 
@@ -53,7 +50,7 @@ Answer FunctionJudge::see(const PathFunction& function) {
     const double pilot_rad = station.pilot_deg * kRadPerDeg;
     if (turns && std::abs(pilot_rad - end_rad) <= end_error) return unsure();
     if (pilot_rad > end_rad + (turns ? 0 : 1e-12)) return Answer::go_on;
-    if (station.pilot_deg > kLastJudged_deg) return lost();
+    if (station.pilot_deg > NodeControlOptions{}.last_deg) return lost();
     if (station.sample == 0) continue;
     const double x = function.locate(pilot_rad);
     function.find_lengths(x, here_.lengths, here_.length_errors);
@@ -64,10 +61,10 @@ Answer FunctionJudge::see(const PathFunction& function) {
       for (std::size_t k = 0; k < state_.creases.size(); ++k) {
         const HalfAngle<double>& rho = state_.creases[k];
         const double s = rho.s * mechanism_.creases[k].assignment;
-        if (std::abs(rho.c - kOverFoldCosine) <= error || std::abs(s) <= error) {
+        if (std::abs(rho.c - kLeastCosine) <= error || std::abs(s) <= error) {
           return unsure();
         }
-        in_order = in_order && rho.c > kOverFoldCosine && s > 0;
+        in_order = in_order && rho.c > kLeastCosine && s > 0;
       }
     }
     if (!is_decisive()) {

@@ -28,8 +28,6 @@ class FunctionJudge {
   const double* lengths_at(int sample) const {
     return rows_.data() + static_cast<std::size_t>(sample - 1) * last_.size();
   }
-  /// Where the newest function has this sample, the last of those in order.
-  double place_of(int sample, const PathFunction& function) const;
   /// +1 for a diagonal that grows, -1 for one that shrinks, 0 where it has not moved yet.
   int direction(int diagonal) const { return judge_.direction(diagonal); }
 
@@ -54,7 +52,6 @@ class FunctionJudge {
   PathEstimate here_, again_;
   int samples_ = 0;
   std::vector<double> last_, last_errors_, rows_;
-  std::vector<double> places_;  // of the samples that the newest function has shown
   FoldState<double> state_;
 };
 

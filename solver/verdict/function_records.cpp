@@ -323,7 +323,7 @@ void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_mar
 }
 
 bool FunctionRecords::ends_are_least(const std::vector<double>& values, int in_order) {
-  if (in_order <= 4) return true;  // all were looked at but one
+  if (in_order <= 4) return true;  // all were looked at
   const std::size_t last = values.size() - 1;
   const double least = std::min(values[0], values[last]);
   const bool falls_to_first = values[0] <= values[1],

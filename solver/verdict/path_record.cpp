@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/verdict/function_recorder.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -61,6 +63,23 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
     record.isometry_error =
         std::max(record.isometry_error, history.isometry_error_mm[i] / width_mm);
   }
+  return record;
+}
+
+PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
+  NodeFollower<double> node_follower(model.mechanism(), model.elimination());
+  PathFollower<double> follower(model.mechanism(), model.elimination());
+  FunctionRecorder<double> functions(model, node_follower, follower);
+  Recorder<double> recorder(model, follower);
+  return measure_paths(SheetBlock(vertices_mm), functions, recorder).front();
+}
+
+PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
+                     const FoldingHistory& history) {
+  PathRecord record = record_of(history, model.mechanism());
+  const PathRecord function = record_path(model, vertices_mm);
+  const bool is_whole = !function.lengths.empty();
+  if (is_whole) record.extremes = function.extremes;
   return record;
 }
 

@@ -94,7 +94,7 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
 }
 
 void RejectionTest::observe(int sheet, int sample, const FoldState<double>& state) {
-  constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg - kRejection.fold_angle_rad;
+  constexpr double least_cosine = kLeastCosine - kRejection.fold_angle_rad;
   const std::vector<Crease>& creases = model_.mechanism().creases;
   for (std::size_t k = 0; k < creases.size(); ++k) {
     if (state.creases[k].c < least_cosine) rejections_[sheet] = {Fault::over_folded, sample};

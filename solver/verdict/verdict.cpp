@@ -50,11 +50,9 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
 
 Fault Judge::fault_in(const FoldState<double>* state, const std::vector<double>& lengths,
                       int& where) {
-  // |rho| = 180 degrees + band has cos(rho / 2) = -sin(band / 2), to first order.
-  constexpr double least_cosine = -0.5 * kOverFoldBand_deg * kRadPerDeg;
   const int creases = state ? static_cast<int>(mechanism_.creases.size()) : 0;
   for (int i = 0; i < creases; ++i) {
-    if (state->creases[i].c < least_cosine) {
+    if (state->creases[i].c < kLeastCosine) {
       where = i;
       return Fault::over_folded;
     }

@@ -21,6 +21,8 @@ inline constexpr double kInactiveBand_widths = 1e-8;
 inline constexpr double kInactiveFrom_deg = 5;
 /// A fold angle beyond +-180 degrees by more than this means that panels passed through each other.
 inline constexpr double kOverFoldBand_deg = 1e-6;
+/// |rho| = 180 degrees + that band has cos(rho / 2) = -sin(band / 2), to first order.
+inline constexpr double kLeastCosine = -0.5 * kOverFoldBand_deg * kRadPerDeg;
 
 struct Verdict {
   int deploys_from_sample = 0;  ///< D: every sample up to it is in order
