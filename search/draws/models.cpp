@@ -5,8 +5,13 @@ namespace misalign::search {
 solver::Model model_of(const schema::Campaign& campaign, double look_deg) {
   solver::PathPlanOptions path = campaign.path();
   path.look_deg = look_deg;
-  return {campaign.pattern.base, campaign.misalignment.vertices, path, campaign.threshold_sample(),
-          campaign.between_samples};
+  const schema::Misalignment& misalignment = campaign.misalignment;
+  return {campaign.pattern.base,
+          misalignment.vertices,
+          path,
+          campaign.threshold_sample(),
+          campaign.between_samples,
+          misalignment.levels == schema::Levels::ternary ? misalignment.amplitude_mm : 0};
 }
 
 solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,

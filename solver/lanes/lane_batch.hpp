@@ -3,6 +3,7 @@
 // at its own.
 #pragma once
 
+#include "solver/lanes/expansion_test.hpp"
 #include "solver/lanes/lane_test.hpp"
 #include "solver/lanes/observers.hpp"
 #include "solver/verdict/function_recorder.hpp"
@@ -24,18 +25,21 @@ class LaneBatch final : public Batch {
         approach_follower_(model.mechanism(), model.elimination(), approach_options()),
         function_recorder_(model, node_follower_, follower_),
         recorder_(model, follower_),
-        single_test_(model),
-        double_test_(model) {}
+        single_test_(model, model.tests()),
+        double_test_(model, model.tests()),
+        beyond_test_(model, model.beyond()) {}
 
-  // In single precision first, twice as many sheets at once: that turns away six of seven.
   const std::vector<Rejection>& reject(const ShiftBlock& block) override {
     const SheetBlock sheets(model_, block);
     rejection_.begin(block.sheets);
     approach_.begin(sheets, rejection_);
+    if (!expansion_test_) expansion_test_.emplace(model_);
+    expansion_test_->run(block, rejection_);
     open_.clear();
-    for (int sheet = 0; sheet < block.sheets; ++sheet) open_.push_back({sheet, -1});
-    run_tests(single_test_, block);
-    run_tests(double_test_, block);
+    for (int sheet = 0; sheet < block.sheets; ++sheet) {
+      if (!rejection_.decided(sheet)) open_.push_back({sheet, -1});
+    }
+    if (!model_.tests().empty()) run_tests(block);
     if (!model_.approach().stations.empty()) {
       approach_.follow(open_);
       approach_follower_.run(approach_);
@@ -68,6 +72,7 @@ class LaneBatch final : public Batch {
     Effort effort = approach_.effort();
     effort.add(single_test_.effort());
     effort.add(double_test_.effort());
+    effort.add(beyond_test_.effort());
     return effort;
   }
   Effort path_effort() const override {
@@ -79,13 +84,57 @@ class LaneBatch final : public Batch {
   }
 
  private:
-  // Far first. What a test leaves is packed into full registers for the next.
-  template <class Test>
-  void run_tests(Test& test, const ShiftBlock& block) {
-    for (int i = 0; i < static_cast<int>(model_.tests().size()); ++i) {
-      test.run(i, block, open_, rejection_, approach_);
-      std::erase_if(open_, [&](const OpenSheet& open) { return rejection_.decided(open.sheet); });
+  static constexpr int kFar = 0, kNear = 1;  // of the model's tests
+
+  // In single precision first, twice as many sheets at once. What a test leaves is packed into full
+  // registers for the next.
+  void run_tests(const ShiftBlock& block) {
+    const bool has_near = model_.tests().size() > 1;
+    // The expansion knows already in which direction diagonals set out.
+    const bool near_tells = has_near && !expansion_test_->is_there();
+    run(single_test_, kFar, block, open_);
+    if (near_tells) run(single_test_, kNear, block, open_);
+    if (model_.departs_from() == kFar) {
+      go_on_from_far(block, has_near, near_tells);
+    } else {
+      run(double_test_, kFar, block, open_);
+      run(double_test_, kNear, block, open_);
     }
+  }
+
+  // Those with a state at the far angle: once more in double precision, and on from there. The
+  // others from the near one.
+  void go_on_from_far(const ShiftBlock& block, bool has_near, bool near_tells) {
+    lost_.clear();
+    lose_all_but(model_.tests()[kFar]);
+    double_test_.run_again(kFar, block, open_, rejection_, approach_);
+    drop_decided(open_);
+    if (near_tells) run(double_test_, kNear, block, open_);
+    if (has_near) run(double_test_, kNear, block, lost_);
+    // A sheet that loses its way is for the path follower, from the last state it has.
+    for (std::size_t i = 0; i < model_.beyond().size(); ++i) {
+      lose_all_but(i == 0 ? model_.tests()[kFar] : model_.beyond()[i - 1]);
+      beyond_test_.run_ahead(static_cast<int>(i), block, open_, rejection_, approach_);
+      drop_decided(open_);
+    }
+    open_.insert(open_.end(), lost_.begin(), lost_.end());
+  }
+
+  // Keeps the sheets open that have a state at this angle.
+  void lose_all_but(const TestAngle& angle) {
+    std::erase_if(open_, [&](const OpenSheet& open) {
+      const bool is_lost = !approach_.is_kept_at(angle, open);
+      if (is_lost) lost_.push_back(open);
+      return is_lost;
+    });
+  }
+  template <class Test>
+  void run(Test& test, int angle, const ShiftBlock& block, std::vector<OpenSheet>& open) {
+    test.run(angle, angle == model_.departs_from(), block, open, rejection_, approach_);
+    drop_decided(open);
+  }
+  void drop_decided(std::vector<OpenSheet>& open) {
+    std::erase_if(open, [&](const OpenSheet& sheet) { return rejection_.decided(sheet.sheet); });
   }
 
   const Model& model_;
@@ -97,9 +146,10 @@ class LaneBatch final : public Batch {
   PathFollower<T> follower_, approach_follower_;
   FunctionRecorder<T> function_recorder_;
   Recorder<T> recorder_;
+  std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed
   LaneTest<Single> single_test_;
-  LaneTest<T> double_test_;
-  std::vector<OpenSheet> open_;
+  LaneTest<T> double_test_, beyond_test_;
+  std::vector<OpenSheet> open_, lost_;
 };
 
 }  // namespace misalign::solver

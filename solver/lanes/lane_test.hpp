@@ -1,224 +1,183 @@
-// A rejection test: as many sheets as there are lanes, all at one angle, straight from the base
-// folding. One step with the base's factors, then two corrections: the second one's size against
-// the first one's tells how far away the solution still is. Where slopes are wanted both are
-// Newton's, with factors of their own; otherwise the second uses the first one's. The tangent is
-// not corrected: how far it is from keeping the loops closed, weighted by how that shows in each
-// diagonal of the base folding, corrects the slopes instead (the adjoint correction of Giles &
-// Pierce, Acta Numerica 11, 2002) and says how well they are known, whether Newton or single
-// precision left it.
+// Rejection tests: as many sheets as there are lanes, all at one angle (an AngleSolver).
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
-#include "solver/kinematics/diagonals.hpp"
-#include "solver/kinematics/lane_math.hpp"
+#include "solver/lanes/angle_solver.hpp"
 #include "solver/lanes/observers.hpp"
 
 namespace misalign::solver {
 
+/// Looks at open sheets at an angle and tells `rules` what it sees (a RejectionTest). Of the sheets
+/// that are not decided then, `approach` keeps a state that can be trusted (an ApproachObserver).
 template <class T>
 class LaneTest {
  public:
-  explicit LaneTest(const Model& model);
+  /// `model` and `angles` must outlive this object.
+  LaneTest(const Model& model, const std::vector<TestAngle>& angles);
 
-  /// Looks at every open sheet at the angle of the test with this index and tells `rules` what it
-  /// sees (a RejectionTest). Of the sheets that are not decided then, `approach` keeps a state that
-  /// can be trusted, the far one if there is a choice (an ApproachObserver).
+  /// From the base folding. States replace those that are kept only if `is_departure`.
   template <class Rules, class Approach>
-  void run(int test, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
-           Approach& approach) {
-    for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
-      const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
-      load(block, open.data() + first, count);
-      solve(test);
-      report(test, open.data() + first, count, rules, approach);
-    }
-  }
+  void run(int angle, bool is_departure, const ShiftBlock& block, std::vector<OpenSheet>& open,
+           Rules& rules, Approach& approach);
+  /// Once more from states kept at this angle, which every sheet has: what another precision left
+  /// in doubt.
+  template <class Rules, class Approach>
+  void run_again(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
+                 Approach& approach);
+  /// From states kept at the angle before, which every sheet has, and along their rates.
+  template <class Rules, class Approach>
+  void run_ahead(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
+                 Approach& approach);
 
   const Effort& effort() const { return effort_; }
 
  private:
-  using Real = Scalar<T>;
+  template <class Work>
+  void each_vector(const ShiftBlock& block, std::vector<OpenSheet>& open, const Work& work);
+  template <class Approach>
+  void take_kept(OpenSheet* open, int count, Approach& approach);
+  template <class Rules>
+  bool report(int angle, int sheet, int i, std::optional<double> error, Rules& rules);
+  template <class Kept>
+  void keep(int angle, int i, Kept& kept) const;
 
-  void load(const ShiftBlock& block, const OpenSheet* open, int count);
-  MISALIGN_FLATTEN void solve(int test);
-  MISALIGN_FLATTEN T correct(bool new_factors);
-  T correct_slopes(int test);
-  template <class Rules, class Approach>
-  void report(int test, OpenSheet* open, int count, Rules& rules, Approach& approach);
-
-  const Model& model_;
   const Mechanism& mechanism_;
-  // Per test: what TestAngle has, in this precision, the base folding in every lane; and its
-  // rounding.
-  std::vector<FoldState<T>> base_;
-  std::vector<SparseLu<Real>> base_factors_;
-  std::vector<std::vector<Real>> lengths_per_closure_;
-  std::vector<double> rounding_;
-  std::vector<T> base_x_, base_y_;  // panel widths
-  SheetGeometry<T> geometry_;
-  FoldState<T> state_;
-  std::vector<T> residual_, y_, turn_, flat_, lengths_, slopes_;
-  SparseLu<T> lu_;
-  T first_correction_, second_correction_, determinant_sign_, slope_correction_ = T(0);
+  const std::vector<TestAngle>& angles_;
+  AngleSolver<T> solver_;
+  std::vector<double> rounding_;  // per angle
+  FoldState<T> start_;
+  std::vector<T> flat_, rates_;
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
+  StepControlOptions options_;
   Effort effort_;
 };
 
 template <class T>
-LaneTest<T>::LaneTest(const Model& model)
-    : model_(model),
-      mechanism_(model.mechanism()),
-      state_(flat_state<T>(mechanism_)),
-      residual_(mechanism_.equations, T(0)),
-      y_(mechanism_.unknowns, T(0)),
-      turn_(mechanism_.unknowns, T(0)),
+LaneTest<T>::LaneTest(const Model& model, const std::vector<TestAngle>& angles)
+    : mechanism_(model.mechanism()),
+      angles_(angles),
+      solver_(model, angles),
+      start_(flat_state<T>(mechanism_)),
       flat_(mechanism_.diagonals.size(), T(0)),
-      lengths_(flat_),
-      slopes_(flat_),
-      lu_(model.elimination()) {
-  lane_flat_.resize(flat_.size());
-  lane_lengths_.resize(flat_.size());
-  lane_slopes_.resize(flat_.size());
-  for (const TestAngle& test : model.tests()) {
-    FoldState<T>& base = base_.emplace_back(state_);
-    for (int i = 0; i < kLanes<T>; ++i) put_lane(test.base, base, i);
-    base_factors_.emplace_back(test.factors);
-    lengths_per_closure_.emplace_back(test.lengths_per_closure.begin(),
-                                      test.lengths_per_closure.end());
-    rounding_.push_back(rounding_error(std::numeric_limits<Real>::epsilon(), model.extent(), test));
-  }
-  const double* const flat_mm = model.base().sheet.vertices_mm.data();
-  for (int v = 0; v < mechanism_.vertices; ++v) {
-    const double x_mm = flat_mm[2 * v] - flat_mm[0], y_mm = flat_mm[2 * v + 1] - flat_mm[1];
-    base_x_.push_back(T(static_cast<Real>(x_mm / mechanism_.panel_width_mm)));
-    base_y_.push_back(T(static_cast<Real>(y_mm / mechanism_.panel_width_mm)));
-  }
-  geometry_ = lane_geometry<T>(mechanism_);
-  geometry_.x = base_x_;
-  geometry_.y = base_y_;
-}
-
-// Empty lanes repeat the first sheet.
-template <class T>
-void LaneTest<T>::load(const ShiftBlock& block, const OpenSheet* open, int count) {
-  using std::sqrt;
-  const T per_width(static_cast<Real>(1 / mechanism_.panel_width_mm));
-  std::array<const double*, kLanes<T>> shifts;
-  for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(open[i < count ? i : 0].sheet);
-  int k = 0;
-  for (const int vertex : model_.shifted()) {
-    T dx, dy;
-    for (int i = 0; i < kLanes<T>; ++i) {
-      lane(dx, i) = static_cast<Real>(shifts[i][k]);
-      lane(dy, i) = static_cast<Real>(shifts[i][k + 1]);
-    }
-    geometry_.x[vertex] = base_x_[vertex] + dx * per_width;
-    geometry_.y[vertex] = base_y_[vertex] + dy * per_width;
-    k += 2;
-  }
-  for (const Crease& crease : mechanism_.creases) {
-    const T dx = geometry_.x[crease.b] - geometry_.x[crease.a];
-    const T dy = geometry_.y[crease.b] - geometry_.y[crease.a];
-    const T inverse = T(1) / sqrt(dx * dx + dy * dy);
-    geometry_.axis_x[crease.edge] = dx * inverse;
-    geometry_.axis_y[crease.edge] = dy * inverse;
+      rates_(mechanism_.unknowns, T(0)),
+      lane_flat_(flat_.size()),
+      lane_lengths_(flat_.size()),
+      lane_slopes_(flat_.size()),
+      options_(approach_options()) {
+  for (const TestAngle& angle : angles) {
+    rounding_.push_back(
+        rounding_error(std::numeric_limits<Scalar<T>>::epsilon(), model.extent(), angle));
   }
 }
 
 template <class T>
-void LaneTest<T>::solve(int test) {
-  const int n = mechanism_.equations;
-  const SparseLu<Real>& factors = base_factors_[test];
-  const bool with_slopes = model_.tests()[test].with_slopes;
-  state_ = base_[test];
-  evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-  factors.forward(residual_.data(), y_.data());
-  factors.backward(y_.data(), y_[n - 1] / T(factors.partner_coefficient()), T(0), turn_.data());
-  for (T& turn : turn_) turn = -turn;
-  advance(mechanism_, turn_.data(), state_);
-  first_correction_ = correct(true);
-  second_correction_ = correct(with_slopes);
-  determinant_sign_ = lu_.determinant_sign();
-  if (with_slopes) {
-    lu_.null_vector(-lu_.pilot_coefficient() / lu_.partner_coefficient(), T(1), y_.data(),
-                    turn_.data());
-    folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),
-                              slopes_.data(), residual_.data());
-    slope_correction_ = correct_slopes(test);
-  } else {
-    folded_lengths(mechanism_, geometry_, state_, lengths_.data());
+template <class Work>
+void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<OpenSheet>& open,
+                              const Work& work) {
+  for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
+    OpenSheet* const sheets = open.data() + first;
+    const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
+    solver_.load(block, count, [&](int i) { return sheets[i].sheet; });
+    work(sheets, count);
   }
-}
-
-// One correction with the pilot held, by new factors or those that are there; returns the largest
-// turn it made.
-template <class T>
-T LaneTest<T>::correct(bool new_factors) {
-  if (new_factors) {
-    evaluate(mechanism_, geometry_, state_, residual_.data(), lu_.entries());
-    lu_.factorize();
-  } else {
-    evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-  }
-  lu_.forward(residual_.data(), y_.data());
-  lu_.backward(y_.data(), y_[mechanism_.equations - 1] / lu_.partner_coefficient(), T(0),
-               turn_.data());
-  T largest(0);
-  for (T& turn : turn_) {
-    turn = -turn;
-    largest = larger(largest, magnitude(turn));
-  }
-  advance(mechanism_, turn_.data(), state_);
-  return largest;
-}
-
-// Takes off what the tangent's misfit adds to the slopes, weighted as on the base folding; returns
-// the largest change.
-template <class T>
-T LaneTest<T>::correct_slopes(int test) {
-  T largest(0);
-  const Real* weight = lengths_per_closure_[test].data();
-  for (T& slope : slopes_) {
-    T sum(0);
-    for (const T& misfit : residual_) sum = sum + T(*weight++) * misfit;
-    slope = slope - sum;
-    largest = larger(largest, magnitude(sum));
-  }
-  return largest;
 }
 
 template <class T>
 template <class Rules, class Approach>
-void LaneTest<T>::report(int test, OpenSheet* open, int count, Rules& rules, Approach& approach) {
-  const TestAngle& angle = model_.tests()[test];
-  if (test == 0) flat_lengths(mechanism_, geometry_, flat_.data());
-  for (int i = 0; i < count; ++i) {
-    const int sheet = open[i].sheet;
-    if (test == 0) {
+void LaneTest<T>::run(int angle, bool is_departure, const ShiftBlock& block,
+                      std::vector<OpenSheet>& open, Rules& rules, Approach& approach) {
+  each_vector(block, open, [&](OpenSheet* sheets, int count) {
+    solver_.solve(angle);
+    flat_lengths(mechanism_, solver_.geometry(), flat_.data());
+    for (int i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
-      rules.set_flat(sheet, lane_flat_.data());
+      rules.set_flat(sheets[i].sheet, lane_flat_.data());
+      if (report(angle, sheets[i].sheet, i, solver_.length_error(angle, i), rules) &&
+          (is_departure || sheets[i].kept_state < 0)) {
+        keep(angle, i, approach.keep(sheets[i]));
+      }
     }
-    effort_.solves += 1;
-    effort_.iterations += angle.with_slopes ? 2 : 1;
-    const double first = lane(first_correction_, i), second = lane(second_correction_, i);
-    const auto error = angle.with_slopes ? newton_error(first, second, model_.length_per_rad())
-                                         : chord_error(first, second, model_.length_per_rad());
-    if (!error || (lane(determinant_sign_, i) < 0) != (angle.determinant_sign < 0)) continue;
-    for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      lane_lengths_[k] = lane(lengths_[k], i);
-      lane_slopes_[k] = lane(slopes_[k], i);
+  });
+}
+
+template <class T>
+template <class Rules, class Approach>
+void LaneTest<T>::run_again(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open,
+                            Rules& rules, Approach& approach) {
+  each_vector(block, open, [&](OpenSheet* sheets, int count) {
+    take_kept(sheets, count, approach);
+    solver_.solve_from(start_, angle);
+    flat_lengths(mechanism_, solver_.geometry(), flat_.data());
+    for (int i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
+      rules.set_flat(sheets[i].sheet, lane_flat_.data());
+      if (report(angle, sheets[i].sheet, i, solver_.length_error(angle, i), rules)) {
+        keep(angle, i, approach.keep(sheets[i]));
+      }
     }
-    rules.observe(sheet, {angle.sample, lane_lengths_.data(), *error + rounding_[test],
-                          angle.with_slopes ? lane_slopes_.data() : nullptr,
-                          slope_error(lane(slope_correction_, i)) + rounding_[test]});
-    if ((test == model_.departs_from() || open[i].kept_state < 0) && !rules.decided(sheet)) {
-      copy_lane(state_, i, approach.keep(test, open[i]));
+  });
+}
+
+template <class T>
+template <class Rules, class Approach>
+void LaneTest<T>::run_ahead(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open,
+                            Rules& rules, Approach& approach) {
+  each_vector(block, open, [&](OpenSheet* sheets, int count) {
+    take_kept(sheets, count, approach);
+    const double by_rad =
+        2 * half_sine_between(angles_[angle].pilot, approach.keep(sheets[0]).angle->pilot);
+    solver_.solve_ahead(start_, rates_, by_rad, angle);
+    for (int i = 0; i < count; ++i) {
+      const auto error = solver_.length_error_ahead(angle, i, options_);
+      if (!report(angle, sheets[i].sheet, i, error, rules)) continue;
+      auto& kept = approach.keep(sheets[i]);
+      keep(angle, i, kept);
+      rules.observe(sheets[i].sheet, angles_[angle].sample, kept.state);
+    }
+  });
+}
+
+// Empty lanes repeat the first sheet.
+template <class T>
+template <class Approach>
+void LaneTest<T>::take_kept(OpenSheet* open, int count, Approach& approach) {
+  for (int i = 0; i < kLanes<T>; ++i) {
+    const auto& kept = approach.keep(open[i < count ? i : 0]);
+    put_lane(kept.state, start_, i);
+    for (std::size_t j = 0; j < rates_.size(); ++j) {
+      lane(rates_[j], i) = static_cast<Scalar<T>>(kept.rates[j]);
     }
   }
+}
+
+// Whether the state can be trusted and the sheet is still open.
+template <class T>
+template <class Rules>
+bool LaneTest<T>::report(int angle, int sheet, int i, std::optional<double> error, Rules& rules) {
+  const TestAngle& at = angles_[angle];
+  effort_.solves += 1;
+  effort_.iterations += at.with_slopes ? 2 : 1;
+  if (!error) return false;
+  for (std::size_t k = 0; k < lane_lengths_.size(); ++k) {
+    lane_lengths_[k] = lane(solver_.lengths()[k], i);
+    lane_slopes_[k] = lane(solver_.slopes()[k], i);
+  }
+  rules.observe(sheet, {at.sample, lane_lengths_.data(), *error + rounding_[angle],
+                        at.with_slopes ? lane_slopes_.data() : nullptr,
+                        slope_error(lane(solver_.slope_correction(), i)) + rounding_[angle]});
+  return !rules.decided(sheet);
+}
+
+template <class T>
+template <class Kept>
+void LaneTest<T>::keep(int angle, int i, Kept& kept) const {
+  kept.angle = &angles_[angle];
+  copy_lane(solver_.state(), i, kept.state);
+  if (!angles_[angle].with_slopes) return;
+  for (std::size_t j = 0; j < rates_.size(); ++j) kept.rates[j] = lane(solver_.rates()[j], i);
 }
 
 }  // namespace misalign::solver

@@ -119,12 +119,13 @@ void ApproachObserver::begin(const SheetBlock& block, RejectionTest& rejection) 
   kept_count_ = 0;
 }
 
-FoldState<double>& ApproachObserver::keep(int test, OpenSheet& sheet) {
+ApproachObserver::Kept& ApproachObserver::keep(OpenSheet& sheet) {
   if (sheet.kept_state < 0) sheet.kept_state = kept_count_++;
-  if (sheet.kept_state == static_cast<int>(kept_.size())) kept_.push_back({test, point_.state});
-  Kept& kept = kept_[sheet.kept_state];
-  kept.test = test;
-  return kept.state;
+  if (sheet.kept_state == static_cast<int>(kept_.size())) {
+    kept_.push_back({nullptr, point_.state,
+                     std::vector<double>(static_cast<std::size_t>(model_.mechanism().unknowns))});
+  }
+  return kept_[sheet.kept_state];
 }
 
 bool ApproachObserver::next(PathStart& start, int lane) {
@@ -132,13 +133,12 @@ bool ApproachObserver::next(PathStart& start, int lane) {
   if (next_ == open_->size()) return false;
   const auto [sheet, kept_state] = (*open_)[next_++];
   const Kept& kept = kept_[kept_state];
-  const TestAngle& test = model_.tests()[kept.test];
   const auto& stations = model_.approach().stations;
   const auto first = std::find_if(stations.begin(), stations.end(), [&](const Station& station) {
-    return station.sample == test.sample;
+    return station.sample == kept.angle->sample;
   });
   start = {&queue_.put(sheet, lane), &kept.state, &model_.approach(),
-           static_cast<std::size_t>(first - stations.begin()), test.determinant_sign};
+           static_cast<std::size_t>(first - stations.begin()), kept.angle->determinant_sign};
   return true;
 }
 

@@ -88,8 +88,17 @@ class ApproachObserver {
   ~ApproachObserver();
 
   void begin(const SheetBlock& block, RejectionTest& rejection);
-  /// Room for a state at the angle of the test with this index: that of `sheet`, or a new one.
-  FoldState<double>& keep(int test, OpenSheet& sheet);
+  /// A state of a sheet, and the rates of its unknowns with the pilot where they are known.
+  struct Kept {
+    const TestAngle* angle;
+    FoldState<double> state;
+    std::vector<double> rates;
+  };
+  /// The one of this sheet, or room for it.
+  Kept& keep(OpenSheet& sheet);
+  bool is_kept_at(const TestAngle& angle, const OpenSheet& sheet) const {
+    return sheet.kept_state >= 0 && kept_[sheet.kept_state].angle == &angle;
+  }
   /// Hands out those that have a state kept, to be followed from it on.
   void follow(const std::vector<OpenSheet>& open) { open_ = &open; }
   bool next(PathStart& start, int lane);
@@ -101,11 +110,6 @@ class ApproachObserver {
   const Effort& effort() const { return effort_; }
 
  private:
-  struct Kept {
-    int test;
-    FoldState<double> state;
-  };
-
   const Model& model_;
   SheetQueue queue_;
   RejectionTest* rejection_ = nullptr;

@@ -13,6 +13,7 @@
 
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_math.hpp"
+#include "solver/linear/sparse_lu.hpp"
 
 namespace misalign::solver {
 
@@ -26,6 +27,9 @@ class FlatGradient {
       joints_.resize(joints_.size() + loop.passages.size());
     }
     corners_.resize(mechanism.loops.size());
+    rates_.assign(mechanism.unknowns, T(0));
+    weights_.assign(mechanism.equations, T(0));
+    work_ = weights_;
   }
 
   /// Looks at a closed state. `geometry` must live as long as that is asked about.
@@ -53,6 +57,17 @@ class FlatGradient {
         rate = rate + joint.unknown[k].power(wrench);
       }
     });
+  }
+
+  /// d length / d vertex (x and y of each vertex in turn) with the pilot held, by the factors of
+  /// the Jacobian at this state.
+  void with_pilot_held(int diagonal, const SparseLu<T>& factors, std::vector<T>& gradient) {
+    of_unknowns(diagonal, rates_.data());
+    factors.transposed(rates_.data(), work_.data(), weights_.data());
+    for (T& weight : weights_) weight = -weight;
+    for (T& entry : gradient) entry = T(0);
+    add_length(diagonal, gradient.data());
+    add_closure(weights_.data(), gradient.data());
   }
 
   /// Adds the diagonal's own d length / d vertex (x and y of each vertex in turn), its joints held.
@@ -189,6 +204,7 @@ class FlatGradient {
   std::vector<std::size_t> first_joint_;  // per loop
   std::vector<Joint> joints_;
   std::vector<std::array<Corner, 4>> corners_;  // per loop
+  std::vector<T> rates_, weights_, work_;
 };
 
 }  // namespace misalign::solver

@@ -29,9 +29,6 @@ class MiscutMargin {
   explicit MiscutMargin(const Mechanism& mechanism)
       : mechanism_(mechanism),
         gradient_(mechanism),
-        work_(mechanism.equations, T(0)),
-        weights_(work_),
-        rates_(mechanism.unknowns, T(0)),
         last_lengths_(mechanism.diagonals.size(), T(0)),
         row_(static_cast<std::size_t>(2 * mechanism.vertices), T(0)),
         last_rows_(last_lengths_.size(), row_) {}
@@ -60,7 +57,7 @@ class MiscutMargin {
   void see(const FoldState<T>& state, const SparseLu<T>& factors) {
     gradient_.at(*geometry_, state);
     for (std::size_t d = 0; d < last_lengths_.size(); ++d) {
-      find_row(static_cast<int>(d), factors);
+      gradient_.with_pilot_held(static_cast<int>(d), factors, row_);
       T square(0);
       for (std::size_t k = 0; k < row_.size(); ++k) {
         const T change = row_[k] - last_rows_[d][k];
@@ -87,20 +84,10 @@ class MiscutMargin {
  private:
   static constexpr double kFar = 1e6;  // panel widths: beyond any distance
 
-  // d length / d vertex with the pilot held, into row_.
-  void find_row(int diagonal, const SparseLu<T>& factors) {
-    gradient_.of_unknowns(diagonal, rates_.data());
-    factors.transposed(rates_.data(), work_.data(), weights_.data());
-    for (T& weight : weights_) weight = -weight;
-    for (T& entry : row_) entry = T(0);
-    gradient_.add_length(diagonal, row_.data());
-    gradient_.add_closure(weights_.data(), row_.data());
-  }
-
   const Mechanism& mechanism_;
   FlatGradient<T> gradient_;
   const SheetGeometry<T>* geometry_ = nullptr;
-  std::vector<T> work_, weights_, rates_, last_lengths_, row_;
+  std::vector<T> last_lengths_, row_;
   std::vector<std::vector<T>>
       last_rows_;  // of each diagonal: its gradient where the last one ended
   T least_square_ = T(0);

@@ -22,6 +22,10 @@ constexpr double kNearShare = 0.2;
 // before it, where less happens, in steps of three times that.
 constexpr double kApproachStep_deg = 5, kApproachFrom_deg = 2;
 
+// Of 100 sheets that are left at 150 degrees, 40 reverse by 155 and 30 more by 160; most of the
+// others have a fold limit, which is found along the path.
+constexpr int kMostBeyond = 2;
+
 // Rows d length / d closure of all diagonals, one after another: their gradients, through the
 // Jacobian's factors.
 std::vector<double> lengths_per_closure(const Mechanism& mechanism,
@@ -67,7 +71,8 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
 }  // namespace
 
 Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
-             const PathPlanOptions& path, int threshold_sample, bool bump_is_fault)
+             const PathPlanOptions& path, int threshold_sample, bool bump_is_fault,
+             double ternary_mm)
     : base_(base),
       mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
       elimination_(plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
@@ -77,6 +82,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
       bump_is_fault_(bump_is_fault),
+      ternary_mm_(ternary_mm),
       margin_samples_(threshold_sample > 0
                           ? solver::margin_samples(path.sample_deg, threshold_sample)
                           : std::vector<int>()),
@@ -96,24 +102,9 @@ void Model::choose_tests() {
   const int far =
       std::min(sample_at(kSafeFromBase_deg / 180 * base_.folding.end_deg()), threshold_sample_ - 1);
   const int near = static_cast<int>(std::lround(kNearShare * far));
-  SheetGeometry<double> geometry;
-  place(mechanism_, base_.sheet.vertices_mm, geometry);
-  std::vector<double> residual(mechanism_.equations);
   for (const int sample : {far, near}) {
     if (sample < 1 || sample >= far + (sample == far)) continue;
-    const HalfAngle<double> pilot = half_angle_of_deg(sample * sample_deg_);
-    TestAngle& test = tests_.emplace_back(
-        TestAngle{sample,
-                  pilot,
-                  base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
-                  SparseLu<double>(elimination_),
-                  {},
-                  0,
-                  sample == far});
-    evaluate(mechanism_, geometry, test.base, residual.data(), test.factors.entries());
-    test.factors.factorize();
-    test.determinant_sign = test.factors.determinant_sign() < 0 ? -1 : 1;
-    test.lengths_per_closure = lengths_per_closure(mechanism_, geometry, test.base, test.factors);
+    tests_.push_back(angle(sample * sample_deg_, sample, sample == far));
   }
   if (tests_.size() < 2) return;
   const auto add_stations = [&](int from, int to, double step_deg) {
@@ -129,7 +120,30 @@ void Model::choose_tests() {
     return;
   }
   add_stations(far, threshold_sample_, kApproachStep_deg);
+  for (const Station& station : approach_.stations) {
+    if (station.sample <= far || static_cast<int>(beyond_.size()) == kMostBeyond) continue;
+    beyond_.push_back(angle(station.pilot_deg, station.sample, true));
+  }
   add_stations(threshold_sample_, threshold_sample_ + 1, kApproachStep_deg);
+}
+
+TestAngle Model::angle(double pilot_deg, int sample, bool with_slopes) const {
+  const HalfAngle<double> pilot = half_angle_of_deg(pilot_deg);
+  TestAngle angle{sample,
+                  pilot,
+                  base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot),
+                  SparseLu<double>(elimination_),
+                  {},
+                  0,
+                  with_slopes};
+  SheetGeometry<double> geometry;
+  place(mechanism_, base_.sheet.vertices_mm, geometry);
+  std::vector<double> residual(mechanism_.equations);
+  evaluate(mechanism_, geometry, angle.base, residual.data(), angle.factors.entries());
+  angle.factors.factorize();
+  angle.determinant_sign = angle.factors.determinant_sign() < 0 ? -1 : 1;
+  angle.lengths_per_closure = lengths_per_closure(mechanism_, geometry, angle.base, angle.factors);
+  return angle;
 }
 
 void Model::displace(const double* shifts_mm, FlatVertices& vertices_mm) const {

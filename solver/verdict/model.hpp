@@ -36,9 +36,10 @@ class Model {
  public:
   /// `shifted` are the vertices that differ from sheet to sheet; D of at least `threshold_sample`
   /// is wanted, which a bump between samples ends if it is a fault. Without a threshold (0) there
-  /// are no rejection tests, and no margin against miscuts.
+  /// are no rejection tests, and no margin against miscuts. `ternary_mm`: every shift is nothing or
+  /// this much either way (mm; 0: any shift).
   Model(const PerforatedSheet& base, const std::vector<int>& shifted, const PathPlanOptions& path,
-        int threshold_sample, bool bump_is_fault = false);
+        int threshold_sample, bool bump_is_fault = false, double ternary_mm = 0);
   /// A sheet that is looked at for itself.
   explicit Model(const PerforatedSheet& base, const PathPlanOptions& path = {},
                  bool bump_is_fault = false)
@@ -56,11 +57,15 @@ class Model {
   double sample_deg() const { return sample_deg_; }
   int threshold_sample() const { return threshold_sample_; }
   bool bump_is_fault() const { return bump_is_fault_; }
+  double ternary_mm() const { return ternary_mm_; }
   /// Where the stretches of MiscutMargin end; none without a threshold.
   const std::vector<int>& margin_samples() const { return margin_samples_; }
 
   /// The far one, then the near one; none where the threshold is close to flat.
   const std::vector<TestAngle>& tests() const { return tests_; }
+  /// The first stations of the approach beyond the far test, where enough sheets are left to be
+  /// looked at side by side.
+  const std::vector<TestAngle>& beyond() const { return beyond_; }
   /// Samples from the near test to the far one, and on to the threshold if that is farther.
   const PathPlan& approach() const { return approach_; }
   /// The test from whose states sheets depart on it: the far one, if the threshold is farther.
@@ -69,6 +74,9 @@ class Model {
   double extent() const { return extent_; }
   /// Bound of the change of any diagonal (panel widths) when every joint turns by 1 rad.
   double length_per_rad() const { return length_per_rad_; }
+
+  /// All that a test at this angle needs.
+  TestAngle angle(double pilot_deg, int sample, bool with_slopes) const;
 
   /// The flat sheet with these shifts (mm; x and y of each shifted vertex in turn).
   void displace(const double* shifts_mm, FlatVertices& vertices_mm) const;
@@ -85,8 +93,9 @@ class Model {
   const double sample_deg_;
   const int threshold_sample_;
   const bool bump_is_fault_;
+  const double ternary_mm_;
   const std::vector<int> margin_samples_;
-  std::vector<TestAngle> tests_;
+  std::vector<TestAngle> tests_, beyond_;
   PathPlan approach_;
   int departs_from_ = 0;
   double extent_, length_per_rad_;

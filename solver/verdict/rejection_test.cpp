@@ -56,6 +56,12 @@ void RejectionTest::set_flat(int sheet, const double* lengths) {
   std::copy_n(lengths, diagonals_, flat_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
 }
 
+void RejectionTest::expect(int sheet, const signed char* directions, bool both, int sample) {
+  if (both) rejections_[sheet] = {Fault::not_monotone, sample};
+  std::copy_n(directions, diagonals_,
+              direction_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
+}
+
 void RejectionTest::observe(int sheet, const Observation& observation) {
   if (sees_both(sheet, observation)) {
     rejections_[sheet] = {Fault::not_monotone, observation.sample};

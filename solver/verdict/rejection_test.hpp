@@ -79,6 +79,9 @@ class RejectionTest {
   void begin(int sheets);
   /// The sheet's flat diagonals, before anything else about it.
   void set_flat(int sheet, const double* lengths);
+  /// What is certain of a sheet's diagonals at samples up to this one, before anything else: 1, it
+  /// grows somewhere, -1, it shrinks. Rejects the sheet if one does both.
+  void expect(int sheet, const signed char* directions, bool both, int sample);
   /// Rejects the sheet if a diagonal was seen both growing and shrinking. Observations of one sheet
   /// at equal samples are taken as one.
   void observe(int sheet, const Observation& observation);

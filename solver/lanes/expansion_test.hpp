@@ -1,0 +1,236 @@
+// The first question that a draw is asked, before anything is solved: what its shifts make of the
+// diagonals to second order (a ShiftExpansion). It is made ready here as well: from gradients by
+// the adjoint of the loop closure on sheets with one coordinate shifted, with bounds from drawn
+// sheets.
+#pragma once
+
+#include <memory>
+
+#include "solver/lanes/angle_solver.hpp"
+#include "solver/lanes/observers.hpp"
+#include "solver/verdict/flat_gradient.hpp"
+#include "solver/verdict/shift_expansion.hpp"
+
+namespace misalign::solver {
+
+/// T is a register of doubles, Single one of floats.
+template <class T, class Single>
+class ExpansionTest {
+ public:
+  /// Without an expansion where shifts are not ternary, tables would be too large, or too few
+  /// sheets could be turned away.
+  explicit ExpansionTest(const Model& model);
+
+  bool is_there() const { return expansion_ != nullptr; }
+
+  /// Tells `rules` (a RejectionTest) what is certain of each sheet of the block.
+  template <class Rules>
+  void run(const ShiftBlock& block, Rules& rules);
+
+ private:
+  using Short = ShiftExpansion::Short;
+  // Whatever the registers are, the compiler makes of it what they can hold.
+  static constexpr int kHalf = ShiftExpansion::kDiagonals, kRow = 2 * kHalf;
+  using Shorts [[gnu::vector_size(kHalf * sizeof(Short)), gnu::aligned(2), gnu::may_alias]] = Short;
+  // The angles of AngleSolver.
+  enum { kEarly, kBefore, kAfter, kLate };
+
+  void make_ready(const Model& model, int early_sample);
+  void find_gradients(const Model& model, const std::vector<TestAngle>& angles,
+                      ShiftGradients& gradients);
+  static void take_off_flat(const Diagonal& diagonal, const SheetGeometry<T>& geometry,
+                            std::vector<T>& row);
+  void find_sample(const Model& model, const std::vector<TestAngle>& angles, ShiftSample& sample);
+  void add_up(const ShiftBlock& block, int first, int count);
+  void add_up(int group, int vertex, int count);
+
+  std::unique_ptr<ShiftExpansion> expansion_;
+  int late_sample_ = 0;
+  std::vector<std::uint8_t> places_;  // sheet by sheet, of some: of each vertex
+  std::vector<Short> sums_;           // of the same sheets
+  std::vector<signed char> directions_;
+};
+
+// Of the far test's angle: at 120 degrees of 150 what the third order leaves is a hundredth of the
+// slopes, at 140 five; at 15 all diagonals have set out.
+constexpr double kLateShare = 0.8, kEarlyShare = 0.1;
+// Slopes by central differences of lengths: their error is a ten-thousandth.
+constexpr double kHalfStep_deg = 0.5;
+constexpr int kSampleSheets = 2048, kSheetsAtOnce = 256;
+constexpr std::size_t kMostTableBytes = 32 << 20;
+// Tables that turn away less than this share of the sheets are not worth their time.
+constexpr double kLeastTurnedAway = 0.1;
+
+template <class T, class Single>
+ExpansionTest<T, Single>::ExpansionTest(const Model& model) {
+  const std::size_t vertices = model.shifted().size();
+  if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
+      model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
+      ShiftExpansion::bytes(static_cast<int>(vertices), model.mechanism().diagonal_count()) >
+          kMostTableBytes) {
+    return;
+  }
+  late_sample_ = static_cast<int>(kLateShare * model.tests()[0].sample);
+  const int early_sample = static_cast<int>(kEarlyShare * model.tests()[0].sample);
+  if (early_sample < 1 || late_sample_ <= early_sample) return;
+  make_ready(model, early_sample);
+}
+
+template <class T, class Single>
+void ExpansionTest<T, Single>::make_ready(const Model& model, int early_sample) {
+  const double late_deg = late_sample_ * model.sample_deg();
+  std::vector<TestAngle> angles;
+  angles.push_back(model.angle(early_sample * model.sample_deg(), early_sample, true));
+  angles.push_back(model.angle(late_deg - kHalfStep_deg, 0, true));
+  angles.push_back(model.angle(late_deg + kHalfStep_deg, 0, true));
+  angles.push_back(model.angle(late_deg, late_sample_, true));
+  ShiftGradients gradients(model);
+  find_gradients(model, angles, gradients);
+  expansion_ = std::make_unique<ShiftExpansion>(gradients);
+  ShiftSample sample(model, kSampleSheets);
+  find_sample(model, angles, sample);
+  add_up(sample.block, 0, kSampleSheets);
+  expansion_->calibrate(sums_, sample);
+  directions_.resize(model.mechanism().diagonals.size());
+  int turned_away = 0;
+  for (int s = 0; s < kSampleSheets; ++s) {
+    turned_away += expansion_->see(sums_.data() + s * expansion_->sums(), directions_.data());
+  }
+  if (turned_away < kLeastTurnedAway * kSampleSheets) expansion_.reset();
+}
+
+// Of lengths early and on both sides of the late angle: elongations are lengths less flat ones.
+template <class T, class Single>
+void ExpansionTest<T, Single>::find_gradients(const Model& model,
+                                              const std::vector<TestAngle>& angles,
+                                              ShiftGradients& gradients) {
+  const Mechanism& mechanism = model.mechanism();
+  const double amplitude = model.ternary_mm() / mechanism.panel_width_mm;
+  const double per_step = amplitude / (2 * kHalfStep_deg * kRadPerDeg);
+  AngleSolver<T> solver(model, angles);
+  FlatGradient<T> gradient(mechanism);
+  std::vector<T> row(static_cast<std::size_t>(2 * mechanism.vertices), T(0));
+  for (int first = 0; first < gradients.sheets().sheets; first += kLanes<T>) {
+    const int count = std::min(kLanes<T>, gradients.sheets().sheets - first);
+    solver.load(gradients.sheets(), count, [&](int i) { return first + i; });
+    for (const int angle : {kEarly, kBefore, kAfter}) {
+      solver.solve(angle);
+      gradient.at(solver.geometry(), solver.state());
+      for (int d = 0; d < mechanism.diagonal_count(); ++d) {
+        gradient.with_pilot_held(d, solver.factors(), row);
+        if (angle == kEarly) take_off_flat(mechanism.diagonals[d], solver.geometry(), row);
+        const double factor = angle == kEarly ? amplitude : angle == kAfter ? per_step : -per_step;
+        const auto quantity =
+            angle == kEarly ? ShiftedQuantity::elongation : ShiftedQuantity::slope;
+        for (int j = 0; j < gradients.coordinates(); ++j) {
+          const T& entry = row[2 * model.shifted()[j / 2] + j % 2];
+          for (int i = 0; i < count; ++i) {
+            gradients.add(quantity, d, first + i, j, factor * lane(entry, i));
+          }
+        }
+      }
+    }
+  }
+}
+
+template <class T, class Single>
+void ExpansionTest<T, Single>::take_off_flat(const Diagonal& diagonal,
+                                             const SheetGeometry<T>& geometry,
+                                             std::vector<T>& row) {
+  const Vec3<T> from = flat_point(geometry, diagonal.from), to = flat_point(geometry, diagonal.to);
+  const Vec3<T> along = (T(1) / distance(from, to)) * (from - to);
+  T* const at_from = row.data() + 2 * diagonal.from;
+  T* const at_to = row.data() + 2 * diagonal.to;
+  at_from[0] = at_from[0] - along.x;
+  at_from[1] = at_from[1] - along.y;
+  at_to[0] = at_to[0] + along.x;
+  at_to[1] = at_to[1] + along.y;
+}
+
+template <class T, class Single>
+void ExpansionTest<T, Single>::find_sample(const Model& model, const std::vector<TestAngle>& angles,
+                                           ShiftSample& sample) {
+  AngleSolver<Single> solver(model, angles);
+  const std::size_t diagonals = model.mechanism().diagonals.size();
+  std::vector<Single> flat(diagonals, Single(0));
+  for (int first = 0; first < sample.block.sheets; first += kLanes<Single>) {
+    const int count = std::min(kLanes<Single>, sample.block.sheets - first);
+    solver.load(sample.block, count, [&](int i) { return first + i; });
+    flat_lengths(model.mechanism(), solver.geometry(), flat.data());
+    for (const int angle : {kEarly, kLate}) {
+      solver.solve(angle);
+      for (int i = 0; i < count; ++i) {
+        char& is_known = sample.is_known[first + i];
+        is_known = (angle == kEarly || is_known) && solver.length_error(angle, i).has_value();
+        double* const to =
+            (angle == kEarly ? sample.elongations : sample.slopes).data() + (first + i) * diagonals;
+        for (std::size_t d = 0; d < diagonals; ++d) {
+          to[d] = angle == kEarly
+                      ? static_cast<double>(lane(solver.lengths()[d], i)) - lane(flat[d], i)
+                      : static_cast<double>(lane(solver.slopes()[d], i));
+        }
+      }
+    }
+  }
+}
+
+template <class T, class Single>
+template <class Rules>
+void ExpansionTest<T, Single>::run(const ShiftBlock& block, Rules& rules) {
+  if (!expansion_) return;
+  for (int first = 0; first < block.sheets; first += kSheetsAtOnce) {
+    const int count = std::min(kSheetsAtOnce, block.sheets - first);
+    add_up(block, first, count);
+    for (int s = 0; s < count; ++s) {
+      const bool both = expansion_->see(sums_.data() + s * expansion_->sums(), directions_.data());
+      rules.expect(first + s, directions_.data(), both, late_sample_);
+    }
+  }
+}
+
+// Sums of sheets first ... first + count - 1.
+template <class T, class Single>
+void ExpansionTest<T, Single>::add_up(const ShiftBlock& block, int first, int count) {
+  const int vertices = expansion_->vertices();
+  places_.resize(static_cast<std::size_t>(count * vertices));
+  std::uint8_t* place = places_.data();
+  for (int s = 0; s < count; ++s) {
+    const double* shift = block.of(first + s);
+    for (int v = 0; v < vertices; ++v, shift += 2) {
+      *place++ = ShiftExpansion::place_of(shift[0], shift[1]);
+    }
+  }
+  sums_.assign(static_cast<std::size_t>(count) * expansion_->sums(), 0);
+  for (int group = 0; group < expansion_->groups(); ++group) {
+    for (int vertex = 0; vertex < vertices; ++vertex) add_up(group, vertex, count);
+  }
+}
+
+// What one vertex adds, of all these sheets: its part of the tables stays in the cache.
+template <class T, class Single>
+void ExpansionTest<T, Single>::add_up(int group, int vertex, int count) {
+  const int vertices = expansion_->vertices();
+  const std::uint8_t* places = places_.data() + vertex;
+  Short* sums = sums_.data() + group * 2 * kRow;
+  for (int s = 0; s < count; ++s, places += vertices, sums += expansion_->sums()) {
+    const Shorts* const alone =
+        reinterpret_cast<const Shorts*>(expansion_->alone(group, vertex, *places));
+    Shorts* const first = reinterpret_cast<Shorts*>(sums);
+    Shorts* const second = reinterpret_cast<Shorts*>(sums + kRow);
+    first[0] += alone[0];
+    first[1] += alone[1];
+    Shorts elongations = second[0] + alone[2], slopes = second[1] + alone[3];
+    const Short* of_next = expansion_->together(group, vertex, *places);
+#pragma GCC unroll 8
+    for (int next = 1; next < vertices - vertex; ++next) {
+      const Shorts* const row = reinterpret_cast<const Shorts*>(of_next + places[next] * kRow);
+      elongations += row[0];
+      slopes += row[1];
+      of_next += ShiftExpansion::kPlaces * kRow;
+    }
+    second[0] = elongations;
+    second[1] = slopes;
+  }
+}
+
+}  // namespace misalign::solver
