@@ -44,6 +44,7 @@ PathFunction::PathFunction(const Mechanism& mechanism)
       flat_(mechanism.diagonals.size()),
       values_(mechanism.diagonals.size() + 1),
       rates_(values_),
+      scratch_(flat_),
       table_(mechanism.diagonal_count() + 1, kNodes + 1) {}
 
 PathFunction::~PathFunction() = default;
@@ -80,6 +81,8 @@ void PathFunction::renew() {
   for (int k = 0; k < kept(); ++k) at_[k] = sign_ * angle_rad(node(k).creases[variable_]);
   from_ = count_ > inside_ + 1 ? at_[inside_ + 1] : 0;
   make_table();
+  located_x_ = from_;
+  located_rad_ = table_.value_and_rate(diagonals_, from_, located_slope_);
   end_ = turns() ? turning_point() : to();
 }
 
@@ -142,8 +145,13 @@ double PathFunction::pilot_slope(double x) const {
 }
 
 double PathFunction::pilot_error(double x) const {
-  // Its own last terms may vanish by accident.
   return variable_ == pilot_ ? 0 : kSafety * table_.largest_last_terms(x) + 1e-14;
+}
+
+// Its own last terms may vanish by accident.
+double PathFunction::pilot_error(double x, double largest_of_lengths) const {
+  if (variable_ == pilot_) return 0;
+  return kSafety * std::max(largest_of_lengths, table_.last_terms(diagonals_, x)) + 1e-14;
 }
 
 double PathFunction::pilot_rise() const {
@@ -151,21 +159,22 @@ double PathFunction::pilot_rise() const {
   return 0.5 * rate * rate / std::abs(table_.second_rate(diagonals_, at_[0]));
 }
 
+// Newton's method from where it was asked last, in a bracket; samples lie side by side.
 double PathFunction::locate(double pilot_rad) const {
   if (variable_ == pilot_) return pilot_rad;
-  double low = pilot_rad < pilot(from()) ? at_[kept() - 1] : from(), high = end();
-  // From a node's value and rate: the nearer one's.
-  double x = low + (pilot_rad - pilot(low)) / pilot_slope(low);
-  if (!(x > low && x < high)) x = 0.5 * (low + high);
+  double low = at_[kept() - 1], high = end();
+  double x = located_x_ + (pilot_rad - located_rad_) / located_slope_;
   for (int k = 0; k < 60; ++k) {
+    if (!(x > low && x < high)) x = 0.5 * (low + high);
     double slope;
     const double off = table_.value_and_rate(diagonals_, x, slope) - pilot_rad;
     (off > 0 ? high : low) = x;
-    double next = x - off / slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - x);
-    x = next;
-    if (step < 1e-14) break;
+    const double step = off / slope;
+    located_rad_ = pilot_rad + off;
+    located_x_ = x;
+    located_slope_ = slope;
+    x -= step;
+    if (std::abs(step) < 1e-14) break;
   }
   return x;
 }
@@ -199,20 +208,27 @@ double PathFunction::floor() const {
 
 void PathFunction::find_lengths(double x, std::vector<double>& lengths,
                                 std::vector<double>& errors) const {
-  table_.find_values(x, diagonals_, lengths.data(), errors.data());
-  const double all = kSafety * *std::max_element(errors.begin(), errors.end()) + floor();
-  std::fill(errors.begin(), errors.end(), all);
-  if (variable_ == pilot_) return;
-  const double off = pilot_error(x) / pilot_slope(x);
-  for (int d = 0; d < diagonals_; ++d) errors[d] += std::abs(table_.rate(d, x)) * off;
+  if (variable_ == pilot_) {
+    table_.find_values(x, diagonals_, lengths.data(), errors.data());
+    const double all = kSafety * *std::max_element(errors.begin(), errors.end()) + floor();
+    std::fill(errors.begin(), errors.end(), all);
+    return;
+  }
+  table_.look(x, diagonals_, lengths.data(), scratch_.data(), errors.data());
+  const double largest = *std::max_element(errors.begin(), errors.end());
+  const double off = pilot_error(x, largest) / pilot_slope(x);
+  for (int d = 0; d < diagonals_; ++d) {
+    errors[d] = kSafety * largest + floor() + std::abs(scratch_[d]) * off;
+  }
 }
 
 void PathFunction::look(double x, PathEstimate& estimate) const {
-  const double per_slope = 1 / pilot_slope(x), off = pilot_error(x) * per_slope;
   table_.look(x, diagonals_, estimate.lengths.data(), estimate.slopes.data(),
               estimate.length_errors.data());
-  const double all =
-      kSafety * *std::max_element(estimate.length_errors.begin(), estimate.length_errors.end());
+  const double largest =
+      *std::max_element(estimate.length_errors.begin(), estimate.length_errors.end());
+  const double per_slope = 1 / pilot_slope(x), off = pilot_error(x, largest) * per_slope;
+  const double all = kSafety * largest;
   for (int d = 0; d < diagonals_; ++d) {
     estimate.length_errors[d] = all + std::abs(estimate.slopes[d]) * off + floor();
     estimate.slopes[d] *= per_slope;

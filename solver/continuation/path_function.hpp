@@ -121,6 +121,7 @@ class PathFunction {
   void renew();
   void make_table();
   double turning_point() const;
+  double pilot_error(double x, double largest_of_lengths) const;
   double floor() const;
 
   const Mechanism& mechanism_;
@@ -128,10 +129,12 @@ class PathFunction {
   int count_ = 0, inside_ = 0;   // nodes; of them at the newest piece's turn, 0 or 1
   std::vector<PathNode> nodes_;  // a ring
   std::vector<double> flat_, values_, rates_;
+  mutable std::vector<double> scratch_;
   int variable_ = 0;
   double sign_ = 1;
   double at_[kNodes + 1] = {};
   double from_ = 0, end_ = 0;
+  mutable double located_x_ = 0, located_rad_ = 0, located_slope_ = 1;  // by the last locate()
   HermiteTable table_;  // of the diagonals, and of the pilot's angle
 };
 

@@ -74,7 +74,7 @@ class AngleSolver {
   std::vector<T> residual_, y_, turn_, lengths_, slopes_;
   SparseLu<T> lu_;
   T first_correction_, second_correction_, determinant_sign_, slope_correction_ = T(0);
-  T largest_half_sine_ = T(0);
+  T predictor_correction_ = T(0), largest_half_sine_ = T(0);
 };
 
 template <class T>
@@ -167,6 +167,7 @@ void AngleSolver<T>::solve_ahead(const FoldState<T>& state, const std::vector<T>
   }
   advance(mechanism_, turn_.data(), state_);
   state_.creases[mechanism_.pilot] = base_[angle].creases[mechanism_.pilot];
+  predictor_correction_ = correct(true);
   finish(angle);
   largest_half_sine_ = T(0);
   for (std::size_t k = 0; k < state.creases.size(); ++k) {
@@ -226,7 +227,8 @@ std::optional<double> AngleSolver<T>::length_error(int angle, int i) const {
 template <class T>
 std::optional<double> AngleSolver<T>::length_error_ahead(int angle, int i,
                                                          const StepControlOptions& options) const {
-  const double corrected_rad = lane(first_correction_, i) + lane(second_correction_, i);
+  const double corrected_rad =
+      lane(predictor_correction_, i) + lane(first_correction_, i) + lane(second_correction_, i);
   if (!(corrected_rad <= options.longest_correction_rad) ||
       !(lane(largest_half_sine_, i) <= options.longest_half_sine)) {
     return std::nullopt;

@@ -22,6 +22,8 @@ class ExpansionTest {
   explicit ExpansionTest(const Model& model);
 
   bool is_there() const { return expansion_ != nullptr; }
+  /// The tables; only where they are there.
+  const ShiftExpansion& expansion() const { return *expansion_; }
 
   /// Tells `rules` (a RejectionTest) what is certain of each sheet of the block.
   template <class Rules>
@@ -29,9 +31,11 @@ class ExpansionTest {
 
  private:
   using Short = ShiftExpansion::Short;
-  // Whatever the registers are, the compiler makes of it what they can hold.
-  static constexpr int kHalf = ShiftExpansion::kDiagonals, kRow = 2 * kHalf;
-  using Shorts [[gnu::vector_size(kHalf * sizeof(Short)), gnu::aligned(2), gnu::may_alias]] = Short;
+  // As many as a register of T holds, but for AVX-512, which adds shorts in halves.
+  static constexpr int kBytes = std::min<int>(sizeof(T), 32);
+  using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
+  static constexpr int kRow = ShiftExpansion::kTogether;
+  static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
   // The angles of AngleSolver.
   enum { kEarly, kBefore, kAfter, kLate };
 
@@ -45,9 +49,11 @@ class ExpansionTest {
   void add_up(int group, int vertex, int count);
 
   std::unique_ptr<ShiftExpansion> expansion_;
+  double amplitude_mm_;
   int late_sample_ = 0;
-  std::vector<std::uint8_t> places_;  // sheet by sheet, of some: of each vertex
-  std::vector<Short> sums_;           // of the same sheets
+  std::vector<std::uint16_t> rows_;  // sheet by sheet, of some: of each vertex, by its place
+  std::vector<char> is_ternary_;     // of the same sheets: others are not for the tables
+  std::vector<Short> sums_;          // of the same sheets
   std::vector<signed char> directions_;
 };
 
@@ -56,13 +62,15 @@ class ExpansionTest {
 constexpr double kLateShare = 0.8, kEarlyShare = 0.1;
 // Slopes by central differences of lengths: their error is a ten-thousandth.
 constexpr double kHalfStep_deg = 0.5;
-constexpr int kSampleSheets = 2048, kSheetsAtOnce = 256;
-constexpr std::size_t kMostTableBytes = 32 << 20;
+constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
+constexpr std::size_t kMostTableBytes = 8 << 20;
 // Tables that turn away less than this share of the sheets are not worth their time.
 constexpr double kLeastTurnedAway = 0.1;
+// Of the sample, what must be known of the shares that are left out.
+constexpr double kLeastKnown = 0.9;
 
 template <class T, class Single>
-ExpansionTest<T, Single>::ExpansionTest(const Model& model) {
+ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
   const std::size_t vertices = model.shifted().size();
   if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
@@ -92,11 +100,14 @@ void ExpansionTest<T, Single>::make_ready(const Model& model, int early_sample) 
   add_up(sample.block, 0, kSampleSheets);
   expansion_->calibrate(sums_, sample);
   directions_.resize(model.mechanism().diagonals.size());
-  int turned_away = 0;
+  int turned_away = 0, known = 0;
   for (int s = 0; s < kSampleSheets; ++s) {
     turned_away += expansion_->see(sums_.data() + s * expansion_->sums(), directions_.data());
+    known += sample.is_known[s];
   }
-  if (turned_away < kLeastTurnedAway * kSampleSheets) expansion_.reset();
+  if (turned_away < kLeastTurnedAway * kSampleSheets || known < kLeastKnown * kSampleSheets) {
+    expansion_.reset();
+  }
 }
 
 // Of lengths early and on both sides of the late angle: elongations are lengths less flat ones.
@@ -182,6 +193,7 @@ void ExpansionTest<T, Single>::run(const ShiftBlock& block, Rules& rules) {
     const int count = std::min(kSheetsAtOnce, block.sheets - first);
     add_up(block, first, count);
     for (int s = 0; s < count; ++s) {
+      if (!is_ternary_[s]) continue;
       const bool both = expansion_->see(sums_.data() + s * expansion_->sums(), directions_.data());
       rules.expect(first + s, directions_.data(), both, late_sample_);
     }
@@ -192,12 +204,17 @@ void ExpansionTest<T, Single>::run(const ShiftBlock& block, Rules& rules) {
 template <class T, class Single>
 void ExpansionTest<T, Single>::add_up(const ShiftBlock& block, int first, int count) {
   const int vertices = expansion_->vertices();
-  places_.resize(static_cast<std::size_t>(count * vertices));
-  std::uint8_t* place = places_.data();
+  rows_.resize(static_cast<std::size_t>(count * vertices));
+  std::uint16_t* row = rows_.data();
+  is_ternary_.assign(static_cast<std::size_t>(count), 1);
+  const auto is_level = [&](double shift_mm) {
+    return shift_mm == 0 || std::abs(shift_mm) == amplitude_mm_;
+  };
   for (int s = 0; s < count; ++s) {
     const double* shift = block.of(first + s);
     for (int v = 0; v < vertices; ++v, shift += 2) {
-      *place++ = ShiftExpansion::place_of(shift[0], shift[1]);
+      is_ternary_[s] &= is_level(shift[0]) && is_level(shift[1]);
+      *row++ = static_cast<std::uint16_t>(ShiftExpansion::place_of(shift[0], shift[1]) * kRow);
     }
   }
   sums_.assign(static_cast<std::size_t>(count) * expansion_->sums(), 0);
@@ -210,26 +227,27 @@ void ExpansionTest<T, Single>::add_up(const ShiftBlock& block, int first, int co
 template <class T, class Single>
 void ExpansionTest<T, Single>::add_up(int group, int vertex, int count) {
   const int vertices = expansion_->vertices();
-  const std::uint8_t* places = places_.data() + vertex;
+  const std::uint16_t* rows = rows_.data() + vertex;
   Short* sums = sums_.data() + group * 2 * kRow;
-  for (int s = 0; s < count; ++s, places += vertices, sums += expansion_->sums()) {
+  for (int s = 0; s < count; ++s, rows += vertices, sums += expansion_->sums()) {
     const Shorts* const alone =
-        reinterpret_cast<const Shorts*>(expansion_->alone(group, vertex, *places));
+        reinterpret_cast<const Shorts*>(expansion_->alone(group, vertex, *rows / kRow));
     Shorts* const first = reinterpret_cast<Shorts*>(sums);
-    Shorts* const second = reinterpret_cast<Shorts*>(sums + kRow);
-    first[0] += alone[0];
-    first[1] += alone[1];
-    Shorts elongations = second[0] + alone[2], slopes = second[1] + alone[3];
-    const Short* of_next = expansion_->together(group, vertex, *places);
+    Shorts* const second = first + kPieces;
+    Shorts sum[kPieces];
+    for (int k = 0; k < kPieces; ++k) {
+      first[k] += alone[k];
+      sum[k] = second[k] + alone[kPieces + k];
+    }
+    const Short* of_next = expansion_->together(group, vertex, *rows / kRow);
 #pragma GCC unroll 8
     for (int next = 1; next < vertices - vertex; ++next) {
-      const Shorts* const row = reinterpret_cast<const Shorts*>(of_next + places[next] * kRow);
-      elongations += row[0];
-      slopes += row[1];
+      const Shorts* const row = reinterpret_cast<const Shorts*>(of_next + rows[next]);
+#pragma GCC unroll 8
+      for (int k = 0; k < kPieces; ++k) sum[k] += row[k];
       of_next += ShiftExpansion::kPlaces * kRow;
     }
-    second[0] = elongations;
-    second[1] = slopes;
+    for (int k = 0; k < kPieces; ++k) second[k] = sum[k];
   }
 }
 

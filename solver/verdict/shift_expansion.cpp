@@ -198,11 +198,9 @@ void ShiftExpansion::calibrate(const std::vector<Short>& sums, const ShiftSample
     of.least = kLeastOrder * *middle;
     for (std::size_t s = 0; s < sheets; ++s) {
       for (int d = 0; d < diagonals_ && sample.is_known[s]; ++d) {
-        const Short* const first = sums.data() + s * this->sums() +
-                                   static_cast<std::size_t>(d / kDiagonals * 2 * kTogether +
-                                                            kind * kDiagonals + d % kDiagonals);
         const std::size_t k = static_cast<std::size_t>(d);
-        const double known = (first[0] + first[kTogether]) * static_cast<double>(of.unit[k]);
+        const double known =
+            estimate(static_cast<ShiftedQuantity>(kind), d, sums.data() + s * this->sums()).value;
         const double left = std::abs(truth[s * static_cast<std::size_t>(diagonals_) + k] - known);
         of.share[k] =
             std::max(of.share[k], static_cast<float>(left) / std::max(orders[s], of.least));
@@ -211,6 +209,17 @@ void ShiftExpansion::calibrate(const std::vector<Short>& sums, const ShiftSample
     const float largest = *std::max_element(of.share.begin(), of.share.end());
     for (float& share : of.share) share = kSafety * std::max(share, kLeastShare * largest);
   }
+}
+
+ShiftExpansion::Estimate ShiftExpansion::estimate(ShiftedQuantity quantity, int diagonal,
+                                                  const Short* sums) const {
+  const int which = static_cast<int>(quantity);
+  const Kind& kind = kinds_[which];
+  const std::size_t d = static_cast<std::size_t>(diagonal);
+  const Short* const first =
+      sums + diagonal / kDiagonals * 2 * kTogether + which * kDiagonals + diagonal % kDiagonals;
+  return {(first[0] + first[kTogether]) * static_cast<double>(kind.unit[d]),
+          static_cast<double>(kind.share[d]) * static_cast<double>(second_order(which, sums))};
 }
 
 bool ShiftExpansion::see(const Short* sums, signed char* directions) const {

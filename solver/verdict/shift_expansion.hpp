@@ -90,6 +90,11 @@ class ShiftExpansion {
 
   /// Measures the bounds on these sheets, of which the sums are known.
   void calibrate(const std::vector<Short>& sums, const ShiftSample& sample);
+  /// A quantity of a sheet with these sums, and how far it may be off at most.
+  struct Estimate {
+    double value, bound;
+  };
+  Estimate estimate(ShiftedQuantity quantity, int diagonal, const Short* sums) const;
   /// What is certain of a sheet with these sums: `directions` becomes 1 where a diagonal grows
   /// somewhere, -1 where it shrinks, 0 where neither is certain. True if one does both.
   bool see(const Short* sums, signed char* directions) const;

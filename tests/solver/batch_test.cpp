@@ -31,7 +31,7 @@ TEST(InstructionSets, BaselineIsThereEverywhere) {
 
 TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
   const DrawableSheet sheets(6, 6);
-  const Model model = sheets.with_threshold(160);
+  const Model model = sheets.with_threshold(160, {}, 0.4);
   const auto batch = this->batch(model);
   ScalarBatch scalar(model);
   for (const int count : {1, 2, 3, 7, 8, 9, 17, 40}) {
@@ -59,7 +59,7 @@ TEST_P(BatchTest, NothingToDo) {
 // coordinates that are no number, and vertices that fall on each other.
 TEST_P(BatchTest, FailingNeighboursChangeNothing) {
   const DrawableSheet sheets(6, 6);
-  const Model model = sheets.with_threshold(160);
+  const Model model = sheets.with_threshold(160, {}, 0.4);
   const auto batch = this->batch(model);
   const ShiftBlock healthy = sheets.draws(24, kSeed);
   const std::vector<std::string> alone = words(ScalarBatch(model).judge(healthy));

@@ -48,8 +48,8 @@ struct DrawableSheet : TestSheet {
         shifted_vertices(which == Shifted::interior ? interior_vertices(base.sheet)
                                                     : ring_vertices(base.sheet)) {}
 
-  Model with_threshold(int sample, const PathPlanOptions& path = {}) const {
-    return Model(base, shifted_vertices, path, sample);
+  Model with_threshold(int sample, const PathPlanOptions& path = {}, double ternary_mm = 0) const {
+    return Model(base, shifted_vertices, path, sample, false, ternary_mm);
   }
 
   ShiftBlock draws(int sheets, unsigned seed, double amplitude_mm = 0.4) const {
