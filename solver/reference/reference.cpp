@@ -4,12 +4,12 @@
 
 namespace misalign::solver {
 
-Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, bool bump_is_fault)
+Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, BumpRule bumps)
     : mechanism_(mechanism),
       plan_(plan),
       tracker_(mechanism),
-      bump_is_fault_(bump_is_fault),
-      judge_(mechanism, bump_is_fault),
+      bumps_(bumps),
+      judge_(mechanism, bumps),
       dense_state_(mechanism),
       point_(mechanism) {}
 
@@ -20,7 +20,7 @@ Verdict Reference::judge(const FlatVertices& vertices_mm) {
   path_ = tracker_.follow(geometry_, plan_,
                           [&](const Station& station, const FoldState<double>& state) {
                             if (station.sample == 0) return true;
-                            if (bump_is_fault_) {
+                            if (bumps_ != BumpRule::ignored) {
                               dense_state_.find(geometry_, state, point_);
                               return judge_.see(station, &point_.state, point_.lengths,
                                                 &point_.slopes, point_.pilot_rate);

@@ -14,8 +14,8 @@ namespace misalign::solver {
 class Reference {
  public:
   /// Both must outlive this object, which allocates nothing once it has judged a sheet.
-  /// `bump_is_fault`: see Judge.
-  Reference(const Mechanism& mechanism, const PathPlan& plan, bool bump_is_fault = false);
+  /// `bumps`: see reference.cpp.
+  Reference(const Mechanism& mechanism, const PathPlan& plan, BumpRule bumps = BumpRule::ignored);
 
   Verdict judge(const FlatVertices& vertices_mm);
 
@@ -26,7 +26,7 @@ class Reference {
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   PathTracker tracker_;
-  const bool bump_is_fault_;
+  const BumpRule bumps_;
   Judge judge_;
   SheetGeometry<double> geometry_;
   DenseState dense_state_;  // for slopes, which bumps are seen by
