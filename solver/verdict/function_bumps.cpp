@@ -94,10 +94,11 @@ void FunctionBumps::go_to(double x, bool is_sample, const Judge& judge,
                           const PathFunction& function) {
   const bool has_gone = kept_room_ > 0;
   ways_ = kept_;
-  room_ = std::max(kept_room_, 2 * function.node_error());
+  room_ = kept_room_;
   direction_changed_ = false;
   const double from_x = reached_rad_ == 0 ? 0 : function.locate(reached_rad_);
   if (!(x > from_x)) return;
+  room_ = std::max(room_, 2 * function.node_error());
   const Stretch all = stretch(variable(from_x), variable(x));
   // How far off the ends may be, where the pilot's angle is a polynomial itself.
   const double off = std::max(function.pilot_error(from_x) / function.pilot_slope(from_x),
