@@ -40,8 +40,8 @@ class HermiteTable {
   double last_terms(int function, double x) const;
   /// The largest of any function.
   double largest_last_terms(double x) const;
-  /// A function's rate on [from, to] by its Bernstein coefficients, which enclose it: order() - 1 of
-  /// them.
+  /// A function's rate on [from, to] by its Bernstein coefficients, which enclose it: order() - 1
+  /// of them.
   void find_rate(int function, double from, double to, double* coefficients) const;
   /// By how much the rate of any function would change anywhere on [from, to], at most, without the
   /// last terms: so many of them.

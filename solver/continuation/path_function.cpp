@@ -196,7 +196,8 @@ double PathFunction::node_error() const {
 void PathFunction::find_lengths(double x, std::vector<double>& lengths,
                                 std::vector<double>& errors) const {
   table_.find_values(x, diagonals_, lengths.data(), errors.data());
-  const double all = kFunctionSafety * *std::max_element(errors.begin(), errors.end()) + node_error();
+  const double all =
+      kFunctionSafety * *std::max_element(errors.begin(), errors.end()) + node_error();
   std::fill(errors.begin(), errors.end(), all);
   if (variable_ == pilot_) return;
   const double off = pilot_error(x) / pilot_slope(x);
@@ -207,8 +208,8 @@ void PathFunction::look(double x, PathEstimate& estimate) const {
   const double per_slope = 1 / pilot_slope(x), off = pilot_error(x) * per_slope;
   table_.look(x, diagonals_, estimate.lengths.data(), estimate.slopes.data(),
               estimate.length_errors.data());
-  const double all =
-      kFunctionSafety * *std::max_element(estimate.length_errors.begin(), estimate.length_errors.end());
+  const double all = kFunctionSafety * *std::max_element(estimate.length_errors.begin(),
+                                                         estimate.length_errors.end());
   for (int d = 0; d < diagonals_; ++d) {
     estimate.length_errors[d] = all + std::abs(estimate.slopes[d]) * off + node_error();
     estimate.slopes[d] *= per_slope;

@@ -25,6 +25,14 @@ void CubicBetween::find_turns(double& first, double& second) const {
   if (first > second) std::swap(first, second);
 }
 
+void WayBack::go_along(const CubicBetween& cubic) {
+  double first, second;
+  cubic.find_turns(first, second);
+  go(cubic.length(first));
+  go(cubic.length(second) - cubic.length(first));
+  go(cubic.length(1) - cubic.length(second));
+}
+
 BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
                             double slowing, int direction) {
   const CubicBetween cubic = cubic_between(here, next, step_rad, slowing, direction);

@@ -19,6 +19,8 @@ enum class BumpRule {
              ///< the diagonal falls short of how far it had come by that much or more
 };
 
+struct CubicBetween;
+
 /// How far back a quantity goes that moves on and back by turns: the longest way from any point to
 /// a later one.
 struct WayBack {
@@ -29,6 +31,7 @@ struct WayBack {
     now = std::max(0.0, now - on);
     longest = std::max(longest, now);
   }
+  void go_along(const CubicBetween& cubic);
 };
 
 struct LengthAndSlope {

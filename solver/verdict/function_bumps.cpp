@@ -54,9 +54,18 @@ void FunctionBumps::begin_piece(const PathFunction& function) {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     table_.find_rate(d, all.from, all.to, rate);
     const auto [least, most] = std::minmax_element(rate, rate + table_.order() - 1);
-    one_way_[static_cast<std::size_t>(d)] =
-        *least >= all.largest_error ? 1 : *most <= -all.largest_error ? -1 : 0;
+    one_way_[static_cast<std::size_t>(d)] = *least >= all.largest_error   ? 1
+                                            : *most <= -all.largest_error ? -1
+                                                                          : 0;
   }
+}
+
+double FunctionBumps::look(double x, std::vector<double>& rates) const {
+  const double at = variable(x), per_x = in_squares_ ? 2 * x : 1;
+  for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
+    rates[static_cast<std::size_t>(d)] = table_.rate(d, at) * per_x;
+  }
+  return stretch(at, at).largest_error * per_x;
 }
 
 FunctionBumps::Seen FunctionBumps::look_at_sample(double x, const Judge& judge,
@@ -124,15 +133,15 @@ void FunctionBumps::go_to(double x, bool is_sample, const Judge& judge,
 
 // The rate lies between the least and the largest of its coefficients, and its mean is theirs. By
 // halves where the error leaves open which way the diagonal goes.
-void FunctionBumps::go(const Stretch& stretch, const double* rate, int halvings,
-                       Ways& ways) const {
+void FunctionBumps::go(const Stretch& stretch, const double* rate, int halvings, Ways& ways) const {
   const int count = table_.order() - 1;
   const auto [least, most] = std::minmax_element(rate, rate + count);
   const double width = stretch.to - stretch.from, error = stretch.largest_error;
   double sum = 0;
   for (int k = 0; k < count; ++k) sum += rate[k];
   const double on = sum / count * width;
-  const bool is_one_way = (*least >= error || *most <= error) && (*least >= -error || *most <= -error);
+  const bool is_one_way =
+      (*least >= error || *most <= error) && (*least >= -error || *most <= -error);
   if (is_one_way) {
     ways.at_most.go(on - error * width);
     ways.at_least.go(on + error * width);

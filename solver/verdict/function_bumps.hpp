@@ -1,8 +1,8 @@
 // Whether a diagonal goes back between two samples of a path that is a function (BumpRule::exact):
 // how far, at least and at most, as its polynomials and the bound of their rates' errors have it.
 //
-// Near flat lengths are even in the pilot's angle, so there the polynomials are taken in its square:
-// their rates then say which way a diagonal sets out.
+// Near flat lengths are even in the pilot's angle, so there the polynomials are taken in its
+// square: their rates then say which way a diagonal sets out.
 #pragma once
 
 #include <vector>
@@ -31,6 +31,8 @@ class FunctionBumps {
   static bool can_look(const PathFunction& function) { return function.count() > 1; }
   /// A new piece, or one again that was too long.
   void begin_piece(const PathFunction& function);
+  /// The rates at a point of it, by the function's variable, and the bound of their errors there.
+  double look(double x, std::vector<double>& rates) const;
   /// On to the next sample, at this point of the piece; the judge knows which way diagonals go.
   Seen look_at_sample(double x, const Judge& judge, const PathFunction& function);
   /// That sample counts: the next stretch begins.
@@ -62,10 +64,10 @@ class FunctionBumps {
   std::vector<double> flat_, values_, rates_;
   HermiteTable table_;
   bool in_squares_ = false;
-  std::vector<int> one_way_;          // of diagonals: the way they go on the whole piece, or 0
-  double reached_rad_ = 0;            // the pilot's angle up to which kept_ goes
-  double room_ = 0, kept_room_ = 0;   // for errors that are not the rates'
-  std::vector<Ways> kept_, ways_;     // since the last sample; of diagonals
+  std::vector<int> one_way_;         // of diagonals: the way they go on the whole piece, or 0
+  double reached_rad_ = 0;           // the pilot's angle up to which kept_ goes
+  double room_ = 0, kept_room_ = 0;  // for errors that are not the rates'
+  std::vector<Ways> kept_, ways_;    // since the last sample; of diagonals
   bool direction_changed_ = false;
   int where_ = -1;
 };

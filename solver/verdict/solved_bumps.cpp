@@ -79,8 +79,7 @@ BumpFound SolvedBumps::look(const SheetGeometry<double>& geometry, double from_d
   return found;
 }
 
-CubicBetween SolvedBumps::cubic(const End& from, const End& to, int diagonal,
-                                int direction) const {
+CubicBetween SolvedBumps::cubic(const End& from, const End& to, int diagonal, int direction) const {
   const auto d = static_cast<std::size_t>(diagonal);
   const bool both = from.point.pilot_rate > 0 && to.point.pilot_rate > 0;
   return cubic_between({from.point.lengths[d], from.point.slopes[d]},
@@ -99,8 +98,8 @@ bool SolvedBumps::go(const SheetGeometry<double>& geometry, const End& from, con
     const double moved = point.lengths[static_cast<std::size_t>(d)] -
                          from.point.lengths[static_cast<std::size_t>(d)];
     const double rate = point.slopes[static_cast<std::size_t>(d)] * (way.u + way.v / 2);
-    off = std::max({off, std::abs(way.length(0.5) - moved),
-                    kMiddlePerRate * std::abs(way.rate(0.5) - rate)});
+    off = std::max(
+        {off, std::abs(way.length(0.5) - moved), kMiddlePerRate * std::abs(way.rate(0.5) - rate)});
   }
   bool all_go_on = true;
   for (int d = 0; d < mechanism_.diagonal_count() && all_go_on; ++d) {
@@ -123,13 +122,7 @@ bool SolvedBumps::go(const SheetGeometry<double>& geometry, const End& from, con
 void SolvedBumps::follow(const End& from, const End& to, const Judge& judge) {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     if (judge.direction(d) == 0) continue;
-    const CubicBetween way = cubic(from, to, d, judge.direction(d));
-    double first, second;
-    way.find_turns(first, second);
-    WayBack& back = ways_[static_cast<std::size_t>(d)];
-    back.go(way.length(first));
-    back.go(way.length(second) - way.length(first));
-    back.go(way.length(1) - way.length(second));
+    ways_[static_cast<std::size_t>(d)].go_along(cubic(from, to, d, judge.direction(d)));
   }
 }
 

@@ -71,9 +71,8 @@ bool compare(schema::Campaign campaign, std::uint64_t draws) {
     if (same(cubic, exact)) continue;
     ++counts.differ;
     counts.differ_in_acceptance += campaign.accepts(cubic) != campaign.accepts(exact);
-    const solver::FineVerdict fine =
-        solver::judge_finely(base, campaign.path(), kFineStep_deg,
-                             base.sheet.vertices_mm + shifts.shifts_mm(draw));
+    const solver::FineVerdict fine = solver::judge_finely(
+        base, campaign.path(), kFineStep_deg, base.sheet.vertices_mm + shifts.shifts_mm(draw));
     const bool exact_is_fine = same(fine.exact(), exact), cubic_is_fine = same(fine.exact(), cubic);
     counts.exact_is_fine += exact_is_fine;
     counts.cubic_is_fine += cubic_is_fine;
@@ -108,8 +107,8 @@ int main(int argc, char** argv) {
   }
   bool good = true;
   for (int k = 2; k < argc; ++k) {
-    good = misalign::compare(misalign::schema::read_campaign_file(argv[k]),
-                             std::stoull(argv[1])) && good;
+    good = misalign::compare(misalign::schema::read_campaign_file(argv[k]), std::stoull(argv[1])) &&
+           good;
   }
   return good ? 0 : 1;
 }
