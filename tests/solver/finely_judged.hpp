@@ -22,13 +22,27 @@ struct FineVerdict {
   }
 };
 
+/// Whether a diagonal's step to this row is against its direction.
+inline bool steps_back(const FoldingHistory& history, Eigen::Index row,
+                       const std::vector<double>& before_mm, const std::vector<int>& directions,
+                       double band_mm) {
+  for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    if (directions[k] * (history.length_mm(row, d) - before_mm[k]) <= -band_mm) return true;
+  }
+  return false;
+}
+
 /// `base` as its path is sampled; all its sheets' diagonals are in use.
 inline FineVerdict judge_finely(const PerforatedSheet& base, PathPlanOptions path, double step_deg,
                                 const FlatVertices& vertices_mm) {
   const Verdict samples = record_history(Model(base, path), vertices_mm).verdict;
   FineVerdict verdict{samples};
-  if (samples.deploys_from_sample == 0) return verdict;
-  path.end_deg = samples.deploys_from_sample * path.sample_deg;
+  // D is put at 0 for an inactive diagonal once all is over: before that samples were in order.
+  if (samples.first_fault != Fault::inactive_diagonal) {
+    if (samples.deploys_from_sample == 0) return verdict;
+    path.end_deg = samples.deploys_from_sample * path.sample_deg;
+  }
   path.look_deg = step_deg;
   const Model fine(base, path);
   const FoldingHistory history = record_history(fine, vertices_mm);
@@ -44,11 +58,13 @@ inline FineVerdict judge_finely(const PerforatedSheet& base, PathPlanOptions pat
   for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
     const Station& station = history.stations[static_cast<std::size_t>(row)];
     if (station.sample == 0) continue;
+    const double band_mm = kStepBand_widths * width_mm;
+    if (steps_back(history, row, at_sample, directions, band_mm)) return verdict;
     double longest = 0;
     for (Eigen::Index d = 0; d < diagonals; ++d) {
       const auto k = static_cast<std::size_t>(d);
       const double step = history.length_mm(row, d) - at_sample[k];
-      if (directions[k] == 0 && std::abs(step) >= kStepBand_widths * width_mm) {
+      if (directions[k] == 0 && std::abs(step) >= band_mm) {
         directions[k] = step > 0 ? 1 : -1;
       }
       at_sample[k] = history.length_mm(row, d);
