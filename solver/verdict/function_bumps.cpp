@@ -85,7 +85,7 @@ FunctionBumps::Seen FunctionBumps::look_at_end(const Judge& judge, const PathFun
 }
 
 FunctionBumps::Stretch FunctionBumps::stretch(double from, double to) const {
-  // Flat is no node of two: without it one term is missing.
+  // The oldest node's: flat has a value only.
   const int terms = in_squares_ ? 1 : 2;
   return {from, to, kFunctionSafety * table_.largest_rate_change(from, to, terms)};
 }
