@@ -39,11 +39,12 @@ void FunctionObserver::ended(const PathResult& path, int lane) {
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
+      bumps_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) judges_.emplace_back(model);
+  for (int i = 0; i < lanes; ++i) judges_.emplace_back(model, bumps_);
 }
 
 JudgingObserver::~JudgingObserver() = default;

@@ -65,6 +65,7 @@ class JudgingObserver {
 
   const Model& model_;
   SheetQueue queue_;
+  SolvedBumps bumps_;
   std::vector<CloseJudge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;
   PathPoint point_;

@@ -2,11 +2,11 @@
 
 namespace misalign::solver {
 
-CloseJudge::CloseJudge(const Model& model)
+CloseJudge::CloseJudge(const Model& model, SolvedBumps& bumps)
     : model_(model),
       judge_(model.mechanism(), model.bumps()),
       last_(model.mechanism()),
-      bumps_(model.mechanism(), model.elimination()) {}
+      bumps_(bumps) {}
 
 CloseJudge::~CloseJudge() = default;
 CloseJudge::CloseJudge(CloseJudge&&) = default;

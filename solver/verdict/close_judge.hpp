@@ -11,8 +11,8 @@ namespace misalign::solver {
 
 class CloseJudge {
  public:
-  /// `model` must outlive this object.
-  explicit CloseJudge(const Model& model);
+  /// Both must outlive this object; judges may share `bumps`.
+  CloseJudge(const Model& model, SolvedBumps& bumps);
   ~CloseJudge();
   CloseJudge(CloseJudge&&);
 
@@ -32,7 +32,7 @@ class CloseJudge {
   bool is_over_ = false;
   double last_deg_ = 0;
   PathPoint last_;  // the last sample, where bumps are looked for exactly
-  SolvedBumps bumps_;
+  SolvedBumps& bumps_;
 };
 
 }  // namespace misalign::solver

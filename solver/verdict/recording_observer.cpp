@@ -18,10 +18,11 @@ RecordingObserver::RecordingObserver(const Model& model, int lanes, const Statio
     : model_(model),
       visit_(visit),
       queue_(model, lanes),
+      bumps_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) lanes_.push_back(Lane{CloseJudge(model)});
+  for (int i = 0; i < lanes; ++i) lanes_.push_back(Lane{CloseJudge(model, bumps_)});
 }
 
 RecordingObserver::~RecordingObserver() = default;

@@ -54,6 +54,7 @@ class RecordingObserver {
   const Model& model_;
   const StationVisitor* visit_;
   SheetQueue queue_;
+  SolvedBumps bumps_;
   std::vector<Lane> lanes_;
   std::vector<FoldingHistory> histories_;
   PathPoint point_;

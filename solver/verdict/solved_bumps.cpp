@@ -1,5 +1,6 @@
 #include "solver/verdict/solved_bumps.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/continuation/lane_corrector.hpp"
@@ -54,10 +55,10 @@ SolvedBumps::SolvedBumps(const Mechanism& mechanism, const Elimination& eliminat
     : mechanism_(mechanism), elimination_(elimination) {}
 
 SolvedBumps::~SolvedBumps() = default;
-SolvedBumps::SolvedBumps(SolvedBumps&&) = default;
 
 void SolvedBumps::put_flat(const SheetGeometry<double>& geometry, PathPoint& point) const {
-  point.state = flat_state<double>(mechanism_);
+  std::fill(point.state.creases.begin(), point.state.creases.end(), HalfAngle<double>{1, 0});
+  std::fill(point.state.balls.begin(), point.state.balls.end(), Quaternion<double>{1, 0, 0, 0});
   flat_lengths(mechanism_, geometry, point.lengths.data());
   std::fill(point.slopes.begin(), point.slopes.end(), 0.0);  // lengths begin like a square
   point.pilot_rate = 0;                                      // all branches meet there

@@ -25,7 +25,6 @@ class SolvedBumps {
   /// Both must outlive this object, which makes its workspace when it is first asked.
   SolvedBumps(const Mechanism& mechanism, const Elimination& elimination);
   ~SolvedBumps();
-  SolvedBumps(SolvedBumps&&);
 
   /// The flat sheet as the point before the first sample.
   void put_flat(const SheetGeometry<double>& geometry, PathPoint& point) const;
