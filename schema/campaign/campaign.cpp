@@ -89,7 +89,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
-  accept.flag("between_samples", campaign.between_samples);
+  read_between_samples(accept, campaign.between_samples);
   const bool numbers_good = faults.count() == before;
   path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
@@ -256,7 +256,7 @@ Json campaign_json(const Campaign& campaign) {
           {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
           {"accept",
            {{"deploys_from_deg", campaign.threshold_deg},
-            {"between_samples", campaign.between_samples}}},
+            {"between_samples", between_samples_json(campaign.between_samples)}}},
           {"seed", campaign.seed},
           {"stop",
            {{"draws", or_null(campaign.stop.draws)},

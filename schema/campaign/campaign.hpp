@@ -41,7 +41,7 @@ struct Campaign {
   double sample_deg = 1;
   double end_deg = 180;
   double threshold_deg = 170;
-  bool between_samples = false;  ///< whether a bump between samples is a fault
+  solver::BumpRule between_samples = solver::BumpRule::ignored;
   std::uint64_t seed = 1;
   StopRule stop;
   solver::Actuators actuators;  ///< outside the identity: what is shown of candidates

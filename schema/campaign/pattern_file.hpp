@@ -7,6 +7,7 @@
 
 #include "schema/files/input.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "solver/verdict/between.hpp"
 
 namespace misalign::schema {
 
@@ -33,9 +34,13 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
 /// Where a path is looked at, and what counts as a fault between.
 struct Sampling {
   double sample_deg = 1, end_deg = 180;
-  bool between_samples = false;
+  solver::BumpRule between_samples = solver::BumpRule::ignored;
 };
 Json sampling_json(const Sampling& sampling);
+
+/// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact".
+void read_between_samples(ObjectReader& reader, solver::BumpRule& rule);
+Json between_samples_json(solver::BumpRule rule);
 
 struct PatternFile {
   Pattern pattern;

@@ -128,16 +128,6 @@ void ObjectReader::whole(const std::string& key, std::uint64_t& into, std::uint6
   }
 }
 
-void ObjectReader::flag(const std::string& key, bool& into) {
-  const Json* value = find(key);
-  if (!value) return;
-  if (value->is_boolean()) {
-    into = value->get<bool>();
-  } else {
-    faults_.add(shown(key), "must be true or false", "write true or false");
-  }
-}
-
 void ObjectReader::text(const std::string& key, std::string& into, const std::string& suggestion) {
   const Json* value = find(key);
   if (!value) return;

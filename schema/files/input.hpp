@@ -69,7 +69,6 @@ class ObjectReader {
               const std::string& suggestion);
   void whole(const std::string& key, std::uint64_t& into, std::uint64_t most,
              const std::string& suggestion);
-  void flag(const std::string& key, bool& into);
   void text(const std::string& key, std::string& into, const std::string& suggestion);
 
   /// Reports every key that nobody asked for.

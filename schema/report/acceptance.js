@@ -33,10 +33,11 @@ function asked(configuration) {
     misalignment.levels === "ternary"
       ? `−${misalignment.amplitude_mm}, 0 or +${misalignment.amplitude_mm} mm`
       : `${misalignment.levels} up to ±${misalignment.amplitude_mm} mm`;
+  const exactly = accept.between_samples === "exact" ? "exactly " : "";
   return (
     `${sheet}; ${holes}. Each draw shifts x and y of ${which} by ${levels}. A draw is accepted when every diagonal ` +
     `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${accept.between_samples ? ", between the samples too" : ""} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
+    `${accept.between_samples ? `, ${exactly}between the samples too` : ""} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
   );
 }
 

@@ -22,13 +22,14 @@ export function show_pattern(report) {
   const { name, sampling } = report.pattern,
     { panels, holes, creases, ball_joints } = report.sheet,
     shifts = Object.keys(report.details[0].displacements_mm).length;
+  const exactly = sampling.between_samples === "exact" ? "exactly " : "";
   document.querySelector("#overview .eyebrow").textContent = "Pattern";
   by_id("campaign-name").textContent = name;
   by_id("asked").textContent =
     `${plural(panels.length, "panel")}, ${plural(holes.length, "hole")}, ${plural(creases.length, "crease")} and ${plural(ball_joints.length, "ball joint")}; ` +
     `${shifts ? `${plural(shifts, "vertex", "vertices")} shifted` : "no vertex is shifted"}. ` +
     `Followed from flat on, with samples every ${degrees(sampling.sample_deg)} up to ${degrees(sampling.end_deg)}` +
-    `${sampling.between_samples ? ", and looked at between them" : ""}. One sheet, of no campaign.`;
+    `${sampling.between_samples ? `, and looked at ${exactly}between them` : ""}. One sheet, of no campaign.`;
   let past_words = false;
   for (const part of by_id("overview").children) {
     if (past_words) part.hidden = true;

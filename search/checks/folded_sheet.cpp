@@ -33,9 +33,10 @@ FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   folded.path = solver::record_shapes(model_, folded.vertices_mm);
   folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
   if (folded.path.history.verdict.deploys_from_sample > 0) {
-    folded.metrics = solver::measure(
-        base_.base, folded.vertices_mm,
-        solver::record_of(model_, folded.vertices_mm, folded.path.history), sampling_.sample_deg);
+    solver::FoldingHistory& history = folded.path.history;
+    const solver::PathRecord record = solver::record_of(model_, folded.vertices_mm, history);
+    take_bump(record, history);
+    folded.metrics = solver::measure(base_.base, folded.vertices_mm, record, sampling_.sample_deg);
   }
   return folded;
 }

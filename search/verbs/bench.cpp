@@ -62,8 +62,9 @@ class ReferenceRun {
                double longest_step_deg = solver::PathPlanOptions{}.longest_step_deg)
       : campaign_(campaign),
         base_(campaign.pattern.base),
-        plan_(solver::plan_path(mechanism, base_.folding, base_.sheet.vertices_mm,
-                                path_options(campaign, longest_step_deg))),
+        plan_(solver::plan_path(
+            mechanism, base_.folding, base_.sheet.vertices_mm,
+            solver::reference_path(campaign.path(), longest_step_deg, campaign.between_samples))),
         reference_(mechanism, plan_, campaign.between_samples) {}
 
   solver::Verdict judge(std::uint64_t draw) {
@@ -72,13 +73,6 @@ class ReferenceRun {
   const solver::PathResult& path() const { return reference_.path(); }
 
  private:
-  static solver::PathPlanOptions path_options(const schema::Campaign& campaign,
-                                              double longest_step_deg) {
-    solver::PathPlanOptions options = campaign.path();
-    options.longest_step_deg = longest_step_deg;
-    return options;
-  }
-
   const schema::Campaign& campaign_;
   const solver::PerforatedSheet& base_;
   const solver::PathPlan plan_;
@@ -235,8 +229,9 @@ class Comparison {
   // The fast path accepts what its tests leave and its full path takes as far as the threshold.
   template <class Chosen>
   void decide(int threshold, const Chosen& is_chosen) {
-    const solver::Model model(campaign_.pattern.base, campaign_.misalignment.vertices,
-                              campaign_.path(), threshold, campaign_.between_samples);
+    schema::Campaign aims = campaign_;
+    aims.threshold_deg = threshold * campaign_.sample_deg;
+    const solver::Model model = model_of(aims);
     const auto batch = solver::make_batch(set_, model);
     solver::ShiftBlock block;
     std::vector<std::uint64_t> in_block;

@@ -6,6 +6,7 @@
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
+#include "solver/verdict/path_record.hpp"
 
 namespace misalign::search {
 namespace {
@@ -24,7 +25,8 @@ void fold(const FoldCall& call) {
   path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
   path.look_deg = call.step_deg;
   const solver::Model model(pattern.base, path, sampling.between_samples);
-  const auto history = solver::record_history(model, pattern.vertices_mm());
+  auto history = solver::record_history(model, pattern.vertices_mm());
+  take_bump(solver::record_of(model, pattern.vertices_mm(), history), history);
   const schema::FoldingView view{pattern, pattern.shifts_mm, model.mechanism(), history,
                                  sampling.sample_deg};
   call.json ? put_json(schema::folding_json(view)) : put_folding(view, call.table);

@@ -1,6 +1,7 @@
 #include "solver/continuation/hermite.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -43,6 +44,12 @@ void HermiteTable::add(double x, const double* values, const double* rates) {
     std::copy_n(values, functions_, row(order_));
     std::copy_n(rates, functions_, rates_.data() + order_ * functions_);
   }
+}
+
+void HermiteTable::add_value(double x, const double* values) {
+  nodes_[order_] = x;
+  std::copy_n(values, functions_, row(order_));
+  ++order_;
 }
 
 void HermiteTable::finish() {
@@ -90,6 +97,46 @@ double HermiteTable::second_rate(int function, double x) const {
     sum = sum * (x - nodes_[k]) + row(k)[function];
   }
   return 2 * half;
+}
+
+void HermiteTable::find_rate(int function, double from, double to, double* coefficients) const {
+  assert(order_ <= kMostOrder);
+  const double width = to - from;
+  double powers[kMostOrder] = {row(order_ - 1)[function]};  // of (x - from) / width
+  for (int k = order_ - 2, degree = 0; k >= 0; --k) {
+    const double at = from - nodes_[k];
+    ++degree;
+    for (int i = degree; i > 0; --i) powers[i] = powers[i] * at + powers[i - 1] * width;
+    powers[0] = powers[0] * at + row(k)[function];
+  }
+  const int degree = order_ - 2;
+  for (int i = 0; i <= degree; ++i) coefficients[i] = (i + 1) * powers[i + 1] / width;
+  // From powers to Bernstein's polynomials: running sums of the coefficients over binomials.
+  double binomial = 1;
+  for (int i = 0; i <= degree; ++i) {
+    coefficients[i] /= binomial;
+    binomial *= static_cast<double>(degree - i) / (i + 1);
+  }
+  for (int j = 1; j <= degree; ++j) {
+    for (int i = degree; i >= j; --i) coefficients[i] += coefficients[i - 1];
+  }
+}
+
+double HermiteTable::largest_rate_change(double from, double to, int last_terms) const {
+  // The derivative of the product of the distances to the first nodes, each as far as it gets.
+  double product = 1, rate = 0, most = 0, change[kMostOrder] = {};
+  for (int k = 0; k < order_; ++k) {
+    change[k] = rate;
+    const double far = std::max(std::abs(from - nodes_[k]), std::abs(to - nodes_[k]));
+    rate = rate * far + product;
+    product *= far;
+  }
+  for (int f = 0; f < functions_; ++f) {
+    double sum = 0;
+    for (int k = order_ - last_terms; k < order_; ++k) sum += std::abs(row(k)[f]) * change[k];
+    most = std::max(most, sum);
+  }
+  return most;
 }
 
 void HermiteTable::last_products(double x, double& before, double& last) const {

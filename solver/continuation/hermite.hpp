@@ -15,6 +15,9 @@ void hermite_weights(const double* nodes, int count, const double* origin, doubl
 /// n nodes; Stoer & Bulirsch, Introduction to Numerical Analysis, 2.1.5).
 class HermiteTable {
  public:
+  /// At most, for one that is asked for a rate's coefficients.
+  static constexpr int kMostOrder = 12;
+
   /// Room for so many functions and nodes. Allocates nothing afterwards.
   HermiteTable(int functions, int most_nodes);
 
@@ -22,6 +25,8 @@ class HermiteTable {
   void begin() { order_ = 0; }
   /// The next node: values and rates of all functions there.
   void add(double x, const double* values, const double* rates);
+  /// The same without rates, after all others.
+  void add_value(double x, const double* values);
   /// Once all nodes are there.
   void finish();
 
@@ -35,6 +40,12 @@ class HermiteTable {
   double last_terms(int function, double x) const;
   /// The largest of any function.
   double largest_last_terms(double x) const;
+  /// A function's rate on [from, to] by its Bernstein coefficients, which enclose it: order() - 1
+  /// of them.
+  void find_rate(int function, double from, double to, double* coefficients) const;
+  /// By how much the rate of any function would change anywhere on [from, to], at most, without the
+  /// last terms: so many of them.
+  double largest_rate_change(double from, double to, int last_terms) const;
   /// The first so many functions at once, their values and last terms.
   void find_values(double x, int functions, double* values, double* last_terms) const;
   /// The same with rates.

@@ -12,10 +12,6 @@ constexpr double kFastEnough = 0.6;
 // Of a solved point's length, and per radian of the piece for each unit of the tangent's misfit.
 constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
-// Terms do not always fall: the largest error that was seen was 36 times the largest last terms of
-// all diagonals, in 5 million angles of 110,000 sheets; in all but one family 11 times.
-constexpr double kSafety = 60;
-
 double angle_rad(const HalfAngle<double>& rho) { return 2 * std::atan2(rho.s, rho.c); }
 
 }  // namespace
@@ -145,13 +141,13 @@ double PathFunction::pilot_slope(double x) const {
 }
 
 double PathFunction::pilot_error(double x) const {
-  return variable_ == pilot_ ? 0 : kSafety * table_.largest_last_terms(x) + 1e-14;
+  return variable_ == pilot_ ? 0 : kFunctionSafety * table_.largest_last_terms(x) + 1e-14;
 }
 
 // Its own last terms may vanish by accident.
 double PathFunction::pilot_error(double x, double largest_of_lengths) const {
   if (variable_ == pilot_) return 0;
-  return kSafety * std::max(largest_of_lengths, table_.last_terms(diagonals_, x)) + 1e-14;
+  return kFunctionSafety * std::max(largest_of_lengths, table_.last_terms(diagonals_, x)) + 1e-14;
 }
 
 double PathFunction::pilot_rise() const {
@@ -202,7 +198,7 @@ double PathFunction::turning_point() const {
   return 0.5 * (low + high);
 }
 
-double PathFunction::floor() const {
+double PathFunction::node_error() const {
   return kNodeError_widths + kErrorPerMisfit * node(0).misfit * (to() - from());
 }
 
@@ -210,7 +206,8 @@ void PathFunction::find_lengths(double x, std::vector<double>& lengths,
                                 std::vector<double>& errors) const {
   if (variable_ == pilot_) {
     table_.find_values(x, diagonals_, lengths.data(), errors.data());
-    const double all = kSafety * *std::max_element(errors.begin(), errors.end()) + floor();
+    const double all =
+        kFunctionSafety * *std::max_element(errors.begin(), errors.end()) + node_error();
     std::fill(errors.begin(), errors.end(), all);
     return;
   }
@@ -218,7 +215,7 @@ void PathFunction::find_lengths(double x, std::vector<double>& lengths,
   const double largest = *std::max_element(errors.begin(), errors.end());
   const double off = pilot_error(x, largest) / pilot_slope(x);
   for (int d = 0; d < diagonals_; ++d) {
-    errors[d] = kSafety * largest + floor() + std::abs(scratch_[d]) * off;
+    errors[d] = kFunctionSafety * largest + node_error() + std::abs(scratch_[d]) * off;
   }
 }
 
@@ -228,9 +225,9 @@ void PathFunction::look(double x, PathEstimate& estimate) const {
   const double largest =
       *std::max_element(estimate.length_errors.begin(), estimate.length_errors.end());
   const double per_slope = 1 / pilot_slope(x), off = pilot_error(x, largest) * per_slope;
-  const double all = kSafety * largest;
+  const double all = kFunctionSafety * largest;
   for (int d = 0; d < diagonals_; ++d) {
-    estimate.length_errors[d] = all + std::abs(estimate.slopes[d]) * off + floor();
+    estimate.length_errors[d] = all + std::abs(estimate.slopes[d]) * off + node_error();
     estimate.slopes[d] *= per_slope;
   }
 }

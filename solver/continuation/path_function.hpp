@@ -37,6 +37,10 @@ enum class Answer {
   unsure   ///< the errors are too large for what it wants to know: a shorter piece is wanted
 };
 
+/// Terms do not always fall: the largest error that was seen was 36 times the largest last terms of
+/// all diagonals, in 5 million angles of 110,000 sheets; in all but one family 11 times.
+inline constexpr double kFunctionSafety = 60;
+
 /// What is known of the diagonals at a point between nodes.
 struct PathEstimate {
   explicit PathEstimate(const Mechanism& mechanism);
@@ -95,6 +99,9 @@ class PathFunction {
   double pilot(double x) const;
   double pilot_slope(double x) const;
   double pilot_error(double x) const;
+  /// What the polynomials' own terms do not say of a length's error: that of a node, and of its
+  /// tangent (panel widths).
+  double node_error() const;
   /// How far the pilot still goes on from the node at the turn.
   double pilot_rise() const;
   /// Where on the way from the oldest node kept the pilot has this angle; it must grow there.
@@ -122,7 +129,6 @@ class PathFunction {
   void make_table();
   double turning_point() const;
   double pilot_error(double x, double largest_of_lengths) const;
-  double floor() const;
 
   const Mechanism& mechanism_;
   const int pilot_, diagonals_;

@@ -50,7 +50,7 @@ class LaneBatch final : public Batch {
   const std::vector<Verdict>& judge(const ShiftBlock& block) override {
     const SheetBlock sheets(model_, block);
     judging_.begin(sheets);
-    if (!model_.bump_is_fault()) {
+    if (model_.bumps() != BumpRule::by_cubic) {
       functions_.begin(sheets, judging_.verdicts());
       node_follower_.run(functions_);
       judging_.only(functions_.left());

@@ -7,7 +7,7 @@ namespace misalign::solver {
 FunctionObserver::FunctionObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
-      judges_(static_cast<std::size_t>(lanes), FunctionJudge(model.mechanism())),
+      judges_(static_cast<std::size_t>(lanes), FunctionJudge(model.mechanism(), model.bumps())),
       flat_(model.mechanism().diagonals.size()) {}
 
 FunctionObserver::~FunctionObserver() = default;
@@ -39,11 +39,13 @@ void FunctionObserver::ended(const PathResult& path, int lane) {
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
-      judges_(lanes, Judge(model.mechanism(), model.bump_is_fault())),
+      bumps_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
       dense_state_(model.mechanism()),
-      fallback_(model.mechanism()) {}
+      fallback_(model.mechanism()) {
+  for (int i = 0; i < lanes; ++i) judges_.emplace_back(model, bumps_);
+}
 
 JudgingObserver::~JudgingObserver() = default;
 
@@ -56,7 +58,7 @@ void JudgingObserver::begin(const SheetBlock& block) {
 bool JudgingObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
   flat_lengths(model_.mechanism(), *start.geometry, point_.lengths.data());
-  judges_[lane].begin(point_.lengths);
+  judges_[lane].begin(*start.geometry, point_.lengths);
   return true;
 }
 
@@ -67,8 +69,9 @@ bool JudgingObserver::see(const Station& station, int lane) {
     const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
     if (is_unsure || is_open(geometry)) dense_state_.find(geometry, point_.state, point_);
   }
-  return judges_[lane].see(station, &point_.state, point_.lengths,
-                           wants_slopes() ? &point_.slopes : nullptr, point_.pilot_rate);
+  CloseJudge& judge = judges_[static_cast<std::size_t>(lane)];
+  return judge.see(station, point_, wants_slopes(),
+                   judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
 }
 
 bool JudgingObserver::is_open(const SheetGeometry<double>& geometry) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/lanes/batch.hpp"
+#include "solver/verdict/close_judge.hpp"
 #include "solver/verdict/dense_fallback.hpp"
 #include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/function_judge.hpp"
@@ -49,7 +50,7 @@ class JudgingObserver {
   void only(const std::vector<int>& sheets) { queue_.begin_again(sheets); }
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
-  bool wants_slopes() const { return model_.bump_is_fault(); }
+  bool wants_slopes() const { return model_.bumps() != BumpRule::ignored; }
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.
@@ -64,7 +65,8 @@ class JudgingObserver {
 
   const Model& model_;
   SheetQueue queue_;
-  std::vector<Judge> judges_;  // of lanes
+  SolvedBumps bumps_;
+  std::vector<CloseJudge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;
   PathPoint point_;
   std::vector<double> residual_;

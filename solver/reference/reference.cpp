@@ -1,15 +1,30 @@
 #include "solver/reference/reference.hpp"
 
+#include <algorithm>
+
 #include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::solver {
+namespace {
 
-Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, bool bump_is_fault)
+// Cubics between are off by its fourth power / 384: 2e-14 for a fourth derivative of one panel
+// width per rad^4.
+constexpr double kLookBetween_deg = 0.1;
+
+}  // namespace
+
+PathPlanOptions reference_path(PathPlanOptions path, double longest_step_deg, BumpRule bumps) {
+  path.longest_step_deg = longest_step_deg;
+  if (bumps == BumpRule::exact) path.look_deg = std::min(longest_step_deg, kLookBetween_deg);
+  return path;
+}
+
+Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, BumpRule bumps)
     : mechanism_(mechanism),
       plan_(plan),
       tracker_(mechanism),
-      bump_is_fault_(bump_is_fault),
-      judge_(mechanism, bump_is_fault),
+      bumps_(bumps),
+      judge_(mechanism, bumps),
       dense_state_(mechanism),
       point_(mechanism) {}
 
@@ -17,18 +32,65 @@ Verdict Reference::judge(const FlatVertices& vertices_mm) {
   place(mechanism_, vertices_mm, geometry_);
   flat_lengths(mechanism_, geometry_, point_.lengths.data());
   judge_.begin(point_.lengths);
-  path_ = tracker_.follow(geometry_, plan_,
-                          [&](const Station& station, const FoldState<double>& state) {
-                            if (station.sample == 0) return true;
-                            if (bump_is_fault_) {
-                              dense_state_.find(geometry_, state, point_);
-                              return judge_.see(station, &point_.state, point_.lengths,
-                                                &point_.slopes, point_.pilot_rate);
-                            }
-                            folded_lengths(mechanism_, geometry_, state, point_.lengths.data());
-                            return judge_.see(station, &state, point_.lengths);
-                          });
+  if (bumps_ == BumpRule::exact) {
+    std::fill(point_.slopes.begin(), point_.slopes.end(), 0.0);
+    point_.pilot_rate = 0;
+    visited_.assign(1, {0, point_});
+  }
+  path_ = tracker_.follow(
+      geometry_, plan_,
+      [&](const Station& station, const FoldState<double>& state) { return see(station, state); });
   return judge_.conclude(path_);
+}
+
+bool Reference::see(const Station& station, const FoldState<double>& state) {
+  if (bumps_ == BumpRule::exact) {
+    dense_state_.find(geometry_, state, point_);
+    return see_exactly(station);
+  }
+  if (station.sample == 0) return true;
+  if (bumps_ == BumpRule::by_cubic) {
+    dense_state_.find(geometry_, state, point_);
+    return judge_.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
+  }
+  folded_lengths(mechanism_, geometry_, state, point_.lengths.data());
+  return judge_.see(station, &state, point_.lengths);
+}
+
+bool Reference::see_exactly(const Station& station) {
+  visited_.push_back({station.pilot_deg, point_});
+  if (station.sample == 0) return true;
+  if (!judge_.is_in_order(&point_.state, point_.lengths)) return false;
+  const int where = longest_way_back();
+  if (where >= 0) {
+    judge_.end(Fault::bump, where);
+    return false;
+  }
+  judge_.take(station, point_.lengths);
+  visited_.assign(1, {station.pilot_deg, point_});
+  return true;
+}
+
+// Of the diagonals that go back by the band or more, the one that does the most; -1: none does.
+int Reference::longest_way_back() const {
+  int where = -1;
+  double longest = 0;
+  for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
+    if (judge_.direction(d) == 0) continue;
+    const auto k = static_cast<std::size_t>(d);
+    WayBack way;
+    for (std::size_t i = 1; i < visited_.size(); ++i) {
+      const PathPoint &from = visited_[i - 1].point, &to = visited_[i].point;
+      way.go_along(cubic_between({from.lengths[k], from.slopes[k]}, {to.lengths[k], to.slopes[k]},
+                                 (visited_[i].pilot_deg - visited_[i - 1].pilot_deg) * kRadPerDeg,
+                                 from.pilot_rate > 0 ? to.pilot_rate / from.pilot_rate : 1,
+                                 judge_.direction(d)));
+    }
+    if (way.longest < kBumpBand_widths || way.longest <= longest) continue;
+    longest = way.longest;
+    where = d;
+  }
+  return where;
 }
 
 }  // namespace misalign::solver

@@ -11,11 +11,16 @@
 
 namespace misalign::solver {
 
+/// The stations of a plan for a Reference: where it looks for bumps exactly, every tenth of a
+/// degree at least.
+PathPlanOptions reference_path(PathPlanOptions path, double longest_step_deg, BumpRule bumps);
+
 class Reference {
  public:
   /// Both must outlive this object, which allocates nothing once it has judged a sheet.
-  /// `bump_is_fault`: see Judge.
-  Reference(const Mechanism& mechanism, const PathPlan& plan, bool bump_is_fault = false);
+  /// Bumps that are looked for exactly: by cubics between the plan's stations, which are to be
+  /// visited closely.
+  Reference(const Mechanism& mechanism, const PathPlan& plan, BumpRule bumps = BumpRule::ignored);
 
   Verdict judge(const FlatVertices& vertices_mm);
 
@@ -23,14 +28,23 @@ class Reference {
   const PathResult& path() const { return path_; }
 
  private:
+  bool see(const Station& station, const FoldState<double>& state);
+  bool see_exactly(const Station& station);
+  int longest_way_back() const;
+
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   PathTracker tracker_;
-  const bool bump_is_fault_;
+  const BumpRule bumps_;
   Judge judge_;
   SheetGeometry<double> geometry_;
   DenseState dense_state_;  // for slopes, which bumps are seen by
   PathPoint point_;
+  struct Visited {
+    double pilot_deg;
+    PathPoint point;
+  };
+  std::vector<Visited> visited_;  // from the last sample on, where bumps are looked for exactly
   PathResult path_{};
 };
 

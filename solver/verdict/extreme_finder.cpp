@@ -101,7 +101,9 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
     }
     back_since_deg_[d] = goes_on ? 0 : from_deg;
     if (!is_in_order || !goes_on || seen.back < kBumpBand_widths) continue;
-    extremes_.bump_deg = std::min(extremes_.bump_deg.value_or(from_deg), from_deg);
+    if (extremes_.bump_deg && *extremes_.bump_deg <= from_deg) continue;
+    extremes_.bump_deg = from_deg;
+    extremes_.bump_where = d;
   }
   if (first_of >= 0 && reversal_.diagonal < 0) note_reversal(first_of, first_x, function);
   last_deg_ = station.pilot_deg;

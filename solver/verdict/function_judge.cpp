@@ -14,14 +14,16 @@ constexpr double kInactiveError_widths = 1e-9, kLimitError_rad = 1e-8;
 
 }  // namespace
 
-FunctionJudge::FunctionJudge(const Mechanism& mechanism)
+FunctionJudge::FunctionJudge(const Mechanism& mechanism, BumpRule bumps)
     : mechanism_(mechanism),
       judge_(mechanism),
       here_(mechanism),
       again_(mechanism),
       last_(mechanism.diagonals.size()),
       last_errors_(last_),
-      state_(flat_state<double>(mechanism)) {}
+      state_(flat_state<double>(mechanism)) {
+  if (bumps == BumpRule::exact) bumps_.emplace(mechanism);
+}
 
 FunctionJudge::~FunctionJudge() = default;
 FunctionJudge::FunctionJudge(const FunctionJudge&) = default;
@@ -37,6 +39,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
   last_ = flat_lengths;
   std::fill(last_errors_.begin(), last_errors_.end(), 0.0);
   judge_.begin(flat_lengths);
+  if (bumps_) bumps_->begin(flat_lengths);
 }
 
 Answer FunctionJudge::see(const PathFunction& function) {
@@ -45,42 +48,70 @@ Answer FunctionJudge::see(const PathFunction& function) {
   const double end = function.end(), end_rad = function.pilot(end);
   const double end_error = turns ? function.pilot_error(end) + kLimitError_rad : 0;
   const bool clear = function.creases_are_clear();
+  if (bumps_) {
+    is_sure_ = FunctionBumps::can_look(function);  // otherwise the next piece looks at this one too
+    if (!is_sure_) return turns ? Answer::lost : Answer::go_on;
+    bumps_->begin_piece(function);
+  }
   for (; next_ < plan_->stations.size(); ++next_) {
     const Station& station = plan_->stations[next_];
     const double pilot_rad = station.pilot_deg * kRadPerDeg;
     if (turns && std::abs(pilot_rad - end_rad) <= end_error) return unsure();
-    if (pilot_rad > end_rad + (turns ? 0 : 1e-12)) return Answer::go_on;
+    if (pilot_rad > end_rad + (turns ? 0 : 1e-12)) break;
     if (station.pilot_deg > NodeControlOptions{}.last_deg) return lost();
     if (station.sample == 0) continue;
     const double x = function.locate(pilot_rad);
     function.find_lengths(x, here_.lengths, here_.length_errors);
-    bool in_order = clear;
-    if (!clear) {
-      const double error = function.find_creases(x, state_.creases);
-      in_order = true;
-      for (std::size_t k = 0; k < state_.creases.size(); ++k) {
-        const HalfAngle<double>& rho = state_.creases[k];
-        const double s = rho.s * mechanism_.creases[k].assignment;
-        if (std::abs(rho.c - kLeastCosine) <= error || std::abs(s) <= error) {
-          return unsure();
-        }
-        in_order = in_order && rho.c > kLeastCosine && s > 0;
-      }
-    }
-    if (!is_decisive()) {
-      know_last_better(function);
-      if (!is_decisive()) return unsure();
-    }
-    if (!judge_.see(station, in_order ? nullptr : &state_, here_.lengths)) {
-      fault_known_ = true;
-      return Answer::enough;
-    }
+    const std::optional<bool> in_order = clear ? true : find_creases(x, function);
+    if (!in_order) return unsure();
+    const Answer answer = judge(station, x, *in_order, function);
+    if (answer != Answer::go_on) return answer;
     std::swap(last_, here_.lengths);
     std::swap(last_errors_, here_.length_errors);
     last_rad_ = pilot_rad;
     rows_.insert(rows_.end(), last_.begin(), last_.end());
     ++samples_;
   }
+  const bool goes_on = !turns && next_ < plan_->stations.size();
+  if (bumps_ && goes_on && bumps_->look_at_end(judge_, function) == FunctionBumps::Seen::unsure) {
+    return unsure();
+  }
+  return Answer::go_on;
+}
+
+// Whether they are in order, if that is certain.
+std::optional<bool> FunctionJudge::find_creases(double x, const PathFunction& function) {
+  const double error = function.find_creases(x, state_.creases);
+  bool in_order = true;
+  for (std::size_t k = 0; k < state_.creases.size(); ++k) {
+    const HalfAngle<double>& rho = state_.creases[k];
+    const double s = rho.s * mechanism_.creases[k].assignment;
+    if (std::abs(rho.c - kLeastCosine) <= error || std::abs(s) <= error) return std::nullopt;
+    in_order = in_order && rho.c > kLeastCosine && s > 0;
+  }
+  return in_order;
+}
+
+// The sample at this point of the piece, and the way to it.
+Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_order,
+                            const PathFunction& function) {
+  if (!is_decisive()) {
+    know_last_better(function);
+    if (!is_decisive()) return unsure();
+  }
+  fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, here_.lengths);
+  if (fault_known_) return Answer::enough;
+  if (bumps_) {
+    const FunctionBumps::Seen seen = bumps_->look_at_sample(x, judge_, function);
+    if (seen == FunctionBumps::Seen::unsure) return unsure();
+    fault_known_ = seen == FunctionBumps::Seen::back;
+    if (fault_known_) {
+      judge_.end(Fault::bump, bumps_->where());
+      return Answer::enough;
+    }
+    bumps_->take(station.pilot_deg * kRadPerDeg);
+  }
+  judge_.take(station, here_.lengths);
   return Answer::go_on;
 }
 

@@ -2,16 +2,18 @@
 // certain. What hangs on their error is not said: such a sheet is for the close steps.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/continuation/path_function.hpp"
-#include "solver/verdict/verdict.hpp"
+#include "solver/verdict/function_bumps.hpp"
 
 namespace misalign::solver {
 
 class FunctionJudge {
  public:
-  explicit FunctionJudge(const Mechanism& mechanism);
+  /// Bumps are ignored or looked for exactly; cubics between samples are for close steps.
+  explicit FunctionJudge(const Mechanism& mechanism, BumpRule bumps = BumpRule::ignored);
   ~FunctionJudge();
   FunctionJudge(const FunctionJudge&);
 
@@ -32,6 +34,9 @@ class FunctionJudge {
   int direction(int diagonal) const { return judge_.direction(diagonal); }
 
  private:
+  Answer judge(const Station& station, double x, bool creases_in_order,
+               const PathFunction& function);
+  std::optional<bool> find_creases(double x, const PathFunction& function);
   bool is_decisive();
   void know_last_better(const PathFunction& function);
   Answer lost() {
@@ -53,6 +58,7 @@ class FunctionJudge {
   int samples_ = 0;
   std::vector<double> last_, last_errors_, rows_;
   FoldState<double> state_;
+  std::optional<FunctionBumps> bumps_;  // where they are looked for
 };
 
 }  // namespace misalign::solver

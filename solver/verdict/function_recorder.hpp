@@ -38,7 +38,7 @@ class FunctionRecorder {
   /// Of every sheet of the block; says which are left for the close steps.
   const std::vector<int>& record(const SheetBlock& block) {
     records_.begin(block);
-    if (model_.bump_is_fault()) {
+    if (model_.bumps() == BumpRule::by_cubic) {
       records_.leave_all();  // cubics between solved samples judge bumps
       return records_.left();
     }

@@ -28,7 +28,7 @@ FunctionRecords::FunctionRecords(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
       lanes_(static_cast<std::size_t>(lanes),
-             Lane{FunctionJudge(model.mechanism()),
+             Lane{FunctionJudge(model.mechanism(), model.bumps()),
                   ExtremeFinder(model.mechanism().diagonal_count())}),
       solved_(static_cast<std::size_t>(lanes)),
       flat_(model.mechanism().diagonals.size()),
@@ -182,6 +182,10 @@ std::optional<double> FunctionRecords::conclude(const PathResult& path,
   record.verdict = *verdict;
   record.path = path;
   record.extremes = one.finder.extremes();
+  if (model_.bumps() == BumpRule::exact) {  // none: it would have ended D
+    record.extremes.bump_deg.reset();
+    record.extremes.bump_where = -1;
+  }
   made.reversal = one.finder.first_reversal();
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();

@@ -49,6 +49,7 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
   record.miscut_margin_mm = history.miscut_margin_mm;
   for (const double length_mm : history.flat_mm) record.flat.push_back(length_mm / width_mm);
   record.extremes.least_slope = history.between.least_slope;
+  record.extremes.bump_where = history.between.bump_where;
   if (history.between.bump_where >= 0) record.extremes.bump_deg = history.between.bump_deg;
   record.extremes.reverses_deg = first_reversal_deg(history, width_mm);
   for (std::size_t i = 0; i < history.stations.size(); ++i) {
@@ -81,6 +82,11 @@ PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
   const bool is_whole = !function.lengths.empty();
   if (is_whole) record.extremes = function.extremes;
   return record;
+}
+
+void take_bump(const PathRecord& record, FoldingHistory& history) {
+  history.between.bump_where = record.extremes.bump_where;
+  history.between.bump_deg = record.extremes.bump_deg.value_or(0);
 }
 
 }  // namespace misalign::solver

@@ -14,6 +14,7 @@ struct PathExtremes {
   double least_slope = std::numeric_limits<double>::infinity();
   /// Where a diagonal first goes back, and on again before D without a sample having shown it.
   std::optional<double> bump_deg;
+  int bump_where = -1;  ///< which one
   /// Where a diagonal first turns back, up to the last sample that was followed.
   std::optional<double> reverses_deg;
 };
@@ -37,6 +38,9 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
 /// The same with the extremes of the path as a function.
 PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
                      const FoldingHistory& history);
+
+/// Puts the first bump of a path's record into its history, instead of the cubics'.
+void take_bump(const PathRecord& record, FoldingHistory& history);
 
 /// Of the sheet with these vertices, as a campaign's draws are measured.
 PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);

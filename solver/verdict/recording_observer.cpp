@@ -18,10 +18,12 @@ RecordingObserver::RecordingObserver(const Model& model, int lanes, const Statio
     : model_(model),
       visit_(visit),
       queue_(model, lanes),
-      lanes_(lanes, Lane{Judge(model.mechanism(), model.bump_is_fault())}),
+      bumps_(model.mechanism(), model.elimination()),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
-      fallback_(model.mechanism()) {}
+      fallback_(model.mechanism()) {
+  for (int i = 0; i < lanes; ++i) lanes_.push_back(Lane{CloseJudge(model, bumps_)});
+}
 
 RecordingObserver::~RecordingObserver() = default;
 
@@ -45,7 +47,7 @@ bool RecordingObserver::next(PathStart& start, int lane) {
   history = {};
   history.flat_mm.resize(model_.mechanism().diagonals.size());
   flat_lengths(model_.mechanism(), *start.geometry, history.flat_mm.data());
-  judge.begin(history.flat_mm);
+  judge.begin(*start.geometry, history.flat_mm);
   for (double& length : history.flat_mm) length *= model_.mechanism().panel_width_mm;
   return true;
 }
@@ -64,7 +66,8 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
   const double width_mm = model_.mechanism().panel_width_mm;
   auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
   if (station.sample > 0) {
-    judge.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
+    judge.see(station, point_, true,
+              judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
   }
   history.stations.push_back(station);
   for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "solver/verdict/close_judge.hpp"
 #include "solver/verdict/dense_fallback.hpp"
 #include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/history.hpp"
@@ -45,7 +46,7 @@ class RecordingObserver {
 
  private:
   struct Lane {
-    Judge judge;
+    CloseJudge judge;
     FoldingHistory history{};
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
   };
@@ -53,6 +54,7 @@ class RecordingObserver {
   const Model& model_;
   const StationVisitor* visit_;
   SheetQueue queue_;
+  SolvedBumps bumps_;
   std::vector<Lane> lanes_;
   std::vector<FoldingHistory> histories_;
   PathPoint point_;

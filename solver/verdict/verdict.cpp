@@ -5,8 +5,7 @@
 
 namespace misalign::solver {
 
-Judge::Judge(const Mechanism& mechanism, bool bump_is_fault)
-    : mechanism_(mechanism), bump_is_fault_(bump_is_fault) {}
+Judge::Judge(const Mechanism& mechanism, BumpRule bumps) : mechanism_(mechanism), bumps_(bumps) {}
 
 void Judge::begin(const std::vector<double>& flat_lengths) {
   samples_in_order_ = 0;
@@ -24,20 +23,28 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
 bool Judge::see(const Station& station, const FoldState<double>* state,
                 const std::vector<double>& lengths, const std::vector<double>* slopes,
                 double pilot_rate) {
-  if (fault_ != Fault::none) return false;
-  fault_ = fault_in(state, lengths, where_);
-  if (fault_ != Fault::none) return false;
+  if (!is_in_order(state, lengths)) return false;
   if (slopes) {
     const Between between = seen_between(station, lengths, *slopes, pilot_rate);
-    if (bump_is_fault_ && between.back_where >= 0) {
-      fault_ = Fault::bump;
-      where_ = between.back_where;
+    if (bumps_ == BumpRule::by_cubic && between.back_where >= 0) {
+      end(Fault::bump, between.back_where);
       return false;
     }
     between_ = between;
+    if (bumps_ == BumpRule::exact) between_.bump_where = -1;  // none: it would have ended D
     last_slopes_ = *slopes;
     last_pilot_rate_ = pilot_rate;
   }
+  take(station, lengths);
+  return true;
+}
+
+bool Judge::is_in_order(const FoldState<double>* state, const std::vector<double>& lengths) {
+  if (fault_ == Fault::none) fault_ = fault_in(state, lengths, where_);
+  return fault_ == Fault::none;
+}
+
+void Judge::take(const Station& station, const std::vector<double>& lengths) {
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     least_[i] = std::min(least_[i], lengths[i]);
     most_[i] = std::max(most_[i], lengths[i]);
@@ -45,7 +52,6 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
   last_ = lengths;
   ++samples_in_order_;
   last_pilot_deg_ = station.pilot_deg;
-  return true;
 }
 
 Fault Judge::fault_in(const FoldState<double>* state, const std::vector<double>& lengths,
@@ -118,6 +124,10 @@ double Judge::least_span() const {
 
 Verdict Judge::conclude(const PathResult& path) const {
   Verdict verdict{samples_in_order_, fault_, where_, path.end};
+  if (fault_ == Fault::undecided) {
+    verdict.path_end = PathEnd::stalled;
+    return verdict;
+  }
   if (fault_ == Fault::none) {
     if (path.end == PathEnd::start_lost || path.end == PathEnd::stalled) {
       verdict.first_fault = Fault::undecided;

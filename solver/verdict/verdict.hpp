@@ -53,7 +53,8 @@ struct Between {
 /// draw.
 class Judge {
  public:
-  explicit Judge(const Mechanism& mechanism, bool bump_is_fault = false);
+  /// Bumps count by the cubics that it sees, or as its owner says (BumpRule::exact).
+  explicit Judge(const Mechanism& mechanism, BumpRule bumps = BumpRule::ignored);
 
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
@@ -64,6 +65,15 @@ class Judge {
   bool see(const Station& station, const FoldState<double>* state,
            const std::vector<double>& lengths, const std::vector<double>* slopes = nullptr,
            double pilot_rate = 1);
+  /// The same in two steps, for who looks between the samples first: whether the next sample itself
+  /// is in order, and that it counts.
+  bool is_in_order(const FoldState<double>* state, const std::vector<double>& lengths);
+  void take(const Station& station, const std::vector<double>& lengths);
+  /// What was seen before the next sample: a bump, or that it cannot be known.
+  void end(Fault fault, int where) {
+    fault_ = fault;
+    where_ = where;
+  }
   /// The verdict, once the path has ended or `see` has said false.
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
@@ -81,7 +91,7 @@ class Judge {
                        const std::vector<double>& slopes, double pilot_rate);
 
   const Mechanism& mechanism_;
-  const bool bump_is_fault_;
+  const BumpRule bumps_;
   int samples_in_order_ = 0;
   double last_pilot_deg_ = 0, last_pilot_rate_ = 0;
   Fault fault_ = Fault::none;

@@ -30,6 +30,9 @@ TEST(Identity, IsTheHashOfWhatIsNotDefault) {
       {"{}", "{}"},
       {R"({"seed": 2})", R"({"seed":2})"},
       {R"({"accept": {"deploys_from_deg": 150}})", R"({"accept":{"deploys_from_deg":150.0}})"},
+      {R"({"accept": {"between_samples": false}})", "{}"},
+      {R"({"accept": {"between_samples": true}})", R"({"accept":{"between_samples":true}})"},
+      {R"({"accept": {"between_samples": "exact"}})", R"({"accept":{"between_samples":"exact"}})"},
       {R"({"seed": 0, "misalignment": {"vertices": "ring", "levels": "uniform"}})",
        R"({"misalignment":{"levels":"uniform","vertices":"ring"},"seed":0})"},
       {R"({"pattern": {"rows": 4, "zigzag_offset_mm": 30}})",
@@ -80,6 +83,8 @@ TEST(Identity, ChangesWithWhatChangesAnAnswer) {
       R"({"misalignment": {"vertices": ["A9"]}})",
       R"({"misalignment": {"vertices": ["A10"]}})",
       R"({"accept": {"deploys_from_deg": 150}})",
+      R"({"accept": {"between_samples": true}})",
+      R"({"accept": {"between_samples": "exact"}})",
       R"({"path": {"sample_deg": 2}})",
       R"({"path": {"end_deg": 175}})",
       R"({"pattern": {"holes": "checkerboard-even"}})",
@@ -105,6 +110,8 @@ TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
       R"({"misalignment": {"vertices": ["A41", "A1", "A17"], "levels": "uniform"}})",
       R"({"path": {"sample_deg": 0.3, "end_deg": 150}, "accept": {"deploys_from_deg": 120.3}})",
       R"({"stop": {"draws": null, "accepted": 3, "wall_s": 0.5}})",
+      R"({"accept": {"between_samples": true}})",
+      R"({"accept": {"between_samples": "exact"}})",
       R"({"stop": {"draws": 9223372036854775807, "accepted": 0, "wall_s": null}})",
   };
   for (const char* patch : kCampaigns) {

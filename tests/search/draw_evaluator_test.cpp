@@ -191,15 +191,17 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
 
   // Where going back is a fault, this draw is none of the accepted.
   Json strict = campaign;
-  strict["accept"]["between_samples"] = true;
   strict["accept"]["deploys_from_deg"] = 160;
-  DrawEvaluator strict_evaluator(schema::read_campaign(strict, "a test"));
-  const solver::Verdict verdict = strict_evaluator.judge({kDraw, kDraw + 1}).front();
-  EXPECT_EQ(verdict.first_fault, solver::Fault::bump);
-  EXPECT_EQ(verdict.deploys_from_sample, 159);
   EXPECT_EQ(static_cast<int>(*metrics.bump_deg), 159);
-  EXPECT_EQ(words_of(strict_evaluator.history(kDraw).verdict), words_of(verdict));
-  EXPECT_FALSE(strict_evaluator.campaign().accepts(verdict));
+  for (const Json& rule : {Json(true), Json("exact")}) {
+    strict["accept"]["between_samples"] = rule;
+    DrawEvaluator strict_evaluator(schema::read_campaign(strict, "a test"));
+    const solver::Verdict verdict = strict_evaluator.judge({kDraw, kDraw + 1}).front();
+    EXPECT_EQ(verdict.first_fault, solver::Fault::bump) << rule;
+    EXPECT_EQ(verdict.deploys_from_sample, 159) << rule;
+    EXPECT_EQ(words_of(strict_evaluator.history(kDraw).verdict), words_of(verdict)) << rule;
+    EXPECT_FALSE(strict_evaluator.campaign().accepts(verdict)) << rule;
+  }
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.

@@ -64,13 +64,16 @@ TEST(Allocation, NoneInsideAPath) {
   EXPECT_EQ(second.first_fault, Fault::inactive_diagonal);
 }
 
-class BatchAllocation : public testing::TestWithParam<InstructionSet> {};
+class BatchAllocation : public testing::TestWithParam<InstructionSet> {
+ protected:
+  void expect_none(BumpRule bumps);
+};
 
 // The threshold is far enough for an approach, and some sheets have no start.
-TEST_P(BatchAllocation, NoneInAWarmBatch) {
+void BatchAllocation::expect_none(BumpRule bumps) {
   if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
   const DrawableSheet sheets(6, 6);
-  const Model model = sheets.with_threshold(165);
+  const Model model(sheets.base, sheets.shifted_vertices, {}, 165, bumps);
   const auto batch = make_batch(GetParam(), model);
   ShiftBlock block = sheets.draws(600, kSeed);
   const ShiftBlock large = sheets.draws(10, kSeed, 8);
@@ -98,6 +101,9 @@ TEST_P(BatchAllocation, NoneInAWarmBatch) {
   EXPECT_TRUE(
       with(verdicts, [](const Verdict& v) { return v.first_fault == Fault::not_monotone; }));
 }
+
+TEST_P(BatchAllocation, NoneInAWarmBatch) { expect_none(BumpRule::ignored); }
+TEST_P(BatchAllocation, NoneBetweenSamples) { expect_none(BumpRule::exact); }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchAllocation,
                          testing::ValuesIn(available_instruction_sets()), [](const auto& set) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -102,6 +103,70 @@ TEST(Hermite, WeightsMakeTheSamePolynomial) {
       }
     }
   }
+}
+
+// Bernstein coefficients of a rate: its values at both ends, its mean over the stretch, and between
+// the least and the largest of them at every point.
+TEST(Hermite, CoefficientsEncloseARate) {
+  for (std::size_t nodes = 2; nodes <= kNodes.size(); ++nodes) {
+    const int functions = 2 * static_cast<int>(nodes);
+    const HermiteTable table = table_of_powers(functions, nodes);
+    for (int n = 0; n < functions; ++n) {
+      double rate[HermiteTable::kMostOrder], sum = 0;
+      table.find_rate(n, 0.3, 1.9, rate);
+      const int count = table.order() - 1;
+      const double room = 1e-10 * std::pow(2.0, n);
+      EXPECT_NEAR(rate[0], power_rate(0.3, n), room);
+      EXPECT_NEAR(rate[count - 1], power_rate(1.9, n), room);
+      for (int k = 0; k < count; ++k) sum += rate[k];
+      EXPECT_NEAR(sum / count * 1.6, power(1.9, n) - power(0.3, n), room);
+      const auto [least, most] = std::minmax_element(rate, rate + count);
+      for (double x = 0.3; x < 1.9; x += 0.01) {
+        EXPECT_GT(power_rate(x, n), *least - room);
+        EXPECT_LT(power_rate(x, n), *most + room);
+      }
+    }
+  }
+}
+
+// What rates change by without the last node, or the last value, against tables without it.
+TEST(Hermite, BoundsWhatRatesLoseWithoutTheLast) {
+  constexpr int kFunctions = 12;  // of higher powers than the tables have orders
+  const HermiteTable all = table_of_powers(kFunctions, 4), fewer = table_of_powers(kFunctions, 3);
+  HermiteTable with_value(kFunctions, 5);
+  with_value.begin();
+  std::vector<double> values(kFunctions), rates(kFunctions);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (int n = 0; n < kFunctions; ++n) {
+      values[n] = power(kNodes[k], n);
+      rates[n] = power_rate(kNodes[k], n);
+    }
+    with_value.add(kNodes[k], values.data(), rates.data());
+  }
+  for (int n = 0; n < kFunctions; ++n) values[n] = power(kNodes[3], n);
+  with_value.add_value(kNodes[3], values.data());
+  with_value.finish();
+  EXPECT_EQ(with_value.order(), 7);
+  for (int n = 0; n < kFunctions; ++n) {
+    EXPECT_NEAR(with_value.value(n, kNodes[3]), values[n], 1e-10);
+  }
+  double closest = 0, closest_with_value = 0;
+  for (double x = 1.1; x < 1.7; x += 0.01) {
+    double change = 0, change_with_value = 0;
+    for (int n = 0; n < kFunctions; ++n) {
+      change = std::max(change, std::abs(all.rate(n, x) - fewer.rate(n, x)));
+      change_with_value =
+          std::max(change_with_value, std::abs(with_value.rate(n, x) - fewer.rate(n, x)));
+    }
+    EXPECT_LE(change, all.largest_rate_change(x, x, 2) + 1e-9);
+    EXPECT_LE(change, all.largest_rate_change(1.1, 1.7, 2) + 1e-9);
+    EXPECT_LE(change_with_value, with_value.largest_rate_change(x, x, 1) + 1e-9);
+    closest = std::max(closest, change / all.largest_rate_change(x, x, 2));
+    closest_with_value =
+        std::max(closest_with_value, change_with_value / with_value.largest_rate_change(x, x, 1));
+  }
+  EXPECT_GT(closest, 0.1);
+  EXPECT_GT(closest_with_value, 0.1);
 }
 
 }  // namespace

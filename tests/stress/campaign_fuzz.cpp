@@ -139,6 +139,8 @@ const char* const kEveryKey[] = {
        "path": {"sample_deg": 0.5, "end_deg": 120}, "accept": {"deploys_from_deg": 60, "between_samples": true},
        "seed": 9223372036854775807,
        "stop": {"draws": null, "accepted": 100, "relative_error": 0.05, "wall_s": 3600}})",
+    R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "path": {"sample_deg": 10},
+       "accept": {"deploys_from_deg": 60, "between_samples": "exact"}})",
     R"({"family": "miura", "rows": 4, "columns": 4, "panel_width_mm": 80, "panel_height_mm": 80,
         "zigzag_offset_mm": 40, "holes": "checkerboard-even", "pilot": "A8-A9",
         "displacements_mm": {"A7": [0.4, -0.4], "A9": [0, 1e-3], "A25": [-0.1, 0.3]}})"};

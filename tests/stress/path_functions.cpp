@@ -1,5 +1,5 @@
-// Errors of paths as functions, beside the bounds that they claim: at angles drawn at random,
-// against states that are solved there by dense matrices.
+// Errors of paths as functions, of lengths and of their rates, beside the bounds that they claim:
+// at angles drawn at random, against states that are solved there by dense matrices.
 //   path_functions SHEETS CAMPAIGN...
 #include <fmt/format.h>
 
@@ -8,8 +8,9 @@
 
 #include "schema/campaign/campaign.hpp"
 #include "solver/continuation/node_follower.hpp"
-#include "solver/kinematics/diagonals.hpp"
 #include "solver/linear/newton.hpp"
+#include "solver/verdict/dense_state.hpp"
+#include "solver/verdict/function_bumps.hpp"
 #include "solver/verdict/model.hpp"
 
 namespace misalign {
@@ -23,10 +24,12 @@ class Errors {
       : campaign_(campaign),
         model_(campaign.pattern.base, campaign.path()),
         follower_(model_.mechanism(), model_.elimination()),
-        newton_(model_.mechanism()),
+        solver_(model_.mechanism()),
+        bumps_(model_.mechanism()),
         estimate_(model_.mechanism()),
         near_(solver::flat_state<double>(model_.mechanism())),
-        solved_(model_.mechanism().diagonals.size()),
+        solved_(model_.mechanism()),
+        rates_(estimate_.lengths.size()),
         words_(seed) {}
 
   void run(int sheets) {
@@ -36,6 +39,8 @@ class Errors {
         for (int k = 0; k < 2; ++k) vertices_mm(k, v) += shift_mm();
       }
       place(model_.mechanism(), vertices_mm, geometry_);
+      solver::flat_lengths(model_.mechanism(), geometry_, rates_.data());
+      bumps_.begin(rates_);
       angles_deg_.clear();
       for (int k = 0; k < kAngles; ++k) angles_deg_.push_back(campaign_.end_deg * share());
       std::sort(angles_deg_.begin(), angles_deg_.end());
@@ -55,6 +60,7 @@ class Errors {
   }
   solver::Answer see(const solver::PathFunction& function, int lane) {
     const double end_rad = function.pilot(function.end());
+    if (bumps_.can_look(function)) bumps_.begin_piece(function);
     for (; next_ < angles_deg_.size(); ++next_) {
       const double pilot_rad = angles_deg_[next_] * solver::kRadPerDeg;
       if (pilot_rad > end_rad) break;
@@ -72,10 +78,12 @@ class Errors {
     fmt::print(
         "{:<22} {:>7} sheets {:>8} angles: error {:.1e} at most, "
         "bound {:.1e}; error / bound {:.2f} at most, {} above, "
-        "{} not solved; {:.1f} iterations a path, {:.2f} % left for close steps\n",
+        "{} not solved; rates: error {:.1e} at most, error / bound {:.2f} at most, {} above; "
+        "{:.1f} iterations a path, {:.2f} % left for close steps\n",
         campaign_.name, sheets_, compared_, largest_error_, largest_bound_, largest_share_, above_,
-        unsolved_, 1.0 * iterations_ / sheets_, 100.0 * lost_ / sheets_);
-    return above_ == 0;
+        unsolved_, largest_rate_error_, largest_rate_share_, rates_above_,
+        1.0 * iterations_ / sheets_, 100.0 * lost_ / sheets_);
+    return above_ + rates_above_ == 0;
   }
 
  private:
@@ -93,34 +101,52 @@ class Errors {
     follower_.find_state(x, lane, near_);
     near_.creases[model_.mechanism().pilot] =
         solver::half_angle_of_deg(pilot_rad / solver::kRadPerDeg);
-    if (newton_.correct(geometry_, near_).end != solver::NewtonEnd::converged) {
+    solver_.find(geometry_, near_, solved_);
+    if (!(solver_.open_by() <= solver::NewtonOptions{}.closure_tolerance)) {
       ++unsolved_;
       return;
     }
-    solver::folded_lengths(model_.mechanism(), geometry_, near_, solved_.data());
     ++compared_;
-    for (std::size_t d = 0; d < solved_.size(); ++d) {
-      const double error = std::abs(solved_[d] - estimate_.lengths[d]);
+    for (std::size_t d = 0; d < rates_.size(); ++d) {
+      const double error = std::abs(solved_.lengths[d] - estimate_.lengths[d]);
       largest_error_ = std::max(largest_error_, error);
       largest_bound_ = std::max(largest_bound_, estimate_.length_errors[d]);
       largest_share_ = std::max(largest_share_, error / estimate_.length_errors[d]);
       above_ += error > estimate_.length_errors[d];
+    }
+    if (bumps_.can_look(function)) compare_rates(function, x);
+  }
+
+  // By the function's variable. What nodes are off by shows over the length of a piece.
+  void compare_rates(const solver::PathFunction& function, double x) {
+    const double bound =
+        bumps_.look(x, rates_) + 8 * function.node_error() / (function.to() - function.from());
+    const double pilot_slope = function.pilot_slope(x);
+    for (std::size_t d = 0; d < rates_.size(); ++d) {
+      const double error = std::abs(solved_.slopes[d] * pilot_slope - rates_[d]);
+      largest_rate_error_ = std::max(largest_rate_error_, error);
+      largest_rate_share_ = std::max(largest_rate_share_, error / bound);
+      rates_above_ += error > bound;
     }
   }
 
   const schema::Campaign& campaign_;
   const solver::Model model_;
   solver::NodeFollower<double> follower_;
-  solver::Newton newton_;
+  solver::DenseState solver_;
+  solver::FunctionBumps bumps_;
   solver::PathEstimate estimate_;
   solver::FoldState<double> near_;
-  std::vector<double> solved_;
+  solver::PathPoint solved_;
+  std::vector<double> rates_;
   std::mt19937 words_;
   solver::SheetGeometry<double> geometry_;
   std::vector<double> angles_deg_;
   std::size_t next_ = 0;
   bool started_ = false;
   int sheets_ = 0, compared_ = 0, above_ = 0, unsolved_ = 0, iterations_ = 0, lost_ = 0;
+  int rates_above_ = 0;
+  double largest_rate_error_ = 0, largest_rate_share_ = 0;
   double largest_error_ = 0, largest_bound_ = 0, largest_share_ = 0;
 };
 

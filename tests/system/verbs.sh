@@ -95,5 +95,8 @@ done
 echo '{"pattern": {"family": "miura", "rows": 4, "columns": 4}, "misalignment": {"amplitude_mm": 2},
        "path": {"sample_deg": 10}, "accept": {"deploys_from_deg": 150, "between_samples": true}}' > bumps.json
 "$program" bench bumps.json --agree 60 > agreement || fail "bench forgets accept.between_samples: $(cat agreement)"
+sed 's/"between_samples": true/"between_samples": "exact"/' bumps.json > exact.json
+"$program" bench exact.json --agree 20 > agreement ||
+  fail "another verdict between the samples than the reference's: $(cat agreement)"
 
 finish

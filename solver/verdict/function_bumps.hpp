@@ -1,0 +1,75 @@
+// Whether a diagonal goes back between two samples of a path that is a function (BumpRule::exact):
+// how far, at least and at most, as its polynomials and the bound of their rates' errors have it.
+//
+// Near flat lengths are even in the pilot's angle, so there the polynomials are taken in its
+// square: their rates then say which way a diagonal sets out.
+#pragma once
+
+#include <vector>
+
+#include "solver/continuation/path_function.hpp"
+#include "solver/verdict/verdict.hpp"
+
+namespace misalign::solver {
+
+class FunctionBumps {
+ public:
+  /// What is certain of the way from one sample to the next.
+  enum class Seen {
+    forward,  ///< every diagonal goes on
+    back,     ///< one goes back: where() says which
+    unsure
+  };
+
+  /// `mechanism` must outlive this object.
+  explicit FunctionBumps(const Mechanism& mechanism);
+  ~FunctionBumps();
+  FunctionBumps(const FunctionBumps&);
+
+  void begin(const std::vector<double>& flat_lengths);
+  /// Whether the function says enough of its newest piece: one node does not.
+  static bool can_look(const PathFunction& function) { return function.count() > 1; }
+  /// A new piece, or one again that was too long.
+  void begin_piece(const PathFunction& function);
+  /// The rates at a point of it, by the function's variable, and the bound of their errors there.
+  double look(double x, std::vector<double>& rates) const;
+  /// On to the next sample, at this point of the piece; the judge knows which way diagonals go.
+  Seen look_at_sample(double x, const Judge& judge, const PathFunction& function);
+  /// That sample counts: the next stretch begins.
+  void take(double pilot_rad);
+  /// On to the end of the piece. `unsure`: it is too long to say how far diagonals went back on it.
+  Seen look_at_end(const Judge& judge, const PathFunction& function);
+  /// The diagonal that goes back the most.
+  int where() const { return where_; }
+
+ private:
+  struct Ways {
+    WayBack at_least, at_most;
+    int direction = 0;  // in which it was looked at; 0: it has not moved
+  };
+  struct Stretch {
+    double from, to;  // of the table's variable
+    double largest_error;
+  };
+
+  void go_to(double x, bool is_sample, const Judge& judge, const PathFunction& function);
+  int direction(int diagonal, bool is_sample, const Judge& judge,
+                const PathFunction& function) const;
+  void go(const Stretch& stretch, const double* rate, int halvings, Ways& ways) const;
+  Stretch stretch(double from, double to) const;
+  Seen seen();
+  double variable(double x) const { return in_squares_ ? x * x : x; }
+
+  const Mechanism& mechanism_;
+  std::vector<double> flat_, values_, rates_;
+  HermiteTable table_;
+  bool in_squares_ = false;
+  std::vector<int> one_way_;         // of diagonals: the way they go on the whole piece, or 0
+  double reached_rad_ = 0;           // the pilot's angle up to which kept_ goes
+  double room_ = 0, kept_room_ = 0;  // for errors that are not the rates'
+  std::vector<Ways> kept_, ways_;    // since the last sample; of diagonals
+  bool direction_changed_ = false;
+  int where_ = -1;
+};
+
+}  // namespace misalign::solver
