@@ -18,9 +18,8 @@ class SparseLu {
   /// `plan` must outlive this object.
   explicit SparseLu(const Elimination& plan)
       : plan_(plan),
-        slots_(plan.slots, T(0)),
-        inverse_pivots_(plan.equations, T(0)),
-        packed_(plan.most_packed, T(0)) {}
+        slots_(plan.slots + plan.most_packed, T(0)),
+        inverse_pivots_(plan.equations, T(0)) {}
 
   /// The factors of another precision, rounded.
   template <class U>
@@ -47,7 +46,7 @@ class SparseLu {
   /// Takes over the factors of `other`, in the lanes where `choice` is positive.
   void replace(const T& choice, const SparseLu& other) {
     const auto chosen = choice > T(0);
-    for (std::size_t k = 0; k < slots_.size(); ++k) {
+    for (std::int32_t k = 0; k < plan_.slots; ++k) {
       slots_[k] = select(chosen, other.slots_[k], slots_[k]);
     }
     for (std::size_t k = 0; k < inverse_pivots_.size(); ++k) {
@@ -80,7 +79,7 @@ class SparseLu {
   /// The equation that is left after the elimination:
   /// partner_coefficient() dx_partner + pilot_coefficient() dx_pilot = y[n - 1].
   const T& partner_coefficient() const { return slots_[plan_.pivots.back().slot]; }
-  const T& pilot_coefficient() const { return slots_.back(); }
+  const T& pilot_coefficient() const { return slots_[plan_.slots - 1]; }
 
   /// x (one per unknown) with J x = rhs, for values of the last two unknowns that satisfy the
   /// equation that is left; `y`, with room for one more value, is used up.
@@ -174,12 +173,13 @@ class SparseLu {
   friend class SparseLu;
 
   void eliminate(T* y) {
-    EliminationPass<T>(plan_, slots_.data(), inverse_pivots_.data(), packed_.data(), y).run();
+    T* const packed = slots_.data() + plan_.slots;
+    EliminationPass<T>(plan_, slots_.data(), inverse_pivots_.data(), packed, y).run();
   }
 
   const Elimination& plan_;
-  std::vector<T, LargePages<T>> slots_;
-  std::vector<T> inverse_pivots_, packed_;
+  std::vector<T, LargePages<T>> slots_;  // and room for an EliminationPass
+  std::vector<T> inverse_pivots_;
 };
 
 /// The same factors as those of the square Jacobian, without the pilot's column.
