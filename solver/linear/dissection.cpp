@@ -14,13 +14,13 @@ namespace {
 
 // Up to this many loops Markowitz' order alone is as good for a whole sheet; parts of a larger one
 // are divided further.
-constexpr int kWholeSheet = 24, kUndivided = 12;
+constexpr int kWholeSheet = 24, kUndivided = 8;
 
 // A cut leaves at least this share of the loops on either side.
 constexpr double kLeastShare = 0.25;
 
 // Unknowns between the halves of so many loops, over the square root of their number.
-constexpr double kCutOfSquareRoot = 2.8;
+constexpr double kCutOfSquareRoot = 3;
 
 // Multiplications in eliminating `inside` unknowns whose loops also have `outside` other ones. A
 // loop has half as many equations as unknowns, which it shares with one other each: so there are
@@ -33,7 +33,7 @@ double elimination_cost(double inside, double outside) {
 // Of so many loops, divided into halves again and again, with `outside` unknowns separated already.
 double expected_cost(double loops, double outside) {
   if (loops <= kUndivided) {
-    constexpr double kOfDense = 0.3;  // Markowitz' order within a part
+    constexpr double kOfDense = 0.1;  // Markowitz' order within a part
     return kOfDense * elimination_cost(std::max(0.0, 6 * loops - 0.5 * outside), outside);
   }
   const double cut = kCutOfSquareRoot * std::sqrt(loops);

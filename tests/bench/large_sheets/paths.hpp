@@ -5,6 +5,7 @@
 
 #include "solver/continuation/node_follower.hpp"
 #include "solver/continuation/path_follower.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::bench {
 
