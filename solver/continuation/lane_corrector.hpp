@@ -69,8 +69,7 @@ class LaneCorrector {
  private:
   void find_correction(const T& is_free, const std::vector<T>& last_tangent) {
     using std::sqrt;
-    closure_.solve(is_free, correction_.data());
-    closure_.null_vector(null_.data());
+    closure_.solve(is_free, correction_.data(), null_.data());
     T square(0), along(0);
     cosine_ = T(0);
     for (int j = 0; j < unknowns_; ++j) {

@@ -42,14 +42,14 @@ class DenseClosure {
     return open_by;
   }
 
-  void solve(double is_free, double* x) const {
+  void solve(double is_free, double* x, double* null) const {
+    Eigen::Map<Eigen::VectorXd>(null, unknowns_) = null_;
     Eigen::Map<Eigen::VectorXd> solution(x, unknowns_);
     solution = particular_;
     if (is_free > 0) return;
     solution -= particular_[unknowns_ - 1] / null_[unknowns_ - 1] * null_;
     solution[unknowns_ - 1] = 0;
   }
-  void null_vector(double* x) const { Eigen::Map<Eigen::VectorXd>(x, unknowns_) = null_; }
 
   /// det [J; t] has the sign of det [J; border]: their quotient is t . t.
   double orientation() const { return lu_.determinant_sign(); }

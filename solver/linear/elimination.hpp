@@ -17,11 +17,22 @@ struct Stretch {
 
 /// The k-th step: divide the pivot's column below it, subtract multiples of its row.
 struct Pivot {
-  std::int32_t slot;          ///< of the pivot itself
-  Stretch upper;              ///< slots of its row beyond the pivot: neighbours, in column order
-  Stretch lower;              ///< places in lower_slot: its column in the rows below
-  Stretch above;              ///< places in above_slot: its column in the rows above
-  std::int32_t first_target;  ///< in `targets`: upper.size() of them for each row below
+  std::int32_t slot;  ///< of the pivot itself
+  Stretch upper;      ///< slots of its row beyond the pivot: neighbours, in column order
+  Stretch lower;      ///< places in lower_slot: its column in the rows below
+  Stretch above;      ///< places in above_slot: its column in the rows above
+};
+
+/// Neighbouring pivots whose rows have the same columns beyond them, and whose columns have the
+/// same rows below them (a supernode; Demmel et al., SuperLU, 1999): dense, so that a register
+/// loaded once serves many multiplications. Every slot still sees the steps in the order of their
+/// pivots: the bits are those of one pivot after another.
+struct PivotBlock {
+  std::int32_t first, end;    ///< pivots
+  Stretch upper, lower;       ///< of the last of them
+  Stretch fill;               ///< places in fill_slots: those that no block before has touched
+  std::int32_t first_target;  ///< in `targets`: upper.size() slots for each row below
+  int size() const { return end - first; }
 };
 
 /// An elimination of the n x (n + 1) Jacobian, pilot's column last: after n - 1 pivots one equation
@@ -35,14 +46,16 @@ struct Elimination {
   int permutation_sign;        ///< of the rows and the first n columns together
   int slots;
   std::vector<std::int32_t> slot_of_value;  ///< per value of `evaluate`
-  std::vector<std::int32_t> fill_slots;     ///< that only the elimination fills
+  std::vector<std::int32_t> fill_slots;     ///< that only the elimination fills, as it comes by
   std::vector<Pivot> pivots;
+  std::vector<PivotBlock> blocks;
+  int most_packed;  ///< multiplications of a block's pivots with one row below: the most
   std::vector<std::int32_t> column;  ///< per slot
   std::vector<std::int32_t> lower_slot, lower_row, above_slot, above_row, targets;
 
   int partner() const { return column_of[equations - 1]; }
   /// Multiplications, with one subtraction each, of one factorisation.
-  std::size_t operations() const { return targets.size(); }
+  std::size_t operations() const;
 };
 
 /// Every step of the elimination of a matrix with these nonzeros whose rows and columns go in this

@@ -4,24 +4,21 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <random>
-#include <set>
 
+#include "solver/linear/active_matrix.hpp"
 #include "solver/linear/dissection.hpp"
 #include "solver/linear/sparse_lu.hpp"
 
 namespace misalign::solver {
 namespace {
 
-constexpr int kStates = 10;
-
 // From flat to closed: where pivots are chosen, and where the choice is tried out. They are chosen
 // on the base folding itself, where every loop closes, not merely near it: some minors vanish on
 // closed states and nowhere else (on 28 x 28 a pivot went from 1e-5 to 6e-10 and 2e-13 as Newton
 // converged). What is large on the closed base is large near it, by continuity.
 // Of 180 degrees, in proportion where the base folding ends earlier.
-using Angles = std::array<double, kStates>;
+using Angles = std::array<double, kPivotStates>;
 constexpr Angles kPlanned_deg = {1, 5, 20, 60, 100, 130, 150, 165, 175, 178};
 constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
 
@@ -29,11 +26,6 @@ constexpr Angles kTried_deg = {2, 10, 40, 80, 115, 140, 155, 160, 170, 177};
 // no entry is: multipliers stay below its inverse. A lower one leaves more choice, and so costs
 // fewer operations.
 constexpr double kPivotThresholds[] = {0.0003, 0.001, 0.003, 0.01};
-
-// Of pivots that cost the same, one replaces another if its share is larger by this factor. On the
-// symmetric base many shares are equal but for rounding, which must not choose; larger factors than
-// 1 also cost fewer operations (6 x 6: 1,712 instead of 1,809).
-constexpr double kMarkedlyLarger = 4;
 
 // Of the trial: |J x - b| / (|J| |x| + |b|), largest entries and row sums. A correction is off by
 // at most this times the condition number: at 1 degree 1.6e5 (6 x 6) to 3.1e7 (28 x 28), at 60 a
@@ -44,115 +36,13 @@ constexpr double kLargestBackwardError = 1e-11;
 // How far the trial's misaligned states are off the base folding.
 constexpr double kOffBase = 0.05;
 
-// A nonzero at every state.
-using Values = std::array<double, kStates>;
-
-// The matrix while it is eliminated: rows of nonzeros.
-class ActiveMatrix {
- public:
-  ActiveMatrix(const std::vector<JacobianEntry>& entries, const std::vector<Values>& values,
-               int equations)
-      : rows_(equations), rows_in_(equations + 1), candidates_(equations + 1) {
-    for (std::size_t e = 0; e < entries.size(); ++e) {
-      rows_[entries[e].row][entries[e].column] = values[e];
-      rows_in_[entries[e].column].insert(entries[e].row);
-    }
-  }
-
-  struct Place {
-    int row = -1, column = -1;
-  };
-
-  // The cheapest pivot among `columns` whose share of its column is at least `threshold`; of equals
-  // one that is markedly larger. No row if there is none.
-  Place choose(const std::vector<int>& columns, double threshold) {
-    if (threshold != threshold_) candidates_.assign(candidates_.size(), {});
-    threshold_ = threshold;
-    Place best;
-    Candidate least;
-    for (const int column : columns) {
-      Candidate& candidate = candidates_[column];
-      if (!candidate.known) candidate = best_in(column);
-      if (candidate.row >= 0 && candidate.before(least)) {
-        least = candidate;
-        best = {candidate.row, column};
-      }
-    }
-    return best;
-  }
-
-  // Removes the pivot's row and column; what it adds to the other rows stays.
-  void eliminate(const Place& pivot) {
-    const auto pivot_row = std::move(rows_[pivot.row]);
-    for (const auto& [column, values] : pivot_row) rows_in_[column].erase(pivot.row);
-    const Values& pivot_values = pivot_row.at(pivot.column);
-    for (const int row : rows_in_[pivot.column]) {
-      const Values factors = rows_[row].at(pivot.column);
-      rows_[row].erase(pivot.column);
-      for (const auto& [column, values] : pivot_row) {
-        if (column == pivot.column) continue;
-        Values& target = rows_[row][column];
-        rows_in_[column].insert(row);
-        for (int s = 0; s < kStates; ++s) target[s] -= factors[s] / pivot_values[s] * values[s];
-      }
-      for (const auto& [column, values] : rows_[row]) candidates_[column].known = false;
-    }
-    for (const auto& [column, values] : pivot_row) candidates_[column].known = false;
-    rows_in_[pivot.column].clear();
-  }
-
- private:
-  struct Candidate {
-    bool known = false;
-    int row = -1;
-    std::size_t cost = ~std::size_t{0};
-    double share = 0;
-    bool before(const Candidate& other) const {
-      return cost < other.cost || (cost == other.cost && share > kMarkedlyLarger * other.share);
-    }
-  };
-
-  Candidate best_in(int column) const {
-    Values largest{};
-    for (const int row : rows_in_[column]) {
-      const Values& values = rows_[row].at(column);
-      for (int s = 0; s < kStates; ++s) largest[s] = std::max(largest[s], std::abs(values[s]));
-    }
-    Candidate best;
-    best.known = true;
-    for (const int row : rows_in_[column]) {
-      Candidate candidate{true, row, (rows_[row].size() - 1) * (rows_in_[column].size() - 1), 0};
-      if (candidate.cost > best.cost) continue;
-      candidate.share = least_share(rows_[row].at(column), largest);
-      if (candidate.share >= threshold_ && candidate.before(best)) best = candidate;
-    }
-    return best;
-  }
-
-  // At the state where it is least. A pivot that changes its sign between two states is zero
-  // somewhere on the way, and would be close to it there: it counts as a millionth.
-  static double least_share(const Values& values, const Values& largest) {
-    double share = 1;
-    for (int s = 0; s < kStates; ++s) {
-      const double here = largest[s] > 0 ? std::abs(values[s]) / largest[s] : 0;
-      share = std::min(share, values[s] * values[0] > 0 ? here : 1e-6 * here);
-    }
-    return share;
-  }
-
-  std::vector<std::map<int, Values>> rows_;
-  std::vector<std::set<int>> rows_in_;  // per column
-  std::vector<Candidate> candidates_;   // per column, for the threshold asked for last
-  double threshold_ = 0;
-};
-
 // The Jacobian's values with the pilot at these angles: on the base folding, or with every joint
 // `off` it by up to this part of the way to flat or closed, on a sheet misaligned by up to a tenth
 // of this part of a panel. The generator's sequence is fixed by the C++ standard: the same plan on
 // every machine.
-std::vector<Values> jacobians(const Mechanism& mechanism, const BaseFolding& folding,
-                              const FlatVertices& base_vertices_mm, const Angles& angles_deg,
-                              double off) {
+std::vector<PivotValues> jacobians(const Mechanism& mechanism, const BaseFolding& folding,
+                                   const FlatVertices& base_vertices_mm, const Angles& angles_deg,
+                                   double off) {
   std::mt19937 generator(1);
   const auto random = [&] { return off * (static_cast<double>(generator()) / 2147483648.0 - 1.0); };
   FlatVertices vertices_mm = base_vertices_mm;
@@ -161,10 +51,10 @@ std::vector<Values> jacobians(const Mechanism& mechanism, const BaseFolding& fol
   }
   SheetGeometry<double> geometry;
   place(mechanism, vertices_mm, geometry);
-  std::vector<Values> jacobians(jacobian_entries(mechanism).size());
+  std::vector<PivotValues> jacobians(jacobian_entries(mechanism).size());
   std::vector<double> residual(mechanism.equations), turn(mechanism.unknowns);
   std::vector<double> values(jacobians.size());
-  for (int s = 0; s < kStates; ++s) {
+  for (int s = 0; s < kPivotStates; ++s) {
     const HalfAngle<double> pilot = half_angle_of_deg(angles_deg[s] / 180 * folding.end_deg());
     FoldState<double> state = base_state(mechanism, folding, base_vertices_mm, pilot);
     for (double& angle : turn) angle = pilot.s * pilot.c * random();
@@ -182,7 +72,7 @@ void take_larger(double& norm, double value) {
 
 // The worst backward error of solutions for random right-hand sides, the pilot held.
 double worst_backward_error(const Elimination& plan, const std::vector<JacobianEntry>& entries,
-                            const std::vector<Values>& jacobians) {
+                            const std::vector<PivotValues>& jacobians) {
   std::mt19937 generator(2);
   const std::size_t n = static_cast<std::size_t>(plan.equations);
   std::vector<double> rhs(n), rest(n), row_sums(n), y(n + 1), x(n + 1);
@@ -193,9 +83,9 @@ double worst_backward_error(const Elimination& plan, const std::vector<JacobianE
   };
   SparseLu<double> lu(plan);
   double worst = 0;
-  for (int s = 0; s < kStates; ++s) {
+  for (int s = 0; s < kPivotStates; ++s) {
     auto entry = lu.entries();
-    for (const Values& values : jacobians) *entry++ = values[s];
+    for (const PivotValues& values : jacobians) *entry++ = values[s];
     lu.factorize();
     for (double& value : rhs) value = static_cast<double>(generator()) / 2147483648.0 - 1.0;
     lu.forward(rhs.data(), y.data());
@@ -236,7 +126,7 @@ int partner_of_pilot(const Mechanism& mechanism, const BaseFolding& folding,
 }
 
 Elimination plan_with(double first_threshold, const std::vector<JacobianEntry>& entries,
-                      const std::vector<Values>& jacobians,
+                      const std::vector<PivotValues>& jacobians,
                       const std::vector<std::vector<int>>& parts, int equations, int partner) {
   ActiveMatrix active(entries, jacobians, equations);
   std::vector<int> row_of, column_of;
@@ -278,9 +168,9 @@ Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& fold
     return jacobians(mechanism, folding, base_vertices_mm, angles_deg, off);
   };
   const std::vector<JacobianEntry> entries = jacobian_entries(mechanism);
-  const std::vector<Values> planned = jacobians_at(kPlanned_deg, 0);
-  const std::vector<Values> closed = jacobians_at(kTried_deg, 0);
-  const std::vector<Values> misaligned = jacobians_at(kTried_deg, kOffBase);
+  const std::vector<PivotValues> planned = jacobians_at(kPlanned_deg, 0);
+  const std::vector<PivotValues> closed = jacobians_at(kTried_deg, 0);
+  const std::vector<PivotValues> misaligned = jacobians_at(kTried_deg, kOffBase);
   const auto parts = dissect(mechanism, base_vertices_mm);
   const int partner = partner_of_pilot(mechanism, folding, base_vertices_mm);
   Elimination best{};

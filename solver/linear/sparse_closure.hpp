@@ -16,7 +16,8 @@ class SparseClosure {
       : mechanism_(mechanism),
         lu_(elimination),
         residual_(mechanism.equations, T(0)),
-        work_(mechanism.unknowns, T(0)) {}
+        work_(mechanism.unknowns, T(0)),
+        null_work_(work_) {}
 
   /// A new path in this lane.
   void restart(int) {}
@@ -24,25 +25,21 @@ class SparseClosure {
   /// Residual and factors at `state`; returns how far the worst loop is open.
   T linearize(const SheetGeometry<T>& geometry, const FoldState<T>& state) {
     const T open_by = evaluate(mechanism_, geometry, state, residual_.data(), lu_.entries());
-    lu_.factorize();
-    lu_.forward(residual_.data(), work_.data());
+    lu_.factorize(residual_.data(), work_.data());
     return open_by;
   }
 
   /// x with J x = residual: the pilot held (its entry zero), or where `is_free` is positive the
-  /// pilot or its partner, whichever the equation that is left determines better. Once after each
-  /// linearize().
-  void solve(const T& is_free, T* x) {
+  /// pilot or its partner, whichever the equation that is left determines better; and `null` with
+  /// J null = 0, of any length and direction. Once after each linearize().
+  void solve(const T& is_free, T* x, T* null) {
     const T& s_q = lu_.partner_coefficient();
     const T& s_p = lu_.pilot_coefficient();
     const auto hold_pilot = magnitude(s_q) >= select(is_free > T(0), magnitude(s_p), T(0));
     const T rest = work_[mechanism_.equations - 1];
-    lu_.backward(work_.data(), select(hold_pilot, rest / s_q, T(0)),
-                 select(hold_pilot, T(0), rest / s_p), x);
-  }
-  /// x with J x = 0, of any length and direction.
-  void null_vector(T* x) {
-    lu_.null_vector(-lu_.pilot_coefficient(), lu_.partner_coefficient(), work_.data(), x);
+    lu_.backward_with_null_vector(work_.data(), select(hold_pilot, rest / s_q, T(0)),
+                                  select(hold_pilot, T(0), rest / s_p), x, -s_p, s_q,
+                                  null_work_.data(), null);
   }
 
   /// Sign of det [J; t] for the unit null vector t as it was given. The last pivot is the
@@ -55,7 +52,7 @@ class SparseClosure {
  private:
   const Mechanism& mechanism_;
   SparseLu<T> lu_;
-  std::vector<T> residual_, work_;
+  std::vector<T> residual_, work_, null_work_;
 };
 
 }  // namespace misalign::solver

@@ -1,13 +1,14 @@
-// The numeric half of the fixed-order elimination: straight through, no search, no branch on a
-// value, no allocation, one template for double and for lanes. Every operation is written out and
-// nothing is fused, so a lane has the bits of the scalar code.
+// The factors that the fixed-order elimination leaves, and what is solved with them: no search, no
+// branch on a value, no allocation, one template for double and for lanes. Every operation is
+// written out and nothing is fused, so a lane has the bits of the scalar code.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "solver/kinematics/lane_math.hpp"
-#include "solver/linear/elimination.hpp"
+#include "solver/linear/elimination_pass.hpp"
+#include "solver/linear/large_pages.hpp"
 
 namespace misalign::solver {
 
@@ -16,7 +17,9 @@ class SparseLu {
  public:
   /// `plan` must outlive this object.
   explicit SparseLu(const Elimination& plan)
-      : plan_(plan), slots_(plan.slots, T(0)), inverse_pivots_(plan.equations, T(0)) {}
+      : plan_(plan),
+        slots_(plan.slots + plan.most_packed, T(0)),
+        inverse_pivots_(plan.equations, T(0)) {}
 
   /// The factors of another precision, rounded.
   template <class U>
@@ -43,7 +46,7 @@ class SparseLu {
   /// Takes over the factors of `other`, in the lanes where `choice` is positive.
   void replace(const T& choice, const SparseLu& other) {
     const auto chosen = choice > T(0);
-    for (std::size_t k = 0; k < slots_.size(); ++k) {
+    for (std::int32_t k = 0; k < plan_.slots; ++k) {
       slots_[k] = select(chosen, other.slots_[k], slots_[k]);
     }
     for (std::size_t k = 0; k < inverse_pivots_.size(); ++k) {
@@ -52,23 +55,11 @@ class SparseLu {
   }
 
   /// Factors the Jacobian that was written to entries().
-  void factorize() {
-    T* const slots = slots_.data();
-    for (const std::int32_t slot : plan_.fill_slots) slots[slot] = T(0);
-    T* inverse = inverse_pivots_.data();
-    for (const Pivot& pivot : plan_.pivots) {
-      const T inverse_pivot = T(1) / slots[pivot.slot];
-      *inverse++ = inverse_pivot;
-      const T* const row = slots + pivot.upper.begin;
-      const int length = pivot.upper.size();
-      const std::int32_t* target = plan_.targets.data() + pivot.first_target;
-      for (std::int32_t k = pivot.lower.begin; k < pivot.lower.end; ++k, target += length) {
-        T& lower = slots[plan_.lower_slot[k]];
-        const T factor = lower * inverse_pivot;
-        lower = factor;
-        for (int u = 0; u < length; ++u) slots[target[u]] = slots[target[u]] - factor * row[u];
-      }
-    }
+  void factorize() { eliminate(nullptr); }
+  /// The same, and y with L y = rhs as forward() would give it, while L is at hand.
+  void factorize(const T* rhs, T* y) {
+    for (int i = 0; i < plan_.equations; ++i) y[i] = rhs[plan_.row_of[i]];
+    eliminate(y);
   }
 
   /// y with L y = rhs: rhs one per equation, y in elimination order. V is T, or lanes that share
@@ -88,7 +79,7 @@ class SparseLu {
   /// The equation that is left after the elimination:
   /// partner_coefficient() dx_partner + pilot_coefficient() dx_pilot = y[n - 1].
   const T& partner_coefficient() const { return slots_[plan_.pivots.back().slot]; }
-  const T& pilot_coefficient() const { return slots_.back(); }
+  const T& pilot_coefficient() const { return slots_[plan_.slots - 1]; }
 
   /// x (one per unknown) with J x = rhs, for values of the last two unknowns that satisfy the
   /// equation that is left; `y`, with room for one more value, is used up.
@@ -104,6 +95,30 @@ class SparseLu {
         sum = sum - V(slots_[u]) * y[plan_.column[u]];
       }
       x[plan_.column_of[i]] = y[i] = sum * V(inverse_pivots_[i]);
+    }
+  }
+
+  /// Both at once: x from `y` with `pilot` and `partner`, and the null vector with its own values
+  /// of them, while each factor is at hand. `null_work` has room for one value per unknown.
+  void backward_with_null_vector(T* y, const T& partner, const T& pilot, T* x,
+                                 const T& null_partner, const T& null_pilot, T* null_work,
+                                 T* null) const {
+    const int n = plan_.equations;
+    const auto set = [&](int i, const T& of_x, const T& of_null) {
+      x[plan_.column_of[i]] = y[i] = of_x;
+      null[plan_.column_of[i]] = null_work[i] = of_null;
+    };
+    set(n, pilot, null_pilot);
+    set(n - 1, partner, null_partner);
+    for (int i = n - 2; i >= 0; --i) {
+      const Stretch& upper = plan_.pivots[i].upper;
+      T sum = y[i], null_sum(0);
+      for (std::int32_t u = upper.begin; u < upper.end; ++u) {
+        const std::int32_t column = plan_.column[u];
+        sum = sum - slots_[u] * y[column];
+        null_sum = null_sum - slots_[u] * null_work[column];
+      }
+      set(i, sum * inverse_pivots_[i], null_sum * inverse_pivots_[i]);
     }
   }
 
@@ -157,8 +172,14 @@ class SparseLu {
   template <class U>
   friend class SparseLu;
 
+  void eliminate(T* y) {
+    T* const packed = slots_.data() + plan_.slots;
+    EliminationPass<T>(plan_, slots_.data(), inverse_pivots_.data(), packed, y).run();
+  }
+
   const Elimination& plan_;
-  std::vector<T> slots_, inverse_pivots_;
+  std::vector<T, LargePages<T>> slots_;  // and room for an EliminationPass
+  std::vector<T> inverse_pivots_;
 };
 
 /// The same factors as those of the square Jacobian, without the pilot's column.

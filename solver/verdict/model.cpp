@@ -26,6 +26,45 @@ constexpr double kApproachStep_deg = 5, kApproachFrom_deg = 2;
 // others have a fold limit, which is found along the path.
 constexpr int kMostBeyond = 2;
 
+// Unknowns but the pilot, in groups of which no loop has two: a diagonal answers to the joints of
+// its own loop alone, so that one evaluation serves a group.
+std::vector<std::vector<int>> apart_from_each_other(
+    const Mechanism& mechanism, const std::vector<std::vector<int>>& unknowns_of_loop) {
+  std::vector<std::vector<int>> loops_of(mechanism.unknowns), groups;
+  for (std::size_t loop = 0; loop < unknowns_of_loop.size(); ++loop) {
+    for (const int unknown : unknowns_of_loop[loop]) {
+      loops_of[unknown].push_back(static_cast<int>(loop));
+    }
+  }
+  std::vector<std::vector<char>> has_one;  // per group and loop
+  for (int unknown = 0; unknown < mechanism.equations; ++unknown) {
+    const auto is_apart = [&](const std::vector<char>& loops) {
+      return std::none_of(loops_of[unknown].begin(), loops_of[unknown].end(),
+                          [&](int loop) { return loops[loop]; });
+    };
+    const auto group = std::find_if(has_one.begin(), has_one.end(), is_apart) - has_one.begin();
+    if (group == std::ssize(groups)) {
+      groups.emplace_back();
+      has_one.emplace_back(unknowns_of_loop.size(), false);
+    }
+    groups[group].push_back(unknown);
+    for (const int loop : loops_of[unknown]) has_one[group][loop] = true;
+  }
+  return groups;
+}
+
+std::vector<std::vector<int>> unknowns_of_loops(const Mechanism& mechanism) {
+  std::vector<std::vector<int>> unknowns;
+  for (const Loop& loop : mechanism.loops) {
+    std::vector<int>& mine = unknowns.emplace_back();
+    for (const Passage& passage : loop.passages) {
+      const int first = mechanism.first_column(passage);
+      for (int k = 0; k < (passage.ball ? 3 : 1); ++k) mine.push_back(first + k);
+    }
+  }
+  return unknowns;
+}
+
 // Rows d length / d closure of all diagonals, one after another: their gradients, through the
 // Jacobian's factors.
 std::vector<double> lengths_per_closure(const Mechanism& mechanism,
@@ -35,18 +74,23 @@ std::vector<double> lengths_per_closure(const Mechanism& mechanism,
   const int n = mechanism.equations;
   const std::size_t diagonals = mechanism.diagonals.size();
   std::vector<double> rates(mechanism.unknowns), lengths(diagonals), slopes(diagonals), misfit(n);
-  std::vector<std::vector<double>> gradients(diagonals, std::vector<double>(n));
-  for (int j = 0; j < n; ++j) {
+  std::vector<double> gradients(diagonals * static_cast<std::size_t>(n));
+  const auto unknowns_of_loop = unknowns_of_loops(mechanism);
+  for (const std::vector<int>& group : apart_from_each_other(mechanism, unknowns_of_loop)) {
     rates.assign(mechanism.unknowns, 0);
-    rates[j] = 1;
+    for (const int unknown : group) rates[unknown] = 1;
     folded_lengths_and_slopes(mechanism, geometry, state, rates.data(), lengths.data(),
                               slopes.data(), misfit.data());
-    for (std::size_t d = 0; d < diagonals; ++d) gradients[d][j] = slopes[d];
+    for (std::size_t d = 0; d < diagonals; ++d) {
+      for (const int unknown : unknowns_of_loop[mechanism.diagonals[d].loop]) {
+        if (rates[unknown] == 0) continue;
+        gradients[d * static_cast<std::size_t>(n) + static_cast<std::size_t>(unknown)] = slopes[d];
+      }
+    }
   }
-  std::vector<double> work(n), row(n), rows;
-  for (const std::vector<double>& gradient : gradients) {
-    factors.transposed(gradient.data(), work.data(), row.data());
-    rows.insert(rows.end(), row.begin(), row.end());
+  std::vector<double> work(n), rows(gradients.size());
+  for (std::size_t first = 0; first < rows.size(); first += static_cast<std::size_t>(n)) {
+    factors.transposed(gradients.data() + first, work.data(), rows.data() + first);
   }
   return rows;
 }

@@ -45,6 +45,24 @@ TEST_P(BatchTest, FullAndPartialBatchesAreBitForBitTheScalarOnes) {
   EXPECT_EQ(batch->rejection_effort().iterations, scalar.rejection_effort().iterations);
 }
 
+// There pivots are eliminated in blocks, in tiles that differ from one instruction set to another.
+TEST_P(BatchTest, LargeSheetsAreBitForBitTheScalarOnes) {
+  const DrawableSheet sheets(14, 14);
+  const Model model = sheets.with_threshold(0, {.end_deg = 6});
+  const auto batch = this->batch(model);
+  const ShiftBlock block = sheets.draws(9, kSeed);
+  ScalarBatch scalar(model);
+  EXPECT_EQ(words(batch->judge(block)), words(scalar.judge(block)));
+  const auto& histories = batch->record(block);
+  const auto& alone = scalar.record(block);
+  for (int i = 0; i < block.sheets; ++i) {
+    EXPECT_EQ(histories[i].stations.size(), 6u);
+    EXPECT_EQ(histories[i].length_mm, alone[i].length_mm);
+    EXPECT_EQ(histories[i].slope_mm_per_deg, alone[i].slope_mm_per_deg);
+    EXPECT_EQ(histories[i].fold_angle_deg, alone[i].fold_angle_deg);
+  }
+}
+
 TEST_P(BatchTest, NothingToDo) {
   const DrawableSheet sheets(4, 4);
   const Model model = sheets.with_threshold(150);

@@ -14,7 +14,11 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr std::pair<int, int> kShapes[] = {{4, 4}, {6, 6}, {8, 6}, {8, 8}, {10, 10}};
+constexpr std::pair<int, int> kShapes[] = {{4, 4},   {6, 6},   {8, 6},  {8, 8},
+                                           {10, 10}, {14, 14}, {20, 20}};
+
+// Of the large ones fewer states: the dense matrices they are compared with are what takes time.
+int states_of(int rows) { return rows <= 10 ? 50 : rows <= 14 ? 4 : 1; }
 
 // A sheet at a random state: misaligned by up to 0.4 mm, every joint up to 5 % of the way to flat
 // or closed off the base folding; and its Jacobian, sparsely factored and dense.
@@ -45,8 +49,18 @@ class RandomSystem {
     for (double& angle : turn) angle = 0.05 * pilot.s * pilot.c * uniform(random);
     advance(mechanism(), turn.data(), state);
     system_.evaluate(geometry, state);
-    evaluate(mechanism(), geometry, state, residual.data(), lu_.entries());
+    values_.resize(jacobian_entries(mechanism()).size());
+    evaluate(mechanism(), geometry, state, residual.data(), values_.data());
+    write_values();
     lu_.factorize();
+  }
+
+  /// Once more, with a right-hand side on the way: L^-1 of it.
+  Vector factorized_with(const Vector& rhs) {
+    Vector y(rhs.size() + 1);
+    write_values();
+    lu_.factorize(rhs.data(), y.data());
+    return y;
   }
 
   /// x with J x = rhs, the pilot held or else the partner.
@@ -61,10 +75,16 @@ class RandomSystem {
   }
 
  private:
+  void write_values() {
+    auto entry = lu_.entries();
+    for (const double value : values_) *entry++ = value;
+  }
+
   TestSheet sheet_;
   Elimination plan_;
   SparseLu<double> lu_;
   ClosureSystem system_;
+  std::vector<double> values_;
 };
 
 // From 1 to 179 degrees; every other one logarithmically near flat or near closed.
@@ -75,14 +95,14 @@ double random_angle_deg(int trial, std::mt19937_64& random) {
   return 1 + 178 * share;
 }
 
-// Calls check(system, random) at 50 random states of every shape.
+// Calls check(system, random) at random states of every shape.
 template <class Check>
 void at_random_states(Check&& check) {
   std::mt19937_64 random(20160235);
   for (const auto& [rows, columns] : kShapes) {
     SCOPED_TRACE(std::to_string(rows) + " x " + std::to_string(columns));
     RandomSystem system(rows, columns);
-    for (int trial = 0; trial < 50; ++trial) {
+    for (int trial = 0; trial < states_of(rows); ++trial) {
       const double pilot_deg = random_angle_deg(trial, random);
       SCOPED_TRACE("pilot at " + std::to_string(pilot_deg) + " degrees");
       system.draw(pilot_deg, random);
@@ -101,7 +121,7 @@ double norm_of(const Eigen::MatrixXd& matrix) {
   return matrix.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-// The plan is tried out to 1e-11 at twenty states; at the 250 here the worst is 6e-13 (of a null
+// The plan is tried out to 1e-11 at twenty states; at the 255 here the worst is 6e-13 (of a null
 // vector; 2e-13 of a solution).
 constexpr double kBackwardError = 1e-11;
 
@@ -173,7 +193,7 @@ TEST(SparseLu, KnowsTheSignOfTheDeterminant) {
     negative += expected < 0;
   });
   EXPECT_GT(negative, 0) << "one sign only: the test shows nothing";
-  EXPECT_LT(negative, 250);
+  EXPECT_LT(negative, 255);
 }
 
 Elimination plan_of(const TestSheet& sheet) {
@@ -247,11 +267,55 @@ TEST(Elimination, ThePilotIsLastAndItsPartnerACreaseElsewhere) {
   }
 }
 
-// Markowitz' order alone takes 1,004,572 on 20 x 20, within the parts of a dissection half of that;
-// the paper's size was 2,043 with pivots above 0.01 of their column, 1,712 with those above 0.0003.
+// The definition: one pivot after another on a dense matrix, every slot in the same order. Blocks
+// of pivots, the right-hand side on the way and two solutions in one pass keep its bits.
+TEST(SparseLu, BitsAreThoseOfOnePivotAfterAnother) {
+  std::mt19937_64 random(7);
+  for (const auto& [rows, columns] : {std::pair(6, 6), {10, 10}, {14, 14}}) {
+    RandomSystem system(rows, columns);
+    const Elimination& plan = system.plan();
+    const int n = plan.equations;
+    const auto is_block = [](const PivotBlock& block) { return block.size() > 1; };
+    EXPECT_TRUE(rows == 6 || std::any_of(plan.blocks.begin(), plan.blocks.end(), is_block));
+    system.draw(70, random);
+    Eigen::MatrixXd a(n, n + 1);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j <= n; ++j) a(i, j) = system.jacobian()(plan.row_of[i], plan.column_of[j]);
+    }
+    const Vector rhs = random_vector(n, random);
+    Vector y = rhs(plan.row_of);
+    for (int k = 0; k < n; ++k) {
+      const double inverse = 1 / a(k, k);
+      for (int i = k + 1; i < n; ++i) {
+        const double factor = a(i, k) * inverse;
+        for (int j = k + 1; j <= n; ++j) a(i, j) -= factor * a(k, j);
+        y[i] -= factor * y[k];
+      }
+    }
+    Vector forward(n + 1), x(n + 1), null(n + 1), work(n + 1), x_alone(n + 1), null_alone(n + 1);
+    system.lu().forward(rhs.data(), forward.data());
+    EXPECT_EQ(forward.head(n), y);
+    EXPECT_EQ(system.factorized_with(rhs).head(n), y);
+    const double partner = y[n - 1] / a(n - 1, n - 1);
+    Vector used = forward;
+    system.lu().backward(used.data(), partner, 0.0, x_alone.data());
+    system.lu().null_vector(-a(n - 1, n), a(n - 1, n - 1), work.data(), null_alone.data());
+    system.lu().backward_with_null_vector(forward.data(), partner, 0.0, x.data(), -a(n - 1, n),
+                                          a(n - 1, n - 1), work.data(), null.data());
+    EXPECT_EQ(x, x_alone);
+    EXPECT_EQ(null, null_alone);
+    EXPECT_EQ(system.lu().pilot_coefficient(), a(n - 1, n));
+    for (int k = 0; k < n; ++k) EXPECT_EQ(system.lu().pivot(k), a(k, k)) << k;
+  }
+}
+
+// Markowitz' order alone takes 1,004,572 on 20 x 20, within the parts of a dissection along x and y
+// half of that, 337,000 with oblique cuts; 6,945,562 and 4.1 million on 40 x 40. The paper's size
+// was 2,043 with pivots above 0.01 of their column, 1,712 with those above 0.0003.
 TEST(Elimination, OperationsStayFew) {
   EXPECT_LE(plan_of(TestSheet(6, 6)).operations(), 1900u);
-  EXPECT_LE(plan_of(TestSheet(20, 20)).operations(), 600'000u);
+  EXPECT_LE(plan_of(TestSheet(20, 20)).operations(), 360'000u);
+  EXPECT_LE(plan_of(TestSheet(40, 40)).operations(), 4'360'000u);
 }
 
 // Nothing depends on addresses, hashes or what ran before.

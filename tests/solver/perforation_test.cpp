@@ -1,5 +1,6 @@
 #include "solver/pattern/perforation.hpp"
 
+#include <Eigen/SVD>
 #include <random>
 #include <set>
 
@@ -40,6 +41,42 @@ TEST(Perforation, RankOfTheBaseSheet) {
       EXPECT_EQ(mobility.equations, c.equations);
       EXPECT_EQ(counted_mobility(sheet.base.sheet, sheet.base.holes), 1);
     }
+  }
+}
+
+// Against singular values of the dense Jacobian: perforations with a hole more or less, or with
+// few, on sheets of all kinds of sides.
+TEST(Perforation, RankAgainstSingularValues) {
+  std::mt19937 words(3);
+  for (const auto& [rows, columns] : {std::pair(3, 4), {5, 5}, {6, 6}, {7, 6}, {8, 8}, {9, 8}}) {
+    TestSheet sheet(rows, columns);
+    const std::vector<int> all = sheet.base.holes;
+    for (std::size_t left_out : {std::size_t{0}, std::size_t{1}, all.size() / 2, all.size() - 1}) {
+      std::vector<int> holes = all;
+      for (; left_out > 0; --left_out) holes.erase(holes.begin() + words() % holes.size());
+      const Mechanism mechanism = build_mechanism(sheet.base.sheet, holes, sheet.base.folding);
+      ClosureSystem system(mechanism);
+      int rank = 0;
+      for (const double pilot_deg : {40.0, 75.0, 110.0}) {
+        system.evaluate(sheet.geometry,
+                        base_state(mechanism, sheet.base.folding, sheet.base.sheet.vertices_mm,
+                                   half_angle_of_deg(pilot_deg)));
+        const auto values = Eigen::BDCSVD<Eigen::MatrixXd>(system.jacobian()).singularValues();
+        rank = std::max(rank, static_cast<int>((values.array() > 1e-5).count()));
+      }
+      EXPECT_EQ(measured_mobility(sheet.base.sheet, holes, sheet.base.folding).rank, rank)
+          << rows << " x " << columns << " with " << holes.size() << " holes";
+    }
+  }
+}
+
+// By dense matrices these took minutes each. The ranks are those that dense QR with column pivoting
+// gave.
+TEST(Perforation, RankOfLargeSheets) {
+  for (const auto& [rows, columns, rank] :
+       {std::tuple(20, 20, 978), {39, 40, 4205}, {40, 40, 4338}}) {
+    const TestSheet sheet(rows, columns);
+    EXPECT_EQ(measured_mobility(sheet.base.sheet, sheet.base.holes, sheet.base.folding).rank, rank);
   }
 }
 
