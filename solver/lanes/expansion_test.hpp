@@ -57,9 +57,6 @@ class ExpansionTest {
   std::vector<signed char> directions_;
 };
 
-// Of the far test's angle: at 120 degrees of 150 what the third order leaves is a hundredth of the
-// slopes, at 140 five; at 15 all diagonals have set out.
-constexpr double kLateShare = 0.8, kEarlyShare = 0.1;
 // Slopes by central differences of lengths: their error is a ten-thousandth.
 constexpr double kHalfStep_deg = 0.5;
 constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
@@ -78,10 +75,10 @@ ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(mode
           kMostTableBytes) {
     return;
   }
-  late_sample_ = static_cast<int>(kLateShare * model.tests()[0].sample);
-  const int early_sample = static_cast<int>(kEarlyShare * model.tests()[0].sample);
-  if (early_sample < 1 || late_sample_ <= early_sample) return;
-  make_ready(model, early_sample);
+  const int far = model.tests()[0].sample, early = early_sample(far);
+  late_sample_ = late_sample(far);
+  if (early < 1 || late_sample_ <= early) return;
+  make_ready(model, early);
 }
 
 template <class T, class Single>

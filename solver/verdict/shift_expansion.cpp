@@ -7,6 +7,8 @@
 namespace misalign::solver {
 namespace {
 
+constexpr double kEarlyShare = 0.1, kLateShare = 0.8;
+
 // The largest sum there can be is this many units; a pair's rounding is half a unit.
 constexpr double kLargestSum = 32000;
 // Of the largest share that was left out on the sheets that were measured. Among 30,000 sheets of
@@ -80,6 +82,9 @@ ShiftExpansion::Short rounded(double value, double unit) {
 }
 
 }  // namespace
+
+int early_sample(int far_sample) { return static_cast<int>(kEarlyShare * far_sample); }
+int late_sample(int far_sample) { return static_cast<int>(kLateShare * far_sample); }
 
 ShiftGradients::ShiftGradients(const Model& model)
     : coordinates_(static_cast<int>(2 * model.shifted().size())),

@@ -1,0 +1,93 @@
+// What tables say of draws to second order, beside the bounds that they claim: against states that
+// Newton's method finds at both angles. And how many draws they turn away.
+//   shift_expansions DRAWS CAMPAIGN...
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "../solver/expansion_sums.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/models.hpp"
+#include "solver/lanes/expansion_test.hpp"
+
+namespace misalign {
+namespace {
+
+using solver::ShiftedQuantity;
+
+// Newton's method from the base folding is the path's state there for these angles; what has not
+// converged after two corrections is left out.
+constexpr double kConverged_widths = 1e-6;
+
+struct Shares {
+  double elongation = 0, slope = 0;  // largest error, of its bound
+  int compared = 0, turned_away = 0, above = 0;
+};
+
+Shares compare(const schema::Campaign& campaign, const solver::ExpansionTest<double, float>& test,
+               const solver::Model& model, int draws) {
+  const int far = model.tests()[0].sample;
+  const std::vector<solver::TestAngle> angles = {
+      model.angle(solver::early_sample(far) * campaign.sample_deg, 0, true),
+      model.angle(solver::late_sample(far) * campaign.sample_deg, 0, true)};
+  solver::AngleSolver<double> solver(model, angles);
+  const std::size_t diagonals = model.mechanism().diagonals.size();
+  std::vector<double> flat(diagonals);
+  std::vector<signed char> directions(diagonals);
+  solver::ShiftBlock block{std::vector<double>(2 * model.shifted().size()), 1};
+  Shares shares;
+  for (int draw = 0; draw < draws; ++draw) {
+    search::draw_shifts(campaign.misalignment, campaign.seed, static_cast<std::uint64_t>(draw),
+                        block.shifts_mm.data());
+    const auto sums = solver::sums_of(test.expansion(), block.shifts_mm.data());
+    shares.turned_away += test.expansion().see(sums.data(), directions.data());
+    solver.load(block, 1, [](int) { return 0; });
+    solver::flat_lengths(model.mechanism(), solver.geometry(), flat.data());
+    for (const int angle : {0, 1}) {
+      solver.solve(angle);
+      const auto error = solver.length_error(angle, 0);
+      if (!error || *error > kConverged_widths) continue;
+      ++shares.compared;
+      for (std::size_t d = 0; d < diagonals; ++d) {
+        const double truth = angle == 0 ? solver.lengths()[d] - flat[d] : solver.slopes()[d];
+        const auto estimate = test.expansion().estimate(
+            angle == 0 ? ShiftedQuantity::elongation : ShiftedQuantity::slope, static_cast<int>(d),
+            sums.data());
+        double& share = angle == 0 ? shares.elongation : shares.slope;
+        const double here = std::abs(estimate.value - truth) / estimate.bound;
+        share = std::max(share, here);
+        shares.above += here > 1;
+      }
+    }
+  }
+  return shares;
+}
+
+int run(int draws, const std::vector<std::string>& campaigns) {
+  bool is_fine = true;
+  for (const std::string& path : campaigns) {
+    const schema::Campaign campaign = schema::read_campaign_file(path);
+    const solver::Model model = search::model_of(campaign);
+    const solver::ExpansionTest<double, float> test(model);
+    if (!test.is_there()) {
+      fmt::print("{:<24} no tables\n", campaign.name);
+      continue;
+    }
+    const Shares shares = compare(campaign, test, model, draws);
+    fmt::print(
+        "{:<24} {:>7} states, turned away {:.3f}, largest share of a bound: elongations "
+        "{:.2f}, slopes {:.2f}; above {}\n",
+        campaign.name, shares.compared, 1.0 * shares.turned_away / draws, shares.elongation,
+        shares.slope, shares.above);
+    is_fine = is_fine && shares.above == 0 && shares.compared > 1.9 * draws;
+  }
+  return is_fine ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace misalign
+
+int main(int argc, char** argv) {
+  if (argc < 3) return 2;
+  return misalign::run(std::atoi(argv[1]), {argv + 2, argv + argc});
+}
