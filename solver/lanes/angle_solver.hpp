@@ -26,10 +26,10 @@ class AngleSolver {
   /// `model` and `angles` must outlive this object.
   AngleSolver(const Model& model, const std::vector<TestAngle>& angles);
 
-  /// Puts sheets number_of(0) ... number_of(count - 1) of a block into lanes; empty lanes repeat
-  /// the first sheet.
-  template <class NumberOf>
-  void load(const ShiftBlock& block, int count, const NumberOf& number_of);
+  /// Puts so many sheets of a block into lanes, by their numbers; empty lanes repeat the first.
+  void load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers, int count);
+  /// The same of sheets first, first + 1, ...
+  void load(const ShiftBlock& block, int first, int count);
   /// Their states, lengths and, where the angle has them, slopes; from the base folding.
   MISALIGN_FLATTEN void solve(int angle);
   /// The same from this state, rounded as it may be.
@@ -108,12 +108,19 @@ AngleSolver<T>::AngleSolver(const Model& model, const std::vector<TestAngle>& an
 }
 
 template <class T>
-template <class NumberOf>
-void AngleSolver<T>::load(const ShiftBlock& block, int count, const NumberOf& number_of) {
+void AngleSolver<T>::load(const ShiftBlock& block, int first, int count) {
+  std::array<int, kLanes<T>> numbers;
+  for (int i = 0; i < kLanes<T>; ++i) numbers[i] = first + i;
+  load(block, numbers, count);
+}
+
+template <class T>
+void AngleSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<T>>& numbers,
+                          int count) {
   using std::sqrt;
   const T per_width(static_cast<Real>(1 / mechanism_.panel_width_mm));
   std::array<const double*, kLanes<T>> shifts;
-  for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(number_of(i < count ? i : 0));
+  for (int i = 0; i < kLanes<T>; ++i) shifts[i] = block.of(numbers[i < count ? i : 0]);
   int k = 0;
   for (const int vertex : model_.shifted()) {
     T dx, dy;

@@ -36,15 +36,11 @@ class ExpansionTest {
   using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
   static constexpr int kRow = ShiftExpansion::kTogether;
   static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
-  // The angles of AngleSolver.
-  enum { kEarly, kBefore, kAfter, kLate };
-
   void make_ready(const Model& model, int early_sample);
-  void find_gradients(const Model& model, const std::vector<TestAngle>& angles,
-                      ShiftGradients& gradients);
+  void find_gradients(const Model& model, const ShiftAngles& angles, ShiftGradients& gradients);
   static void take_off_flat(const Diagonal& diagonal, const SheetGeometry<T>& geometry,
                             std::vector<T>& row);
-  void find_sample(const Model& model, const std::vector<TestAngle>& angles, ShiftSample& sample);
+  void find_sample(const Model& model, const ShiftAngles& angles, ShiftSample& sample);
   void add_up(const ShiftBlock& block, int first, int count);
   void add_up(int group, int vertex, int count);
 
@@ -57,8 +53,6 @@ class ExpansionTest {
   std::vector<signed char> directions_;
 };
 
-// Slopes by central differences of lengths: their error is a ten-thousandth.
-constexpr double kHalfStep_deg = 0.5;
 constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
 constexpr std::size_t kMostTableBytes = 8 << 20;
 // Tables that turn away less than this share of the sheets are not worth their time.
@@ -83,12 +77,7 @@ ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(mode
 
 template <class T, class Single>
 void ExpansionTest<T, Single>::make_ready(const Model& model, int early_sample) {
-  const double late_deg = late_sample_ * model.sample_deg();
-  std::vector<TestAngle> angles;
-  angles.push_back(model.angle(early_sample * model.sample_deg(), early_sample, true));
-  angles.push_back(model.angle(late_deg - kHalfStep_deg, 0, true));
-  angles.push_back(model.angle(late_deg + kHalfStep_deg, 0, true));
-  angles.push_back(model.angle(late_deg, late_sample_, true));
+  const ShiftAngles angles(model, early_sample, late_sample_);
   ShiftGradients gradients(model);
   find_gradients(model, angles, gradients);
   expansion_ = std::make_unique<ShiftExpansion>(gradients);
@@ -109,31 +98,36 @@ void ExpansionTest<T, Single>::make_ready(const Model& model, int early_sample) 
 
 // Of lengths early and on both sides of the late angle: elongations are lengths less flat ones.
 template <class T, class Single>
-void ExpansionTest<T, Single>::find_gradients(const Model& model,
-                                              const std::vector<TestAngle>& angles,
+void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftAngles& angles,
                                               ShiftGradients& gradients) {
   const Mechanism& mechanism = model.mechanism();
   const double amplitude = model.ternary_mm() / mechanism.panel_width_mm;
-  const double per_step = amplitude / (2 * kHalfStep_deg * kRadPerDeg);
-  AngleSolver<T> solver(model, angles);
+  const double per_step = amplitude / (2 * ShiftAngles::kHalfStep_deg * kRadPerDeg);
+  const struct {
+    int angle;
+    ShiftedQuantity quantity;
+    double share;
+  } looks[] = {{ShiftAngles::kEarly, ShiftedQuantity::elongation, amplitude},
+               {ShiftAngles::kBefore, ShiftedQuantity::slope, -per_step},
+               {ShiftAngles::kAfter, ShiftedQuantity::slope, per_step}};
+  AngleSolver<T> solver(model, angles.all);
   FlatGradient<T> gradient(mechanism);
   std::vector<T> row(static_cast<std::size_t>(2 * mechanism.vertices), T(0));
   for (int first = 0; first < gradients.sheets().sheets; first += kLanes<T>) {
     const int count = std::min(kLanes<T>, gradients.sheets().sheets - first);
-    solver.load(gradients.sheets(), count, [&](int i) { return first + i; });
-    for (const int angle : {kEarly, kBefore, kAfter}) {
+    solver.load(gradients.sheets(), first, count);
+    for (const auto& [angle, quantity, share] : looks) {
       solver.solve(angle);
       gradient.at(solver.geometry(), solver.state());
       for (int d = 0; d < mechanism.diagonal_count(); ++d) {
         gradient.with_pilot_held(d, solver.factors(), row);
-        if (angle == kEarly) take_off_flat(mechanism.diagonals[d], solver.geometry(), row);
-        const double factor = angle == kEarly ? amplitude : angle == kAfter ? per_step : -per_step;
-        const auto quantity =
-            angle == kEarly ? ShiftedQuantity::elongation : ShiftedQuantity::slope;
+        if (quantity == ShiftedQuantity::elongation) {
+          take_off_flat(mechanism.diagonals[d], solver.geometry(), row);
+        }
         for (int j = 0; j < gradients.coordinates(); ++j) {
           const T& entry = row[2 * model.shifted()[j / 2] + j % 2];
           for (int i = 0; i < count; ++i) {
-            gradients.add(quantity, d, first + i, j, factor * lane(entry, i));
+            gradients.add(quantity, d, first + i, j, share * lane(entry, i));
           }
         }
       }
@@ -156,24 +150,26 @@ void ExpansionTest<T, Single>::take_off_flat(const Diagonal& diagonal,
 }
 
 template <class T, class Single>
-void ExpansionTest<T, Single>::find_sample(const Model& model, const std::vector<TestAngle>& angles,
+void ExpansionTest<T, Single>::find_sample(const Model& model, const ShiftAngles& angles,
                                            ShiftSample& sample) {
-  AngleSolver<Single> solver(model, angles);
+  AngleSolver<Single> solver(model, angles.all);
   const std::size_t diagonals = model.mechanism().diagonals.size();
   std::vector<Single> flat(diagonals, Single(0));
   for (int first = 0; first < sample.block.sheets; first += kLanes<Single>) {
     const int count = std::min(kLanes<Single>, sample.block.sheets - first);
-    solver.load(sample.block, count, [&](int i) { return first + i; });
+    solver.load(sample.block, first, count);
     flat_lengths(model.mechanism(), solver.geometry(), flat.data());
-    for (const int angle : {kEarly, kLate}) {
+    for (const int angle : {ShiftAngles::kEarly, ShiftAngles::kLate}) {
       solver.solve(angle);
       for (int i = 0; i < count; ++i) {
         char& is_known = sample.is_known[first + i];
-        is_known = (angle == kEarly || is_known) && solver.length_error(angle, i).has_value();
+        is_known =
+            (angle == ShiftAngles::kEarly || is_known) && solver.length_error(angle, i).has_value();
         double* const to =
-            (angle == kEarly ? sample.elongations : sample.slopes).data() + (first + i) * diagonals;
+            (angle == ShiftAngles::kEarly ? sample.elongations : sample.slopes).data() +
+            (first + i) * diagonals;
         for (std::size_t d = 0; d < diagonals; ++d) {
-          to[d] = angle == kEarly
+          to[d] = angle == ShiftAngles::kEarly
                       ? static_cast<double>(lane(solver.lengths()[d], i)) - lane(flat[d], i)
                       : static_cast<double>(lane(solver.slopes()[d], i));
         }

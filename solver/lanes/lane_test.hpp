@@ -80,7 +80,9 @@ void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<OpenSheet>& o
   for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
     OpenSheet* const sheets = open.data() + first;
     const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
-    solver_.load(block, count, [&](int i) { return sheets[i].sheet; });
+    std::array<int, kLanes<T>> numbers;
+    for (int i = 0; i < kLanes<T>; ++i) numbers[i] = sheets[i < count ? i : 0].sheet;
+    solver_.load(block, numbers, count);
     work(sheets, count);
   }
 }

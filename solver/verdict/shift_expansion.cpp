@@ -86,6 +86,16 @@ ShiftExpansion::Short rounded(double value, double unit) {
 int early_sample(int far_sample) { return static_cast<int>(kEarlyShare * far_sample); }
 int late_sample(int far_sample) { return static_cast<int>(kLateShare * far_sample); }
 
+ShiftAngles::ShiftAngles(const Model& model, int early_sample, int late_sample) {
+  const double late_deg = late_sample * model.sample_deg();
+  all.push_back(model.angle(early_sample * model.sample_deg(), early_sample, true));
+  all.push_back(model.angle(late_deg - kHalfStep_deg, 0, true));
+  all.push_back(model.angle(late_deg + kHalfStep_deg, 0, true));
+  all.push_back(model.angle(late_deg, late_sample, true));
+}
+
+ShiftAngles::~ShiftAngles() = default;
+
 ShiftGradients::ShiftGradients(const Model& model)
     : coordinates_(static_cast<int>(2 * model.shifted().size())),
       diagonals_(model.mechanism().diagonal_count()) {

@@ -24,6 +24,18 @@ enum class ShiftedQuantity { elongation, slope };
 int early_sample(int far_sample);
 int late_sample(int far_sample);
 
+/// The angles at which an expansion is made ready: early, on both sides of the late one, late.
+struct ShiftAngles {
+  enum { kEarly, kBefore, kAfter, kLate };
+  /// Slopes by central differences of lengths: their error is a ten-thousandth.
+  static constexpr double kHalfStep_deg = 0.5;
+
+  ShiftAngles(const Model& model, int early_sample, int late_sample);
+  ~ShiftAngles();
+
+  std::vector<TestAngle> all;
+};
+
 /// Gradients of all quantities by all coordinates (x and y of each shifted vertex in turn, in
 /// amplitudes), of the sheets that an expansion is made from: without shifts (0), and with
 /// coordinate i shifted forth (1 + 2 i) and back (2 + 2 i).
