@@ -44,6 +44,8 @@ class ExpansionTest {
   void add_up(const ShiftBlock& block, int first, int count);
   void add_up(int group, int vertex, int count);
 
+  static int sign_of(double shift) { return (shift > 0) - (shift < 0); }
+
   std::unique_ptr<ShiftExpansion> expansion_;
   double amplitude_mm_;
   int late_sample_ = 0;
@@ -199,16 +201,16 @@ void ExpansionTest<T, Single>::add_up(const ShiftBlock& block, int first, int co
   const int vertices = expansion_->vertices();
   rows_.resize(static_cast<std::size_t>(count * vertices));
   std::uint16_t* row = rows_.data();
-  is_ternary_.assign(static_cast<std::size_t>(count), 1);
-  const auto is_level = [&](double shift_mm) {
-    return shift_mm == 0 || std::abs(shift_mm) == amplitude_mm_;
-  };
+  is_ternary_.resize(static_cast<std::size_t>(count));
   for (int s = 0; s < count; ++s) {
     const double* shift = block.of(first + s);
+    bool is_ternary = true;
     for (int v = 0; v < vertices; ++v, shift += 2) {
-      is_ternary_[s] &= is_level(shift[0]) && is_level(shift[1]);
-      *row++ = static_cast<std::uint16_t>(ShiftExpansion::place_of(shift[0], shift[1]) * kRow);
+      const int x = sign_of(shift[0]), y = sign_of(shift[1]);
+      is_ternary &= (x * amplitude_mm_ == shift[0]) & (y * amplitude_mm_ == shift[1]);
+      *row++ = static_cast<std::uint16_t>(ShiftExpansion::place_of(x, y) * kRow);
     }
+    is_ternary_[s] = is_ternary;
   }
   sums_.assign(static_cast<std::size_t>(count) * expansion_->sums(), 0);
   for (int group = 0; group < expansion_->groups(); ++group) {

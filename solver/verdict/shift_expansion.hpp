@@ -101,10 +101,8 @@ class ShiftExpansion {
   const Short* together(int group, int vertex, int place) const {
     return together_.data() + at_together(group, vertex, place);
   }
-  /// The place of a vertex with these shifts, each negative, zero or positive.
-  static std::uint8_t place_of(double dx, double dy) {
-    return static_cast<std::uint8_t>(3 * ((dx > 0) - (dx < 0) + 1) + (dy > 0) - (dy < 0) + 1);
-  }
+  /// The place of a vertex with shifts of these signs: -1, 0 or 1.
+  static int place_of(int x, int y) { return 3 * (x + 1) + y + 1; }
 
   /// Measures the bounds on these sheets, of which the sums are known.
   void calibrate(const std::vector<Short>& sums, const ShiftSample& sample);

@@ -10,8 +10,9 @@ inline std::vector<ShiftExpansion::Short> sums_of(const ShiftExpansion& tables,
                                                   const double* shifts) {
   constexpr int kRow = ShiftExpansion::kTogether;
   std::vector<ShiftExpansion::Short> sums(tables.sums());
+  const auto sign = [](double shift) { return shift > 0 ? 1 : shift < 0 ? -1 : 0; };
   const auto place = [&](int v) {
-    return ShiftExpansion::place_of(shifts[2 * v], shifts[2 * v + 1]);
+    return ShiftExpansion::place_of(sign(shifts[2 * v]), sign(shifts[2 * v + 1]));
   };
   for (int group = 0; group < tables.groups(); ++group) {
     ShiftExpansion::Short* const of_group = sums.data() + group * 2 * kRow;
