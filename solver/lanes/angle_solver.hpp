@@ -1,10 +1,11 @@
-// As many sheets as there are lanes, all at one angle, straight from the base folding. One step
-// with the base's factors, then two corrections: the second one's size against the first one's
-// tells how far away the solution still is. Where slopes are wanted both are Newton's, with factors
-// of their own; otherwise the second uses the first one's. The tangent is not corrected: how far it
-// is from keeping the loops closed, weighted by how that shows in each diagonal of the base
-// folding, corrects the slopes instead (the adjoint correction of Giles & Pierce, Acta Numerica 11,
-// 2002) and says how well they are known, whether Newton or single precision left it.
+// As many sheets as there are lanes, all at one angle, straight from the base folding or from
+// states that are known. From the base one step with its factors, then two corrections: the second
+// one's size against the first one's tells how far away the solution still is. Where slopes are
+// wanted both are Newton's, with factors of their own; otherwise the second uses the first one's.
+// The tangent is not corrected: how far it is from keeping the loops closed, weighted by how that
+// shows in each diagonal of the base folding, corrects the slopes instead (the adjoint correction
+// of Giles & Pierce, Acta Numerica 11, 2002) and says how well they are known, whether Newton or
+// single precision left it.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
-// The rejection tests' rules: what a few converged states of a sheet say about its verdict. They
-// only ever reject, and only what every sample's own test would reject too: samples are a subset of
-// those that the verdict looks at, and every comparison leaves room for the error of both sides.
+// The rejection tests' rules: what an expansion and a few converged states of a sheet say about its
+// verdict. They only ever reject, and only what every sample's own test would reject too: samples
+// are a subset of those that the verdict looks at, and every comparison leaves room for the error
+// of both sides.
 #pragma once
 
 #include <optional>

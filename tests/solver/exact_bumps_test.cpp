@@ -24,9 +24,9 @@ class ExactBumps : public testing::TestWithParam<ExactDraws> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Draws, ExactBumps,
-                         testing::Values(ExactDraws{4, 4, 60, 1}, ExactDraws{4, 4, 60, 10},
-                                         ExactDraws{6, 6, 40, 1}, ExactDraws{6, 6, 40, 5},
-                                         ExactDraws{6, 6, 40, 10}));
+                         testing::Values(ExactDraws{4, 4, 30, 1}, ExactDraws{4, 4, 30, 10},
+                                         ExactDraws{6, 6, 40, 1}, ExactDraws{6, 6, 16, 5},
+                                         ExactDraws{6, 6, 16, 10}));
 
 TEST_P(ExactBumps, AreThoseOfFineSteps) {
   LaneBatch<double, float> batch(exact_);

@@ -66,7 +66,7 @@ class ShiftExpansions : public testing::TestWithParam<ExpandedSheet> {
     }
   }
 
-  static constexpr int kSheets = 100 / kFewer;
+  static constexpr int kSheets = 40 / kFewer;
   // Of central differences over a tenth of a degree: h^2 / 6 of third derivatives up to 10.
   static constexpr double kDifferenceError = 5e-6;
   const DrawableSheet sheets_;
@@ -94,7 +94,7 @@ TEST_P(ShiftExpansions, SayWhatThePathShows) {
       EXPECT_LT(history.verdict.deploys_from_sample, 10 * GetParam().late + 1);
     }
   }
-  EXPECT_GE(turned_away, 0.3 * kSheets) << "or they are of no use";
+  EXPECT_GE(turned_away, 0.2 * kSheets) << "or they are of no use";
   RecordProperty("largest_share_of_a_bound", scientific(largest_share_));
 }
 
