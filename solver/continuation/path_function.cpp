@@ -141,7 +141,7 @@ double PathFunction::pilot_slope(double x) const {
 }
 
 double PathFunction::pilot_error(double x) const {
-  return variable_ == pilot_ ? 0 : kFunctionSafety * table_.largest_last_terms(x) + 1e-14;
+  return variable_ == pilot_ ? 0 : pilot_error(x, table_.largest_last_terms(x));
 }
 
 // Its own last terms may vanish by accident.

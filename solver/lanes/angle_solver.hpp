@@ -15,6 +15,7 @@
 #include "solver/continuation/step_control.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
+#include "solver/linear/held_correction.hpp"
 #include "solver/verdict/rejection_test.hpp"
 
 namespace misalign::solver {
@@ -144,12 +145,11 @@ void AngleSolver<T>::load(const ShiftBlock& block, const std::array<int, kLanes<
 
 template <class T>
 void AngleSolver<T>::solve(int angle) {
-  const int n = mechanism_.equations;
   const SparseLu<Real>& factors = base_factors_[angle];
   state_ = base_[angle];
   evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
   factors.forward(residual_.data(), y_.data());
-  factors.backward(y_.data(), y_[n - 1] / T(factors.partner_coefficient()), T(0), turn_.data());
+  factors.backward_held(y_.data(), turn_.data());
   for (T& turn : turn_) turn = -turn;
   advance(mechanism_, turn_.data(), state_);
   finish(angle);
@@ -205,21 +205,9 @@ void AngleSolver<T>::finish(int angle) {
 // turn it made.
 template <class T>
 T AngleSolver<T>::correct(bool new_factors) {
-  if (new_factors) {
-    evaluate(mechanism_, geometry_, state_, residual_.data(), lu_.entries());
-    lu_.factorize();
-  } else {
-    evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-  }
-  lu_.forward(residual_.data(), y_.data());
-  lu_.backward(y_.data(), y_[mechanism_.equations - 1] / lu_.partner_coefficient(), T(0),
-               turn_.data());
+  correct_held(mechanism_, geometry_, new_factors, lu_, residual_, y_, turn_, state_);
   T largest(0);
-  for (T& turn : turn_) {
-    turn = -turn;
-    largest = larger(largest, magnitude(turn));
-  }
-  advance(mechanism_, turn_.data(), state_);
+  for (const T& turn : turn_) largest = larger(largest, magnitude(turn));
   return largest;
 }
 

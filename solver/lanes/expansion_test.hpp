@@ -36,6 +36,7 @@ class ExpansionTest {
   using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
   static constexpr int kRow = ShiftExpansion::kTogether;
   static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
+
   void make_ready(const Model& model, int early_sample);
   void find_gradients(const Model& model, const ShiftAngles& angles, ShiftGradients& gradients);
   static void take_off_flat(const Diagonal& diagonal, const SheetGeometry<T>& geometry,
@@ -55,7 +56,9 @@ class ExpansionTest {
   std::vector<signed char> directions_;
 };
 
+// Whose shares are measured; and so many that a vertex's part of the tables is worth loading.
 constexpr int kSampleSheets = 1024, kSheetsAtOnce = 1024;
+// Beyond, tables come from the third-level cache and cost what they save.
 constexpr std::size_t kMostTableBytes = 8 << 20;
 // Tables that turn away less than this share of the sheets are not worth their time.
 constexpr double kLeastTurnedAway = 0.1;

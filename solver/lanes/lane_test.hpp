@@ -39,6 +39,9 @@ class LaneTest {
   void each_vector(const ShiftBlock& block, std::vector<OpenSheet>& open, const Work& work);
   template <class Approach>
   void take_kept(OpenSheet* open, int count, Approach& approach);
+  template <class Rules, class Approach>
+  void report_all(int angle, bool replaces, OpenSheet* open, int count, Rules& rules,
+                  Approach& approach);
   template <class Rules>
   bool report(int angle, int sheet, int i, std::optional<double> error, Rules& rules);
   template <class Kept>
@@ -93,15 +96,7 @@ void LaneTest<T>::run(int angle, bool is_departure, const ShiftBlock& block,
                       std::vector<OpenSheet>& open, Rules& rules, Approach& approach) {
   each_vector(block, open, [&](OpenSheet* sheets, int count) {
     solver_.solve(angle);
-    flat_lengths(mechanism_, solver_.geometry(), flat_.data());
-    for (int i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
-      rules.set_flat(sheets[i].sheet, lane_flat_.data());
-      if (report(angle, sheets[i].sheet, i, solver_.length_error(angle, i), rules) &&
-          (is_departure || sheets[i].kept_state < 0)) {
-        keep(angle, i, approach.keep(sheets[i]));
-      }
-    }
+    report_all(angle, is_departure, sheets, count, rules, approach);
   });
 }
 
@@ -112,15 +107,24 @@ void LaneTest<T>::run_again(int angle, const ShiftBlock& block, std::vector<Open
   each_vector(block, open, [&](OpenSheet* sheets, int count) {
     take_kept(sheets, count, approach);
     solver_.solve_from(start_, angle);
-    flat_lengths(mechanism_, solver_.geometry(), flat_.data());
-    for (int i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
-      rules.set_flat(sheets[i].sheet, lane_flat_.data());
-      if (report(angle, sheets[i].sheet, i, solver_.length_error(angle, i), rules)) {
-        keep(angle, i, approach.keep(sheets[i]));
-      }
-    }
+    report_all(angle, true, sheets, count, rules, approach);
   });
+}
+
+// Flat lengths too, in this precision.
+template <class T>
+template <class Rules, class Approach>
+void LaneTest<T>::report_all(int angle, bool replaces, OpenSheet* open, int count, Rules& rules,
+                             Approach& approach) {
+  flat_lengths(mechanism_, solver_.geometry(), flat_.data());
+  for (int i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < flat_.size(); ++k) lane_flat_[k] = lane(flat_[k], i);
+    rules.set_flat(open[i].sheet, lane_flat_.data());
+    if (report(angle, open[i].sheet, i, solver_.length_error(angle, i), rules) &&
+        (replaces || open[i].kept_state < 0)) {
+      keep(angle, i, approach.keep(open[i]));
+    }
+  }
 }
 
 template <class T>

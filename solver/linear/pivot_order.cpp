@@ -89,7 +89,7 @@ double worst_backward_error(const Elimination& plan, const std::vector<JacobianE
     lu.factorize();
     for (double& value : rhs) value = static_cast<double>(generator()) / 2147483648.0 - 1.0;
     lu.forward(rhs.data(), y.data());
-    lu.backward(y.data(), y[n - 1] / lu.partner_coefficient(), 0.0, x.data());
+    lu.backward_held(y.data(), x.data());
     rest = rhs;
     row_sums.assign(n, 0);
     for (std::size_t e = 0; e < entries.size(); ++e) {

@@ -98,6 +98,12 @@ class SparseLu {
     }
   }
 
+  /// The same with the pilot at rest; `y` is what forward() made of a right-hand side.
+  template <class V>
+  void backward_held(V* y, V* x) const {
+    backward(y, y[plan_.equations - 1] / V(partner_coefficient()), V(0), x);
+  }
+
   /// Both at once: x from `y` with `pilot` and `partner`, and the null vector with its own values
   /// of them, while each factor is at hand. `null_work` has room for one value per unknown.
   void backward_with_null_vector(T* y, const T& partner, const T& pilot, T* x,
@@ -194,7 +200,7 @@ class SquareFactors {
 
   void solve(const T* rhs, T* x) {
     lu_.forward(rhs, y_.data());
-    lu_.backward(y_.data(), y_[equations_ - 1] / lu_.partner_coefficient(), T(0), x_.data());
+    lu_.backward_held(y_.data(), x_.data());
     for (int j = 0; j < equations_; ++j) x[j] = x_[j];
   }
   void solve_transposed(const T* rhs, T* x) { lu_.transposed(rhs, y_.data(), x); }

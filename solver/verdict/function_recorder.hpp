@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/continuation/node_follower.hpp"
+#include "solver/linear/held_correction.hpp"
 #include "solver/linear/singular_value.hpp"
 #include "solver/verdict/function_records.hpp"
 #include "solver/verdict/recorder.hpp"
@@ -124,18 +125,7 @@ class FunctionRecorder {
   }
 
   void correct(bool new_factors) {
-    if (new_factors) {
-      evaluate(mechanism_, geometry_, state_, residual_.data(), factors_.entries());
-      factors_.factorize();
-    } else {
-      evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-    }
-    factors_.forward(residual_.data(), work_.data());
-    factors_.backward(work_.data(),
-                      work_[mechanism_.equations - 1] / factors_.partner_coefficient(), T(0),
-                      turn_.data());
-    for (T& turn : turn_) turn = -turn;
-    advance(mechanism_, turn_.data(), state_);
+    correct_held(mechanism_, geometry_, new_factors, factors_, residual_, work_, turn_, state_);
   }
 
   void keep(SolvedState& solved, int i) const {
