@@ -38,6 +38,8 @@ STYLES = {
     "tracker-10deg": (BLACK, SOLID, "tracker, 10° steps"),
     "lanes": (BLACK, DASHED, "tracker in eight lanes"),
     "lanes-10deg": (BLACK, DASHED, "eight lanes, 10° steps"),
+    "function": (GREY, SOLID, "path as a function"),
+    "function-lanes": (GREY, DASHED, "function in eight lanes"),
     "kinsol": (PURPLE, SOLID, "KINSOL"),
     "kinsol-newton": (PURPLE, DASHED, "KINSOL, a Jacobian a step"),
     "kinsol-dq": (PURPLE, DOTTED, "KINSOL, finite differences"),

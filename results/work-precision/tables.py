@@ -15,7 +15,7 @@ from draw import DEFAULT_TOLERANCE, HERE, read
 
 # Columns of the table of tolerances.
 CHOSEN = ("paper", "tangent", "hermite", "hermite-sparse", "adaptive", "adaptive-sparse", "tracker",
-          "lanes", "paper-float", "tangent-float")
+          "lanes", "function", "function-lanes", "paper-float", "tangent-float")
 
 
 def significant(value, digits=3, most_decimals=9):

@@ -19,10 +19,11 @@ class NodeFollower {
   static constexpr int kWidth = kLanes<T>;
 
   /// Owns its memory from the start; both must outlive it.
-  NodeFollower(const Mechanism& mechanism, const Elimination& elimination)
+  NodeFollower(const Mechanism& mechanism, const Elimination& elimination,
+               const NodeControlOptions& options = {})
       : mechanism_(mechanism),
         corrector_(mechanism, SparseClosure<T>(mechanism, elimination)),
-        control_(mechanism, kWidth),
+        control_(mechanism, kWidth, options),
         ahead_(flat_state<T>(mechanism)),
         tangent_(mechanism.unknowns, T(0)),
         lengths_(mechanism.diagonals.size(), T(0)),

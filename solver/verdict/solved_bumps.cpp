@@ -21,7 +21,7 @@ constexpr double kRatePerMiddle = 12.5, kMiddlePerRate = 0.125;
 // What a state in the middle may be away from its neighbours' mean (rad), and how often a way is
 // halved at most.
 constexpr double kLongestCorrection_rad = 0.2;
-constexpr int kMostHalvings = 16;
+constexpr int kMostSolvedHalvings = 16;
 
 HalfAngle<double> between(const HalfAngle<double>& a, const HalfAngle<double>& b, double share) {
   return HalfAngle<double>{a.c + share * (b.c - a.c), a.s + share * (b.s - a.s)}.turned(0);
@@ -42,7 +42,7 @@ struct SolvedBumps::Workspace {
         tangent(static_cast<std::size_t>(mechanism.unknowns)),
         misfits(static_cast<std::size_t>(mechanism.equations)),
         dense(mechanism),
-        middles(kMostHalvings + 1, PathPoint(mechanism)) {}
+        middles(kMostSolvedHalvings + 1, PathPoint(mechanism)) {}
 
   LaneCorrector<double, SparseClosure<double>> corrector;
   FoldState<double> near;
@@ -111,7 +111,7 @@ bool SolvedBumps::go(const SheetGeometry<double>& geometry, const End& from, con
     if (bend > 0 && bend < 1) least = std::min(least, way.rate(bend));
     all_go_on = least > kRatePerMiddle * off;
   }
-  if (all_go_on || off <= kSolved_widths || halvings == kMostHalvings) {
+  if (all_go_on || off <= kSolved_widths || halvings == kMostSolvedHalvings) {
     follow(from, middle, judge);
     follow(middle, to, judge);
     return true;

@@ -131,24 +131,28 @@ BENCHMARK(solve_with_factors);
 struct OnePath {
   const solver::SheetGeometry<double>& geometry;
   const solver::PathPlan& plan;
-  bool departed = false;
-  bool next(solver::PathStart& departure, int) {
-    if (departed) return false;
-    departed = true;
-    departure = {&geometry, &plan.start, &plan};
+  solver::PathPoint& place;
+  bool started = false;
+  bool next(solver::PathStart& start, int) {
+    if (started) return false;
+    started = true;
+    start = {&geometry, &plan.start, &plan};
     return true;
   }
-  bool visit(const solver::Station&, int) { return true; }
+  solver::PathPoint& point() { return place; }
+  bool wants_slopes() const { return false; }
+  bool see(const solver::Station&, int) { return true; }
   void ended(const solver::PathResult&, int) {}
 };
 
 void full_path_sparse(benchmark::State& state) {
   Parts p;
-  solver::PathFollower<double> tracker(p.mechanism, p.elimination);
+  solver::PathFollower<double> follower(p.mechanism, p.elimination);
+  solver::PathPoint point(p.mechanism);
   for (auto _ : state) {
     solver::place(p.mechanism, p.next(), p.geometry);
-    OnePath path{p.geometry, p.plan};
-    tracker.run(path);
+    OnePath path{p.geometry, p.plan, point};
+    follower.run(path);
   }
 }
 BENCHMARK(full_path_sparse)->Unit(benchmark::kMillisecond)->Iterations(200);

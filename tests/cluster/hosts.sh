@@ -56,9 +56,9 @@ quick_campaign $campaign
 placed=$("${across[@]}" -n 3 sh -c 'echo $(hostname): $(ls)' | sort | xargs)
 [ "$placed" = "host1: quick.json host1: quick.json host2:" ] || { fail "ranks and files are on $placed"; finish; }
 
-# As much as one rank does in six seconds on this machine: the link is cut before the end, also where the
+# As much as one rank does in four seconds on this machine: the link is cut before the end, also where the
 # second of two runs is slow to start.
-"$program" search $campaign --catalogue calm.db --max-time 6 --progress none > /dev/null 2>&1
+"$program" search $campaign --catalogue calm.db --max-time 4 --progress none > /dev/null 2>&1
 draws=$(sql calm.db 'SELECT sum(draws) FROM unit')
 expected=$(digest_of calm.db)
 search=("$program" search $campaign --draws "$draws" --unit-draws 50 --progress none --catalogue)

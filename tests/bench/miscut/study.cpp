@@ -204,7 +204,7 @@ class Study {
          kind <= static_cast<int>(solver::Fault::undecided); ++kind) {
       faults[static_cast<solver::Fault>(kind)] = 0;
     }
-    for (const solver::Verdict& verdict : judge_to_the_end(model_, *batch_, block_)) {
+    for (const solver::Verdict& verdict : batch_->judge(block_)) {
       if (verdict.deploys_from_sample >= campaign_.threshold_sample()) {
         ++deploy;
       } else {

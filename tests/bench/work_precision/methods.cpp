@@ -86,6 +86,12 @@ void add_trackers(const std::string& name, const std::string& linear_solver, con
   }
 }
 
+// Its steps are as long as it holds, whatever the samples' spacing.
+Method function(const std::string& name, const std::string& linear_solver, const Prepare& prepare) {
+  return {name, linear_solver, "double",       "analytic", "polynomial",
+          0,    kEverySpacing, kLeastInDouble, prepare};
+}
+
 #ifdef MISALIGN_X86
 bool has_avx512() {
   const auto sets = solver::available_instruction_sets();
@@ -138,8 +144,12 @@ std::vector<Method> all_methods() {
 #endif
   };
   add_trackers("tracker", FixedOrderLinear<double>::kName, track_one_by_one, methods);
+  methods.push_back(function("function", FixedOrderLinear<double>::kName, functions_one_by_one));
 #ifdef MISALIGN_X86
-  if (has_avx512()) add_trackers("lanes", "fixed order in lanes", track_in_lanes, methods);
+  if (has_avx512()) {
+    add_trackers("lanes", "fixed order in lanes", track_in_lanes, methods);
+    methods.push_back(function("function-lanes", "fixed order in lanes", functions_in_lanes));
+  }
 #endif
   return methods;
 }

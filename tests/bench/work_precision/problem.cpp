@@ -1,7 +1,7 @@
 #include "tests/bench/work_precision/problem.hpp"
 
 #include "search/draws/draw.hpp"
-#include "solver/continuation/path.hpp"
+#include "solver/reference/path_tracker.hpp"
 
 namespace misalign::bench {
 

@@ -6,8 +6,15 @@
 
 namespace misalign::bench {
 
+using Lanes = xsimd::batch<double, xsimd::avx512f>;
+
 Run track_in_lanes(const Problem& problem, const Demand& demand) {
-  auto tracking = std::make_shared<Tracking<xsimd::batch<double, xsimd::avx512f>>>(problem, demand);
+  auto tracking = std::make_shared<StationTracking<Lanes>>(problem, demand);
+  return [tracking](std::vector<Track>& tracks) { tracking->follow(tracks); };
+}
+
+Run functions_in_lanes(const Problem& problem, const Demand& demand) {
+  auto tracking = std::make_shared<FunctionTracking<Lanes>>(problem, demand);
   return [tracking](std::vector<Track>& tracks) { tracking->follow(tracks); };
 }
 
