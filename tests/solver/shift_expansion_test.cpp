@@ -93,7 +93,7 @@ TEST_P(ShiftExpansions, SayWhatThePathShows) {
       EXPECT_LT(history.verdict.deploys_from_sample, 10 * GetParam().late + 1);
     }
   }
-  EXPECT_GE(std::count(seen.both.begin(), seen.both.end(), true), 0.2 * kAsked)
+  EXPECT_GE(std::count(seen.both.begin(), seen.both.end(), true), 0.3 * kAsked)
       << "or they are of no use";
   RecordProperty("largest_share_of_a_bound", scientific(largest_share_));
 }
