@@ -18,6 +18,12 @@ struct FoldedPoints {
   std::vector<Vec3<T>> vertices;
 };
 
+/// How a facet moves: its point that is at p now moves by spin x p + drift.
+template <class T>
+struct Twist {
+  Vec3<T> spin, drift;
+};
+
 /// Places each vertex by one facet only, reached over a spanning tree of joints, so that an error
 /// of closure shows as a changed length in the facets that did not place all of their corners.
 class FoldedShape {
@@ -37,6 +43,28 @@ class FoldedShape {
     }
     for (int v = 0; v < static_cast<int>(placed_by_.size()); ++v) {
       points.vertices[v] = points.facets[placed_by_[v]] * flat_point(geometry, v);
+    }
+  }
+
+  /// How each facet moves, seen from the first kept one, while every unknown changes at its rate
+  /// (per unit of whatever `rates` are per); `points` are those of `place` at this state.
+  template <class T>
+  void move(const SheetGeometry<T>& geometry, const FoldedPoints<T>& points, const T* rates,
+            std::vector<Twist<T>>& twists) const {
+    const Vec3<T> at_rest{T(0), T(0), T(0)};
+    twists.assign(facets_.size(), {at_rest, at_rest});
+    for (const Branch& branch : tree_) {
+      detail::LoopScrews<T> screws;
+      detail::gather(mechanism_, geometry, branch.joint, points.facets[branch.parent],
+                     points.facets[branch.facet], screws);
+      const T* rate = rates + mechanism_.first_column(branch.joint);
+      Twist<T> twist = twists[branch.parent];
+      for (int k = 0; k < screws.count; ++k) {
+        const Vec3<T> turn = rate[k] * screws.axis[k];
+        twist.spin = twist.spin + turn;
+        twist.drift = twist.drift - cross(turn, screws.point[k]);
+      }
+      twists[branch.facet] = twist;
     }
   }
 

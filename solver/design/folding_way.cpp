@@ -1,0 +1,103 @@
+#include "solver/design/folding_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/kinematics/diagonals.hpp"
+
+namespace misalign::solver {
+
+using Eigen::Index;
+
+double WayCoordinate::pilot_rad(double x) const {
+  return limit_rad > 0 ? limit_rad * std::sin(x) : x;
+}
+
+double WayCoordinate::pilot_rate(double x) const {
+  return limit_rad > 0 ? limit_rad * std::cos(x) : 1;
+}
+
+double WayCoordinate::x_of(double pilot_rad) const {
+  return limit_rad > 0 ? std::asin(std::clamp(pilot_rad / limit_rad, -1.0, 1.0)) : pilot_rad;
+}
+
+FoldingWay::FoldingWay(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+                       const WayCoordinate& coordinate, double step, double end,
+                       std::vector<WayStation> stations)
+    : mechanism_(&mechanism),
+      vertices_mm_(vertices_mm),
+      geometry_([&] {
+        SheetGeometry<double> geometry;
+        place(mechanism, vertices_mm, geometry);
+        return geometry;
+      }()),
+      coordinate_(coordinate),
+      step_(step),
+      end_(end),
+      stations_(std::move(stations)),
+      flat_mm_(static_cast<Index>(mechanism.diagonals.size())),
+      joints_(table_of_joints()) {
+  flat_lengths(mechanism, geometry_, flat_mm_.data());
+  flat_mm_ *= mechanism.panel_width_mm;
+}
+
+bool FoldingWay::ends_at_limit() const {
+  return coordinate_.limit_rad > 0 && end_ >= (1 - 1e-12) * kPi / 2;
+}
+
+SmoothTable FoldingWay::table_of_joints() const {
+  using Parity = SmoothTable::Parity;
+  const Index count = static_cast<Index>(stations_.size());
+  Eigen::MatrixXd values(diagonals() + creases() + 4 * balls(), count);
+  for (Index k = 0; k < count; ++k) {
+    const FoldState<double>& state = stations_[static_cast<std::size_t>(k)].state;
+    double* value = values.col(k).data();
+    folded_lengths(*mechanism_, geometry_, state, value);
+    for (Index d = 0; d < diagonals(); ++d) *value++ *= mechanism_->panel_width_mm;
+    for (const HalfAngle<double>& rho : state.creases) *value++ = 2 * std::atan2(rho.s, rho.c);
+    for (const Quaternion<double>& q : state.balls) {
+      for (const double entry : {q.w, q.x, q.y, q.z}) *value++ = entry;
+    }
+  }
+  std::vector<Parity> parities(static_cast<std::size_t>(diagonals()), Parity::even);
+  parities.resize(static_cast<std::size_t>(diagonals() + creases()), Parity::odd);
+  // The mirror image of a rotation in the sheet's plane: axes in the plane turn round.
+  for (Index ball = 0; ball < balls(); ++ball) {
+    parities.insert(parities.end(), {Parity::even, Parity::odd, Parity::odd, Parity::even});
+  }
+  return table(values, std::move(parities));
+}
+
+void FoldingWay::find_lengths(double x, Eigen::VectorXd& lengths_mm,
+                              Eigen::VectorXd& rates_mm) const {
+  joints_.find(x, 0, diagonals(), lengths_mm, rates_mm);
+}
+
+void FoldingWay::find_creases(double x, Eigen::VectorXd& angles_rad, Eigen::VectorXd& rates) const {
+  joints_.find(x, diagonals(), creases(), angles_rad, rates);
+}
+
+void FoldingWay::find_balls(double x, Eigen::VectorXd& speeds) const {
+  joints_.find(x, diagonals() + creases(), 4 * balls(), quaternions_, quaternion_rates_);
+  speeds.resize(balls());
+  for (Index ball = 0; ball < balls(); ++ball) {
+    speeds(ball) = 2 * quaternion_rates_.segment<4>(4 * ball).norm();
+  }
+}
+
+void FoldingWay::find_state(double x, FoldState<double>& state) const {
+  const Index first = diagonals();
+  for (Index k = 0; k < creases(); ++k) {
+    const double half = joints_.value(x, first + k) / 2;
+    state.creases[static_cast<std::size_t>(k)] = {std::cos(half), std::sin(half)};
+  }
+  joints_.find(x, first + creases(), 4 * balls(), quaternions_, quaternion_rates_);
+  for (Index ball = 0; ball < balls(); ++ball) {
+    const auto q = quaternions_.segment<4>(4 * ball);
+    state.balls[static_cast<std::size_t>(ball)] =
+        Quaternion<double>{q(0), q(1), q(2), q(3)}.normalized();
+  }
+}
+
+}  // namespace misalign::solver

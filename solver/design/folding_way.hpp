@@ -1,0 +1,115 @@
+// The folding path of one sheet as a function of one coordinate, from flat to its end: what moves,
+// rests or touches on the way is asked of it at any place, not only at samples.
+//
+// The coordinate x is the pilot's fold angle where the path ends at a given angle. Where it ends at
+// a fold limit it is that with pilot = limit * sin x: the pilot stands still at the limit, and
+// everything that is smooth along the path is smooth in x there too. Fold angles are odd in x,
+// lengths even: on the other side of flat lies the mirror image.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "solver/design/smooth_table.hpp"
+#include "solver/verdict/model.hpp"
+
+namespace misalign::solver {
+
+/// A state that was solved, and how it goes on.
+struct WayStation {
+  FoldState<double> state;
+  std::vector<double> rates;  ///< of every unknown, rad per unit of x
+};
+
+/// Pilot angle and coordinate.
+struct WayCoordinate {
+  double limit_rad;  ///< the fold limit; 0: there is none
+
+  double pilot_rad(double x) const;
+  double pilot_rate(double x) const;  ///< rad per unit of x
+  double x_of(double pilot_rad) const;
+};
+
+class FoldingWay {
+ public:
+  /// As WaySolver finds it: the k-th station at (k + 1/2) `step`, at least SmoothTable::kPoints of
+  /// them. `mechanism` must outlive this object.
+  FoldingWay(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+             const WayCoordinate& coordinate, double step, double end,
+             std::vector<WayStation> stations);
+
+  const Mechanism& mechanism() const { return *mechanism_; }
+  const FlatVertices& vertices_mm() const { return vertices_mm_; }
+  const SheetGeometry<double>& geometry() const { return geometry_; }
+  const std::vector<WayStation>& stations() const { return stations_; }
+  double x_of_station(std::size_t k) const { return (static_cast<double>(k) + 0.5) * step_; }
+
+  /// The largest x, and the pilot's angle there.
+  double end() const { return end_; }
+  double end_deg() const { return pilot_deg(end_); }
+  bool ends_at_limit() const;
+  double pilot_deg(double x) const { return coordinate_.pilot_rad(x) / kRadPerDeg; }
+  double pilot_rate(double x) const { return coordinate_.pilot_rate(x); }
+  /// Of a pilot angle from -end_deg() to end_deg().
+  double x_of(double pilot_deg) const { return coordinate_.x_of(pilot_deg * kRadPerDeg); }
+
+  /// Of the diagonals: lengths (mm) flat and at x, and rates per unit of x.
+  const Eigen::VectorXd& flat_mm() const { return flat_mm_; }
+  void find_lengths(double x, Eigen::VectorXd& lengths_mm, Eigen::VectorXd& rates_mm) const;
+  /// Of the creases: fold angles (rad), and rates per unit of x.
+  void find_creases(double x, Eigen::VectorXd& angles_rad, Eigen::VectorXd& rates) const;
+  /// How fast each ball joint turns, rad per unit of x; not negative.
+  void find_balls(double x, Eigen::VectorXd& speeds) const;
+  /// How far the joints are turned at x; `state` has its size already.
+  void find_state(double x, FoldState<double>& state) const;
+
+  /// What is known at the stations, a row each, as functions of x.
+  SmoothTable table(const Eigen::MatrixXd& at_stations,
+                    std::vector<SmoothTable::Parity> parities) const {
+    return {at_stations, std::move(parities), step_};
+  }
+
+ private:
+  Eigen::Index diagonals() const { return flat_mm_.size(); }
+  Eigen::Index creases() const { return static_cast<Eigen::Index>(mechanism_->creases.size()); }
+  Eigen::Index balls() const { return static_cast<Eigen::Index>(mechanism_->balls.size()); }
+  SmoothTable table_of_joints() const;
+
+  const Mechanism* mechanism_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+  WayCoordinate coordinate_;
+  double step_, end_;
+  std::vector<WayStation> stations_;
+  Eigen::VectorXd flat_mm_;
+  SmoothTable joints_;  // lengths (mm), fold angles (rad), quaternions of the ball joints
+  mutable Eigen::VectorXd quaternions_, quaternion_rates_;
+};
+
+struct FoldingWayOptions {
+  /// With 60 the polynomials between the stations are off by 1e-11 panel widths or radians at most
+  /// (tests/solver/folding_way_test.cpp).
+  int stations = 60;
+};
+
+/// Finds where paths end by following them as functions (NodeFollower), then solves them at
+/// equidistant x.
+class WaySolver {
+ public:
+  /// Paths to the end of the model's; `model` must outlive this object.
+  explicit WaySolver(const Model& model, const FoldingWayOptions& options = {});
+  ~WaySolver();
+
+  /// Nothing where the path is lost, a numerical failure. Where it is lost only behind half of the
+  /// stations it ends at the last one that was solved.
+  std::optional<FoldingWay> follow(const FlatVertices& vertices_mm);
+
+ private:
+  struct Workspace;
+
+  const Model& model_;
+  const FoldingWayOptions options_;
+  const std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace misalign::solver
