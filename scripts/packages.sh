@@ -3,7 +3,7 @@
 
 build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
-  libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev help2man"
+  libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev libsundials-dev help2man"
 # Node.js for the page of the report, unless a good one is there already (from elsewhere).
 if ! node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' 2> /dev/null ||
   ! command -v npm > /dev/null; then

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/kinematics/diagonals.hpp"
+#include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
 
@@ -83,6 +84,43 @@ void FoldingWay::find_balls(double x, Eigen::VectorXd& speeds) const {
   speeds.resize(balls());
   for (Index ball = 0; ball < balls(); ++ball) {
     speeds(ball) = 2 * quaternion_rates_.segment<4>(4 * ball).norm();
+  }
+}
+
+std::optional<double> FoldingWay::over_folded_deg() const {
+  constexpr double kBand_rad = kOverFoldBand_deg * kRadPerDeg;
+  Eigen::VectorXd angles_rad, rates;
+  const auto is_beyond = [&](double x) {
+    find_creases(x, angles_rad, rates);
+    return angles_rad.cwiseAbs().maxCoeff() > kPi + kBand_rad;
+  };
+  double below_x = 0, beyond_x = 0;
+  for (std::size_t k = 0; k < stations_.size() && beyond_x == 0; ++k) {
+    (is_beyond(x_of_station(k)) ? beyond_x : below_x) = x_of_station(k);
+  }
+  if (beyond_x == 0 && is_beyond(end_)) beyond_x = end_;
+  if (beyond_x == 0) return {};
+  for (int k = 0; k < 50; ++k) {
+    const double middle = (below_x + beyond_x) / 2;
+    (is_beyond(middle) ? beyond_x : below_x) = middle;
+  }
+  return pilot_deg(below_x);
+}
+
+void FoldingWay::find_rates(double x, Eigen::VectorXd& rates) const {
+  Eigen::VectorXd angles_rad, crease_rates;
+  find_creases(x, angles_rad, crease_rates);
+  rates.resize(mechanism_->unknowns);
+  for (Index k = 0; k < creases(); ++k) {
+    rates(mechanism_->creases[static_cast<std::size_t>(k)].column) = crease_rates(k);
+  }
+  joints_.find(x, diagonals() + creases(), 4 * balls(), quaternions_, quaternion_rates_);
+  for (Index ball = 0; ball < balls(); ++ball) {
+    const auto q = quaternions_.segment<4>(4 * ball), dq = quaternion_rates_.segment<4>(4 * ball);
+    const Quaternion<double> turn = Quaternion<double>{dq(0), dq(1), dq(2), dq(3)} *
+                                    Quaternion<double>{q(0), q(1), q(2), q(3)}.conjugate();
+    rates.segment<3>(mechanism_->balls[static_cast<std::size_t>(ball)].column) << 2 * turn.x,
+        2 * turn.y, 2 * turn.z;
   }
 }
 

@@ -48,6 +48,8 @@ class FoldingWay {
   double end() const { return end_; }
   double end_deg() const { return pilot_deg(end_); }
   bool ends_at_limit() const;
+  /// The pilot's angle where a crease first folds past 180 degrees; none if none does.
+  std::optional<double> over_folded_deg() const;
   double pilot_deg(double x) const { return coordinate_.pilot_rad(x) / kRadPerDeg; }
   double pilot_rate(double x) const { return coordinate_.pilot_rate(x); }
   /// Of a pilot angle from -end_deg() to end_deg().
@@ -60,6 +62,8 @@ class FoldingWay {
   void find_creases(double x, Eigen::VectorXd& angles_rad, Eigen::VectorXd& rates) const;
   /// How fast each ball joint turns, rad per unit of x; not negative.
   void find_balls(double x, Eigen::VectorXd& speeds) const;
+  /// The rate of every unknown, rad per unit of x.
+  void find_rates(double x, Eigen::VectorXd& rates) const;
   /// How far the joints are turned at x; `state` has its size already.
   void find_state(double x, FoldState<double>& state) const;
 

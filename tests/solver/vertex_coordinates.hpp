@@ -66,6 +66,8 @@ class VertexCoordinates {
     return true;
   }
 
+  /// 3 x vertices.
+  Eigen::Matrix3Xd points_mm() const { return points_ * unit_mm_; }
   double distance_mm(int v, int w) const {
     return (points_.col(v) - points_.col(w)).norm() * unit_mm_;
   }

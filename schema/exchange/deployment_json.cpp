@@ -1,0 +1,125 @@
+#include "schema/exchange/deployment_json.hpp"
+
+#include "schema/exchange/actuation_json.hpp"
+
+namespace misalign::schema {
+namespace {
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+const char* name_of(solver::DeploymentEvent event) {
+  switch (event) {
+    case solver::DeploymentEvent::start:
+      return "start";
+    case solver::DeploymentEvent::flat:
+      return "flat";
+    case solver::DeploymentEvent::turn:
+      return "turn";
+    case solver::DeploymentEvent::end:
+      return "end";
+    case solver::DeploymentEvent::none:
+      break;
+  }
+  return "";
+}
+
+Json springs_json(const solver::Mechanism& mechanism, const solver::Springs& springs) {
+  Json others = Json::object();
+  for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
+    others[diagonal_label(mechanism, diagonal)] = rest_deg;
+  }
+  return {{"stiffness_n_per_mm", springs.stiffness_n_per_mm},
+          {"rest_deg", springs.rest_deg},
+          {"other_rests_deg", others},
+          {"pull_only", springs.pull_only}};
+}
+
+Json joints_json(const solver::JointResistance& joints) {
+  return {{"friction_n_mm_per_mm", joints.friction_n_mm_per_mm},
+          {"ball_friction_n_mm", joints.ball_friction_n_mm},
+          {"damping_n_mm_s_per_mm", joints.damping_n_mm_s_per_mm},
+          {"stiffness_n_mm_per_mm", joints.stiffness_n_mm_per_mm},
+          {"rest_deg", joints.rest_deg}};
+}
+
+Json held_json(const std::optional<solver::HeldPanel>& held) {
+  if (!held) return nullptr;
+  const Eigen::Vector3d& gravity = held->gravity_mm_per_s2;
+  return {{"panel", held->panel}, {"gravity_mm_per_s2", {gravity.x(), gravity.y(), gravity.z()}}};
+}
+
+Json equilibria_json(const std::vector<solver::Equilibrium>& equilibria) {
+  Json list = Json::array();
+  for (const solver::Equilibrium& at : equilibria) {
+    list.push_back({{"pilot_deg", at.pilot_deg},
+                    {"energy_n_mm", at.energy_n_mm},
+                    {"stiffness_n_mm_per_rad", at.stiffness_n_mm},
+                    {"is_well", at.is_well}});
+  }
+  return list;
+}
+
+Json labels_json(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
+  Json list = Json::array();
+  for (const int d : diagonals) list.push_back(diagonal_label(mechanism, d));
+  return list;
+}
+
+}  // namespace
+
+Json deployment_metrics_json(const solver::DeploymentStudy& study) {
+  return {{"deploy_time_s", or_null(study.deploy_time_s())},
+          {"critical_friction_n_mm_per_mm", or_null(study.friction.critical_n_mm_per_mm)}};
+}
+
+Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study) {
+  Json json = deployment_metrics_json(study);
+  const solver::DeploymentRow& last = study.run.last();
+  const solver::Plates& plates = study.sheet.plates;
+  json.update({{"from_deg", study.options.from_deg},
+               {"springs", springs_json(mechanism, study.sheet.springs)},
+               {"joints", joints_json(study.sheet.joints)},
+               {"plates",
+                {{"thickness_mm", plates.thickness_mm},
+                 {"density_g_per_cm3", plates.density_g_per_cm3},
+                 {"mass_g", study.mass_t * 1e6}}},
+               {"held", held_json(study.sheet.held)},
+               {"outcome", solver::name_of(study.run.outcome)},
+               {"end",
+                {{"time_s", last.time_s},
+                 {"pilot_deg", last.pilot_deg},
+                 {"rate_deg_per_s", last.rate_deg_per_s}}},
+               {"static_stall_deg", study.friction.static_stall_deg},
+               {"stiffness_needed_n_per_mm", or_null(study.friction.stiffness_needed_n_per_mm)},
+               {"equilibria", equilibria_json(study.equilibria)},
+               {"barrier_n_mm", or_null(study.barrier_n_mm())},
+               {"pulls_from_above", labels_json(mechanism, study.pulls_from_above)},
+               {"pulls_from_below", labels_json(mechanism, study.pulls_from_below)}});
+  return json;
+}
+
+Json deployment_history_json(const solver::Mechanism& mechanism,
+                             const solver::DeploymentStudy& study) {
+  Json json = deployment_json(mechanism, study);
+  const auto column = [&](const char* name, double solver::DeploymentRow::*member) {
+    Json& list = json[name] = Json::array();
+    for (const solver::DeploymentRow& row : study.run.rows) list.push_back(row.*member);
+  };
+  column("time_s", &solver::DeploymentRow::time_s);
+  column("pilot_deg", &solver::DeploymentRow::pilot_deg);
+  column("rate_deg_per_s", &solver::DeploymentRow::rate_deg_per_s);
+  column("energy_n_mm", &solver::DeploymentRow::springs_n_mm);
+  column("kinetic_n_mm", &solver::DeploymentRow::kinetic_n_mm);
+  column("total_n_mm", &solver::DeploymentRow::total_n_mm);
+  Json& events = json["events"] = Json::array();
+  for (const solver::DeploymentRow& row : study.run.rows) {
+    if (row.event == solver::DeploymentEvent::none) continue;
+    events.push_back({{"event", name_of(row.event)},
+                      {"time_s", row.time_s},
+                      {"pilot_deg", row.pilot_deg},
+                      {"rate_deg_per_s", row.rate_deg_per_s}});
+  }
+  return json;
+}
+
+}  // namespace misalign::schema

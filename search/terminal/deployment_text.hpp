@@ -1,0 +1,14 @@
+// A sheet that was let go, as text.
+#pragma once
+
+#include <string>
+
+#include "solver/design/deployment_study.hpp"
+
+namespace misalign::search {
+
+/// What was let go, what came of it, equilibria and friction, and the motion every few degrees.
+std::string deployment_text(const solver::Mechanism& mechanism,
+                            const solver::DeploymentStudy& study);
+
+}  // namespace misalign::search

@@ -1,0 +1,70 @@
+// `misalign deploy`: one sheet let go, and what comes of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/exchange/deployment_json.hpp"
+#include "search/checks/chosen_sheet.hpp"
+#include "search/terminal/deployment_text.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/deploy_options.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct DeployCall {
+  std::string path;                   // a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+  DeployWish wish;
+  bool json = false;
+};
+
+void show_deployment(const DeployCall& call) {
+  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
+  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, call.wish);
+  const double deploys_from_deg = deployer.deploys_from_deg(sheet.shifts_mm);
+  const solver::DeploymentStudy study =
+      deployer.study(sheet.shifts_mm, deploys_from_deg, schema::printable(sheet.name()));
+  if (call.json) {
+    schema::Json json = schema::deployment_history_json(deployer.mechanism(), study);
+    json.update(sheet.key().json());
+    json["deploys_from_deg"] = deploys_from_deg;
+    put_json(json);
+    return;
+  }
+  put("{}: deploys from {:g} deg\n", schema::printable(sheet.name()), deploys_from_deg);
+  put(deployment_text(deployer.mechanism(), study));
+}
+
+}  // namespace
+
+Action deploy_verb(CLI::App& verb) {
+  verb.description("lets one sheet go: its motion, friction, equilibria");
+  verb.footer(
+      "The exact motion of rigid panels with springs on all diagonals, let go at rest. It ends\n"
+      "flat, or (outcome)\n"
+      "  passed_flat   it goes through flat: with --latch it is latched\n"
+      "  stalled       friction holds it on the way\n"
+      "  at_rest       it comes to rest where springs are relaxed (--rest-deg)\n"
+      "  turned_back   it turns round and nothing slows it down\n"
+      "  fold_limit    it folds as far as it can\n"
+      "  time_limit    it still moves\n"
+      "Critical friction: the most that the creases may have for it to get to flat.\n\n"
+      "Examples:\n  misalign deploy search/patterns/table1.json\n"
+      "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
+      "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.003");
+  auto call = std::make_shared<DeployCall>();
+  add_catalogue_or_pattern(verb, call->path);
+  add_draw_of_catalogue(verb, call->draw);
+  add_deployment(verb, call->wish);
+  verb.add_flag("--json", call->json, "as JSON, with the whole motion");
+  return [call] {
+    show_deployment(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,87 @@
+#include "search/verbs/deploy_options.hpp"
+
+#include <fmt/format.h>
+
+#include "schema/campaign/campaign.hpp"
+#include "search/verbs/options.hpp"
+
+namespace misalign::search {
+namespace {
+
+CLI::Option* add_number(CLI::App& verb, const std::string& name, double& value,
+                        const std::string& meaning, double least, double most,
+                        const std::string& unit) {
+  return verb.add_option(name, value, fmt::format("{} [{:g}]", meaning, value))
+      ->check(within(least, most))
+      ->type_name(unit);
+}
+
+constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
+
+}  // namespace
+
+void add_plates(CLI::App& verb, DeployWish& wish) {
+  verb.add_option("--from", wish.from_deg,
+                  fmt::format("pilot angle at which the sheet is let go at rest [{:g}, or D where "
+                              "that is less]",
+                              kDeployFrom_deg))
+      ->check(within(1e-3, kMostAngle_deg))
+      ->type_name("DEG");
+  verb.add_option("--stiffness", wish.stiffness_n_per_mm, "of each spring, N/mm [the campaign's]")
+      ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm))
+      ->type_name("N/MM");
+  solver::Plates& plates = wish.sheet.plates;
+  add_number(verb, "--thickness", plates.thickness_mm, "of the panels", 1e-6, 1e3, "MM");
+  add_number(verb, "--density", plates.density_g_per_cm3, "of the panels", 1e-6, 1e3, "G_PER_CM3");
+}
+
+void add_deployment(CLI::App& verb, DeployWish& wish) {
+  add_plates(verb, wish);
+  solver::JointResistance& joints = wish.sheet.joints;
+  const auto resistance = [&](const char* name, double& value, const char* meaning,
+                              const char* unit) {
+    add_number(verb, name, value, meaning, 0, kMostResistance, unit);
+  };
+  resistance("--friction", joints.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
+             "N");
+  resistance("--ball-friction", joints.ball_friction_n_mm, "dry friction of each ball joint, N mm",
+             "N_MM");
+  resistance("--damping", joints.damping_n_mm_s_per_mm,
+             "damping of creases, N mm per mm for each rad/s", "N_S");
+  resistance("--hinge-stiffness", joints.stiffness_n_mm_per_mm,
+             "elastic creases, N mm per mm for each rad", "N");
+  add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
+             0, kMostAngle_deg, "DEG");
+  solver::Springs& springs = wish.sheet.springs;
+  add_number(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed", 0,
+             kMostAngle_deg, "DEG");
+  verb.add_option("--rest", wish.other_rests,
+                  "another such angle for one diagonal: A11-A17=60 (again: and that one)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("DIAGONAL=DEG");
+  verb.add_flag("--pull-only", springs.pull_only, "wires: springs that only pull");
+  auto* const held = verb.add_option("--hold", wish.held,
+                                     "hold this panel [none: free in space, without momentum]");
+  held->type_name("ROW,COLUMN");
+  verb.add_option("--gravity", wish.gravity,
+                  "weight of the panels, in standard gravities: x right, y along rising rows, z up "
+                  "from the held panel, as 0,0,-1 [none]")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(within(-1e3, 1e3))
+      ->needs(held)
+      ->type_name("X,Y,Z");
+  solver::DeploymentOptions& options = wish.options;
+  verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
+  verb.add_option("--swings", options.swings,
+                  fmt::format("pass flat, or turn round without losses, this often before the end "
+                              "[{}]",
+                              options.swings))
+      ->check(counted(0, 10000))
+      ->type_name("N");
+  add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
+             1e6, "S");
+}
+
+}  // namespace misalign::search

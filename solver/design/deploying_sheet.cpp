@@ -1,0 +1,153 @@
+#include "solver/design/deploying_sheet.hpp"
+
+#include <cmath>
+
+#include "solver/design/moving_mass.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorXd lengths_of(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+  VectorXd lengths_mm(static_cast<Index>(mechanism.creases.size()));
+  Index k = 0;
+  for (const Crease& crease : mechanism.creases) {
+    lengths_mm(k++) = (vertices_mm.col(crease.b) - vertices_mm.col(crease.a)).norm();
+  }
+  return lengths_mm;
+}
+
+VectorXd relaxed_lengths(const FoldingWay& way, const Springs& springs) {
+  VectorXd relaxed_mm, lengths_mm, rates;
+  way.find_lengths(way.x_of(springs.rest_deg), relaxed_mm, rates);
+  if (springs.rest_deg == 0) relaxed_mm = way.flat_mm();
+  for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
+    way.find_lengths(way.x_of(rest_deg), lengths_mm, rates);
+    relaxed_mm(diagonal) = lengths_mm(diagonal);
+  }
+  return relaxed_mm;
+}
+
+VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
+  VectorXd angles_rad, rates;
+  way.find_creases(way.x_of(rest_deg), angles_rad, rates);
+  return angles_rad;
+}
+
+// Rows: the generalised mass, and where the centre of mass is; on the other side of flat it is
+// below where it was above.
+SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
+                              const PerforatedSheet& base, const DeployingSheetOptions& options) {
+  const Panels panels = panels_of(base, way.mechanism());
+  const std::vector<PanelMass> masses =
+      panel_masses(options.plates, panels.corners, way.vertices_mm());
+  const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
+  SheetMover mover(shape, way, panels, masses, held);
+  Eigen::MatrixXd values(4, static_cast<Index>(way.stations().size()));
+  Index k = 0;
+  for (const WayStation& station : way.stations()) {
+    const MovingSheet sheet = mover.move(station.state, station.rates.data());
+    // Seen from the held panel, from +z.
+    const int seat = held.value_or(0);
+    Eigen::Vector3d centre_mm =
+        mover.turn(seat).transpose() * (sheet.centre_mm() - mover.place_mm(seat, {0, 0}));
+    centre_mm.z() *= way.mechanism().side;
+    values.col(k++) << sheet.generalised_mass(), centre_mm;
+  }
+  using Parity = SmoothTable::Parity;
+  return way.table(values, {Parity::even, Parity::even, Parity::even, Parity::odd});
+}
+
+double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Plates& plates) {
+  double mass_t = 0;
+  const Panels panels = panels_of(base, way.mechanism());
+  for (const PanelMass& mass : panel_masses(plates, panels.corners, way.vertices_mm())) {
+    mass_t += mass.mass_t;
+  }
+  return mass_t;
+}
+
+}  // namespace
+
+DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
+                               const PerforatedSheet& base, const DeployingSheetOptions& options)
+    : way_(way),
+      options_(options),
+      mass_t_(mass_of_all(way, base, options.plates)),
+      crease_mm_(lengths_of(way.mechanism(), way.vertices_mm())),
+      rest_mm_(relaxed_lengths(way, options.springs)),
+      rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
+      masses_(masses_on_the_way(way, shape, base, options)) {}
+
+void DeployingSheet::stretch(double x) const {
+  way_.find_lengths(x, lengths_, length_rates_);
+  lengths_ -= rest_mm_;
+  if (options_.springs.pull_only) lengths_ = lengths_.cwiseMax(0.0);
+}
+
+DeployingSheet::Potential DeployingSheet::unit_springs(double x) const {
+  stretch(x);
+  return {lengths_.squaredNorm() / 2, lengths_.dot(length_rates_)};
+}
+
+DeployingSheet::Potential DeployingSheet::all_else(double x) const {
+  Potential sum{0, 0};
+  const JointResistance& joints = options_.joints;
+  if (joints.stiffness_n_mm_per_mm > 0) {
+    way_.find_creases(x, angles_, angle_rates_);
+    angles_ -= rest_rad_;
+    const auto moments = (joints.stiffness_n_mm_per_mm * crease_mm_.array() * angles_.array());
+    sum = {moments.matrix().dot(angles_) / 2, moments.matrix().dot(angle_rates_)};
+  }
+  if (options_.held) {
+    masses_.find(x, 1, 3, mass_, mass_rate_);
+    const Eigen::Vector3d weight_n = mass_t_ * options_.held->gravity_mm_per_s2;
+    sum.energy -= weight_n.dot(mass_);
+    sum.slope -= weight_n.dot(mass_rate_);
+  }
+  return sum;
+}
+
+VectorXd DeployingSheet::spring_forces_n(double x) const {
+  stretch(x);
+  return options_.springs.stiffness_n_per_mm * lengths_;
+}
+
+VectorXd DeployingSheet::crease_moments_n_mm(double x, double x_rate) const {
+  way_.find_creases(x, angles_, angle_rates_);
+  const JointResistance& joints = options_.joints;
+  const Eigen::ArrayXd rates = x_rate * angle_rates_.array();
+  return crease_mm_.array() *
+         (joints.friction_n_mm_per_mm * rates.sign() + joints.damping_n_mm_s_per_mm * rates +
+          joints.stiffness_n_mm_per_mm * (angles_ - rest_rad_).array());
+}
+
+DeployingSheet::Turning DeployingSheet::turning(double x) const {
+  way_.find_creases(x, angles_, angle_rates_);
+  way_.find_balls(x, speeds_);
+  return {crease_mm_.dot(angle_rates_.cwiseAbs()), speeds_.sum()};
+}
+
+SheetAt DeployingSheet::at(double x) const {
+  SheetAt here{};
+  masses_.find(x, 0, 1, mass_, mass_rate_);
+  here.mass = mass_(0);
+  here.mass_slope = mass_rate_(0);
+  const double stiffness = options_.springs.stiffness_n_per_mm;
+  const Potential springs = unit_springs(x), rest = all_else(x);
+  here.springs_n_mm = stiffness * springs.energy;
+  here.potential = here.springs_n_mm + rest.energy;
+  here.slope = stiffness * springs.slope + rest.slope;
+  const JointResistance& joints = options_.joints;
+  if (!joints.slows_down()) return here;
+  const Turning turning = this->turning(x);  // leaves the creases' rates
+  here.friction =
+      joints.friction_n_mm_per_mm * turning.creases_mm + joints.ball_friction_n_mm * turning.balls;
+  here.damping =
+      joints.damping_n_mm_s_per_mm * crease_mm_.dot(angle_rates_.cwiseProduct(angle_rates_));
+  return here;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,215 @@
+#include "solver/design/deployment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/design/motion_integrator.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Springs that are off by less than this are relaxed: lengths are known to 1e-10 mm.
+constexpr double kRelaxed_mm = 1e-8;
+
+// Time is counted in units of the sheet's own, in which the way takes about 1.
+double time_unit_s(const DeployingSheet& sheet, double from_x, const std::vector<double>& wells_x) {
+  const SheetAt start = sheet.at(from_x);
+  double released = std::abs(start.potential - sheet.at(0).potential);
+  for (const double x : wells_x) {
+    released = std::max(released, start.potential - sheet.at(x).potential);
+  }
+  if (!(released > 0)) return 1;
+  return std::abs(from_x) * std::sqrt(start.mass / (2 * released));
+}
+
+class Run {
+ public:
+  Run(const DeployingSheet& sheet, const std::vector<double>& wells_x,
+      const DeploymentOptions& options)
+      : sheet_(sheet),
+        way_(sheet.way()),
+        wells_x_(wells_x),
+        options_(options),
+        from_x_(way_.x_of(options.from_deg)),
+        unit_s_(time_unit_s(sheet, from_x_, wells_x)),
+        integrator_([this](double x, double rate) { return acceleration(x, rate); }, way_.end(),
+                    std::abs(from_x_), options.relative_tolerance) {}
+
+  Deployment run() {
+    const MotionState start{0, from_x_, 0};
+    add_row(start, DeploymentEvent::start);
+    start_energy_ = run_.rows.front().total_n_mm;
+    if (is_held(from_x_)) return end(held_at(from_x_));
+    set_off(start);
+    for (;;) {
+      const MotionState before = integrator_.state();
+      const MotionIntegrator::Stop stop = integrator_.step();
+      ++run_.steps;
+      if (stop == MotionIntegrator::Stop::failed) return end(Outcome::failed);
+      add_rows_between(before, integrator_.state());
+      if (const auto outcome = after(stop)) return end(*outcome);
+    }
+  }
+
+ private:
+  using Stop = MotionIntegrator::Stop;
+
+  double acceleration(double x, double rate) const {
+    const SheetAt here = sheet_.at(x);
+    const double speed = rate / unit_s_;  // per second
+    const double force = -here.mass_slope * speed * speed / 2 - here.slope -
+                         direction_ * here.friction - here.damping * speed;
+    return unit_s_ * unit_s_ * force / here.mass;
+  }
+
+  // What a stop means; nothing where the motion goes on.
+  std::optional<Outcome> after(Stop stop) {
+    const MotionState here = integrator_.state();
+    switch (stop) {
+      case Stop::at_zero:
+        add_row(here, DeploymentEvent::flat);
+        if (options_.latch) return Outcome::latched;
+        if (++run_.passes > options_.swings) return Outcome::passed_flat;
+        return {};
+      case Stop::at_rest:
+        add_row({here.time, here.x, 0}, DeploymentEvent::turn);
+        ++run_.turns;
+        if (is_held(here.x)) return held_at(here.x);
+        if (!sheet_.options().joints.slows_down() && run_.turns > options_.swings) {
+          return Outcome::turned_back;
+        }
+        set_off({here.time, here.x, 0});
+        return {};
+      case Stop::at_end:
+        add_row(here, DeploymentEvent::end);
+        return Outcome::fold_limit;
+      case Stop::at_time:
+        add_row(here, DeploymentEvent::end);
+        return Outcome::time_limit;
+      case Stop::step:
+      case Stop::failed:
+        break;
+    }
+    return settled(here);
+  }
+
+  void set_off(const MotionState& from) {
+    direction_ = sheet_.at(from.x).slope > 0 ? -1 : 1;
+    integrator_.start(from);
+    integrator_.stop_at(options_.time_limit_s / unit_s_);
+  }
+
+  // At rest there: by friction, or since nothing drives it.
+  bool is_held(double x) const {
+    const SheetAt here = sheet_.at(x);
+    const bool relaxed =
+        std::sqrt(2 * sheet_.unit_springs(x).energy) < kRelaxed_mm && sheet_.all_else(x).slope == 0;
+    return relaxed || std::abs(here.slope) <= here.friction;
+  }
+  Outcome held_at(double x) const {
+    const auto is_near = [&](double other_x) {
+      return std::abs(way_.pilot_deg(x) - way_.pilot_deg(other_x)) <= options_.flat_deg;
+    };
+    if (is_near(0)) return Outcome::flat;
+    return std::any_of(wells_x_.begin(), wells_x_.end(), is_near) ? Outcome::at_rest
+                                                                  : Outcome::stalled;
+  }
+
+  // In the nearest well, without the energy to leave it or to be seen to move.
+  std::optional<Outcome> settled(const MotionState& here) {
+    if (wells_x_.empty() || !sheet_.options().joints.slows_down()) return {};
+    const double well_x = *std::min_element(
+        wells_x_.begin(), wells_x_.end(),
+        [&](double a, double b) { return std::abs(here.x - a) < std::abs(here.x - b); });
+    const double bottom = sheet_.at(well_x).potential;
+    const SheetAt now = sheet_.at(here.x);
+    const double left = now.potential + kinetic(now, here.rate) - bottom;
+    if (left > options_.rest_share * (start_energy_ - bottom)) return {};
+    add_row(here, DeploymentEvent::end);
+    return held_at(here.x);
+  }
+
+  double kinetic(const SheetAt& here, double rate) const {
+    return here.mass / 2 * (rate / unit_s_) * (rate / unit_s_);
+  }
+
+  // At the multiples of row_deg that were passed; between two stops x goes one way.
+  void add_rows_between(const MotionState& before, const MotionState& after) {
+    const double from_deg = way_.pilot_deg(before.x), to_deg = way_.pilot_deg(after.x);
+    const int sign = to_deg > from_deg ? 1 : -1;
+    constexpr double kSame = 1e-9;  // of a row
+    double row = sign > 0 ? std::floor(from_deg / options_.row_deg + kSame) + 1
+                          : std::ceil(from_deg / options_.row_deg - kSame) - 1;
+    for (; sign * (to_deg - row * options_.row_deg) > kSame * options_.row_deg; row += sign) {
+      if (row != 0) add_row(passing(row * options_.row_deg, before, after), DeploymentEvent::none);
+    }
+  }
+
+  // When the pilot has this angle: by bisection on the integrator's own polynomial.
+  MotionState passing(double pilot_deg, MotionState before, MotionState after) const {
+    const double x = way_.x_of(pilot_deg);
+    const bool grows = after.x > before.x;
+    for (int k = 0; k < 60 && after.time > before.time; ++k) {
+      const MotionState middle = integrator_.state_at((before.time + after.time) / 2);
+      if (middle.time <= before.time || middle.time >= after.time) break;
+      ((middle.x < x) == grows ? before : after) = middle;
+    }
+    return after;
+  }
+
+  void add_row(const MotionState& at, DeploymentEvent event) {
+    const SheetAt here = sheet_.at(at.x);
+    const double rate = at.rate / unit_s_, moving = kinetic(here, at.rate);
+    run_.rows.push_back({at.time * unit_s_, at.x, rate, way_.pilot_deg(at.x),
+                         way_.pilot_rate(at.x) * rate / kRadPerDeg, here.springs_n_mm, moving,
+                         here.potential + moving, event});
+  }
+
+  Deployment end(Outcome outcome) {
+    run_.outcome = outcome;
+    return std::move(run_);
+  }
+
+  const DeployingSheet& sheet_;
+  const FoldingWay& way_;
+  const std::vector<double>& wells_x_;
+  const DeploymentOptions& options_;
+  const double from_x_, unit_s_;
+  int direction_ = -1;
+  double start_energy_ = 0;
+  Deployment run_{};
+  MotionIntegrator integrator_;
+};
+
+}  // namespace
+
+const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::flat:
+      return "flat";
+    case Outcome::passed_flat:
+      return "passed_flat";
+    case Outcome::latched:
+      return "latched";
+    case Outcome::stalled:
+      return "stalled";
+    case Outcome::at_rest:
+      return "at_rest";
+    case Outcome::turned_back:
+      return "turned_back";
+    case Outcome::fold_limit:
+      return "fold_limit";
+    case Outcome::time_limit:
+      return "time_limit";
+    case Outcome::failed:
+      break;
+  }
+  return "failed";
+}
+
+Deployment deploy(const DeployingSheet& sheet, const std::vector<double>& wells_x,
+                  const DeploymentOptions& options) {
+  return Run(sheet, wells_x, options).run();
+}
+
+}  // namespace misalign::solver

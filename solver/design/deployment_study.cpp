@@ -1,0 +1,83 @@
+#include "solver/design/deployment_study.hpp"
+
+#include <algorithm>
+
+namespace misalign::solver {
+namespace {
+
+std::vector<double> wells_of(const std::vector<Equilibrium>& equilibria) {
+  std::vector<double> wells_x;
+  for (const Equilibrium& at : equilibria) {
+    if (at.is_well) wells_x.push_back(at.x);
+  }
+  return wells_x;
+}
+
+}  // namespace
+
+std::optional<double> DeploymentStudy::deploy_time_s() const {
+  const auto flat = std::find_if(run.rows.begin(), run.rows.end(), [](const DeploymentRow& row) {
+    return row.event == DeploymentEvent::flat;
+  });
+  if (flat != run.rows.end()) return flat->time_s;
+  if (run.outcome == Outcome::flat) return run.last().time_s;
+  return {};
+}
+
+std::optional<double> DeploymentStudy::barrier_n_mm() const {
+  std::optional<double> flat, deepest;
+  for (const Equilibrium& at : equilibria) {
+    if (at.x == 0 && !at.is_well) flat = at.energy_n_mm;
+    if (at.x > 0 && at.is_well)
+      deepest = std::min(deepest.value_or(at.energy_n_mm), at.energy_n_mm);
+  }
+  if (!flat || !deepest) return {};
+  return *flat - *deepest;
+}
+
+DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
+                                 const DeployingSheetOptions& sheet,
+                                 const DeploymentOptions& options) {
+  const DeployingSheet deploying(way, model.shape(), model.base(), sheet);
+  DeploymentStudy study{sheet,
+                        options,
+                        deploying.mass_t(),
+                        find_equilibria(deploying),
+                        find_friction_limits(deploying, options.from_deg),
+                        {},
+                        {},
+                        {}};
+  study.run = deploy(deploying, wells_of(study.equilibria), options);
+  if (sheet.springs.rest_deg == 0) return study;
+  Eigen::VectorXd lengths_mm, rates_mm;
+  way.find_lengths(way.x_of(sheet.springs.rest_deg), lengths_mm, rates_mm);
+  for (int d = 0; d < model.mechanism().diagonal_count(); ++d) {
+    (rates_mm(d) > 0 ? study.pulls_from_above : study.pulls_from_below).push_back(d);
+  }
+  return study;
+}
+
+std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
+                                                  const DeployingSheetOptions& sheet,
+                                                  const DeploymentOptions& options,
+                                                  double relative) {
+  DeployingSheetOptions tried = sheet;
+  const auto arrives = [&](double friction_n_mm_per_mm) {
+    tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
+    const DeployingSheet deploying(way, model.shape(), model.base(), tried);
+    const Deployment run = deploy(deploying, {}, options);
+    return run.outcome == Outcome::passed_flat || run.outcome == Outcome::latched;
+  };
+  tried.joints.friction_n_mm_per_mm = 0;
+  const DeployingSheet without(way, model.shape(), model.base(), tried);
+  const auto bound = find_friction_limits(without, options.from_deg).critical_n_mm_per_mm;
+  if (!bound || !arrives(0)) return {};
+  double arriving = 0, held = *bound * (1 + relative);  // no damping lets it bear more
+  while (held - arriving > relative * held) {
+    const double middle = (arriving + held) / 2;
+    (arrives(middle) ? arriving : held) = middle;
+  }
+  return arriving;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,59 @@
+// How the panels of a folding sheet move, and how heavy it is to its own motion.
+#pragma once
+
+#include <optional>
+
+#include "solver/design/fold_lines.hpp"
+#include "solver/design/folding_way.hpp"
+#include "solver/design/plates.hpp"
+
+namespace misalign::solver {
+
+/// Coordinates are those of the first panel (mm; its flat ones); rates are per unit of x.
+struct MovingPanel {
+  double mass_t;
+  Eigen::Vector3d centre_mm, velocity, spin;
+  Eigen::Matrix3d inertia;  ///< about its centre, t mm^2
+};
+
+/// A sheet in one state. Free in space it moves without momentum and angular momentum, which of all
+/// motions with these joints' rates has the least energy (Koenig); or a panel is held.
+struct MovingSheet {
+  std::vector<MovingPanel> panels;
+  Eigen::Vector3d frame_spin;  ///< of the first panel itself
+
+  /// T = generalised_mass() / 2 * (dx/dt)^2, in t mm^2.
+  double generalised_mass() const;
+  /// Of the whole sheet, mm.
+  Eigen::Vector3d centre_mm() const;
+};
+
+class SheetMover {
+ public:
+  /// `held`: a panel; none: free in space. All must outlive this object.
+  SheetMover(const FoldedShape& shape, const FoldingWay& way, const Panels& panels,
+             const std::vector<PanelMass>& masses, std::optional<int> held)
+      : shape_(shape), way_(way), panels_(panels), masses_(masses), held_(held) {}
+
+  /// At a state with these rates of every unknown (rad per unit of x).
+  MovingSheet move(const FoldState<double>& state, const double* rates);
+  /// Of the last state: where a flat point of a panel lies, and which way a direction points.
+  Eigen::Vector3d place_mm(int panel, const Eigen::Vector2d& flat_mm) const;
+  Eigen::Matrix3d turn(int panel) const;
+
+ private:
+  const Pose<double>& pose(int panel) const {
+    return points_
+        .facets[static_cast<std::size_t>(panels_.facets[static_cast<std::size_t>(panel)])];
+  }
+
+  const FoldedShape& shape_;
+  const FoldingWay& way_;
+  const Panels& panels_;
+  const std::vector<PanelMass>& masses_;
+  const std::optional<int> held_;
+  FoldedPoints<double> points_;
+  std::vector<Twist<double>> twists_;
+};
+
+}  // namespace misalign::solver

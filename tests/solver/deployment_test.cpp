@@ -1,0 +1,244 @@
+// Sheets that are let go, against closed forms: two panels on one hinge, and a single vertex.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "coordinate_mass.hpp"
+#include "sheets.hpp"
+#include "solver/design/deployment_study.hpp"
+#include "solver/design/joint_forces.hpp"
+
+namespace misalign::solver {
+namespace {
+
+constexpr double kWidth_mm = 60, kHeight_mm = 90;
+
+// Two rectangles side by side and a valley between them; the way is the fold angle itself.
+struct TwoPanels {
+  TwoPanels() {
+    CreasePattern& sheet = base.sheet;
+    sheet.vertices_mm.resize(2, 6);
+    sheet.vertices_mm << 0, kWidth_mm, 2 * kWidth_mm, 0, kWidth_mm, 2 * kWidth_mm,  //
+        0, 0, 0, kHeight_mm, kHeight_mm, kHeight_mm;
+    sheet.facets = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+    sheet.places = {{0, 0}, {0, 1}};
+    sheet.edges = edges_of(sheet.facets);
+    sheet.panel_width_mm = kWidth_mm;
+    const int edge = find_edge(sheet, 1, 4);
+    mechanism = {sheet.edges, {{edge, 1, 4, 0, 1, 1, 0}}, {}, {}, {}, 0, 6, 1, 0, 1, kWidth_mm};
+    constexpr int kStations = 60;
+    const double end = 170 * kRadPerDeg, step = end / kStations;
+    std::vector<WayStation> stations;
+    for (int k = 0; k < kStations; ++k) {
+      const double half = (k + 0.5) * step / 2;
+      stations.push_back({{{{std::cos(half), std::sin(half)}}, {}}, {1.0}});
+    }
+    way.emplace(mechanism, sheet.vertices_mm, WayCoordinate{0}, step, end, std::move(stations));
+    shape.emplace(sheet, std::vector<int>{}, mechanism);
+  }
+  DeployingSheet sheet(const DeployingSheetOptions& options) const {
+    return DeployingSheet(*way, *shape, base, options);
+  }
+
+  PerforatedSheet base;
+  Mechanism mechanism;
+  std::optional<FoldingWay> way;
+  std::optional<FoldedShape> shape;
+};
+
+// One panel held, the other on an elastic hinge: an oscillator.
+struct Oscillator : TwoPanels, testing::Test {
+  Oscillator() {
+    options.held = HeldPanel{0};
+    options.joints.stiffness_n_mm_per_mm = 0.02;
+    mass = options.plates.area_density() * kWidth_mm * kHeight_mm;
+    inertia = mass * kWidth_mm * kWidth_mm / 3;
+    stiffness = options.joints.stiffness_n_mm_per_mm * kHeight_mm;
+    frequency = std::sqrt(stiffness / inertia);
+    run.from_deg = 60;
+  }
+  Deployment let_go() const { return deploy(sheet(options), {0.0}, run); }
+
+  DeployingSheetOptions options;
+  DeploymentOptions run;
+  double mass, inertia, stiffness, frequency;
+};
+
+// Times and angles to 1e-8: a hundred steps, each within the integrator's 1e-11.
+constexpr double kTimes = 1e-8;
+
+TEST_F(Oscillator, SwingsAsOneDoes) {
+  const Deployment deployment = let_go();
+  EXPECT_EQ(deployment.outcome, Outcome::passed_flat);
+  const double quarter_s = kPi / 2 / frequency;
+  EXPECT_NEAR(deployment.last().time_s / quarter_s, 1, kTimes);
+  EXPECT_NEAR(deployment.last().rate_deg_per_s / (-60 * frequency), 1, kTimes);
+  double last_deg = 60;
+  for (const DeploymentRow& row : deployment.rows) {
+    EXPECT_NEAR(row.pilot_deg, 60 * std::cos(frequency * row.time_s), 60 * kTimes);
+    EXPECT_LE(std::abs(row.pilot_deg - last_deg), run.row_deg * (1 + 1e-9));
+    last_deg = row.pilot_deg;
+  }
+}
+
+// x'' + (c/I) x' + w^2 x = 0: flat for the first time when tan(w_d t) = -w_d / g.
+TEST_F(Oscillator, IsDampedAsOneIs) {
+  const double decay = 0.2 * frequency, damped = std::sqrt(0.96) * frequency;
+  options.joints.damping_n_mm_s_per_mm = 2 * decay * inertia / kHeight_mm;
+  EXPECT_NEAR(let_go().last().time_s, (kPi - std::atan(damped / decay)) / damped,
+              kTimes / frequency);
+  run.swings = 100;
+  const Deployment deployment = let_go();
+  EXPECT_EQ(deployment.outcome, Outcome::flat);
+  // A thousand-millionth of the energy: the amplitude fell by its root.
+  EXPECT_NEAR(deployment.last().time_s * decay, std::log(1e9) / 2, 0.5);
+}
+
+// Coulomb: every half swing is shorter by twice the friction over the stiffness, until it holds.
+TEST_F(Oscillator, IsHeldByDryFriction) {
+  const double falls_deg = 7;
+  options.joints.friction_n_mm_per_mm = stiffness * falls_deg * kRadPerDeg / kHeight_mm;
+  const Deployment first = let_go();
+  EXPECT_NEAR(first.last().time_s, std::acos(-falls_deg / (60 - falls_deg)) / frequency,
+              kTimes / frequency);
+  run.swings = 100;
+  const Deployment all = let_go();
+  EXPECT_EQ(all.outcome, Outcome::stalled);
+  EXPECT_EQ(all.turns, 4);
+  EXPECT_NEAR(all.last().pilot_deg, 60 - 8 * falls_deg, 1e-6);
+  const FrictionLimits limits = find_friction_limits(sheet(options), 60);
+  EXPECT_NEAR(limits.static_stall_deg, falls_deg, 1e-9);
+  // Half of the stiffness times the angle, at flat; springs drive nothing here.
+  EXPECT_NEAR(*limits.critical_n_mm_per_mm,
+              options.joints.stiffness_n_mm_per_mm * 60 * kRadPerDeg / 2, 1e-12);
+  EXPECT_NEAR(limits.critical_deg, 0, 1e-9);
+}
+
+TEST_F(Oscillator, WeightAndHeldHinge) {
+  constexpr double kGravity = 9806.65;
+  // Along the crease: what hangs on the hinge, with an arm of half a panel.
+  options.held->gravity_mm_per_s2 = {0, -kGravity, 0};
+  const Deployment deployment = let_go();
+  const JointForces forces =
+      find_joint_forces(sheet(options), *shape, base, deployment, {.in_motion = false});
+  EXPECT_EQ(forces.reactions, 5);
+  EXPECT_EQ(forces.rank, 5);
+  ASSERT_GT(forces.pilot_deg.size(), 50u);
+  for (Eigen::Index row = 0; row < forces.crease_force_n.rows(); ++row) {
+    EXPECT_LT((forces.crease_force_n.row(row).transpose() - Eigen::Vector3d(0, mass * kGravity, 0))
+                  .norm(),
+              1e-12);
+    EXPECT_NEAR(forces.crease_moment_n_mm.row(row).norm(), mass * kGravity * kWidth_mm / 2, 1e-9);
+  }
+  // Upwards: what it takes to be lifted by half a panel.
+  options.held->gravity_mm_per_s2 = {0, 0, -kGravity};
+  const DeployingSheet lifted = sheet(options);
+  const double x = kPi / 2;
+  EXPECT_NEAR(lifted.all_else(x).energy - lifted.all_else(0).energy,
+              stiffness * x * x / 2 + mass * kGravity * kWidth_mm / 2, 1e-9);
+  EXPECT_NEAR(lifted.all_else(-x).energy - lifted.all_else(0).energy,
+              stiffness * x * x / 2 - mass * kGravity * kWidth_mm / 2, 1e-9);
+}
+
+// Free in space both panels turn by half the angle, about centres that stay at one height.
+struct FreePanels : TwoPanels, testing::Test {
+  FreePanels() {
+    options.joints.stiffness_n_mm_per_mm = 0.02;
+    mass = options.plates.area_density() * kWidth_mm * kHeight_mm;
+  }
+  double generalised(double x) const {
+    return mass * kWidth_mm * kWidth_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
+  }
+  DeployingSheetOptions options;
+  double mass;
+};
+
+TEST_F(FreePanels, MassAndItsSlope) {
+  const DeployingSheet free = sheet(options);
+  for (const double x : {-2.0, -0.3, 0.0, 1e-3, 0.5, 1.0, 2.0, 2.9}) {
+    const SheetAt here = free.at(x);
+    EXPECT_NEAR(here.mass / generalised(x), 1, 1e-10) << x;
+    EXPECT_NEAR(here.mass_slope, mass * kWidth_mm * kWidth_mm * std::sin(x) / 16,
+                1e-8 * generalised(x));
+  }
+}
+
+// On either panel: its mass times how its centre is accelerated towards the other one's.
+TEST_F(FreePanels, ForceInTheHingeWhileItMoves) {
+  const DeployingSheet free = sheet(options);
+  const Deployment deployment = deploy(free, {0.0}, {.from_deg = 150, .swings = 1});
+  const JointForces forces = find_joint_forces(free, *shape, base, deployment);
+  const double stiffness = options.joints.stiffness_n_mm_per_mm * kHeight_mm;
+  Eigen::Index row = 0;
+  for (const DeploymentRow& at : deployment.rows) {
+    if (std::abs(at.pilot_deg) < 1) continue;
+    const double slope = mass * kWidth_mm * kWidth_mm * std::sin(at.x) / 16, rate = at.x_rate;
+    const double acceleration = (-slope * rate * rate / 2 - stiffness * at.x) / generalised(at.x);
+    const double apart =
+        -kWidth_mm / 2 *
+        (std::sin(at.x / 2) / 2 * acceleration + std::cos(at.x / 2) / 4 * rate * rate);
+    // Interpolated momenta: 1e-8 of what they are.
+    EXPECT_NEAR(forces.crease_force_n.row(row).norm(), mass * std::abs(apart), 1e-7 * mass * 1e5)
+        << at.pilot_deg;
+    EXPECT_LT(forces.crease_moment_n_mm.row(row).norm(), 1e-6);
+    ++row;
+  }
+  EXPECT_GT(row, 500);
+}
+
+// A single vertex of degree four: four trapezoids, placed by the closed form of their fold angles.
+Eigen::Matrix3Xd single_vertex(const CreasePattern& sheet, const Mechanism& mechanism,
+                               double pilot_rad) {
+  Eigen::Matrix3Xd flat = Eigen::Matrix3Xd::Zero(3, 9), folded = flat;
+  flat.topRows<2>() = sheet.vertices_mm;
+  const Eigen::Vector3d centre = flat.col(4);
+  const double cosine = 1 / std::sqrt(5.0);  // of the zigzag's sector angle, atan 2
+  const double straight_rad = 2 * std::atan(cosine * std::tan(pilot_rad / 2));
+  std::array<Eigen::Matrix3d, 4> turns{Eigen::Matrix3d::Identity()};
+  std::array<bool, 4> placed{true};
+  for (int round = 0; round < 3; ++round) {
+    for (const Crease& crease : mechanism.creases) {
+      const bool zigzag = std::abs(crease.a - crease.b) == 3;
+      const Eigen::Vector3d axis = (flat.col(crease.b) - flat.col(crease.a)).normalized();
+      const double angle =
+          (mechanism.is_valley(crease) ? 1 : -1) * (zigzag ? pilot_rad : straight_rad);
+      if (placed[crease.left] && !placed[crease.right]) {
+        turns[crease.right] = turns[crease.left] * Eigen::AngleAxisd(-angle, axis);
+        placed[crease.right] = true;
+      } else if (placed[crease.right] && !placed[crease.left]) {
+        turns[crease.left] = turns[crease.right] * Eigen::AngleAxisd(angle, axis);
+        placed[crease.left] = true;
+      }
+    }
+  }
+  for (std::size_t f = 0; f < 4; ++f) {
+    for (const int v : sheet.facets[f]) {
+      folded.col(v) = centre + turns[f] * (flat.col(v) - centre);
+    }
+  }
+  return folded;
+}
+
+TEST(SingleVertex, MassIsThatOfItsCoordinates) {
+  const TestSheet vertex(2, 2);
+  ASSERT_TRUE(vertex.base.holes.empty());
+  const Model model(vertex.base);
+  WaySolver ways(model);
+  const auto way = ways.follow(vertex.base.sheet.vertices_mm);
+  ASSERT_TRUE(way);
+  const DeployingSheet sheet(*way, model.shape(), vertex.base, {});
+  for (const double pilot_deg : {5.0, 40.0, 90.0, 130.0, 170.0}) {
+    const double x = way->x_of(pilot_deg), h = 1e-4;
+    const auto folded = [&](double at) {
+      return single_vertex(vertex.base.sheet, way->mechanism(), way->pilot_deg(at) * kRadPerDeg);
+    };
+    const double expected =
+        mass_of_coordinates(vertex.base, Plates{}, folded(x - h), folded(x + h), 2 * h);
+    // Differences of the second order: h^2 = 1e-8 of a third derivative.
+    EXPECT_NEAR(sheet.at(x).mass / expected, 1, 1e-6) << pilot_deg;
+  }
+}
+
+}  // namespace
+}  // namespace misalign::solver
