@@ -41,7 +41,9 @@ const std::set<std::string_view>& known_functions() {
       "->", "->>", "json", "json_array", "json_array_length", "json_error_position", "json_extract",
       "json_group_array", "json_group_object", "json_insert", "json_object", "json_patch",
       "json_pretty", "json_quote", "json_remove", "json_replace", "json_set", "json_type",
-      "json_valid"};
+      "json_valid",
+      // our own, where there are any (search/checks/deployment_functions)
+      "deploy_time_s", "critical_friction_n_mm_per_mm"};
   return names;
 }
 

@@ -5,6 +5,7 @@
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/plain_export.hpp"
 #include "search/checks/chosen_sheet.hpp"
+#include "search/checks/deployment_functions.hpp"
 #include "search/checks/sheet_files.hpp"
 #include "search/draws/draw.hpp"
 #include "search/terminal/terminal.hpp"
@@ -26,6 +27,7 @@ struct ExportCall {
 // the campaign and the draw, or a table of several after the campaign.
 void export_candidates(const ExportCall& call) {
   const auto database = schema::open_for_reading(call.files.read_from);
+  add_deployment_functions(*database, call.files.read_from);
   const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.files.read_from);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);

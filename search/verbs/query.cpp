@@ -6,6 +6,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
+#include "search/checks/deployment_functions.hpp"
 #include "search/draws/nothing_found.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "search/terminal/terminal.hpp"
@@ -76,6 +77,7 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
 
 void query(const QueryCall& call) {
   const auto database = schema::open_for_reading(call.path);
+  add_deployment_functions(*database, call.path);
   const std::string named = schema::named_query(call.sql);
   const std::string& text = named.empty() ? call.sql : named;
   if (named.empty() && is_one_word(call.sql)) throw no_such_query(call.sql);
@@ -94,12 +96,15 @@ void query(const QueryCall& call) {
 
 Action query_verb(CLI::App& verb) {
   verb.description("a named query, or any read-only SQL");
-  verb.footer("Named queries: " + schema::named_query_list() +
-              ".\nElongations and strokes are shares of a length: stroke_max < 0.08 is 8 %.\n"
-              "On a terminal the rows go through $PAGER [less].\n\n"
-              "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
-              "  misalign query results/miura-6x6-1a2b3c4d.db --csv \\\n"
-              "    \"SELECT draw FROM candidates WHERE stroke_max < 0.08\"");
+  verb.footer(
+      "Named queries: " + schema::named_query_list() +
+      ".\ndeploy_time_s(draw) and critical_friction_n_mm_per_mm(draw), or (draw, from_deg), are\n"
+      "found as they are asked for: see misalign deploy.\nElongations and strokes are shares of a "
+      "length: stroke_max < 0.08 is 8 %.\n"
+      "On a terminal the rows go through $PAGER [less].\n\n"
+      "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"
+      "  misalign query results/miura-6x6-1a2b3c4d.db --csv \\\n"
+      "    \"SELECT draw FROM candidates WHERE stroke_max < 0.08\"");
   auto call = std::make_shared<QueryCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
   verb.add_option("QUERY", call->sql, "name or SQL [best]");

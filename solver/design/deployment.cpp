@@ -145,16 +145,18 @@ class Run {
     }
   }
 
-  // When the pilot has this angle: by bisection on the integrator's own polynomial.
-  MotionState passing(double pilot_deg, MotionState before, MotionState after) const {
+  // When the pilot has this angle: by Newton's method on the integrator's own polynomial.
+  MotionState passing(double pilot_deg, const MotionState& before, const MotionState& after) const {
     const double x = way_.x_of(pilot_deg);
-    const bool grows = after.x > before.x;
-    for (int k = 0; k < 60 && after.time > before.time; ++k) {
-      const MotionState middle = integrator_.state_at((before.time + after.time) / 2);
-      if (middle.time <= before.time || middle.time >= after.time) break;
-      ((middle.x < x) == grows ? before : after) = middle;
+    double time = before.time + (after.time - before.time) * (x - before.x) / (after.x - before.x);
+    MotionState here = integrator_.state_at(time);
+    for (int k = 0; k < 20 && std::abs(here.x - x) > 1e-15; ++k) {
+      const double next = here.rate != 0 ? time - (here.x - x) / here.rate : time;
+      if (next == time) break;
+      time = std::clamp(next, before.time, after.time);
+      here = integrator_.state_at(time);
     }
-    return after;
+    return here;
   }
 
   void add_row(const MotionState& at, DeploymentEvent event) {

@@ -1,0 +1,18 @@
+// What comes of letting draws go, as functions in SQL: found when a query asks for it, and stored
+// nowhere.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <string>
+
+namespace misalign::search {
+
+/// Adds to a catalogue's connection
+///   deploy_time_s(draw), deploy_time_s(draw, from_deg)
+///   critical_friction_n_mm_per_mm(draw), critical_friction_n_mm_per_mm(draw, from_deg)
+/// of any draw of its campaign, as `misalign deploy` says them with its defaults: null where the
+/// sheet does not get to flat, does not fold as far, or its path is lost.
+void add_deployment_functions(SQLite::Database& database, const std::string& path);
+
+}  // namespace misalign::search
