@@ -59,6 +59,39 @@ Json equilibria_json(const std::vector<solver::Equilibrium>& equilibria) {
   return list;
 }
 
+// Vectors row by row.
+Json vectors_json(const Eigen::MatrixXd& rows, Eigen::Index first) {
+  Json list = Json::array();
+  for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+    list.push_back({rows(row, first), rows(row, first + 1), rows(row, first + 2)});
+  }
+  return list;
+}
+
+Json forces_json(const solver::Mechanism& mechanism, const solver::JointForces& forces) {
+  Json hinges = Json::array(), balls = Json::array();
+  for (std::size_t k = 0; k < mechanism.creases.size(); ++k) {
+    const solver::Crease& crease = mechanism.creases[k];
+    const auto first = 3 * static_cast<Eigen::Index>(k);
+    hinges.push_back({{"from", solver::vertex_label(crease.a)},
+                      {"to", solver::vertex_label(crease.b)},
+                      {"shared", bool(forces.crease_shared[k])},
+                      {"force_n", vectors_json(forces.crease_force_n, first)},
+                      {"moment_n_mm", vectors_json(forces.crease_moment_n_mm, first)}});
+  }
+  for (std::size_t k = 0; k < mechanism.balls.size(); ++k) {
+    const auto first = 3 * static_cast<Eigen::Index>(k);
+    balls.push_back({{"vertex", solver::vertex_label(mechanism.balls[k].vertex)},
+                     {"force_n", vectors_json(forces.ball_force_n, first)}});
+  }
+  return {{"pilot_deg", forces.pilot_deg},
+          {"reactions", forces.reactions},
+          {"rank", forces.rank},
+          {"unbalanced_n", forces.unbalanced_n},
+          {"creases", hinges},
+          {"ball_joints", balls}};
+}
+
 Json labels_json(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
   Json list = Json::array();
   for (const int d : diagonals) list.push_back(diagonal_label(mechanism, d));
@@ -111,6 +144,7 @@ Json deployment_history_json(const solver::Mechanism& mechanism,
   column("energy_n_mm", &solver::DeploymentRow::springs_n_mm);
   column("kinetic_n_mm", &solver::DeploymentRow::kinetic_n_mm);
   column("total_n_mm", &solver::DeploymentRow::total_n_mm);
+  if (study.forces) json["forces"] = forces_json(mechanism, *study.forces);
   Json& events = json["events"] = Json::array();
   for (const solver::DeploymentRow& row : study.run.rows) {
     if (row.event == solver::DeploymentEvent::none) continue;

@@ -15,7 +15,8 @@ Json deployment_metrics_json(const solver::DeploymentStudy& study);
 Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study);
 
 /// That, and the rows of the motion as arrays: time_s, pilot_deg, rate_deg_per_s, energy_n_mm (of
-/// the springs), kinetic_n_mm, total_n_mm; and its events.
+/// the springs), kinetic_n_mm, total_n_mm; its events; and the forces in the joints if they were
+/// found.
 Json deployment_history_json(const solver::Mechanism& mechanism,
                              const solver::DeploymentStudy& study);
 

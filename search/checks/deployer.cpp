@@ -79,6 +79,7 @@ Deployer::Deployer(const schema::Pattern& base, const schema::Sampling& sampling
       model_(model_of(base, sampling)),
       sheet_(wish.sheet),
       options_(wish.options),
+      forces_(wish.forces),
       ways_(model_) {
   options_.from_deg = wish.from_deg.value_or(kDeployFrom_deg);
   sheet_.springs.stiffness_n_per_mm =
@@ -131,7 +132,7 @@ solver::DeploymentStudy Deployer::study(const Eigen::Matrix2Xd& shifts_mm, doubl
     options.from_deg = std::min(options.from_deg, deploys_from_deg);
   }
   check_angles(*way, options.from_deg, name);
-  solver::DeploymentStudy study = solver::study_deployment(*way, model_, sheet_, options);
+  solver::DeploymentStudy study = solver::study_deployment(*way, model_, sheet_, options, forces_);
   const solver::JointResistance& joints = sheet_.joints;
   if (joints.damping_n_mm_s_per_mm > 0) {
     study.friction.critical_n_mm_per_mm =

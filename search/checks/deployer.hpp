@@ -23,6 +23,7 @@ struct DeployWish {
   std::vector<double> gravity;               ///< x, y, z in standard gravities, or none
   solver::DeployingSheetOptions sheet;
   solver::DeploymentOptions options;
+  std::optional<solver::JointForcesOptions> forces;  ///< none: they are not found
 };
 
 class Deployer {
@@ -52,6 +53,7 @@ class Deployer {
   const solver::Model model_;
   solver::DeployingSheetOptions sheet_;
   solver::DeploymentOptions options_;
+  const std::optional<solver::JointForcesOptions> forces_;
   solver::WaySolver ways_;
 };
 

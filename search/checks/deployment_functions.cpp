@@ -48,15 +48,14 @@ class LetGo {
 
  private:
   bool is_candidate(std::uint64_t draw) {
-    if (!candidate_) candidate_.emplace(database_, "SELECT 1 FROM candidate WHERE draw = ?");
-    candidate_->reset();
-    candidate_->bind(1, static_cast<std::int64_t>(draw));
-    return candidate_->executeStep();
+    // None that outlives the call: the connection must be able to close.
+    SQLite::Statement candidate(database_, "SELECT 1 FROM candidate WHERE draw = ?");
+    candidate.bind(1, static_cast<std::int64_t>(draw));
+    return candidate.executeStep();
   }
 
   SQLite::Database& database_;
   const std::string path_;
-  std::optional<SQLite::Statement> candidate_;
   std::optional<schema::Campaign> campaign_;
   std::unique_ptr<Deployer> deployer_;
   std::optional<double> from_deg_;

@@ -124,6 +124,39 @@ std::string wires_text(const solver::Mechanism& mechanism, const DeploymentStudy
   return line("above", study.pulls_from_above) + line("below", study.pulls_from_below);
 }
 
+// The largest of each kind, and where.
+std::string forces_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
+  if (!study.forces) return "";
+  const solver::JointForces& forces = *study.forces;
+  const auto largest = [&](const Eigen::MatrixXd& vectors, const char* what, const char* unit,
+                           const auto& label) {
+    double most = -1;
+    Eigen::Index row = 0, joint = 0;
+    for (Eigen::Index i = 0; i < vectors.rows(); ++i) {
+      for (Eigen::Index k = 0; k < vectors.cols() / 3; ++k) {
+        const double size = vectors.block<1, 3>(i, 3 * k).norm();
+        if (size > most) most = size, row = i, joint = k;
+      }
+    }
+    if (most < 0) return std::string();
+    return fmt::format("largest {}: {:.4g} {} at {}, {:.4g} deg\n", what, most, unit,
+                       label(static_cast<std::size_t>(joint)),
+                       forces.pilot_deg[static_cast<std::size_t>(row)]);
+  };
+  const auto crease = [&](std::size_t k) {
+    return solver::line_label(mechanism.creases[k].a, mechanism.creases[k].b) +
+           (forces.crease_shared[k] ? " (shared)" : "");
+  };
+  const auto ball = [&](std::size_t k) { return solver::vertex_label(mechanism.balls[k].vertex); };
+  return largest(forces.crease_force_n, "force in a hinge", "N", crease) +
+         largest(forces.crease_moment_n_mm, "moment in a hinge", "N mm", crease) +
+         largest(forces.ball_force_n, "force in a ball joint", "N", ball) +
+         fmt::format(
+             "{} reactions of rank {}: {} round whole vertices are shared by their creases, "
+             "by least squares\n",
+             forces.reactions, forces.rank, forces.reactions - forces.rank);
+}
+
 // Every few degrees, and at events: some twenty rows a swing.
 std::string motion_text(const DeploymentStudy& study) {
   const double from_deg = std::abs(study.options.from_deg);
@@ -146,7 +179,8 @@ std::string motion_text(const DeploymentStudy& study) {
 
 std::string deployment_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
   return what_was_let_go(study) + outcome_text(study) + friction_text(study) +
-         equilibria_text(study) + wires_text(mechanism, study) + motion_text(study);
+         equilibria_text(study) + wires_text(mechanism, study) + forces_text(mechanism, study) +
+         motion_text(study);
 }
 
 }  // namespace misalign::search

@@ -15,16 +15,21 @@
 namespace misalign::search {
 namespace {
 
+enum class Forces { in_motion, held };
+
 struct DeployCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
   DeployWish wish;
+  std::optional<Forces> forces;
   bool json = false;
 };
 
 void show_deployment(const DeployCall& call) {
   const ChosenSheet sheet = choose_sheet(call.path, call.draw);
-  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, call.wish);
+  DeployWish wish = call.wish;
+  if (call.forces) wish.forces = {.in_motion = *call.forces == Forces::in_motion};
+  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
   const double deploys_from_deg = deployer.deploys_from_deg(sheet.shifts_mm);
   const solver::DeploymentStudy study =
       deployer.study(sheet.shifts_mm, deploys_from_deg, schema::printable(sheet.name()));
@@ -52,7 +57,9 @@ Action deploy_verb(CLI::App& verb) {
       "  turned_back   it turns round and nothing slows it down\n"
       "  fold_limit    it folds as far as it can\n"
       "  time_limit    it still moves\n"
-      "Critical friction: the most that the creases may have for it to get to flat.\n\n"
+      "Critical friction: the most that the creases may have for it to get to flat.\n"
+      "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
+      "second of a ball joint; moments are about the crease's midpoint, square to it.\n\n"
       "Examples:\n  misalign deploy search/patterns/table1.json\n"
       "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
       "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.003");
@@ -60,6 +67,10 @@ Action deploy_verb(CLI::App& verb) {
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
   add_deployment(verb, call->wish);
+  verb.add_option("--forces", call->forces,
+                  "also what hinges and ball joints carry: in the motion, or with the sheet held "
+                  "at each angle by its pilot crease [none]")
+      ->transform(one_of<Forces>({{"motion", Forces::in_motion}, {"held", Forces::held}}));
   verb.add_flag("--json", call->json, "as JSON, with the whole motion");
   return [call] {
     show_deployment(*call);

@@ -37,7 +37,8 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
 
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
                                  const DeployingSheetOptions& sheet,
-                                 const DeploymentOptions& options) {
+                                 const DeploymentOptions& options,
+                                 const std::optional<JointForcesOptions>& forces) {
   const DeployingSheet deploying(way, model.shape(), model.base(), sheet);
   DeploymentStudy study{sheet,
                         options,
@@ -46,8 +47,12 @@ DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
                         find_friction_limits(deploying, options.from_deg),
                         {},
                         {},
+                        {},
                         {}};
   study.run = deploy(deploying, wells_of(study.equilibria), options);
+  if (forces) {
+    study.forces = find_joint_forces(deploying, model.shape(), model.base(), study.run, *forces);
+  }
   if (sheet.springs.rest_deg == 0) return study;
   Eigen::VectorXd lengths_mm, rates_mm;
   way.find_lengths(way.x_of(sheet.springs.rest_deg), lengths_mm, rates_mm);

@@ -4,6 +4,7 @@
 
 #include "solver/design/deployment.hpp"
 #include "solver/design/equilibria.hpp"
+#include "solver/design/joint_forces.hpp"
 
 namespace misalign::solver {
 
@@ -18,6 +19,7 @@ struct DeploymentStudy {
   /// theirs pull back towards it, and those that are longer below. None where they are relaxed
   /// flat.
   std::vector<int> pulls_from_above, pulls_from_below;
+  std::optional<JointForces> forces;  ///< where they are asked for
 
   /// When it was first flat.
   std::optional<double> deploy_time_s() const;
@@ -27,9 +29,11 @@ struct DeploymentStudy {
 };
 
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
+/// With the forces in the joints if `forces` says how.
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
                                  const DeployingSheetOptions& sheet,
-                                 const DeploymentOptions& options);
+                                 const DeploymentOptions& options,
+                                 const std::optional<JointForcesOptions>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.
