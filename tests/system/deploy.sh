@@ -1,0 +1,89 @@
+# A sheet that is let go: the verb, the functions in SQL, what is refused.
+. "$(dirname "$0")/lib.sh"
+table1=$source_dir/search/patterns/table1.json
+"$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 1200 --progress none \
+  --catalogue a.db > /dev/null || fail "search"
+draw=$(sql a.db 'SELECT max(draw) FROM candidate')
+
+# json_test FILE CONDITION: of the JSON j.
+json_test() { [ "$(sqlite3 :memory: "WITH f AS (SELECT readfile('$1') AS j) SELECT $2 FROM f")" = 1 ]; }
+
+"$program" deploy "$table1" --json > free.json || fail "deploy"
+# What programs that share no code with this one found: 5.538 N mm, 30 degrees passed after 0.0433 s.
+json_test free.json "abs(json_extract(j, '\$.energy_n_mm[0]') - 5.538) < 5e-4" || fail "energy"
+json_test free.json "(SELECT abs(json_extract(j, '\$.time_s[' || key || ']') - 0.0433) < 5.1e-5
+  FROM json_each(j, '\$.pilot_deg') WHERE abs(value - 30) < 1e-9)" || fail "time of 30 degrees"
+[ "$(field free.json outcome)" = passed_flat ] || fail "outcome"
+json_test free.json "(SELECT max(abs(a.value - b.value)) <= 0.5 + 1e-9 FROM json_each(j, '\$.pilot_deg') a
+  JOIN json_each(j, '\$.pilot_deg') b ON b.key = a.key + 1)" || fail "rows are farther apart than 0.5 deg"
+json_test free.json "json_array_length(j, '\$.time_s') = json_array_length(j, '\$.rate_deg_per_s')" ||
+  fail "columns"
+
+# The critical friction is critical; with it springs of the campaign are what is needed.
+critical=$(field free.json critical_friction_n_mm_per_mm)
+for share in 0.999 1.001; do
+  "$program" deploy "$table1" --friction "$(awk "BEGIN { print $share * $critical }")" --json > some.json
+  case $share-$(field some.json outcome) in
+    0.999-passed_flat | 1.001-flat | 1.001-stalled) ;;
+    *) fail "with $share of the critical friction: $(field some.json outcome)" ;;
+  esac
+done
+json_test some.json "abs(json_extract(j, '\$.stiffness_needed_n_per_mm') / 50.05 - 1) < 1e-3" ||
+  fail "the stiffness that is needed"
+
+# Every outcome can be had, and is said in words.
+while IFS='|' read -r options outcome words; do
+  # shellcheck disable=SC2086
+  "$program" deploy "$table1" $options --json > some.json || fail "deploy $options"
+  [ "$(field some.json outcome)" = "$outcome" ] || fail "$options: $(field some.json outcome)"
+  # shellcheck disable=SC2086
+  "$program" deploy "$table1" $options | grep -q "^$words" || fail "$options: no '$words'"
+done << 'END'
+--latch|latched|latched flat
+--swings 3|passed_flat|passes through flat
+--friction 0.1|stalled|stalls at 36 deg
+--damping 0.003 --swings 1000|flat|comes to rest flat
+--rest-deg 60 --from 90 --damping 0.01|at_rest|comes to rest at 60 deg
+--rest-deg 60 --from 50|turned_back|turns round
+--rest-deg 150 --from 20 --time-limit 10|fold_limit|folds up to 156.34
+--time-limit 0.01|time_limit|still moves
+END
+
+# Of a draw: functions in SQL give what the verb gives, and choose.
+"$program" deploy a.db "$draw" --json > drawn.json || fail "deploy of a draw"
+"$program" query a.db --json "SELECT deploy_time_s(draw) AS t, critical_friction_n_mm_per_mm(draw, 36) AS f
+  FROM candidates WHERE draw = $draw" > row.json || fail "functions"
+for pair in t:deploy_time_s f:critical_friction_n_mm_per_mm; do
+  [ "$(sqlite3 :memory: "SELECT json_extract(readfile('row.json'), '\$[0].${pair%:*}') =
+    json_extract(readfile('drawn.json'), '\$.${pair#*:}')")" = 1 ] || fail "${pair#*:} in SQL"
+done
+"$program" export a.db --where "draw = $draw AND deploy_time_s(draw) < 60" --output out > exported ||
+  fail "export --where"
+"$program" deploy "$(cat exported)" --json > again.json || fail "deploy of an export"
+[ "$(field again.json deploy_time_s)" = "$(field drawn.json deploy_time_s)" ] || fail "other times"
+[ "$("$program" query a.db --csv "SELECT deploy_time_s(draw, 500), deploy_time_s('x') FROM candidates
+  LIMIT 1" | tail -1)" = "," ] || fail "functions of nothing"
+
+# refused CODE WORDS ARGUMENT...
+refused() {
+  local code=$1 words=$2
+  shift 2
+  "$program" "$@" > out.txt 2> err
+  [ $? = "$code" ] && [ ! -s out.txt ] && [ "$(wc -l < err)" = 1 ] && grep -q -- "$words" err ||
+    fail "$*: $(cat err)"
+}
+refused 2 "reaches its fold limit at 156.34" deploy "$table1" --from 156.4
+refused 2 "--rest-deg 160: table1 reaches" deploy "$table1" --rest-deg 160
+refused 2 "is not a number from" deploy "$table1" --from 0
+refused 2 "is not a number from" deploy "$table1" --friction -1
+refused 2 "is no panel of this sheet" deploy "$table1" --hold 1,2
+refused 2 "is no panel of this sheet" deploy "$table1" --hold nowhere
+refused 2 "--hold" deploy "$table1" --gravity 0,0,-1
+refused 2 "--gravity" deploy "$table1" --hold 0,0 --gravity 0,0
+refused 2 "write it as A11-A17=60" deploy "$table1" --rest A11-A18=60
+refused 2 "write it as A11-A17=60" deploy "$table1" --rest A11-A17
+refused 2 "'still' is none of motion, held" deploy "$table1" --forces still
+refused 2 "no DRAW is given" deploy a.db
+refused 2 "can only be chosen from a catalogue" deploy "$table1" 7
+refused 3 "no such file" deploy nothing.json
+finish
