@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/design/motion_integrator.hpp"
 
@@ -28,17 +29,17 @@ class Run {
       const DeploymentOptions& options)
       : sheet_(sheet),
         way_(sheet.way()),
-        wells_x_(wells_x),
         options_(options),
         from_x_(way_.x_of(options.from_deg)),
         unit_s_(time_unit_s(sheet, from_x_, wells_x)),
         integrator_([this](double x, double rate) { return acceleration(x, rate); }, way_.end(),
-                    std::abs(from_x_), options.relative_tolerance) {}
+                    std::abs(from_x_), options.relative_tolerance) {
+    for (const double x : wells_x) wells_.push_back(well_at(x));
+  }
 
   Deployment run() {
     const MotionState start{0, from_x_, 0};
     add_row(start, DeploymentEvent::start);
-    start_energy_ = run_.rows.front().total_n_mm;
     if (is_held(from_x_)) return end(held_at(from_x_));
     set_off(start);
     for (;;) {
@@ -107,24 +108,39 @@ class Run {
     return relaxed || std::abs(here.slope) <= here.friction;
   }
   Outcome held_at(double x) const {
-    const auto is_near = [&](double other_x) {
-      return std::abs(way_.pilot_deg(x) - way_.pilot_deg(other_x)) <= options_.flat_deg;
-    };
-    if (is_near(0)) return Outcome::flat;
-    return std::any_of(wells_x_.begin(), wells_x_.end(), is_near) ? Outcome::at_rest
-                                                                  : Outcome::stalled;
+    const double pilot_deg = way_.pilot_deg(x);
+    if (std::abs(pilot_deg) <= options_.flat_deg) return Outcome::flat;
+    for (const Well& well : wells_) {
+      const double apart_deg = std::abs(pilot_deg - way_.pilot_deg(well.x));
+      if (apart_deg <= options_.well_deg) return Outcome::at_rest;
+    }
+    return Outcome::stalled;
   }
 
-  // In the nearest well, without the energy to leave it or to be seen to move.
+  // A well, and the energy with which its neighbourhood is left.
+  struct Well {
+    double x, edge;
+  };
+  Well well_at(double x) const {
+    const double pilot_deg = way_.pilot_deg(x);
+    const double around_deg = x == 0 ? options_.flat_deg : options_.well_deg;
+    double edge = std::numeric_limits<double>::infinity();
+    for (const double at_deg : {pilot_deg - around_deg, pilot_deg + around_deg}) {
+      if (std::abs(at_deg) >= way_.end_deg()) continue;
+      edge = std::min(edge, sheet_.at(way_.x_of(at_deg)).potential);
+    }
+    return {x, edge};
+  }
+
+  // In the nearest well, without the energy to leave its neighbourhood.
   std::optional<Outcome> settled(const MotionState& here) {
-    if (wells_x_.empty() || !sheet_.options().joints.slows_down()) return {};
-    const double well_x = *std::min_element(
-        wells_x_.begin(), wells_x_.end(),
-        [&](double a, double b) { return std::abs(here.x - a) < std::abs(here.x - b); });
-    const double bottom = sheet_.at(well_x).potential;
+    if (wells_.empty() || !sheet_.options().joints.slows_down()) return {};
+    const Well& well =
+        *std::min_element(wells_.begin(), wells_.end(), [&](const Well& a, const Well& b) {
+          return std::abs(here.x - a.x) < std::abs(here.x - b.x);
+        });
     const SheetAt now = sheet_.at(here.x);
-    const double left = now.potential + kinetic(now, here.rate) - bottom;
-    if (left > options_.rest_share * (start_energy_ - bottom)) return {};
+    if (now.potential + kinetic(now, here.rate) > well.edge) return {};
     add_row(here, DeploymentEvent::end);
     return held_at(here.x);
   }
@@ -174,11 +190,10 @@ class Run {
 
   const DeployingSheet& sheet_;
   const FoldingWay& way_;
-  const std::vector<double>& wells_x_;
   const DeploymentOptions& options_;
   const double from_x_, unit_s_;
   int direction_ = -1;
-  double start_energy_ = 0;
+  std::vector<Well> wells_;
   Deployment run_{};
   MotionIntegrator integrator_;
 };

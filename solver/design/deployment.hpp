@@ -15,9 +15,10 @@ struct DeploymentOptions {
   int swings = 0;
   double time_limit_s = 60;
   double row_deg = 0.5;   ///< a row at each multiple of it, and at each event
-  double flat_deg = 0.5;  ///< what comes to rest as close as this to flat is flat; to a well, there
-  /// At rest: less than this share of the energy at the start is left above the nearest well.
-  double rest_share = 1e-9;
+  double flat_deg = 0.5;  ///< what comes to rest as close as this to flat is flat
+  /// As close as this to a well that is not flat it is there. At rest is what has not the energy to
+  /// go farther than these from the nearest well.
+  double well_deg = 0.01;
   double relative_tolerance = 1e-11;  ///< of the integration
 };
 

@@ -70,8 +70,10 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
     const DeployingSheet deploying(way, model.shape(), model.base(), tried);
-    const Deployment run = deploy(deploying, {}, options);
-    return run.outcome == Outcome::passed_flat || run.outcome == Outcome::latched;
+    const Outcome outcome =
+        deploy(deploying, wells_of(find_equilibria(deploying)), options).outcome;
+    return outcome == Outcome::passed_flat || outcome == Outcome::latched ||
+           outcome == Outcome::flat;
   };
   tried.joints.friction_n_mm_per_mm = 0;
   const DeployingSheet without(way, model.shape(), model.base(), tried);

@@ -91,8 +91,8 @@ TEST_F(Oscillator, IsDampedAsOneIs) {
   run.swings = 100;
   const Deployment deployment = let_go();
   EXPECT_EQ(deployment.outcome, Outcome::flat);
-  // A thousand-millionth of the energy: the amplitude fell by its root.
-  EXPECT_NEAR(deployment.last().time_s * decay, std::log(1e9) / 2, 0.5);
+  // When the amplitude has fallen to what is called flat.
+  EXPECT_NEAR(deployment.last().time_s * decay, std::log(60 / run.flat_deg), 0.5);
 }
 
 // Coulomb: every half swing is shorter by twice the friction over the stiffness, until it holds.

@@ -199,7 +199,7 @@ TEST_F(Table1Way, ComesToRestThere) {
   for (const double from_deg : {30.0, 156.0}) {
     const Deployment run = deploy(let_go(options), {-well_x, well_x}, {.from_deg = from_deg});
     EXPECT_EQ(run.outcome, Outcome::at_rest) << from_deg;
-    EXPECT_NEAR(run.last().pilot_deg, 60, 0.05);
+    EXPECT_NEAR(run.last().pilot_deg, 60, DeploymentOptions{}.well_deg);
   }
 }
 

@@ -42,8 +42,8 @@ done << 'END'
 --latch|latched|latched flat
 --swings 3|passed_flat|passes through flat
 --friction 0.1|stalled|stalls at 36 deg
---damping 0.003 --swings 1000|flat|comes to rest flat
---rest-deg 60 --from 90 --damping 0.01|at_rest|comes to rest at 60 deg
+--damping 0.0003 --swings 1000|flat|comes to rest flat
+--rest-deg 60 --from 90 --damping 0.01|at_rest|comes to rest at 
 --rest-deg 60 --from 50|turned_back|turns round
 --rest-deg 150 --from 20 --time-limit 10|fold_limit|folds up to 156.34
 --time-limit 0.01|time_limit|still moves
