@@ -16,6 +16,7 @@ import { make_folding_view } from "./folding_view.js";
 import { by_id, count, degrees } from "./format.js";
 import { make_diagonal_list, make_histories } from "./histories.js";
 import { metric_of, with_unit } from "./metrics.js";
+import { make_let_go } from "./let_go.js";
 import { make_pilot } from "./pilot.js";
 import { end_of_path, heading } from "./whose.js";
 
@@ -131,6 +132,8 @@ export class Inspector {
       this.#place_chart(box, chart),
     );
     for (const { box, chart } of actuation) this.#place_chart(box, chart);
+    const let_go = make_let_go(report, along);
+    if (let_go) this.#place_chart(by_id("let-go"), let_go);
     pilot.load(detail, decoded);
     folding.load(decoded);
     show_actuation_words(by_id("actuation"), report, detail, decoded);

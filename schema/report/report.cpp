@@ -6,6 +6,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/unit_writer.hpp"
+#include "schema/exchange/deployment_json.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/carried_files.hpp"
 #include "solver/pattern/outline.hpp"
@@ -92,9 +93,16 @@ Json words_json() {
   return {{"faults", faults}, {"metrics", metrics}};
 }
 
-Json candidates_json(SQLite::Database& database, std::uint64_t most) {
+Json candidates_json(SQLite::Database& database, std::uint64_t most, bool let_go) {
+  const std::string first =
+      "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most);
+  // The functions of the rows that are shown alone.
   const Json rows = query_rows(
-      database, "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most));
+      database, let_go ? "SELECT *, deploy_time_s(draw) AS deploy_time_s, "
+                         "critical_friction_n_mm_per_mm(draw) AS critical_friction_n_mm_per_mm "
+                         "FROM (" +
+                             first + ")"
+                       : first);
   const Json total = query_rows(database, "SELECT count(*) AS total FROM candidate");
   Json columns = Json::object();
   for (const Json& row : rows) {
@@ -184,6 +192,24 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
                {"moment_n_mm", floats(actuation.moment_n_mm)},
                {"mechanical_advantage", floats(actuation.mechanical_advantage)}};
   json.update(limits_json(actuation));
+  return json;
+}
+
+Json let_go_json(const solver::DeploymentStudy& study) {
+  std::vector<double> time_s, pilot_deg;
+  for (const solver::DeploymentRow& row : study.run.rows) {
+    time_s.push_back(row.time_s);
+    pilot_deg.push_back(row.pilot_deg);
+  }
+  const solver::DeploymentRow& last = study.run.last();
+  Json json = deployment_metrics_json(study);
+  json.update({{"from_deg", study.options.from_deg},
+               {"outcome", solver::name_of(study.run.outcome)},
+               {"thickness_mm", study.sheet.plates.thickness_mm},
+               {"mass_g", study.mass_t * 1e6},
+               {"end_deg_per_s", last.rate_deg_per_s},
+               {"time_s", floats(time_s)},
+               {"pilot_deg", floats(pilot_deg)}});
   return json;
 }
 

@@ -17,8 +17,8 @@ namespace {
 // the last draw is kept, since several functions usually ask for the same.
 class LetGo {
  public:
-  LetGo(SQLite::Database& database, std::string path)
-      : database_(database), path_(std::move(path)) {}
+  LetGo(SQLite::Database& database, std::string path, std::optional<double> stiffness_n_per_mm)
+      : database_(database), path_(std::move(path)), stiffness_n_per_mm_(stiffness_n_per_mm) {}
 
   const std::optional<solver::DeploymentStudy>& study(std::uint64_t draw,
                                                       std::optional<double> from_deg) {
@@ -26,6 +26,7 @@ class LetGo {
     if (!deployer_ || from_deg_ != from_deg) {
       DeployWish wish;
       wish.from_deg = from_deg;
+      wish.stiffness_n_per_mm = stiffness_n_per_mm_;
       deployer_ = std::make_unique<Deployer>(campaign_->pattern, campaign_->sampling(),
                                              campaign_->actuators, wish);
       from_deg_ = from_deg;
@@ -56,6 +57,7 @@ class LetGo {
 
   SQLite::Database& database_;
   const std::string path_;
+  const std::optional<double> stiffness_n_per_mm_;
   std::optional<schema::Campaign> campaign_;
   std::unique_ptr<Deployer> deployer_;
   std::optional<double> from_deg_;
@@ -93,8 +95,9 @@ void forget(void* function) { delete static_cast<Function*>(function); }
 
 }  // namespace
 
-void add_deployment_functions(SQLite::Database& database, const std::string& path) {
-  const auto let_go = std::make_shared<LetGo>(database, path);
+void add_deployment_functions(SQLite::Database& database, const std::string& path,
+                              std::optional<double> stiffness_n_per_mm) {
+  const auto let_go = std::make_shared<LetGo>(database, path, stiffness_n_per_mm);
   const auto add = [&](const char* name, Number number) {
     for (const int count : {1, 2}) {
       sqlite3_create_function_v2(database.getHandle(), name, count,

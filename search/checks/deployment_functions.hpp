@@ -4,6 +4,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <optional>
 #include <string>
 
 namespace misalign::search {
@@ -11,8 +12,10 @@ namespace misalign::search {
 /// Adds to a catalogue's connection
 ///   deploy_time_s(draw), deploy_time_s(draw, from_deg)
 ///   critical_friction_n_mm_per_mm(draw), critical_friction_n_mm_per_mm(draw, from_deg)
-/// of any draw of its campaign, as `misalign deploy` says them with its defaults: null where the
-/// sheet does not get to flat, does not fold as far, or its path is lost.
-void add_deployment_functions(SQLite::Database& database, const std::string& path);
+/// of any draw of its campaign, as `misalign deploy` says them with its defaults, and these springs
+/// instead of the campaign's if there are any: null where the sheet does not get to flat, does not
+/// fold as far, or its path is lost.
+void add_deployment_functions(SQLite::Database& database, const std::string& path,
+                              std::optional<double> stiffness_n_per_mm = {});
 
 }  // namespace misalign::search

@@ -52,6 +52,9 @@ std::string outcome_text(const DeploymentStudy& study) {
       return fmt::format("latched flat {}, at {}: {:.4g} N mm to be caught\n", when, speed,
                          last.kinetic_n_mm);
     case Outcome::stalled:
+      if (!study.sheet.joints.slows_down()) {
+        return fmt::format("stays at {:.4g} deg: nothing drives it\n", last.pilot_deg);
+      }
       return fmt::format("stalls at {:.4g} deg {}: friction holds it\n", last.pilot_deg, when);
     case Outcome::at_rest:
       return fmt::format("comes to rest at {:.4g} deg {}\n", last.pilot_deg, when);

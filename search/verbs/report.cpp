@@ -11,6 +11,8 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/checks/chosen_sheet.hpp"
+#include "search/checks/deployer.hpp"
+#include "search/checks/deployment_functions.hpp"
 #include "search/draws/draw.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/terminal/shell_word.hpp"
@@ -34,6 +36,7 @@ struct ReportCall {
   std::uint64_t details = 36;        // so many of the best ones can be looked at
   Choice choice;                     // whom to look at instead; of `where` alone, `details` many
   OtherActuators actuators;
+  bool let_go = false;  // the table says what comes of letting each go
 };
 
 using schema::Json;
@@ -84,10 +87,22 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
   return look;
 }
 
+// What comes of letting it go; null where it cannot be let go.
+Json let_go_json(Deployer& deployer, const SheetFolder& folder, const FoldedSheet& folded) {
+  const double deploys_from_deg =
+      folded.path.history.verdict.deploys_from_sample * folder.sampling().sample_deg;
+  try {
+    return schema::let_go_json(deployer.study(folded.shifts_mm, deploys_from_deg, "the sheet"));
+  } catch (const schema::UserError&) {
+    return nullptr;
+  }
+}
+
 Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
                   const DrawsToLookAt& look) {
   Json details = Json::array();
   std::size_t bytes = 0;
+  Deployer deployer(folder.base(), folder.sampling(), folder.actuators(), {});
   for (std::size_t k = 0; k < look.draws.size(); ++k) {
     if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
     const std::uint64_t draw = look.draws[k];
@@ -95,6 +110,7 @@ Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
     const bool accepted = campaign.accepts(folded.path.history.verdict);
     details.push_back(schema::detail_json(folder.view(folded), draw, accepted, folded.path,
                                           folded.actuation, folded.metrics));
+    details.back()["let_go"] = let_go_json(deployer, folder, folded);
     bytes += details.back().dump().size();
   }
   return details;
@@ -155,7 +171,7 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
     const SQLite::Transaction moment(database);
     Json json = {{"state", status_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
-                 {"candidates", schema::candidates_json(database, call.rows)}};
+                 {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
     look = draws_to_look_at(database, json["candidates"], call);
     json["yields"] = schema::report_yields_json(database, call.rows, look.draws);
     return json;
@@ -198,6 +214,7 @@ void write_page(const ReportCall& call, const Json& data) {
 void write_report(const ReportCall& call) {
   refuse_own_input(call);
   const auto database = schema::open_for_reading(call.path);
+  add_deployment_functions(*database, call.path, call.actuators.stiffness_n_per_mm);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);
   DrawsToLookAt look;
@@ -221,7 +238,9 @@ void write_report_of_pattern(const ReportCall& call) {
   Json detail = schema::detail_json(folder.view(folded), 0, false, folded.path, folded.actuation,
                                     folded.metrics);
   detail["draw"] = sheet.pattern;  // by which the page knows it
-  detail["accepted"] = nullptr;    // by nobody
+  Deployer deployer(folder.base(), folder.sampling(), folder.actuators(), {});
+  detail["let_go"] = let_go_json(deployer, folder, folded);
+  detail["accepted"] = nullptr;  // by nobody
   Json data = origin_json(call);
   data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
@@ -261,10 +280,14 @@ Action report_verb(CLI::App& verb) {
     many->check(counted(1, kMostDetails))->excludes(details);
   }
   add_other_actuators(verb, call->actuators);
+  verb.add_flag(
+      "--deploy", call->let_go,
+      "in the table also when candidates that are let go are flat, and what friction they "
+      "overcome (some milliseconds each)");
   return [call, &verb, group] {
     if (is_pattern_file(call->path)) {
       std::string chosen_by = first_given(*group);
-      for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
+      for (const char* option : {"--draw", "--rows", "--details", "--by", "--deploy"}) {
         if (verb.count(option) > 0) chosen_by = option;
       }
       if (!chosen_by.empty()) throw only_of_a_catalogue(call->path, chosen_by);

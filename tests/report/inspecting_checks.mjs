@@ -182,6 +182,43 @@ async function together_check(page, data, detail) {
   });
 }
 
+/** Let go, the sheet on the page ends where its data do. */
+async function let_go_check(page, detail) {
+  const { let_go } = detail;
+  await check("the sheet is let go in real time", async () => {
+    if (!let_go) return assert.ok(!(await by(page, "let-go").isVisible()), "a chart of nothing");
+    const pilot_deg = floats(let_go.pilot_deg),
+      time_s = floats(let_go.time_s);
+    const x = await axis(by(page, "let-go"), "x"),
+      y = await axis(by(page, "let-go"), "y");
+    const path = await by(page, "let-go")
+      .locator('g[aria-label="line"] path')
+      .first()
+      .getAttribute("d");
+    const [px, py] = path.split(/[MLC]/).at(-1).split(",").slice(-2).map(Number);
+    assert.ok(
+      Math.abs(px - x(time_s.at(-1))) < 1 && Math.abs(py - y(pilot_deg.at(-1))) < 1,
+      "the end of the line",
+    );
+    await go(page, Math.min(3, detail.pilot_deg.length - 1));
+    await by(page, "let-go-play").click();
+    const end_deg = Math.abs(pilot_deg.at(-1));
+    const nearest = detail.pilot_deg.reduce((a, b) =>
+      Math.abs(b - end_deg) < Math.abs(a - end_deg) ? b : a,
+    );
+    await eventually(
+      page,
+      {
+        test: (angle) =>
+          misalign.pilot_deg === angle &&
+          document.getElementById("let-go-play").textContent.startsWith("▶"),
+        with: nearest,
+      },
+      `it is not at ${nearest}° in the end`,
+    );
+  });
+}
+
 async function history_check(page, data, detail) {
   await check("histories run through the data", async () => {
     const x = await axis(by(page, "histories"), "x"),
@@ -310,6 +347,7 @@ export async function detail_checks(page, data, detail, webgl = true) {
   await depth_check(page, detail);
   await marking_check(page, detail);
   await spring_checks(page, detail);
+  await let_go_check(page, detail);
   await playing_check(page, detail);
   await turning_check(page);
 }

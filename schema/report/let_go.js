@@ -1,0 +1,127 @@
+// The sheet let go at rest: its pilot angle over time, and the folding moving as fast as it would.
+import * as Plot from "@observablehq/plot";
+import { plot_with_room } from "./chart.js";
+import { by_id, degrees, h, number } from "./format.js";
+
+const kHeight = 250,
+  kSlower = 20;
+
+const kOutcomes = {
+  passed_flat: (let_go) =>
+    `passes through flat after ${number(let_go.deploy_time_s)} s, with ${number(Math.abs(let_go.end_deg_per_s))} °/s`,
+  flat: (let_go) => `comes to rest flat after ${number(let_go.deploy_time_s)} s`,
+  stalled: () => "stays where it is, since nothing drives it",
+  turned_back: () => "turns round before it is flat",
+  fold_limit: () => "folds as far as it can",
+};
+
+function caption(let_go, report) {
+  const friction = let_go.critical_friction_n_mm_per_mm;
+  return (
+    `From ${degrees(let_go.from_deg)}, springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm, panels of ${number(let_go.thickness_mm)} mm ` +
+    `(${number(let_go.mass_g)} g in all), free in space, no friction: it ${(kOutcomes[let_go.outcome] ?? (() => let_go.outcome))(let_go)}. ` +
+    (friction === null
+      ? "It does not get to flat by itself."
+      : `It gets to flat with friction of up to ${number(friction)} N mm per mm of crease.`)
+  );
+}
+
+/** The angle at a time, on straight lines between the rows. */
+function angle_at({ time_s, pilot_deg }, time) {
+  if (time_s.length === 1) return pilot_deg[0];
+  let k = 1;
+  while (k < time_s.length - 1 && time_s[k] < time) ++k;
+  const part = Math.min(1, (time - time_s[k - 1]) / (time_s[k] - time_s[k - 1] || 1));
+  return pilot_deg[k - 1] + part * (pilot_deg[k] - pilot_deg[k - 1]);
+}
+
+function nearest_sample(pilot_deg, angle_deg) {
+  let best = 0;
+  pilot_deg.forEach((at, k) => {
+    if (Math.abs(at - angle_deg) < Math.abs(pilot_deg[best] - angle_deg)) best = k;
+  });
+  return best;
+}
+
+/** Moves the state's sample along; ends where anything else moves it, or the button is pressed again. */
+function make_player(let_go, { state, decoded }, move) {
+  let frame = 0,
+    playing = false;
+  const button = by_id("let-go-play"),
+    end_s = let_go.time_s[let_go.time_s.length - 1];
+  const label = () => (button.textContent = playing ? "❚❚ Stop" : "▶ In real time");
+  const stop = () => {
+    cancelAnimationFrame(frame);
+    playing = false;
+    label();
+  };
+  const start = () => {
+    const slower = by_id("let-go-slowly").checked ? kSlower : 1,
+      begun = performance.now();
+    state.set("playing", false);
+    playing = true;
+    label();
+    let ours = null;
+    const step = (now) => {
+      if (ours !== null && (state.get("sample") !== ours || state.get("playing"))) return stop();
+      const time = Math.min(end_s, Math.max(0, (now - begun) / 1000 / slower));
+      ours = nearest_sample(decoded.pilot_deg, Math.abs(angle_at(let_go, time)));
+      state.set("sample", ours);
+      move(time);
+      if (time >= end_s) return stop();
+      frame = requestAnimationFrame(step);
+    };
+    frame = requestAnimationFrame(step);
+  };
+  button.onclick = () => (playing ? stop() : start());
+  label();
+  return stop;
+}
+
+let stop_last = () => {};
+
+/** The chart of the motion, or null where the sheet cannot be let go. */
+export function make_let_go(report, folding) {
+  const { detail, decoded } = folding,
+    let_go = decoded.let_go;
+  stop_last();
+  by_id("let-go-card").hidden = !let_go;
+  if (!let_go) return null;
+  by_id("let-go-caption").textContent = caption(detail.let_go, report);
+  let dot = null,
+    x = null,
+    y = null,
+    shown_s = 0;
+  const move = (time) => {
+    shown_s = time;
+    if (!dot) return;
+    dot.setAttribute("cx", x.apply(time));
+    dot.setAttribute("cy", y.apply(angle_at(let_go, time)));
+  };
+  const points = Array.from(let_go.time_s, (time, k) => [time, let_go.pilot_deg[k]]);
+  const draw = (width) => {
+    const plot = plot_with_room({
+      width,
+      height: kHeight,
+      marginLeft: 66,
+      marginRight: 14,
+      marginBottom: 40,
+      className: "plot",
+      ariaLabel: "pilot fold angle against time",
+      x: { label: "time (s)", labelAnchor: "center", labelArrow: "none", grid: true },
+      y: { label: "pilot fold angle (°)", labelArrow: "none", grid: true, nice: true },
+      marks: [
+        Plot.ruleY([0], { stroke: "var(--ink-soft)" }),
+        Plot.line(points, { stroke: "var(--accent)", strokeWidth: 2 }),
+      ],
+    });
+    x = plot.scale("x");
+    y = plot.scale("y");
+    dot = h("svg:circle", { class: "value-dot", r: 4, "data-testid": "let-go-dot" });
+    plot.append(dot);
+    move(shown_s);
+    return plot;
+  };
+  stop_last = make_player(let_go, folding, move);
+  return { draw };
+}
