@@ -87,7 +87,7 @@ Json forces_json(const solver::Mechanism& mechanism, const solver::JointForces& 
   return {{"pilot_deg", forces.pilot_deg},
           {"reactions", forces.reactions},
           {"rank", forces.rank},
-          {"unbalanced_n", forces.unbalanced_n},
+          {"holding_n_mm", forces.holding_n_mm},
           {"creases", hinges},
           {"ball_joints", balls}};
 }

@@ -3,8 +3,8 @@
 // A hinge takes a force and, about its midpoint, a moment square to its crease (its friction turns
 // about the crease); a ball joint takes a force. Joints that close no loop round a whole vertex
 // have one answer. Round a whole vertex the four creases share an unknown common force through it,
-// three self-stresses each: there the least squares of forces, and of moments over the crease's
-// length, are given.
+// three self-stresses each: there the answer with the least squares of forces, and of moments over
+// the crease's length, is given.
 #pragma once
 
 #include "solver/design/deployment.hpp"
@@ -26,8 +26,10 @@ struct JointForces {
   Eigen::MatrixXd crease_force_n, crease_moment_n_mm;
   Eigen::MatrixXd ball_force_n;     ///< rows x 3 per ball joint: on its second facet, by its first
   std::vector<bool> crease_shared;  ///< whether it ends at a whole vertex: one of many answers
+  /// About the pilot crease, against folding: what holds the sheet at each row, the springs' moment
+  /// turned round. In a motion nothing, but for how exact it is.
+  std::vector<double> holding_n_mm;
   int reactions, rank;
-  double unbalanced_n;  ///< the largest force, or moment over a panel's width, that is left over
 };
 
 /// At the rows of a deployment that are that far from flat; `options` are the sheet's.
