@@ -106,6 +106,7 @@ class BacklashJudge::Way {
     fault_ = Fault::none;
     looked_ = 0;
     one_way_deg_ = last_deg_ = judge_.sheet_.start_deg;
+    flipped_deg_ = -1;
     gap_ = 0;
   }
 
@@ -115,7 +116,10 @@ class BacklashJudge::Way {
     start = {&judge_.loose_, &judge_.start_, &plan_};
     return true;
   }
-  void ended(const PathResult& path, int) { path_ = path; }
+  void ended(const PathResult& path, int) {
+    path_ = path;
+    if (!is_up_ && path.end == PathEnd::fold_limit) look_before_the_turn();
+  }
   bool see(const Station& station, int) {
     const double start_deg = judge_.sheet_.start_deg, from_deg = judge_.options_.from_deg;
     const double pilot_deg = is_up_ ? station.pilot_deg : start_deg - station.pilot_deg;
@@ -154,7 +158,7 @@ class BacklashJudge::Way {
       case PathEnd::end_reached:
         return BranchEnd::flat;
       case PathEnd::fold_limit:
-        return BranchEnd::turns;
+        return flipped_deg_ > 0 ? BranchEnd::other_branch : BranchEnd::turns;
       case PathEnd::stopped:
         return BranchEnd::other_branch;
       default:
@@ -162,7 +166,7 @@ class BacklashJudge::Way {
     }
   }
   double branch_end_deg() const {
-    if (path_.end == PathEnd::stopped) return flipped_deg_;
+    if (branch_end() == BranchEnd::other_branch) return flipped_deg_;
     return std::max(0.0, judge_.sheet_.start_deg - path_.fold_limit_deg);
   }
 
@@ -182,8 +186,22 @@ class BacklashJudge::Way {
       const double share = looked_ > 0 ? before / (before - now) : 1;
       flipped_deg = std::max(flipped_deg, last_deg_ + share * (pilot_deg - last_deg_));
     }
-    flipped_deg_ = flipped_deg < 0 ? pilot_deg : flipped_deg;
+    flipped_deg_ = flipped_deg < 0 && fault != Fault::none ? pilot_deg : flipped_deg;
     return fault;
+  }
+
+  // Whether a crease has passed 0 since the last station, and where. Next to a limit point creases
+  // are linear in the root of the pilot's distance from it, where the last state believed lies.
+  void look_before_the_turn() {
+    const double limit_deg = judge_.sheet_.start_deg - path_.fold_limit_deg;
+    for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
+      if (i == mechanism_.pilot) continue;
+      const double now = state_->creases[i].s * mechanism_.creases[i].assignment;
+      if (now > 0) continue;
+      const double share = now / (now - half_sines_[i]);
+      const double passed_deg = limit_deg + share * share * (last_deg_ - limit_deg);
+      flipped_deg_ = std::max(flipped_deg_, passed_deg);
+    }
   }
 
   Fault look_at_diagonals() {

@@ -38,7 +38,7 @@ struct BacklashTrial {
   double one_way_from_deg = 0, one_way_to_deg = 0;
   Fault fault = Fault::none;  ///< what ends it within from_deg to D; above, if both ends do
   double lost_deg = 0;        ///< where the branch ends on the way down; only if asked for
-  BranchEnd lost = BranchEnd::flat;
+  BranchEnd lost = BranchEnd::not_known;
   double gap_widths = 0;  ///< the largest vertex_gap at a sample of it; only if asked for
 
   bool moves_one_way() const { return is_known && fault == Fault::none; }

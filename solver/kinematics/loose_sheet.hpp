@@ -21,11 +21,6 @@ namespace misalign::solver {
 struct JointOffsets {
   std::vector<Vec3<double>> creases_a, creases_b;  ///< of hinge lines, at vertices a and b
   std::vector<Vec3<double>> balls;                 ///< of centres
-
-  /// How many points of joints can be off their places: two of a hinge, one of a ball joint.
-  static int points(const Mechanism& mechanism) {
-    return static_cast<int>(2 * mechanism.creases.size() + mechanism.balls.size());
-  }
 };
 
 /// Like the SheetGeometry of the sheet as designed, but that its joints also displace. What takes a
