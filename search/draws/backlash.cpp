@@ -64,7 +64,8 @@ class Trials {
     work(*judges_.front(), scale, only_whether);
     for (std::thread& other : others) other.join();
     if (failure_) std::rethrow_exception(failure_);
-    copies_.done = done_before + options_.trials;
+    copies_.done = done_before + options_.trials;  // what was not worth judging is done, too
+    if (options_.progress) options_.progress(copies_);
   }
 
   void work(solver::BacklashJudge& judge, double scale, bool only_whether) {

@@ -143,7 +143,7 @@ refused 2 "excludes" a.db "$draw" --backlash 0.01 --vertices
 refused 2 "requires --backlash" a.db "$draw" --amplitude 0.05 --backlash-from 10
 refused 2 "is not a number" a.db "$draw" --backlash 0
 refused 2 "is not a number" a.db "$draw" --backlash nan
-refused 2 "must be below 8.* mm (a tenth of the shortest crease.*try 0.008$" a.db "$draw" --backlash 45
+refused 2 "must be below [78].* mm (a tenth of the shortest crease of draw $draw.*try 0.008$" a.db "$draw" --backlash 45
 refused 2 "must be below .* deg (from which draw $draw deploys" a.db "$draw" --backlash 0.01 --backlash-from 179
 refused 2 "is not a number" a.db "$draw" --backlash 0.01 --backlash-from 0
 refused 2 "at most 1000000 with --backlash" a.db "$draw" --backlash 0.01 --trials 2000000
