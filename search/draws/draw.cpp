@@ -7,12 +7,15 @@
 namespace misalign::search {
 namespace {
 
+// On (-1, 1).
+double uniform(std::uint32_t word) { return (word + 0.5) / 2147483648.0 - 1.0; }
+
 double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
   if (misalignment.levels == schema::Levels::ternary) {
     const int level = static_cast<int>((3 * static_cast<std::uint64_t>(word)) >> 32) - 1;
     return level * misalignment.amplitude_mm;
   }
-  return ((word + 0.5) / 2147483648.0 - 1.0) * misalignment.amplitude_mm;
+  return uniform(word) * misalignment.amplitude_mm;
 }
 
 }  // namespace
@@ -53,6 +56,28 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
       Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count());
   draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
   return shifts_mm;
+}
+
+solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k) {
+  for (std::uint32_t block = 64 * k;; ++block) {
+    const auto words = philox_block(seed, trial, block, kBacklashStream);
+    const solver::Vec3<double> point = {uniform(words[0]), uniform(words[1]), uniform(words[2])};
+    if (dot(point, point) <= 1) return point;
+  }
+}
+
+solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint64_t seed,
+                                   std::uint64_t trial) {
+  solver::JointOffsets offsets;
+  std::uint32_t k = 0;
+  for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+    offsets.creases_a.push_back(point_in_ball(seed, trial, k++));
+    offsets.creases_b.push_back(point_in_ball(seed, trial, k++));
+  }
+  for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
+    offsets.balls.push_back(point_in_ball(seed, trial, k++));
+  }
+  return offsets;
 }
 
 bool random_numbers_as_published() {

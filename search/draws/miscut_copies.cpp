@@ -51,9 +51,9 @@ double MiscutCopies::mean_sample() const {
   return sum / static_cast<double>(decided());
 }
 
-ShareOfTrials share_of(std::uint64_t hits, const MiscutCopies& copies) {
-  const auto [low, high] = schema::share_interval(hits, copies.undecided, copies.trials);
-  const auto decided = static_cast<double>(copies.decided());
+ShareOfTrials share_of(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
+  const auto decided = static_cast<double>(trials - undecided);
   return {decided > 0 ? static_cast<double>(hits) / decided : 0, low, high};
 }
 

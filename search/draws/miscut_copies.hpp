@@ -29,6 +29,9 @@ struct ShareOfTrials {
   double share;  ///< of the decided ones
   double low, high;
 };
-ShareOfTrials share_of(std::uint64_t hits, const MiscutCopies& copies);
+ShareOfTrials share_of(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials);
+inline ShareOfTrials share_of(std::uint64_t hits, const MiscutCopies& copies) {
+  return share_of(hits, copies.undecided, copies.trials);
+}
 
 }  // namespace misalign::search

@@ -20,9 +20,10 @@ void flat_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry, 
   }
 }
 
-/// The corners of a hole in the frame of the facet where its loop begins.
-template <class T>
-std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+/// The corners of a hole in the frame of the facet where its loop begins. Where joints have play a
+/// corner is that of the facet from which the loop comes to it.
+template <class T, class Geometry>
+std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const Geometry& geometry,
                                      const FoldState<T>& state, const Loop& loop) {
   std::array<Vec3<T>, 4> points{};
   Pose<T> pose = Pose<T>::identity();
@@ -30,8 +31,10 @@ std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const SheetGeom
   for (int corner = 0; corner < 4; ++corner) {
     for (; next < loop.arrival[corner]; ++next) {
       const Passage& passage = loop.passages[next];
+      displace_before(geometry, passage, pose);
       pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
                               flat_point(geometry, passage.vertex));
+      displace_after(geometry, passage, pose);
     }
     points[corner] = pose * flat_point(geometry, loop.corners[corner]);
   }
@@ -39,9 +42,9 @@ std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const SheetGeom
 }
 
 /// Folded lengths in panel widths, one per diagonal, from the corners that each hole's loop passes.
-template <class T>
-void folded_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
-                    const FoldState<T>& state, T* lengths) {
+template <class T, class Geometry>
+void folded_lengths(const Mechanism& mechanism, const Geometry& geometry, const FoldState<T>& state,
+                    T* lengths) {
   int known_loop = -1;
   std::array<Vec3<T>, 4> corners{};
   for (const Diagonal& diagonal : mechanism.diagonals) {
@@ -56,8 +59,8 @@ void folded_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry
 /// Folded lengths, and their rates of change (panel widths per unit of `rates`) while every unknown
 /// changes at its rate: each joint moves what comes after it by a screw. `misfit` (one per
 /// equation) becomes the Jacobian times `rates`: 0 along a folding path.
-template <class T>
-void folded_lengths_and_slopes(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+template <class T, class Geometry>
+void folded_lengths_and_slopes(const Mechanism& mechanism, const Geometry& geometry,
                                const FoldState<T>& state, const T* rates, T* lengths, T* slopes,
                                T* misfit) {
   const Diagonal* diagonal = mechanism.diagonals.data();
@@ -74,6 +77,7 @@ void folded_lengths_and_slopes(const Mechanism& mechanism, const SheetGeometry<T
       }
       if (next == passages) break;
       const Passage& passage = loop.passages[next];
+      displace_before(geometry, passage, pose);
       const Pose<T> before = pose;
       pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
                               flat_point(geometry, passage.vertex));
@@ -85,6 +89,7 @@ void folded_lengths_and_slopes(const Mechanism& mechanism, const SheetGeometry<T
         spin = spin + turn;
         drift = drift - cross(turn, screws.point[k]);
       }
+      displace_after(geometry, passage, pose);
     }
     for (const T& rate : {spin.x, spin.y, spin.z}) *misfit++ = rate;
     if (loop.hole < 0) continue;

@@ -8,6 +8,7 @@
 //   Jacobian   a joint with axis w (turned by T_i) through c (moved by T_i) moves the loop by the
 //              screw dR = [w]x R, dt = w x (t - c), hence d vee = (tr(R) I - R) w / 2.
 // Closed means R = I in all nine entries: the residual alone vanishes at a half turn too.
+// Joints with play displace what comes after them as well: a policy of the geometry (LooseSheet).
 #pragma once
 
 #include <algorithm>
@@ -51,6 +52,30 @@ Mat3<T> passage_rotation(const Mechanism& mechanism, const SheetGeometry<T>& geo
 template <class T>
 Vec3<T> flat_point(const SheetGeometry<T>& geometry, int vertex) {
   return {geometry.x[vertex], geometry.y[vertex], T(0)};
+}
+
+/// A sheet whose joints have play: besides turning, each displaces what comes after it by a fixed
+/// motion, given for a passage of sense +1 in the frame of the facet that this leaves. The joints
+/// of any other geometry only turn.
+template <class Geometry>
+concept HasPlay = requires(const Geometry& geometry, const Passage& passage) {
+  geometry.displacement(passage);
+};
+
+/// A passage is `displace_before`, the joint's rotation, `displace_after`.
+template <class T, class Geometry>
+void displace_before([[maybe_unused]] const Geometry& geometry,
+                     [[maybe_unused]] const Passage& passage, [[maybe_unused]] Pose<T>& pose) {
+  if constexpr (HasPlay<Geometry>) {
+    if (passage.sense > 0) pose = pose.then(geometry.displacement(passage));
+  }
+}
+template <class T, class Geometry>
+void displace_after([[maybe_unused]] const Geometry& geometry,
+                    [[maybe_unused]] const Passage& passage, [[maybe_unused]] Pose<T>& pose) {
+  if constexpr (HasPlay<Geometry>) {
+    if (passage.sense < 0) pose = pose.then(geometry.displacement(passage).inverse());
+  }
 }
 
 /// Largest of the nine entries of |R - I| and, for six equations, of the three of |t|.
@@ -130,8 +155,8 @@ std::vector<JacobianEntry> jacobian_entries(const Mechanism& mechanism);
 /// Residual (one per equation) and the Jacobian's structural nonzeros into the output iterator
 /// `values`; without the Jacobian if that is nullptr. Returns how far the worst loop is open (panel
 /// widths, radians): the quantity that is compared with the closure tolerance. Allocates nothing.
-template <class T, class Values>
-T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const FoldState<T>& state,
+template <class T, class Geometry, class Values>
+T evaluate(const Mechanism& mechanism, const Geometry& geometry, const FoldState<T>& state,
            T* residual, Values values) {
   constexpr bool kWithJacobian = !std::is_null_pointer_v<Values>;
   using std::max;
@@ -142,14 +167,17 @@ T evaluate(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const F
     Pose<T> pose = Pose<T>::identity();
     bool first = true;
     for (const Passage& passage : loop.passages) {
+      displace_before(geometry, passage, pose);
       const Pose<T> before = pose;
       const Mat3<T> turn = passage_rotation(mechanism, geometry, state, passage);
       const Vec3<T> fixed = flat_point(geometry, passage.vertex);
-      pose = first ? Pose<T>::rotation_about(turn, fixed) : pose.then_rotate(turn, fixed);
+      pose = first && !HasPlay<Geometry> ? Pose<T>::rotation_about(turn, fixed)
+                                         : pose.then_rotate(turn, fixed);
       first = false;
       if constexpr (kWithJacobian) {
         detail::gather(mechanism, geometry, passage, before, pose, screws);
       }
+      displace_after(geometry, passage, pose);
     }
     const Mat3<T>& r = pose.rotation;
     T* row = residual + loop.first_row;

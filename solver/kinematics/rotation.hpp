@@ -93,6 +93,15 @@ struct Pose {
   Pose then_rotate(const Mat3<T>& turn, const Vec3<T>& fixed) const {
     return {rotation * turn, translation + rotation * (fixed - turn * fixed)};
   }
+
+  /// This motion followed, in its own frame, by another.
+  Pose then(const Pose& next) const {
+    return {rotation * next.rotation, translation + rotation * next.translation};
+  }
+  Pose inverse() const {
+    const Mat3<T> back = rotation.transpose();
+    return {back, T(-1) * (back * translation)};
+  }
 };
 
 }  // namespace misalign::solver

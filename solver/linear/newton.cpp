@@ -9,14 +9,23 @@ ClosureSystem::ClosureSystem(const Mechanism& mechanism)
       residual_(mechanism.equations),
       jacobian_(Eigen::MatrixXd::Zero(mechanism.equations, mechanism.unknowns)) {}
 
-double ClosureSystem::evaluate(const SheetGeometry<double>& geometry,
-                               const FoldState<double>& state) {
+template <class Geometry>
+double ClosureSystem::evaluate_at(const Geometry& geometry, const FoldState<double>& state) {
   const double open =
       solver::evaluate(mechanism_, geometry, state, residual_.data(), values_.data());
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     jacobian_(entries_[k].row, entries_[k].column) = values_[k];
   }
   return open;
+}
+
+double ClosureSystem::evaluate(const SheetGeometry<double>& geometry,
+                               const FoldState<double>& state) {
+  return evaluate_at(geometry, state);
+}
+
+double ClosureSystem::evaluate(const LooseSheet<double>& sheet, const FoldState<double>& state) {
+  return evaluate_at(sheet, state);
 }
 
 int DenseSolve::determinant_sign() const {

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "solver/kinematics/loop_closure.hpp"
+#include "solver/kinematics/loose_sheet.hpp"
 
 namespace misalign::solver {
 
@@ -37,6 +38,7 @@ class ClosureSystem {
 
   /// Residual and Jacobian at `state`; returns how far the worst loop is open.
   double evaluate(const SheetGeometry<double>& geometry, const FoldState<double>& state);
+  double evaluate(const LooseSheet<double>& sheet, const FoldState<double>& state);
 
   const Mechanism& mechanism() const { return mechanism_; }
   const Eigen::VectorXd& residual() const { return residual_; }
@@ -44,6 +46,9 @@ class ClosureSystem {
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
 
  private:
+  template <class Geometry>
+  double evaluate_at(const Geometry& geometry, const FoldState<double>& state);
+
   const Mechanism& mechanism_;
   std::vector<JacobianEntry> entries_;
   std::vector<double> values_;

@@ -23,7 +23,8 @@ class SparseClosure {
   void restart(int) {}
 
   /// Residual and factors at `state`; returns how far the worst loop is open.
-  T linearize(const SheetGeometry<T>& geometry, const FoldState<T>& state) {
+  template <class Geometry>
+  T linearize(const Geometry& geometry, const FoldState<T>& state) {
     const T open_by = evaluate(mechanism_, geometry, state, residual_.data(), lu_.entries());
     lu_.factorize(residual_.data(), work_.data());
     return open_by;

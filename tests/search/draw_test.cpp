@@ -58,5 +58,48 @@ TEST(Draw, TernaryLevelsAreEquallyLikely) {
   for (const int n : count) EXPECT_NEAR(n / 200000.0, 1 / 3.0, 5 * 0.00105);
 }
 
+// Points of trials are the first in the ball of what stream 2 has for them; and uniform there: of
+// 20,000 the mean of |x|^2 is 3/5 with a standard error of 0.0019, that of x 0 with one of 0.0032.
+TEST(Draw, PointsInTheBall) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double squares = 0;
+  constexpr int kPoints = 20000;
+  for (std::uint32_t k = 0; k < kPoints; ++k) {
+    const auto p = point_in_ball(7, 3, k);
+    std::uint32_t block = 64 * k;
+    Eigen::Vector3d expected;
+    do {
+      const Block words = philox_block(7, 3, block++, 2);
+      for (int i = 0; i < 3; ++i) expected[i] = (words[i] + 0.5) / 2147483648.0 - 1.0;
+    } while (expected.norm() > 1);
+    ASSERT_LE(block, 64 * k + 64);
+    EXPECT_EQ(Eigen::Vector3d(p.x, p.y, p.z), expected);
+    sum += expected;
+    squares += expected.squaredNorm();
+  }
+  EXPECT_NEAR(squares / kPoints, 0.6, 5 * 0.0019);
+  EXPECT_LE((sum / kPoints).cwiseAbs().maxCoeff(), 5 * 0.0032);
+}
+
+// Creases first, each at a and at b, then ball joints; other trials and seeds have others.
+TEST(Draw, OffsetsAreTheTrialsPoints) {
+  const schema::Campaign campaign = schema::read_campaign(
+      {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}}, {"seed", 7u}}, "a test");
+  const solver::PerforatedSheet& base = campaign.pattern.base;
+  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const auto offsets = trial_offsets(mechanism, campaign.seed, 5);
+  ASSERT_EQ(offsets.creases_a.size(), mechanism.creases.size());
+  ASSERT_EQ(offsets.creases_b.size(), mechanism.creases.size());
+  ASSERT_EQ(offsets.balls.size(), mechanism.balls.size());
+  const auto same = [](const auto& p, const auto& q) {
+    return p.x == q.x && p.y == q.y && p.z == q.z;
+  };
+  EXPECT_TRUE(same(offsets.creases_b[3], point_in_ball(7, 5, 7)));
+  const auto creases = static_cast<std::uint32_t>(mechanism.creases.size());
+  EXPECT_TRUE(same(offsets.balls[0], point_in_ball(7, 5, 2 * creases)));
+  EXPECT_FALSE(same(offsets.creases_a[0], trial_offsets(mechanism, 7, 6).creases_a[0]));
+  EXPECT_FALSE(same(offsets.creases_a[0], trial_offsets(mechanism, 8, 5).creases_a[0]));
+}
+
 }  // namespace
 }  // namespace misalign::search

@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <set>
 
+#include "search/draws/backlash_text.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/tolerance_text.hpp"
 #include "solver/reference/reference.hpp"
@@ -187,6 +188,41 @@ TEST_F(ToleranceTest, ThreadsAndCompanyDoNotMatter) {
     EXPECT_EQ(one.copies.trials, 300u);
     EXPECT_TRUE(one.vertices.empty()) << "not asked for";
   }
+}
+
+// The share by each trial alone; the largest play whatever was asked about, good by itself and not
+// much larger; on any number of threads.
+TEST_F(ToleranceTest, BacklashIsThatOfItsTrials) {
+  constexpr std::uint64_t kFew = 20;
+  const BacklashStudy study(campaign_, {shifts_mm(draw_)}, {});
+  CopiesDone last{0, 0};
+  const auto watch = [&](const CopiesDone& copies) { last = copies; };
+  const Backlash backlash = study.run({0.02, kFew, 1, watch}).front();
+  EXPECT_EQ(last.done, last.all);
+  EXPECT_EQ(backlash.undecided(), 0u);
+  const solver::BacklashSheet& sheet = study.sheets().front();
+  const solver::Model model(campaign_.pattern.base, campaign_.path());
+  solver::BacklashJudge judge(model, sheet, {});
+  const auto one_way = [&](double backlash_mm) {
+    std::uint64_t count = 0;
+    for (std::uint64_t trial = 0; trial < kFew; ++trial) {
+      const auto offsets = trial_offsets(model.mechanism(), campaign_.seed, trial);
+      count += judge.judge(offsets, backlash_mm / 80, true).moves_one_way();
+    }
+    return count;
+  };
+  EXPECT_EQ(backlash.one_way_to(backlash.own_deg), one_way(0.02));
+  EXPECT_GE(one_way(backlash.largest_mm), 19u);
+  EXPECT_EQ(one_way(backlash.largest_mm), backlash.with_largest);
+  EXPECT_LT(one_way(backlash.largest_mm * kRadiusRatio), 19u);
+  const Backlash other = study.run({0.04, kFew, 3, {}}).front();
+  EXPECT_EQ(other.largest_mm, backlash.largest_mm);
+  EXPECT_EQ(other.one_way_to(other.own_deg), one_way(0.04));
+  const std::string text = backlash_text({"draw 17", backlash, campaign_.threshold_deg});
+  EXPECT_NE(text.substr(text.rfind('\n', text.size() - 2)).find("95 % one way up to"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(backlash_json({"", backlash, 150})["one_way"]["trials"], one_way(0.02));
 }
 
 // What counts is said last, in words too.

@@ -89,6 +89,54 @@ TEST(LoopClosure, JacobianEqualsDualNumbersAtRandomStates) {
   }
 }
 
+// The same with joints that displace what they turn.
+TEST(LoopClosure, JacobianEqualsDualNumbersWithPlay) {
+  const std::uint64_t seed = 20160235;
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> off(-0.1, 0.1);
+  const TestSheet sheet(6, 6);
+  const Mechanism& mechanism = sheet.mechanism;
+  const auto offsets_of = [&](std::size_t joints) {
+    std::vector<Vec3<double>> offsets(joints);
+    for (auto& offset : offsets) offset = {off(random), off(random), off(random)};
+    return offsets;
+  };
+  const std::size_t creases = mechanism.creases.size();
+  LooseSheet<double> loose;
+  loosen(mechanism, sheet.geometry,
+         {offsets_of(creases), offsets_of(creases), offsets_of(mechanism.balls.size())}, 1, loose);
+  count_pilot_down(mechanism, half_angle_of_deg(100), loose);
+  const auto dual = [](const auto& v) { return Vec3<Dual>{v.x, v.y, v.z}; };
+  LooseSheet<Dual> dual_loose{{{loose.x.begin(), loose.x.end()},
+                               {loose.y.begin(), loose.y.end()},
+                               {loose.axis_x.begin(), loose.axis_x.end()},
+                               {loose.axis_y.begin(), loose.axis_y.end()}},
+                              {},
+                              {}};
+  const auto dual_pose = [&](const Pose<double>& pose) {
+    const Mat3<double>& r = pose.rotation;
+    return Pose<Dual>{{dual(r.cx), dual(r.cy), dual(r.cz)}, dual(pose.translation)};
+  };
+  for (const auto& pose : loose.creases) dual_loose.creases.push_back(dual_pose(pose));
+  for (const auto& pose : loose.balls) dual_loose.balls.push_back(dual_pose(pose));
+  double worst = 0;
+  for (int trial = 0; trial < 5; ++trial) {
+    const auto state = random_state(mechanism, random);
+    ClosureSystem system(mechanism);
+    system.evaluate(loose, state);
+    const double scale = system.jacobian().cwiseAbs().maxCoeff();
+    std::vector<Dual> residual(mechanism.equations);
+    for (int column = 0; column < mechanism.unknowns; ++column) {
+      const auto moved = with_slope_in(state, mechanism, column);
+      evaluate<Dual>(mechanism, dual_loose, moved, residual.data(), nullptr);
+      for (int row = 0; row < mechanism.equations; ++row) {
+        worst = std::max(worst, std::abs(residual[row].b - system.jacobian()(row, column)) / scale);
+      }
+    }
+  }
+  EXPECT_LE(worst, 1e-12) << "seed " << seed;
+}
+
 // A half turn has no skew part: the residual vanishes, and only the nine entries see it.
 TEST(LoopClosure, HalfTurnDoesNotPass) {
   const Mat3<double> half_turn = Quaternion<double>{0, 0.6, 0.8, 0}.matrix();

@@ -31,6 +31,18 @@ grep -q '^A[0-9]' text && fail "vertices that nobody asked for"
   fail "no error"
 [ "$(field none.json from_own.share)" = 1.0 ] || fail "no error, no loss"
 
+# Joints with play: nothing of that is kept.
+"$program" tolerance a.db "$draw" --backlash 0.01 --trials 40 --json > loose.json || fail "backlash"
+[ "$(field loose.json one_way.trials)" -le 40 ] || fail "trials that move one way"
+[ "$(sqlite3 :memory: "SELECT $(field loose.json largest.backlash_mm) BETWEEN 1e-5 AND 1")" = 1 ] ||
+  fail "the largest backlash"
+"$program" tolerance a.db "$draw" --backlash 0.01 --trials 40 --jobs 3 --json | cmp -s - loose.json ||
+  fail "another backlash with 3 threads"
+"$program" tolerance a.db "$draw" --backlash 0.01 --trials 20 > text || fail "backlash in words"
+tail -1 text | grep -q "^95 % one way up to .* mm$" || fail "the largest backlash comes last: $(tail -1 text)"
+"$program" tolerance a.db --best 2 --backlash 0.01 --backlash-from 30 --trials 10 > text || fail "of two"
+[ "$(grep -c '^draw ' text)" = 2 ] || fail "a line for each: $(cat text)"
+
 # What was found is kept: that with the most trials.
 [ "$(sql a.db 'SELECT draw, amplitude_mm, trials FROM yield')" = "$draw|0.05|300" ] || fail "kept"
 [ "$(sql a.db 'SELECT share FROM yields')" = "$share" ] || fail "the share that is kept"
@@ -125,6 +137,16 @@ refused 2 "must be below .* a facet of draw $draw can lose convexity); try [0-9.
 refused 2 "amplitude" a.db "$draw" --amplitude -1
 refused 2 "amplitude" a.db "$draw" --amplitude nan
 refused 2 "amplitude" a.db "$draw"
+refused 2 "against what" a.db "$draw"
+refused 2 "excludes" a.db "$draw" --backlash 0.01 --amplitude 0.05
+refused 2 "excludes" a.db "$draw" --backlash 0.01 --vertices
+refused 2 "requires --backlash" a.db "$draw" --amplitude 0.05 --backlash-from 10
+refused 2 "is not a number" a.db "$draw" --backlash 0
+refused 2 "is not a number" a.db "$draw" --backlash nan
+refused 2 "must be below [78].* mm (a tenth of the shortest crease of draw $draw.*try 0.008$" a.db "$draw" --backlash 45
+refused 2 "must be below .* deg (from which draw $draw deploys" a.db "$draw" --backlash 0.01 --backlash-from 179
+refused 2 "is not a number" a.db "$draw" --backlash 0.01 --backlash-from 0
+refused 2 "at most 1000000 with --backlash" a.db "$draw" --backlash 0.01 --trials 2000000
 refused 2 "trials" a.db "$draw" --amplitude 0.05 --trials 0
 refused 2 "of which candidates" a.db --amplitude 0.05
 refused 2 "no meaning without" a.db "$draw" --by stroke_min --amplitude 0.05

@@ -1,0 +1,76 @@
+// `misalign tolerance --backlash`: how often a sheet still moves one way when its joints have play.
+#include <fmt/format.h>
+
+#include "search/draws/backlash_text.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/tolerance_call.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::UserError;
+
+void refuse_backlash(const ToleranceCall& call, const ChosenSheets& sheets,
+                     const BacklashStudy& study) {
+  for (std::size_t k = 0; k < study.sheets().size(); ++k) {
+    const std::string name = sheets.key(k).name();
+    if (call.backlash.from_deg >= study.sheets()[k].own_deg) {
+      throw UserError(
+          schema::kExitUsage,
+          fmt::format("--backlash-from {}: must be below {} deg (from which {} deploys: "
+                      "the range is from the one to the other); try {}",
+                      schema::shown_number(call.backlash.from_deg),
+                      schema::shown_number(study.sheets()[k].own_deg), name,
+                      fmt::format("{:.2g}", 0.1 * study.sheets()[k].own_deg)));
+    }
+    if (*call.backlash_mm >= study.most_mm(k)) {
+      throw UserError(
+          schema::kExitUsage,
+          fmt::format(
+              "--backlash {}: must be below {:.4g} mm (a tenth of the shortest crease of {}: "
+              "hinges looser than that have no direction); try {:.1g}",
+              schema::shown_number(*call.backlash_mm), study.most_mm(k), name,
+              study.most_mm(k) / 1000));
+    }
+  }
+}
+
+}  // namespace
+
+void check_backlash(const ToleranceCall& call) {
+  if (call.study.trials > kMostBacklashTrials) {
+    throw UserError(schema::kExitUsage,
+                    fmt::format("--trials {}: at most {} with --backlash (each is kept until all "
+                                "are counted); 1000 tell the share to 1.4 %",
+                                call.study.trials, kMostBacklashTrials));
+  }
+}
+
+void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets) {
+  const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash);
+  refuse_backlash(call, sheets, study);
+  std::vector<Backlash> answers;
+  {
+    CopiesProgress progress;
+    answers = study.run({*call.backlash_mm, call.study.trials, call.study.jobs,
+                         [&](const CopiesDone& copies) { progress.see(copies); }});
+  }
+  std::vector<NamedBacklash> named;
+  schema::Json list = schema::Json::array();
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    // A pattern file's threshold is its own D.
+    const bool is_drawn = !sheets.draws.empty();
+    named.push_back({sheets.key(k).name(), std::move(answers[k]),
+                     is_drawn ? std::optional(sheets.campaign.threshold_deg) : std::nullopt});
+    list.push_back(backlash_json(named.back()));
+    list.back().update(sheets.key(k).json());
+  }
+  const bool single = is_single(call, sheets);
+  if (call.json) {
+    put_json((single ? list.front() : list).dump(1) + "\n");
+  } else {
+    put(named.size() == 1 ? backlash_text(named.front()) : backlashes_text(std::move(named)));
+  }
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,88 @@
+#include "search/verbs/tolerance_call.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/tolerance_text.hpp"
+#include "search/terminal/progress.hpp"
+#include "search/terminal/shell_word.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::UserError;
+
+ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
+  const auto database = schema::open_for_reading(call.path);
+  if (!call.choice.chooses()) {
+    throw UserError(schema::kExitUsage,
+                    "tolerance: of which candidates? (none is named); add the number of a draw, "
+                    "--best K, --diverse K or --where SQL");
+  }
+  ChosenSheets sheets{schema::read_campaign_of(*database, call.path), {}, {}, ""};
+  sheets.draws = chosen_draws(*database, call.choice);
+  for (const std::uint64_t draw : sheets.draws) {
+    sheets.shifts_mm.push_back(shifts_of_draw(sheets.campaign, draw));
+  }
+  return sheets;
+}
+
+// As a campaign of its own, from whose threshold the sheet itself just deploys. The seed is the
+// default one: an exported candidate does not say its campaign's.
+ChosenSheets sheet_of_file(const ToleranceCall& call) {
+  const ChosenSheet chosen = sheet_of_pattern_file(call.path);
+  ChosenSheets sheets{{}, {chosen.shifts_mm}, {}, chosen.pattern};
+  schema::Campaign& campaign = sheets.campaign;
+  campaign.pattern = chosen.base;
+  campaign.sample_deg = chosen.sampling.sample_deg;
+  campaign.end_deg = chosen.sampling.end_deg;
+  campaign.between_samples = chosen.sampling.between_samples;
+  campaign.threshold_deg = campaign.sample_deg;
+  ToleranceOptions itself = call.study;
+  itself.trials = 0;
+  itself.vertices = false;
+  const int own_sample = study_tolerance(campaign, sheets.shifts_mm, itself).front().own_sample;
+  if (own_sample == 0) {
+    throw UserError(schema::kExitBadInput,
+                    call.path +
+                        ": the sheet deploys from nothing (its D is 0), so that there is nothing "
+                        "that miscut copies could lose; shift its vertices by displacements_mm, "
+                        "or see what is in the way: misalign fold " +
+                        shell_word(call.path));
+  }
+  campaign.threshold_deg = own_sample * campaign.sample_deg;
+  return sheets;
+}
+
+}  // namespace
+
+ChosenSheets choose_sheets(const ToleranceCall& call) {
+  return is_pattern_file(call.path) ? sheet_of_file(call) : sheets_of_catalogue(call);
+}
+
+bool is_single(const ToleranceCall& call, const ChosenSheets& sheets) {
+  return sheets.draws.empty() || call.choice.draws.size() == 1;
+}
+
+CopiesProgress::CopiesProgress()
+    : live_(is_terminal(STDERR_FILENO) && terminal_is_able()), next_s_(live_ ? 0.2 : 10) {}
+
+CopiesProgress::~CopiesProgress() { erase_live_line(); }
+
+void CopiesProgress::see(const CopiesDone& copies) {
+  const double seconds = watch_.seconds();
+  if (seconds < next_s_) return;
+  next_s_ = seconds + (live_ ? 0.2 : 30);
+  const std::string line = copies_line(copies, seconds);
+  if (live_) {
+    draw_live_line(line.substr(0, static_cast<std::size_t>(terminal_width(STDERR_FILENO) - 1)));
+  } else {
+    std::fprintf(stderr, "%s\n", line.c_str());
+  }
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,63 @@
+// What the studies of `misalign tolerance` have in common: what was asked, of which sheets, and how
+// far it is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "search/checks/chosen_sheet.hpp"
+#include "search/draws/tolerance.hpp"
+#include "search/terminal/stopwatch.hpp"
+#include "search/verbs/choice_options.hpp"
+#include "solver/design/backlash.hpp"
+
+namespace misalign::search {
+
+struct ToleranceCall {
+  std::string path;
+  Choice choice;
+  ToleranceOptions study;
+  std::optional<double> amplitude_mm, backlash_mm;
+  solver::BacklashOptions backlash;
+  std::optional<int> jobs;
+  bool keep = true, json = false;
+};
+
+/// The candidates that are chosen of a catalogue, or the one sheet of a pattern file.
+struct ChosenSheets {
+  schema::Campaign campaign;
+  std::vector<Eigen::Matrix2Xd> shifts_mm;
+  std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
+  std::string pattern;               // its name
+
+  SheetKey key(std::size_t k) const {
+    return {draws.empty() ? std::nullopt : std::optional(draws[k]), pattern};
+  }
+};
+
+/// Those that are asked about. UserError (2, 3) with one sentence.
+ChosenSheets choose_sheets(const ToleranceCall& call);
+
+/// Whether one that was named is an answer of its own; what a choice finds is a list.
+bool is_single(const ToleranceCall& call, const ChosenSheets& sheets);
+
+/// Copies judged so far: a live line on a terminal, elsewhere a line now and then.
+class CopiesProgress {
+ public:
+  CopiesProgress();
+  ~CopiesProgress();
+  void see(const CopiesDone& copies);
+
+ private:
+  const bool live_;
+  Stopwatch watch_;
+  double next_s_;
+};
+
+/// The study of backlash: UserError (2) for what no study can be made of, found before the sheets
+/// are and after, and the study with its answer on standard output.
+void check_backlash(const ToleranceCall& call);
+void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets);
+
+}  // namespace misalign::search
