@@ -9,8 +9,8 @@ if ! node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' 2> /de
   ! command -v npm > /dev/null; then
   build_packages+=" nodejs npm"
 fi
-test_packages="libgtest-dev libbenchmark-dev libvalijson-dev sqlite3 clang-format procps mandoc zsh
-  chromium python3"
+test_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmujoco-dev calculix-ccx sqlite3
+  clang-format procps mandoc zsh chromium python3"
 hosts_packages="iproute2 mount"  # tests/cluster
 slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "schema/exchange/xml_text.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
@@ -16,26 +17,6 @@ std::string number(double value) {
   shortest.erase(shortest.find_last_not_of('0') + 1);
   if (shortest.back() == '.') shortest.pop_back();
   return shortest == "-0" ? "0" : shortest;
-}
-
-std::string escaped(const std::string& text) {
-  std::string xml;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      default:
-        xml += c;
-    }
-  }
-  return xml;
 }
 
 // Points of the sheet on the page, whose y goes down.
@@ -112,7 +93,7 @@ std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vert
          number(kLine_mm) +
          "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
          "  <title>" +
-         escaped(title) + "</title>\n" +
+         xml_text(title) + "</title>\n" +
          layer("springs", "stroke=\"#008000\" style=\"display:none\"", springs) +
          layer("labels",
                "fill=\"#008000\" font-family=\"sans-serif\" font-size=\"4\" "

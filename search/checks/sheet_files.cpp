@@ -25,9 +25,13 @@ const char* ending(SheetFormat format) {
     case SheetFormat::svg:
       return ".svg";
     case SheetFormat::obj:
+      return ".obj";
+    case SheetFormat::mjcf:
+      return ".xml";
+    case SheetFormat::inp:
       break;
   }
-  return ".obj";
+  return ".inp";
 }
 
 // "-090deg", or "-090.5deg": the files of one candidate in the order of its folding.
@@ -75,7 +79,17 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
       return write_file(stem, fold_text(folded, view, label, origin));
     case SheetFormat::obj:
       return write_states(folded, view, label);
+    case SheetFormat::mjcf:
+    case SheetFormat::inp:
+      return write_file(stem, simulated(folded, label));
   }
+}
+
+std::string SheetFiles::simulated(const FoldedSheet& folded, const SheetLabel& label) const {
+  const schema::SimulatedSheet sheet =
+      release(folder_, folded, options_.release, label.title, label.name);
+  return options_.format == SheetFormat::mjcf ? schema::mjcf_model(sheet, options_.mjcf)
+                                              : schema::calculix_deck(sheet, options_.deck);
 }
 
 schema::Json SheetFiles::data_of(const FoldedSheet& folded, const schema::FoldingView& view,

@@ -1,25 +1,32 @@
-// A folded sheet as files: its data, crease pattern or folded states, or its rows of one table.
+// A folded sheet as files: its data, crease pattern, folded states or model for a simulator, or its
+// rows of one table.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "schema/exchange/calculix_deck.hpp"
 #include "schema/exchange/history_table.hpp"
+#include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
-#include "search/checks/folded_sheet.hpp"
+#include "search/checks/release.hpp"
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, fold, svg, obj };
+enum class SheetFormat { json, csv, fold, svg, obj, mjcf, inp };
 
 struct SheetFilesOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   SheetFormat format = SheetFormat::json;
-  double step_deg = 10;  ///< between two states of `fold` and `obj`
-  bool creases = false;  ///< with `csv`: also the table of fold angles
+  double step_deg = 10;    ///< between two states of `fold` and `obj`
+  bool creases = false;    ///< with `csv`: also the table of fold angles
+  ReleaseOptions release;  ///< of `mjcf` and `inp`
+  schema::MjcfOptions mjcf;
+  schema::DeckOptions deck;  ///< of `inp`
 
   bool in_states() const { return format == SheetFormat::fold || format == SheetFormat::obj; }
+  bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
   /// What a SheetFolder has to look at between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
 };
@@ -49,6 +56,7 @@ class SheetFiles {
                        const schema::Json& origin) const;
   std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
                         const SheetLabel& label, const schema::Json& origin) const;
+  std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
                     const SheetLabel& label) const;
   void write_file(const std::string& stem, const std::string& text) const;

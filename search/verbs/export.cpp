@@ -20,6 +20,8 @@ struct ExportCall {
   SheetFilesOptions files;
   Choice choice;
   OtherActuators actuators;
+  ReleaseWish release;
+  DeckWish deck;
   bool compat = false;
 };
 
@@ -80,15 +82,30 @@ void export_pattern(const ExportCall& call) {
       .write(folded, {stem, "misalign: " + sheet.pattern, sheet.pattern}, schema::Json::object());
 }
 
-void run_export(const ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
-  const std::string& path = call.files.read_from;
+// Options that say nothing about the format that is asked for are a mistake.
+void refuse_idle_options(const SheetFilesOptions& files, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
     if (verb.count(option) == 0 || has_sense) return;
     throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
                                                     with + "; take it out, or add that");
   };
-  only_with("--step", call.files.in_states(), "--format fold or obj");
-  only_with("--creases", call.files.format == SheetFormat::csv, "--format csv");
+  only_with("--step", files.in_states(), "--format fold or obj");
+  only_with("--creases", files.format == SheetFormat::csv, "--format csv");
+  for (const char* option : {"--from", "--thickness", "--density"}) {
+    only_with(option, files.is_simulated(), "--format mjcf or inp");
+  }
+  only_with("--friction", files.format == SheetFormat::mjcf, "--format mjcf");
+  for (const char* option : {"--mesh", "--material"}) {
+    only_with(option, files.format == SheetFormat::inp, "--format inp");
+  }
+}
+
+void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
+  const std::string& path = call.files.read_from;
+  refuse_idle_options(call.files, verb);
+  settle(call.release, call.deck);
+  call.files.release = call.release.release;
+  call.files.deck = call.deck.deck;
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
     if (!chosen_by.empty()) throw only_of_a_catalogue(path, chosen_by);
@@ -107,31 +124,38 @@ void run_export(const ExportCall& call, const CLI::App& verb, const CLI::App& ch
   }
 }
 
+constexpr const char* kFooter =
+    "Formats:\n"
+    "  json  pattern, verdict, metrics, springs\n"
+    "  csv   one table of all draws, a row for each draw, degree and diagonal: length,\n"
+    "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
+    "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
+    "        diagonals are numbered from 0, as in the view diagonals\n"
+    "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
+    "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
+    "  obj   one file for each folded state\n"
+    "  mjcf  the sheet folded to --from, about to be let go, for MuJoCo: rigid panels, hinges,\n"
+    "        ball joints, springs as tendons\n"
+    "  inp   the same for CalculiX: elastic panels\n"
+    "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
+    "joint there, which is in the files of mjcf and inp alone. Files are named after the "
+    "campaign and the draw, or "
+    "after the\n"
+    "pattern file.\n\n"
+    "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
+    "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
+    "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
+    "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
+    "  misalign export results/miura-6x6-1a2b3c4d.db --best 1000 --format csv --output out\n"
+    "  misalign export search/patterns/table1.json --format svg --output out\n"
+    "  misalign export search/patterns/table1.json --format mjcf --from 90 --output out\n"
+    "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db";
+
 }  // namespace
 
 Action export_verb(CLI::App& verb) {
   verb.description("chosen candidates, or a pattern, as files");
-  verb.footer(
-      "Formats:\n"
-      "  json  pattern, verdict, metrics, springs\n"
-      "  csv   one table of all draws, a row for each draw, degree and diagonal: length,\n"
-      "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
-      "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
-      "        diagonals are numbered from 0, as in the view diagonals\n"
-      "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
-      "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
-      "  obj   one file for each folded state\n"
-      "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
-      "joint there, which is not in the files. Files are named after the campaign and the draw, or "
-      "after the\n"
-      "pattern file.\n\n"
-      "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
-      "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
-      "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
-      "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
-      "  misalign export results/miura-6x6-1a2b3c4d.db --best 1000 --format csv --output out\n"
-      "  misalign export search/patterns/table1.json --format svg --output out\n"
-      "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db");
+  verb.footer(kFooter);
   auto call = std::make_shared<ExportCall>();
   Choice& choice = call->choice;
   SheetFilesOptions& files = call->files;
@@ -153,13 +177,21 @@ Action export_verb(CLI::App& verb) {
                                        {"csv", SheetFormat::csv},
                                        {"fold", SheetFormat::fold},
                                        {"svg", SheetFormat::svg},
-                                       {"obj", SheetFormat::obj}}));
+                                       {"obj", SheetFormat::obj},
+                                       {"mjcf", SheetFormat::mjcf},
+                                       {"inp", SheetFormat::inp}}));
   verb.add_option("--step", files.step_deg,
                   "fold and obj: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
   add_other_actuators(verb, call->actuators);
+  add_release(verb, call->release);
+  verb.add_option("--friction", files.mjcf.friction_n_mm_per_mm,
+                  "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [0]")
+      ->check(within(0, 1e6))
+      ->type_name("N");
+  add_deck(verb, call->deck);
   verb.add_option("--output", files.directory,
                   "directory, made if it is not there; with --sqlite-compat a new file")
       ->required()

@@ -116,6 +116,44 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
       ->type_name("SHARE");
 }
 
+void add_release(CLI::App& verb, ReleaseWish& wish) {
+  const solver::Plates& plates = wish.release.plates;
+  verb.add_option("--from", wish.release.from_deg,
+                  fmt::format("pilot angle at which the sheet is let go, degrees [{:g}, or D if "
+                              "that is less]",
+                              schema::kPaperStart_deg))
+      ->check(within(1, 180))
+      ->type_name("DEG");
+  verb.add_option("--thickness", wish.release.plates.thickness_mm,
+                  fmt::format("of the panels, mm [{:g}]", plates.thickness_mm))
+      ->check(within(1e-3, 100))
+      ->type_name("MM");
+  verb.add_option(
+          "--density", wish.density_g_per_cm3,
+          fmt::format("of the panels, g/cm^3 [{:g}, or the material's]", plates.density_g_per_cm3))
+      ->check(within(1e-3, 100))
+      ->type_name("G_PER_CM3");
+}
+
+void add_deck(CLI::App& verb, DeckWish& wish) {
+  verb.add_option("--mesh", wish.deck.elements,
+                  fmt::format("elements along a panel's side [{}]", wish.deck.elements))
+      ->check(counted(2, 40))
+      ->type_name("N");
+  verb.add_option("--material", wish.material_file,
+                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3 [{}]",
+                              wish.deck.material.name))
+      ->type_name("FILE");
+}
+
+void settle(ReleaseWish& release, DeckWish& deck) {
+  if (!deck.material_file.empty()) {
+    deck.deck.material = schema::read_material_file(deck.material_file);
+  }
+  release.release.plates.density_g_per_cm3 =
+      release.density_g_per_cm3.value_or(deck.deck.material.density_g_per_cm3);
+}
+
 std::string first_given(const CLI::App& group) {
   for (const CLI::Option* option : group.get_options()) {
     if (option->count() > 0) return option->get_name();

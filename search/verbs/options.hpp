@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "search/checks/folded_sheet.hpp"
+#include "schema/exchange/calculix_deck.hpp"
+#include "search/checks/release.hpp"
 
 namespace misalign::search {
 
@@ -49,6 +50,22 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const
 
 /// --stiffness and --stroke-limit, of other springs than the campaign's.
 void add_other_actuators(CLI::App& verb, OtherActuators& actuators);
+
+/// --from, --thickness and --density: of a sheet that is let go.
+struct ReleaseWish {
+  ReleaseOptions release;
+  std::optional<double> density_g_per_cm3;  ///< the material's otherwise
+};
+void add_release(CLI::App& verb, ReleaseWish& wish);
+
+/// --mesh and --material: of panels as elastic shells.
+struct DeckWish {
+  schema::DeckOptions deck;
+  std::string material_file;
+};
+void add_deck(CLI::App& verb, DeckWish& wish);
+/// Reads the material file, if there is one, into both. UserError (3).
+void settle(ReleaseWish& release, DeckWish& deck);
 
 /// The first option of a group that was given; empty if none was.
 std::string first_given(const CLI::App& group);

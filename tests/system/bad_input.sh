@@ -111,6 +111,17 @@ refused 3 "mesh.fold: is not JSON" fold ../p.json
 rm ../mesh.fold
 refused 3 "mesh.fold: cannot be opened" fold ../p.json
 
+# Simulators.
+table1=$source_dir/search/patterns/table1.json
+refused 2 "fold limit at 156.34" export "$table1" --format mjcf --from 157 --output o
+refused 2 "has no meaning without --format mjcf" export "$table1" --from 30 --output o
+refused 2 "has no meaning without --format inp" export "$table1" --format mjcf --mesh 2 --output o
+refused 2 "is not a number from" export "$table1" --format mjcf --friction -1 --output o
+refused 2 "is not a whole number from 2" export "$table1" --format inp --mesh 1 --output o
+echo '{ "e_gpa": -1, "poison": 0.3 }' > ../material.json
+refused 3 "e_gpa = -1" export "$table1" --format inp --material ../material.json --output o
+grep -q "poison (is not a key here)" ../err || fail "a key of a material: $(cat ../err)"
+
 # Catalogues.
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 50 --catalogue ../held.db \
   --progress none > /dev/null 2>&1 || fail "a catalogue to hold"

@@ -1,0 +1,24 @@
+// What panels are made of.
+#pragma once
+
+#include <string>
+
+#include "schema/files/input.hpp"
+
+namespace misalign::schema {
+
+/// The paper's, section 5.
+struct Material {
+  std::string name = "aluminium";
+  double e_gpa = 70;
+  double poisson = 0.33;
+  double density_g_per_cm3 = 2.7;
+};
+
+/// A material file (material.schema.json); what is absent is as above, but for the name, which is
+/// then the file's. UserError (3) with every fault.
+Material read_material_file(const std::string& path);
+
+Json material_json(const Material& material);
+
+}  // namespace misalign::schema

@@ -1,0 +1,41 @@
+// A folded sheet with springs, about to be let go: what other programs are told to simulate.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/campaign/pattern_file.hpp"
+#include "solver/design/fold_lines.hpp"
+#include "solver/design/plates.hpp"
+
+namespace misalign::schema {
+
+/// The paper's start, section 5: 20 % folded.
+inline constexpr double kPaperStart_deg = 36;
+
+/// Lengths in mm, masses in t, times in s, and so forces in N: nothing needs a factor.
+struct SimulatedSheet {
+  std::string title;
+  solver::Mechanism mechanism;
+  solver::Panels panels;
+  solver::FlatVertices flat_mm;
+  double pilot_deg;                    ///< at the start
+  Eigen::Matrix3Xd start_mm;           ///< 3 x vertices
+  std::vector<double> fold_angle_deg;  ///< of each crease at the start, valleys positive
+  solver::Plates plates;
+  double stiffness_n_per_mm;
+
+  /// Of a diagonal: its spring is relaxed on the flat sheet.
+  double relaxed_mm(const solver::Diagonal& diagonal) const {
+    return (flat_mm.col(diagonal.from) - flat_mm.col(diagonal.to)).norm();
+  }
+  double start_length_mm(const solver::Diagonal& diagonal) const {
+    return (start_mm.col(diagonal.from) - start_mm.col(diagonal.to)).norm();
+  }
+  /// The first panel that has this vertex for a corner.
+  int panel_at(int vertex) const;
+  /// What a program's file says of it first, a line each.
+  std::vector<std::string> head() const;
+};
+
+}  // namespace misalign::schema

@@ -1,0 +1,32 @@
+// Text within XML: SVG and MJCF.
+#pragma once
+
+#include <string>
+
+namespace misalign::schema {
+
+/// As content or as an attribute.
+inline std::string xml_text(const std::string& text) {
+  std::string xml;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        xml += "&amp;";
+        break;
+      case '<':
+        xml += "&lt;";
+        break;
+      case '>':
+        xml += "&gt;";
+        break;
+      case '"':
+        xml += "&quot;";
+        break;
+      default:
+        xml += c;
+    }
+  }
+  return xml;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,131 @@
+// Exports for simulators: MuJoCo runs what is written for it; CalculiX's deck is read here.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "schema/exchange/mjcf_export.hpp"
+#include "schema/files/text_file.hpp"
+#include "search/checks/chosen_sheet.hpp"
+#include "search/checks/release.hpp"
+#include "tests/bench/mujoco_run.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::SimulatedSheet;
+
+// The paper's Table 1, to be let go at its 36 degrees.
+class Table1 {
+ public:
+  Table1()
+      : sheet_(sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
+        folder_(sheet_.base, sheet_.sampling, sheet_.actuators),
+        folded_(folder_.fold(sheet_.shifts_mm)) {}
+  SimulatedSheet let_go(const ReleaseOptions& options = {}) const {
+    return release(folder_, folded_, options, "Table 1 -- <as printed>", "table1");
+  }
+  const FoldedSheet& folded() const { return folded_; }
+
+ private:
+  const ChosenSheet sheet_;
+  const SheetFolder folder_;
+  const FoldedSheet folded_;
+};
+
+MujocoRun run_of(const SimulatedSheet& sheet, const schema::MjcfOptions& options = {}) {
+  const std::string file = testing::TempDir() + "/sheet.xml";
+  schema::write_text_file(file, schema::mjcf_model(sheet, options));
+  return MujocoRun(file);
+}
+
+// How far apart the panels that meet at a vertex carry it.
+double widest_gap_mm(const SimulatedSheet& sheet, const MujocoRun& run) {
+  std::map<int, std::vector<Eigen::Vector3d>> places_mm;
+  for (std::size_t k = 0; k < sheet.panels.corners.size(); ++k) {
+    const std::string body = "panel" + std::to_string(sheet.panels.facets[k]);
+    for (const int v : sheet.panels.corners[k]) {
+      places_mm[v].push_back(run.carried(body, sheet.start_mm.col(v)));
+    }
+  }
+  double widest_mm = 0;
+  for (const auto& [v, places] : places_mm) {
+    for (const Eigen::Vector3d& place : places) {
+      widest_mm = std::max(widest_mm, (place - places.front()).norm());
+    }
+  }
+  return widest_mm;
+}
+
+double area_mm2(const SimulatedSheet& sheet) {
+  double twice = 0;
+  for (const auto& corners : sheet.panels.corners) {
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector2d a = sheet.flat_mm.col(corners[i]),
+                            b = sheet.flat_mm.col(corners[(i + 1) % 4]);
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+  }
+  return twice / 2;
+}
+
+TEST(Simulators, MujocoMovesTable1AsItsSpringsSay) {
+  const Table1 table1;
+  const SimulatedSheet sheet = table1.let_go();
+  MujocoRun run = run_of(sheet);
+  // 1 mm of 2.7 g/cm^3.
+  EXPECT_NEAR(run.mass_t(), 2.7e-9 * area_mm2(sheet), 1e-15);
+  EXPECT_NEAR(run.pilot_deg(), 36, 1e-9);
+  EXPECT_LT(widest_gap_mm(sheet, run), 1e-9);
+
+  const solver::Actuation& actuation = table1.folded().actuation;
+  double energy_n_mm = run.spring_energy_n_mm(), pilot_deg = 36, widest_mm = 0;
+  EXPECT_NEAR(energy_n_mm, actuation.energy_n_mm[36], 1e-9);
+  std::map<int, double> passed_s;
+  for (int next_deg = 35; next_deg > 0;) {
+    ASSERT_LT(run.time_s(), 0.2) << "at " << run.pilot_deg() << " deg";
+    run.step();
+    const double now_n_mm = run.spring_energy_n_mm(), now_deg = run.pilot_deg();
+    widest_mm = std::max(widest_mm, widest_gap_mm(sheet, run));
+    if (now_deg <= next_deg) {
+      // Straight between two steps, a fifteenth of a degree apart at most.
+      const double share = (pilot_deg - next_deg) / (pilot_deg - now_deg);
+      const double there_n_mm = energy_n_mm + share * (now_n_mm - energy_n_mm);
+      // Rounding apart, springs differ by no more than their two ends, where loops are open.
+      const double pulls_n = actuation.force_n.row(next_deg).cwiseAbs().sum();
+      EXPECT_NEAR(there_n_mm, actuation.energy_n_mm[next_deg], 2 * widest_mm * pulls_n + 1e-6)
+          << next_deg;
+      passed_s[next_deg--] = run.time_s();
+    }
+    energy_n_mm = now_n_mm, pilot_deg = now_deg;
+  }
+  // Rigid motion by other programs, rounded to 1e-4 s; MuJoCo's steps are as long.
+  for (const auto& [angle_deg, time_s] :
+       std::map<int, double>{{30, 0.0433}, {20, 0.0704}, {10, 0.0892}, {5, 0.0972}}) {
+    EXPECT_NEAR(passed_s[angle_deg], time_s, 3e-4) << angle_deg;
+  }
+  EXPECT_LT(widest_mm, 2e-4);  // 1.0e-4 was seen
+  // The moments of inertia: half of M times the rate squared is the kinetic energy. M by the same
+  // programs, in kg mm^2.
+  const double rate = run.pilot_rate_deg_per_s() * std::numbers::pi / 180;
+  EXPECT_NEAR(2 * run.kinetic_energy_n_mm() / (rate * rate) * 1e3, 81.4, 0.2);
+}
+
+// Twice the thickness weighs twice; friction holds hinges of the tree.
+TEST(Simulators, MujocoHasThicknessAndFriction) {
+  const Table1 table1;
+  ReleaseOptions options;
+  options.plates.thickness_mm = 2;
+  options.from_deg = 60.5;
+  const SimulatedSheet sheet = table1.let_go(options);
+  schema::MjcfOptions held;
+  held.friction_n_mm_per_mm = 100;
+  MujocoRun run = run_of(sheet, held);
+  EXPECT_NEAR(run.mass_t(), 5.4e-9 * area_mm2(sheet), 1e-15);
+  for (int i = 0; i < 100; ++i) run.step();
+  EXPECT_NEAR(run.pilot_deg(), 60.5, 0.01);
+}
+
+}  // namespace
+}  // namespace misalign::search
