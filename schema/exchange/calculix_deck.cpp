@@ -152,9 +152,8 @@ std::string Deck::step() const {
   return fmt::format(
       "*STEP, NLGEOM, INC=1000000\n*DYNAMIC\n{:.10g},{:.10g},1e-12,{:.10g}\n"
       "*NODE PRINT, NSET={}\nU\n*EL PRINT, ELSET={}, TOTALS=ONLY\nELSE,ELKE\n"
-      "*NODE FILE, FREQUENCY={}\nU\n*EL FILE, FREQUENCY={}\nS\n*END STEP\n",
-      options_.time_step_s, options_.end_s, options_.time_step_s, kCornerSet, kPanelSet,
-      options_.stress_every, options_.stress_every);
+      "*EL FILE\nS,NOE\n*END STEP\n",
+      options_.time_step_s, options_.end_s, options_.time_step_s, kCornerSet, kPanelSet);
 }
 
 }  // namespace

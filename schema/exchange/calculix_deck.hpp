@@ -17,14 +17,13 @@ struct DeckOptions {
   /// Of the implicit integrator, which shortens it where it must: about a fifth of the period of a
   /// panel of the paper's that bends (2 ms).
   double time_step_s = 4e-4;
-  /// Displacements and stresses are written at every so manieth increment; corners at each.
-  int stress_every = 5;
 };
 
 /// Eight-node shells (S8R) of panels with nodes of their own; where panels meet, nodes are tied by
 /// equations of their translations: a crease turns freely. Of k panels at a corner k - 1 are tied
 /// to the first, in each direction. Springs (SPRINGA) are non-linear ones, which may pull from the
-/// start on: F = k (L - L0). Free in space, at rest, no damping but the integrator's.
+/// start on: F = k (L - L0). Free in space, at rest, no damping but the integrator's. ccx writes
+/// where corners are, energies and stresses at each increment.
 std::string calculix_deck(const SimulatedSheet& sheet, const DeckOptions& options);
 
 /// Node sets and element sets of the deck.

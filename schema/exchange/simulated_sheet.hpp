@@ -18,6 +18,7 @@ struct SimulatedSheet {
   std::string title;
   solver::Mechanism mechanism;
   solver::Panels panels;
+  std::vector<std::array<int, 2>> places;  ///< row and column of each panel
   solver::FlatVertices flat_mm;
   double pilot_deg;                    ///< at the start
   Eigen::Matrix3Xd start_mm;           ///< 3 x vertices

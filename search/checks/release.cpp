@@ -57,9 +57,13 @@ schema::SimulatedSheet release(const SheetFolder& folder, const FoldedSheet& fol
   std::iota(rows.begin(), rows.end(), 0);
   to_start.check_shapes(start, rows, name);
   const Eigen::VectorXd angles_deg = history.fold_angle_deg.row(row);
+  solver::Panels panels = solver::panels_of(base.base, to_start.mechanism());
+  std::vector<std::array<int, 2>> places;
+  for (const int facet : panels.facets) places.push_back(base.base.sheet.places[facet]);
   return {title,
           to_start.mechanism(),
-          solver::panels_of(base.base, to_start.mechanism()),
+          std::move(panels),
+          std::move(places),
           start.vertices_mm,
           from_deg,
           std::move(start.path.shapes_mm[static_cast<std::size_t>(row)]),

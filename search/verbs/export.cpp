@@ -124,7 +124,7 @@ void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) 
   }
 }
 
-constexpr const char* kFooter =
+constexpr const char* kExportFooter =
     "Formats:\n"
     "  json  pattern, verdict, metrics, springs\n"
     "  csv   one table of all draws, a row for each draw, degree and diagonal: length,\n"
@@ -155,7 +155,7 @@ constexpr const char* kFooter =
 
 Action export_verb(CLI::App& verb) {
   verb.description("chosen candidates, or a pattern, as files");
-  verb.footer(kFooter);
+  verb.footer(kExportFooter);
   auto call = std::make_shared<ExportCall>();
   Choice& choice = call->choice;
   SheetFilesOptions& files = call->files;

@@ -105,11 +105,14 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws,
       ->type_name("N");
 }
 
-void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
-  verb.add_option("--stiffness", actuators.stiffness_n_per_mm,
-                  "of each spring, N/mm [the campaign's]")
+void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm) {
+  verb.add_option("--stiffness", stiffness_n_per_mm, "of each spring, N/mm [the campaign's]")
       ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm))
       ->type_name("N/MM");
+}
+
+void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
+  add_stiffness(verb, actuators.stiffness_n_per_mm);
   verb.add_option("--stroke-limit", actuators.stroke_limit,
                   "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the campaign's]")
       ->check(a_share(schema::kLeastStroke, schema::kMostStroke))

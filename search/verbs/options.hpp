@@ -48,7 +48,9 @@ void add_draw_of_catalogue(CLI::App& verb, std::optional<std::uint64_t>& draw);
 /// --draw, as often as there are draws.
 CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const std::string& what);
 
-/// --stiffness and --stroke-limit, of other springs than the campaign's.
+/// --stiffness, of other springs than the campaign's.
+void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm);
+/// That and --stroke-limit, of other springs than the campaign's.
 void add_other_actuators(CLI::App& verb, OtherActuators& actuators);
 
 /// --from, --thickness and --density: of a sheet that is let go.

@@ -32,6 +32,7 @@ Action replay_verb(CLI::App& verb);
 Action report_verb(CLI::App& verb);
 Action search_verb(CLI::App& verb, const Words& typed);
 Action status_verb(CLI::App& verb);
+Action stress_verb(CLI::App& verb);
 Action tolerance_verb(CLI::App& verb);
 Action verify_verb(CLI::App& verb);
 
@@ -56,6 +57,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"doctor", doctor_verb},
           {"actuators", actuators_verb},
           {"deploy", deploy_verb},
+          {"stress", stress_verb},
           {"report", report_verb},
           {"bench", bench_verb},
           {"completion", completion_verb},

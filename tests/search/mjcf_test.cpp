@@ -1,4 +1,4 @@
-// Exports for simulators: MuJoCo runs what is written for it; CalculiX's deck is read here.
+// MuJoCo runs what is written for it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +70,7 @@ double area_mm2(const SimulatedSheet& sheet) {
   return twice / 2;
 }
 
-TEST(Simulators, MujocoMovesTable1AsItsSpringsSay) {
+TEST(Mujoco, MovesTable1AsItsSpringsSay) {
   const Table1 table1;
   const SimulatedSheet sheet = table1.let_go();
   MujocoRun run = run_of(sheet);
@@ -113,7 +113,7 @@ TEST(Simulators, MujocoMovesTable1AsItsSpringsSay) {
 }
 
 // Twice the thickness weighs twice; friction holds hinges of the tree.
-TEST(Simulators, MujocoHasThicknessAndFriction) {
+TEST(Mujoco, HasThicknessAndFriction) {
   const Table1 table1;
   ReleaseOptions options;
   options.plates.thickness_mm = 2;

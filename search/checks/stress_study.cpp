@@ -1,0 +1,149 @@
+#include "search/checks/stress_study.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "schema/files/text_file.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::ElasticRow;
+using schema::Json;
+
+// What an earlier run of the same job left, which ccx would add to, or we would read.
+void remove_results(const std::string& directory, const std::string& job) {
+  for (const char* ending : {".dat", ".frd", ".sta", ".cvg", ".12d", ".log"}) {
+    std::error_code ignored;
+    std::filesystem::remove(job_file(directory, job, ending), ignored);
+  }
+}
+
+// What has been added to a file since it was last looked at.
+class GrowingFile {
+ public:
+  explicit GrowingFile(std::string path) : path_(std::move(path)) {}
+  std::string news() {
+    std::ifstream file(path_, std::ios::binary);
+    file.seekg(seen_);
+    std::ostringstream text;
+    if (file) text << file.rdbuf();
+    seen_ += static_cast<std::streamoff>(text.str().size());
+    return text.str();
+  }
+
+ private:
+  const std::string path_;
+  std::streamoff seen_ = 0;
+};
+
+void cut_after_deployment(const StressStudyOptions& options, StressStudy& study) {
+  const auto deployed =
+      std::find_if(study.rows.begin(), study.rows.end(),
+                   [&](const ElasticRow& row) { return row.widest_deg < options.flat_deg; });
+  if (deployed == study.rows.end()) return;
+  study.deployed_s = deployed->time_s;
+  study.rows.erase(deployed + 1, study.rows.end());
+}
+
+Json at_json(const schema::SimulatedSheet& sheet, const std::optional<schema::StressAt>& at) {
+  if (!at) return nullptr;
+  return {{"stress_mpa", at->stress_mpa},
+          {"time_s", at->time_s},
+          {"panel", sheet.places[static_cast<std::size_t>(at->panel)]},
+          {"x_mm", at->flat_mm.x()},
+          {"y_mm", at->flat_mm.y()}};
+}
+
+Json rows_json(const std::vector<ElasticRow>& rows) {
+  Json json;
+  const auto add = [&](const char* key, double ElasticRow::*value) {
+    json[key] = Json::array();
+    for (const ElasticRow& row : rows) json[key].push_back(row.*value);
+  };
+  add("time_s", &ElasticRow::time_s);
+  add("pilot_deg", &ElasticRow::pilot_deg);
+  add("widest_deg", &ElasticRow::widest_deg);
+  add("springs_n_mm", &ElasticRow::springs_n_mm);
+  add("bending_n_mm", &ElasticRow::strain_n_mm);
+  add("kinetic_n_mm", &ElasticRow::kinetic_n_mm);
+  return json;
+}
+
+}  // namespace
+
+StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
+                         const std::string& directory, const std::string& job,
+                         const std::function<void(const ElasticRow&)>& show) {
+  find_calculix();
+  remove_results(directory, job);
+  schema::write_text_file(job_file(directory, job, ".inp"),
+                          schema::calculix_deck(sheet, options.deck));
+  const schema::PanelMesh mesh(options.deck.elements);
+  schema::MotionReader motion(sheet, mesh);
+  GrowingFile dat(job_file(directory, job, ".dat"));
+  std::size_t seen = 0;
+  const auto is_flat = [&](const ElasticRow& row) { return row.widest_deg < options.flat_deg; };
+  StressStudy study;
+  study.calculix = run_calculix(directory, job, [&] {
+    motion.feed(dat.news());
+    const auto& rows = motion.rows();
+    if (!rows.empty()) show(rows.back());
+    const bool deployed =
+        std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(seen), rows.end(), is_flat);
+    seen = rows.size();
+    return !deployed;
+  });
+  motion.feed(dat.news());
+  study.rows = motion.rows();
+  study.gave_up = !study.calculix.was_stopped && study.calculix.exit_code != 0;
+  if (study.rows.empty()) {
+    throw schema::UserError(schema::kExitFailure,
+                            "ccx ended with " + std::to_string(study.calculix.exit_code) +
+                                " before its first increment; " + job_file(directory, job, ".log") +
+                                " says why");
+  }
+  cut_after_deployment(options, study);
+  schema::StressOptions stress = options.stress;
+  stress.until_s = study.rows.back().time_s;
+  const std::string frd = job_file(directory, job, ".frd");
+  std::ifstream file(frd);
+  study.stress = schema::read_stresses(file, frd, sheet, mesh, stress);
+  return study;
+}
+
+Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
+                 const StressStudy& study) {
+  Json panels = Json::array();
+  for (std::size_t k = 0; k < sheet.places.size(); ++k) {
+    panels.push_back(
+        {{"panel", sheet.places[k]}, {"outside_discs_mpa", study.stress.panel_outside_mpa[k]}});
+  }
+  const Json history = {{"time_s", study.stress.time_s},
+                        {"outside_discs_mpa", study.stress.outside_mpa},
+                        {"anywhere_mpa", study.stress.anywhere_mpa}};
+  return {{"from_deg", sheet.pilot_deg},
+          {"stiffness_n_per_mm", sheet.stiffness_n_per_mm},
+          {"thickness_mm", sheet.plates.thickness_mm},
+          {"density_g_per_cm3", sheet.plates.density_g_per_cm3},
+          {"material", schema::material_json(options.deck.material)},
+          {"elements_a_side", options.deck.elements},
+          {"time_step_s", options.deck.time_step_s},
+          {"time_limit_s", options.deck.end_s},
+          {"disc_mm", options.stress.disc_mm},
+          {"outcome", study.deployed_s ? "deployed"
+                      : study.gave_up  ? "failed"
+                                       : "time_limit"},
+          {"deployed_s", study.deployed_s ? Json(*study.deployed_s) : Json()},
+          {"largest_outside_discs", at_json(sheet, study.stress.outside)},
+          {"largest_anywhere_mesh_dependent", at_json(sheet, study.stress.anywhere)},
+          {"panels", panels},
+          {"motion", rows_json(study.rows)},
+          {"stress", history},
+          {"cpu_s", study.calculix.cpu_s},
+          {"memory_mb", study.calculix.memory_mb}};
+}
+
+}  // namespace misalign::search

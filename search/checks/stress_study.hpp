@@ -1,0 +1,42 @@
+// A sheet of elastic panels let go, as CalculiX sees it: whether it deploys, and what its panels
+// suffer.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/exchange/calculix_deck.hpp"
+#include "schema/exchange/calculix_result.hpp"
+#include "search/checks/calculix_run.hpp"
+
+namespace misalign::search {
+
+struct StressStudyOptions {
+  schema::DeckOptions deck;
+  schema::StressOptions stress;
+  /// Deployed when every crease is as close to flat as this at one moment; there the run ends.
+  double flat_deg = 5;
+};
+
+struct StressStudy {
+  std::vector<schema::ElasticRow> rows;  ///< up to the deployed one
+  schema::StressHistory stress;
+  std::optional<double> deployed_s;
+  /// Whether ccx gave up before the end of time: a numerical failure.
+  bool gave_up = false;
+  CalculixEnd calculix;
+};
+
+/// Writes JOB.inp into the directory, runs ccx there and reads what it found. `show` gets the last
+/// row now and then. UserError (1): no ccx, nothing can be written, or ccx found nothing at all.
+StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
+                         const std::string& directory, const std::string& job,
+                         const std::function<void(const schema::ElasticRow&)>& show);
+
+/// The contract's `stress --json`, without whose it is.
+schema::Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
+                         const StressStudy& study);
+
+}  // namespace misalign::search

@@ -1,0 +1,209 @@
+// `misalign stress`: elastic panels, let go, by CalculiX.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <filesystem>
+
+#include "schema/files/text_file.hpp"
+#include "search/checks/chosen_sheet.hpp"
+#include "search/checks/sheet_files.hpp"
+#include "search/checks/stress_study.hpp"
+#include "search/terminal/progress.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::ElasticRow;
+
+struct StressCall {
+  std::string path;                   // a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+  OtherActuators actuators;
+  ReleaseWish release;
+  DeckWish deck;
+  StressStudyOptions options;
+  std::string directory;
+  bool json = false;
+};
+
+// "miura-6x6-1234", or a pattern file's name, as ccx takes it.
+std::string job_of(const StressCall& call, const ChosenSheet& sheet) {
+  std::string job = sheet.drawn ? sheet.drawn->campaign.name + "-" + sheet.key().name().substr(5)
+                                : std::filesystem::path(call.path).stem().string();
+  constexpr std::size_t kLongest = 60;  // ccx takes names of 132 characters, their directory among
+  if (job.size() > kLongest) job.resize(kLongest);
+  for (char& c : job) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 128 || !(std::isalnum(byte) || c == '-' || c == '_')) c = '_';
+  }
+  return job;
+}
+
+// How far it is: a live line where somebody watches, else a line now and then.
+class StressProgress {
+ public:
+  explicit StressProgress(double end_s)
+      : end_s_(end_s), live_(is_terminal(STDERR_FILENO) && terminal_is_able()) {}
+  ~StressProgress() {
+    if (live_) erase_live_line();
+  }
+  StressProgress(const StressProgress&) = delete;
+  StressProgress& operator=(const StressProgress&) = delete;
+
+  void show(const ElasticRow& row) {
+    const std::string line =
+        fmt::format("{:.4f} s of at most {:g} s: pilot at {:.2f} deg, creases within {:.2f} deg",
+                    row.time_s, end_s_, row.pilot_deg, row.widest_deg);
+    if (live_) {
+      draw_live_line(line);
+    } else if (watch_.seconds() >= next_s_) {
+      std::fprintf(stderr, "%s\n", line.c_str());
+      constexpr double kBetweenLines_s = 30;
+      next_s_ = watch_.seconds() + kBetweenLines_s;
+    }
+  }
+
+ private:
+  const double end_s_;
+  const bool live_;
+  Stopwatch watch_;
+  double next_s_ = 10;
+};
+
+void print_stress(const char* where, const schema::SimulatedSheet& sheet,
+                  const std::optional<schema::StressAt>& at) {
+  if (!at) return put("  {}: no node lies there; take a finer --mesh\n", where);
+  const auto [row, column] = sheet.places[static_cast<std::size_t>(at->panel)];
+  put("  {}: {:.3g} MPa after {:.4f} s, in panel [{}, {}] at ({:.1f}, {:.1f}) mm of the flat "
+      "sheet\n",
+      where, at->stress_mpa, at->time_s, row, column, at->flat_mm.x(), at->flat_mm.y());
+}
+
+void print_study(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
+                 const StressStudy& study) {
+  const ElasticRow& last = study.rows.back();
+  const schema::Material& material = options.deck.material;
+  put("{:g} deg, {} x {} elements a panel of {} ({:g} GPa, {:g} mm), springs of {:g} N/mm\n",
+      sheet.pilot_deg, options.deck.elements, options.deck.elements,
+      schema::printable(material.name), material.e_gpa, sheet.plates.thickness_mm,
+      sheet.stiffness_n_per_mm);
+  if (study.deployed_s) {
+    put("deployed: every crease within {:g} deg after {:.4f} s\n", options.flat_deg,
+        *study.deployed_s);
+  } else {
+    put("not deployed: after {:.4f} s creases are within {:.2f} deg{}\n", last.time_s,
+        last.widest_deg, study.gave_up ? "; there ccx gave up" : "");
+  }
+  put("largest von Mises stress\n");
+  print_stress(
+      fmt::format("outside discs of {:g} mm round every vertex", options.stress.disc_mm).c_str(),
+      sheet, study.stress.outside);
+  print_stress("anywhere, which grows as meshes get finer", sheet, study.stress.anywhere);
+  put("CalculiX: {} increments, {:.0f} CPU s, {:.0f} MB\n", study.rows.size(), study.calculix.cpu_s,
+      study.calculix.memory_mb);
+}
+
+// At most twenty rows, the last among them; stresses are the largest since the row before.
+void print_way(const StressStudy& study) {
+  put("\n   time_s pilot_deg widest_deg springs_n_mm bending_n_mm kinetic_n_mm "
+      "outside_discs_mpa\n");
+  constexpr std::size_t kRows = 20;
+  const std::size_t count = study.rows.size(), every = (count + kRows - 1) / kRows;
+  std::size_t frame = 0;
+  for (std::size_t k = (count - 1) % every; k < count; k += every) {
+    const ElasticRow& row = study.rows[k];
+    double largest_mpa = 0;
+    for (; frame < study.stress.time_s.size() &&
+           study.stress.time_s[frame] <= row.time_s * (1 + 1e-5);
+         ++frame) {
+      largest_mpa = std::max(largest_mpa, study.stress.outside_mpa[frame]);
+    }
+    put("{:>9.5f} {:>9.3f} {:>10.3f} {:>12.5g} {:>12.5g} {:>12.5g} {:>17.4g}\n", row.time_s,
+        row.pilot_deg, row.widest_deg, row.springs_n_mm, row.strain_n_mm, row.kinetic_n_mm,
+        largest_mpa);
+  }
+}
+
+void show_stress(StressCall& call) {
+  settle(call.release, call.deck);
+  call.options.deck.elements = call.deck.deck.elements;
+  call.options.deck.material = call.deck.deck.material;
+  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
+  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
+  const schema::SimulatedSheet let_go =
+      release(folder, folder.fold(sheet.shifts_mm), call.release.release,
+              "misalign: " + sheet.name(), schema::printable(sheet.name()));
+  find_calculix();
+  make_directory(call.directory);
+  const std::string job = job_of(call, sheet);
+  const std::string result = job_file(call.directory, job, "-stress.json");
+  StressStudy study;
+  {
+    StressProgress progress(call.options.deck.end_s);
+    study = study_stress(let_go, call.options, call.directory, job,
+                         [&](const ElasticRow& row) { progress.show(row); });
+  }
+  schema::Json json = stress_json(let_go, call.options, study);
+  json.update(sheet.key().json());
+  schema::write_text_file(result, json.dump(1) + "\n");
+  if (call.json) return put_json(json);
+  put("{}: let go from ", schema::printable(sheet.name()));
+  print_study(let_go, call.options, study);
+  print_way(study);
+  put("\n{}\n", schema::printable(result));
+}
+
+constexpr const char* kStressFooter =
+    "The sheet is folded, without stress, to --from, springs are put on its diagonals, and it is\n"
+    "let go, free in space. Panels are elastic shells that bend as far as they like, creases turn\n"
+    "freely, and nothing damps but the integrator. The run ends when the sheet is deployed (every\n"
+    "crease within 5 deg at one moment) or at --time-limit.\n"
+    "Springs and ball joints pull at points, where stress has no limit as meshes get finer: what\n"
+    "counts is the largest von Mises stress outside discs round every vertex.\n"
+    "The directory keeps the deck (.inp), what ccx wrote, and NAME-stress.json. ccx uses as many\n"
+    "cores as OMP_NUM_THREADS says.\n\n"
+    "Examples:\n"
+    "  misalign stress search/patterns/table1.json --output stress\n"
+    "  misalign stress results/miura-6x6-1a2b3c4d.db 1234 --from 90 --mesh 4 --output stress\n"
+    "  misalign stress search/patterns/table1.json --material steel.json --thickness 0.5 \\\n"
+    "    --output stress";
+
+}  // namespace
+
+Action stress_verb(CLI::App& verb) {
+  verb.description("elastic panels, let go: do they deploy, and what do they suffer (CalculiX)");
+  verb.footer(kStressFooter);
+  auto call = std::make_shared<StressCall>();
+  add_catalogue_or_pattern(verb, call->path);
+  add_draw_of_catalogue(verb, call->draw);
+  add_stiffness(verb, call->actuators.stiffness_n_per_mm);
+  add_release(verb, call->release);
+  add_deck(verb, call->deck);
+  StressStudyOptions& options = call->options;
+  verb.add_option("--time-limit", options.deck.end_s,
+                  fmt::format("end of the motion at the latest, s [{:g}]", options.deck.end_s))
+      ->check(within(1e-6, 1e6))
+      ->type_name("S");
+  verb.add_option("--time-step", options.deck.time_step_s,
+                  fmt::format("longest increment, s [{:g}]", options.deck.time_step_s))
+      ->check(within(1e-9, 1))
+      ->type_name("S");
+  verb.add_option("--disc", options.stress.disc_mm,
+                  fmt::format("radius of the discs, mm [{:g}]", options.stress.disc_mm))
+      ->check(within(0, 1e6))
+      ->type_name("MM");
+  verb.add_option("--output", call->directory, "directory, made if it is not there")
+      ->required()
+      ->type_name("DIR");
+  verb.add_flag("--json", call->json, "as JSON, with all histories");
+  return [call] {
+    show_stress(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search
