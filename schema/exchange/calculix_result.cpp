@@ -176,7 +176,13 @@ void StressReader::place_nodes() {
 MotionReader::MotionReader(const SimulatedSheet& sheet, const PanelMesh& mesh)
     : sheet_(sheet),
       mesh_(mesh),
-      corners_mm_(3, 4 * static_cast<Eigen::Index>(sheet.panels.corners.size())) {}
+      corners_mm_(3, 4 * static_cast<Eigen::Index>(sheet.panels.corners.size())) {
+  Eigen::Index corner = 0;
+  for (const auto& corners : sheet.panels.corners) {
+    for (const int v : corners) corners_mm_.col(corner++) = sheet.start_mm.col(v);
+  }
+  add_row();
+}
 
 void MotionReader::feed(const std::string& text) {
   rest_ += text;

@@ -13,8 +13,8 @@
 
 namespace misalign::schema {
 
-/// One increment. A crease's fold angle is the one between its panels' normals, each the cross
-/// product of the panel's diagonals: panels bend.
+/// The start, or one increment. A crease's fold angle is the one between its panels' normals, each
+/// the cross product of the panel's diagonals: panels bend.
 struct ElasticRow {
   double time_s = 0;
   double pilot_deg = 0;
@@ -29,6 +29,7 @@ class MotionReader {
 
   /// What came since; the last line may be a part of one.
   void feed(const std::string& text);
+  /// The first is the start.
   const std::vector<ElasticRow>& rows() const { return rows_; }
 
  private:

@@ -90,7 +90,7 @@ StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyO
   study.calculix = run_calculix(directory, job, [&] {
     motion.feed(dat.news());
     const auto& rows = motion.rows();
-    if (!rows.empty()) show(rows.back());
+    show(rows.back());
     const bool deployed =
         std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(seen), rows.end(), is_flat);
     seen = rows.size();
@@ -99,7 +99,7 @@ StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyO
   motion.feed(dat.news());
   study.rows = motion.rows();
   study.gave_up = !study.calculix.was_stopped && study.calculix.exit_code != 0;
-  if (study.rows.empty()) {
+  if (study.rows.size() < 2) {
     throw schema::UserError(schema::kExitFailure,
                             "ccx ended with " + std::to_string(study.calculix.exit_code) +
                                 " before its first increment; " + job_file(directory, job, ".log") +

@@ -143,10 +143,12 @@ TEST_F(Calculix, MotionIsReadAsItGrows) {
       "\n total kinetic energy for set PANELS and time  0.2000000E-01\n\n        1.250000E+00\n";
   schema::MotionReader reader(sheet_, mesh);
   reader.feed(text.substr(0, 1234));
-  EXPECT_TRUE(reader.rows().empty());
-  reader.feed(text.substr(1234));
   ASSERT_EQ(reader.rows().size(), 1u);
-  const schema::ElasticRow& row = reader.rows()[0];
+  EXPECT_NEAR(reader.rows()[0].pilot_deg, 36, 1e-9);
+  EXPECT_NEAR(reader.rows()[0].springs_n_mm, folded_.actuation.energy_n_mm[36], 1e-8);
+  reader.feed(text.substr(1234));
+  ASSERT_EQ(reader.rows().size(), 2u);
+  const schema::ElasticRow& row = reader.rows()[1];
   EXPECT_EQ(row.time_s, 0.02);
   EXPECT_NEAR(row.pilot_deg, 30, 1e-4);  // displacements of some mm with seven digits
   EXPECT_NEAR(row.widest_deg, folded_.path.history.fold_angle_deg.row(29).cwiseAbs().maxCoeff(),
