@@ -10,9 +10,6 @@
 
 namespace misalign::schema {
 
-/// The paper's start, section 5: 20 % folded.
-inline constexpr double kPaperStart_deg = 36;
-
 /// Lengths in mm, masses in t, times in s, and so forces in N: nothing needs a factor.
 struct SimulatedSheet {
   std::string title;

@@ -20,7 +20,7 @@ double start_deg(const SheetFolder& folder, const FoldedSheet& folded,
                         " deploys from no angle, so none is where it would be let go by itself; "
                         "name one with --from");
   }
-  return options.from_deg.value_or(std::min(schema::kPaperStart_deg, deploys_from_deg));
+  return options.from_deg.value_or(std::min(kDeployFrom_deg, deploys_from_deg));
 }
 
 void refuse(const std::string& name, double from_deg, const std::string& why) {

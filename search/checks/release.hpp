@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "schema/exchange/simulated_sheet.hpp"
+#include "search/checks/deployer.hpp"
 #include "search/checks/folded_sheet.hpp"
 
 namespace misalign::search {
 
 struct ReleaseOptions {
-  /// Where it is let go: schema::kPaperStart_deg, or D if that is less.
+  /// Where it is let go: kDeployFrom_deg, or D if that is less.
   std::optional<double> from_deg;
   solver::Plates plates;
 };

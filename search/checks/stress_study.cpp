@@ -74,6 +74,19 @@ Json rows_json(const std::vector<ElasticRow>& rows) {
 
 }  // namespace
 
+std::optional<double> StressStudy::rigid_pilot_deg(double time_s) const {
+  const auto after = std::find_if(rigid.begin(), rigid.end(),
+                                  [&](const auto& row) { return row.time_s >= time_s; });
+  if (after == rigid.end()) return {};
+  if (after == rigid.begin()) return after->pilot_deg;
+  // By the cubic through both rows with their rates.
+  const auto& before = *(after - 1);
+  const double h = after->time_s - before.time_s, s = (time_s - before.time_s) / h;
+  return before.pilot_deg * (1 + 2 * s) * (1 - s) * (1 - s) +
+         after->pilot_deg * s * s * (3 - 2 * s) +
+         h * s * (1 - s) * (before.rate_deg_per_s * (1 - s) - after->rate_deg_per_s * s);
+}
+
 StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
                          const std::string& directory, const std::string& job,
                          const std::function<void(const ElasticRow&)>& show) {
@@ -121,6 +134,11 @@ Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
     panels.push_back(
         {{"panel", sheet.places[k]}, {"outside_discs_mpa", study.stress.panel_outside_mpa[k]}});
   }
+  Json rigid = {{"time_s", Json::array()}, {"pilot_deg", Json::array()}};
+  for (const solver::DeploymentRow& row : study.rigid) {
+    rigid["time_s"].push_back(row.time_s);
+    rigid["pilot_deg"].push_back(row.pilot_deg);
+  }
   const Json history = {{"time_s", study.stress.time_s},
                         {"outside_discs_mpa", study.stress.outside_mpa},
                         {"anywhere_mpa", study.stress.anywhere_mpa}};
@@ -141,6 +159,7 @@ Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
           {"largest_anywhere_mesh_dependent", at_json(sheet, study.stress.anywhere)},
           {"panels", panels},
           {"motion", rows_json(study.rows)},
+          {"rigid_motion", rigid},
           {"stress", history},
           {"cpu_s", study.calculix.cpu_s},
           {"memory_mb", study.calculix.memory_mb}};

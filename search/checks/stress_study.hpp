@@ -10,6 +10,7 @@
 #include "schema/exchange/calculix_deck.hpp"
 #include "schema/exchange/calculix_result.hpp"
 #include "search/checks/calculix_run.hpp"
+#include "solver/design/deployment.hpp"
 
 namespace misalign::search {
 
@@ -27,6 +28,11 @@ struct StressStudy {
   /// Whether ccx gave up before the end of time: a numerical failure.
   bool gave_up = false;
   CalculixEnd calculix;
+  /// Of the same sheet with rigid panels, from the same start until it is flat or turns round.
+  std::vector<solver::DeploymentRow> rigid;
+
+  /// The rigid motion's pilot angle; none after its end.
+  std::optional<double> rigid_pilot_deg(double time_s) const;
 };
 
 /// Writes JOB.inp into the directory, runs ccx there and reads what it found. `show` gets the last

@@ -122,9 +122,9 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
 void add_release(CLI::App& verb, ReleaseWish& wish) {
   const solver::Plates& plates = wish.release.plates;
   verb.add_option("--from", wish.release.from_deg,
-                  fmt::format("pilot angle at which the sheet is let go, degrees [{:g}, or D if "
+                  fmt::format("pilot angle at which the sheet is let go at rest [{:g}, or D where "
                               "that is less]",
-                              schema::kPaperStart_deg))
+                              kDeployFrom_deg))
       ->check(within(1, 180))
       ->type_name("DEG");
   verb.add_option("--thickness", wish.release.plates.thickness_mm,

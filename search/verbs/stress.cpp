@@ -7,6 +7,7 @@
 
 #include "schema/files/text_file.hpp"
 #include "search/checks/chosen_sheet.hpp"
+#include "search/checks/deployer.hpp"
 #include "search/checks/sheet_files.hpp"
 #include "search/checks/stress_study.hpp"
 #include "search/terminal/progress.hpp"
@@ -109,7 +110,7 @@ void print_study(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
 
 // At most twenty rows, the last among them; stresses are the largest since the row before.
 void print_way(const StressStudy& study) {
-  put("\n   time_s pilot_deg widest_deg springs_n_mm bending_n_mm kinetic_n_mm "
+  put("\n   time_s pilot_deg rigid_deg widest_deg springs_n_mm bending_n_mm kinetic_n_mm "
       "outside_discs_mpa\n");
   constexpr std::size_t kRows = 20;
   const std::size_t count = study.rows.size(), every = (count + kRows - 1) / kRows;
@@ -122,10 +123,23 @@ void print_way(const StressStudy& study) {
          ++frame) {
       largest_mpa = std::max(largest_mpa, study.stress.outside_mpa[frame]);
     }
-    put("{:>9.5f} {:>9.3f} {:>10.3f} {:>12.5g} {:>12.5g} {:>12.5g} {:>17.4g}\n", row.time_s,
-        row.pilot_deg, row.widest_deg, row.springs_n_mm, row.strain_n_mm, row.kinetic_n_mm,
-        largest_mpa);
+    const std::optional<double> rigid_deg = study.rigid_pilot_deg(row.time_s);
+    put("{:>9.5f} {:>9.3f} {:>9} {:>10.3f} {:>12.5g} {:>12.5g} {:>12.5g} {:>17.4g}\n", row.time_s,
+        row.pilot_deg, rigid_deg ? fmt::format("{:.3f}", *rigid_deg) : "-", row.widest_deg,
+        row.springs_n_mm, row.strain_n_mm, row.kinetic_n_mm, largest_mpa);
   }
+}
+
+// With rigid panels; it is the way that the motion tends to as panels get stiffer.
+std::vector<solver::DeploymentRow> rigid_motion(const ChosenSheet& sheet,
+                                                const schema::SimulatedSheet& let_go) {
+  DeployWish wish;
+  wish.from_deg = let_go.pilot_deg;
+  wish.stiffness_n_per_mm = let_go.stiffness_n_per_mm;
+  wish.sheet.plates = let_go.plates;
+  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
+  return deployer.study(sheet.shifts_mm, let_go.pilot_deg, schema::printable(sheet.name()))
+      .run.rows;
 }
 
 void show_stress(StressCall& call) {
@@ -147,6 +161,7 @@ void show_stress(StressCall& call) {
     study = study_stress(let_go, call.options, call.directory, job,
                          [&](const ElasticRow& row) { progress.show(row); });
   }
+  study.rigid = rigid_motion(sheet, let_go);
   schema::Json json = stress_json(let_go, call.options, study);
   json.update(sheet.key().json());
   schema::write_text_file(result, json.dump(1) + "\n");
@@ -160,7 +175,8 @@ void show_stress(StressCall& call) {
 constexpr const char* kStressFooter =
     "The sheet is folded, without stress, to --from, springs are put on its diagonals, and it is\n"
     "let go, free in space. Panels are elastic shells that bend as far as they like, creases turn\n"
-    "freely, and nothing damps but the integrator. The run ends when the sheet is deployed (every\n"
+    "freely, and nothing damps but the integrator. rigid_deg is the pilot's angle if panels were\n"
+    "rigid, as `misalign deploy` has it. The run ends when the sheet is deployed (every\n"
     "crease within 5 deg at one moment) or at --time-limit.\n"
     "Springs and ball joints pull at points, where stress has no limit as meshes get finer: what\n"
     "counts is the largest von Mises stress outside discs round every vertex.\n"

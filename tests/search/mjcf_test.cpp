@@ -5,11 +5,13 @@
 #include <map>
 #include <numbers>
 
+#include "schema/campaign/campaign.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/release.hpp"
-#include "tests/bench/mujoco_run.hpp"
+#include "search/draws/draw.hpp"
+#include "tests/bench/mujoco_comparison.hpp"
 
 namespace misalign::search {
 namespace {
@@ -125,6 +127,26 @@ TEST(Mujoco, HasThicknessAndFriction) {
   EXPECT_NEAR(run.mass_t(), 5.4e-9 * area_mm2(sheet), 1e-15);
   for (int i = 0; i < 100; ++i) run.step();
   EXPECT_NEAR(run.pilot_deg(), 60.5, 0.01);
+}
+
+// A 4 x 4 sheet beside `misalign deploy`: 1e-5 of the start's angle was seen, and 1e-3 of critical
+// frictions (results/deployment/simulators.md). Friction of MuJoCo's constraints creeps a little.
+TEST(Mujoco, DeploysAsDeployDoes) {
+  schema::Campaign campaign =
+      schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/miura-4x4.json");
+  campaign.actuators.stiffness_n_per_mm = 1000;  // it takes a quarter of the time
+  const SheetFolder folder(campaign);
+  const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, 1112);
+  const FoldedSheet folded = folder.fold(shifts_mm);
+  const SimulatedSheet sheet = release(folder, folded, {}, "a sheet", "a sheet");
+  Deployer deployer(campaign.pattern, campaign.sampling(), campaign.actuators, {});
+  const solver::Deployment rigid = deployer.study(shifts_mm, 180, "a sheet").run;
+  ASSERT_EQ(rigid.outcome, solver::Outcome::passed_flat);
+  EXPECT_LT(largest_difference(sheet, rigid.rows, false), 1e-4);
+  const double critical = critical_by_energy(sheet, folded);
+  MujocoRun less = load(sheet, 0.99 * critical), more = load(sheet, 1.01 * critical);
+  EXPECT_TRUE(gets_flat(less, rigid.last().time_s));
+  EXPECT_FALSE(gets_flat(more, rigid.last().time_s));
 }
 
 }  // namespace
