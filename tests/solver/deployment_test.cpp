@@ -12,21 +12,21 @@
 namespace misalign::solver {
 namespace {
 
-constexpr double kWidth_mm = 60, kHeight_mm = 90;
+constexpr double kPanel_mm = 60, kAlong_mm = 90;
 
 // Two rectangles side by side and a valley between them; the way is the fold angle itself.
 struct TwoPanels {
   TwoPanels() {
     CreasePattern& sheet = base.sheet;
     sheet.vertices_mm.resize(2, 6);
-    sheet.vertices_mm << 0, kWidth_mm, 2 * kWidth_mm, 0, kWidth_mm, 2 * kWidth_mm,  //
-        0, 0, 0, kHeight_mm, kHeight_mm, kHeight_mm;
+    sheet.vertices_mm << 0, kPanel_mm, 2 * kPanel_mm, 0, kPanel_mm, 2 * kPanel_mm,  //
+        0, 0, 0, kAlong_mm, kAlong_mm, kAlong_mm;
     sheet.facets = {{0, 1, 4, 3}, {1, 2, 5, 4}};
     sheet.places = {{0, 0}, {0, 1}};
     sheet.edges = edges_of(sheet.facets);
-    sheet.panel_width_mm = kWidth_mm;
+    sheet.panel_width_mm = kPanel_mm;
     const int edge = find_edge(sheet, 1, 4);
-    mechanism = {sheet.edges, {{edge, 1, 4, 0, 1, 1, 0}}, {}, {}, {}, 0, 6, 1, 0, 1, kWidth_mm};
+    mechanism = {sheet.edges, {{edge, 1, 4, 0, 1, 1, 0}}, {}, {}, {}, 0, 6, 1, 0, 1, kPanel_mm};
     constexpr int kStations = 60;
     const double end = 170 * kRadPerDeg, step = end / kStations;
     std::vector<WayStation> stations;
@@ -52,9 +52,9 @@ struct Oscillator : TwoPanels, testing::Test {
   Oscillator() {
     options.held = HeldPanel{0};
     options.joints.stiffness_n_mm_per_mm = 0.02;
-    mass = options.plates.area_density() * kWidth_mm * kHeight_mm;
-    inertia = mass * kWidth_mm * kWidth_mm / 3;
-    stiffness = options.joints.stiffness_n_mm_per_mm * kHeight_mm;
+    mass = options.plates.area_density() * kPanel_mm * kAlong_mm;
+    inertia = mass * kPanel_mm * kPanel_mm / 3;
+    stiffness = options.joints.stiffness_n_mm_per_mm * kAlong_mm;
     frequency = std::sqrt(stiffness / inertia);
     run.from_deg = 60;
   }
@@ -85,7 +85,7 @@ TEST_F(Oscillator, SwingsAsOneDoes) {
 // x'' + (c/I) x' + w^2 x = 0: flat for the first time when tan(w_d t) = -w_d / g.
 TEST_F(Oscillator, IsDampedAsOneIs) {
   const double decay = 0.2 * frequency, damped = std::sqrt(0.96) * frequency;
-  options.joints.damping_n_mm_s_per_mm = 2 * decay * inertia / kHeight_mm;
+  options.joints.damping_n_mm_s_per_mm = 2 * decay * inertia / kAlong_mm;
   EXPECT_NEAR(let_go().last().time_s, (kPi - std::atan(damped / decay)) / damped,
               kTimes / frequency);
   run.swings = 100;
@@ -98,7 +98,7 @@ TEST_F(Oscillator, IsDampedAsOneIs) {
 // Coulomb: every half swing is shorter by twice the friction over the stiffness, until it holds.
 TEST_F(Oscillator, IsHeldByDryFriction) {
   const double falls_deg = 7;
-  options.joints.friction_n_mm_per_mm = stiffness * falls_deg * kRadPerDeg / kHeight_mm;
+  options.joints.friction_n_mm_per_mm = stiffness * falls_deg * kRadPerDeg / kAlong_mm;
   const Deployment first = let_go();
   EXPECT_NEAR(first.last().time_s, std::acos(-falls_deg / (60 - falls_deg)) / frequency,
               kTimes / frequency);
@@ -129,26 +129,26 @@ TEST_F(Oscillator, WeightAndHeldHinge) {
     EXPECT_LT((forces.crease_force_n.row(row).transpose() - Eigen::Vector3d(0, mass * kGravity, 0))
                   .norm(),
               1e-12);
-    EXPECT_NEAR(forces.crease_moment_n_mm.row(row).norm(), mass * kGravity * kWidth_mm / 2, 1e-9);
+    EXPECT_NEAR(forces.crease_moment_n_mm.row(row).norm(), mass * kGravity * kPanel_mm / 2, 1e-9);
   }
   // Upwards: what it takes to be lifted by half a panel.
   options.held->gravity_mm_per_s2 = {0, 0, -kGravity};
   const DeployingSheet lifted = sheet(options);
   const double x = kPi / 2;
   EXPECT_NEAR(lifted.all_else(x).energy - lifted.all_else(0).energy,
-              stiffness * x * x / 2 + mass * kGravity * kWidth_mm / 2, 1e-9);
+              stiffness * x * x / 2 + mass * kGravity * kPanel_mm / 2, 1e-9);
   EXPECT_NEAR(lifted.all_else(-x).energy - lifted.all_else(0).energy,
-              stiffness * x * x / 2 - mass * kGravity * kWidth_mm / 2, 1e-9);
+              stiffness * x * x / 2 - mass * kGravity * kPanel_mm / 2, 1e-9);
 }
 
 // Free in space both panels turn by half the angle, about centres that stay at one height.
 struct FreePanels : TwoPanels, testing::Test {
   FreePanels() {
     options.joints.stiffness_n_mm_per_mm = 0.02;
-    mass = options.plates.area_density() * kWidth_mm * kHeight_mm;
+    mass = options.plates.area_density() * kPanel_mm * kAlong_mm;
   }
   double generalised(double x) const {
-    return mass * kWidth_mm * kWidth_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
+    return mass * kPanel_mm * kPanel_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
   }
   DeployingSheetOptions options;
   double mass;
@@ -159,7 +159,7 @@ TEST_F(FreePanels, MassAndItsSlope) {
   for (const double x : {-2.0, -0.3, 0.0, 1e-3, 0.5, 1.0, 2.0, 2.9}) {
     const SheetAt here = free.at(x);
     EXPECT_NEAR(here.mass / generalised(x), 1, 1e-10) << x;
-    EXPECT_NEAR(here.mass_slope, mass * kWidth_mm * kWidth_mm * std::sin(x) / 16,
+    EXPECT_NEAR(here.mass_slope, mass * kPanel_mm * kPanel_mm * std::sin(x) / 16,
                 1e-8 * generalised(x));
   }
 }
@@ -169,14 +169,14 @@ TEST_F(FreePanels, ForceInTheHingeWhileItMoves) {
   const DeployingSheet free = sheet(options);
   const Deployment deployment = deploy(free, {0.0}, {.from_deg = 150, .swings = 1});
   const JointForces forces = find_joint_forces(free, *shape, base, deployment);
-  const double stiffness = options.joints.stiffness_n_mm_per_mm * kHeight_mm;
+  const double stiffness = options.joints.stiffness_n_mm_per_mm * kAlong_mm;
   Eigen::Index row = 0;
   for (const DeploymentRow& at : deployment.rows) {
     if (std::abs(at.pilot_deg) < 1) continue;
-    const double slope = mass * kWidth_mm * kWidth_mm * std::sin(at.x) / 16, rate = at.x_rate;
+    const double slope = mass * kPanel_mm * kPanel_mm * std::sin(at.x) / 16, rate = at.x_rate;
     const double acceleration = (-slope * rate * rate / 2 - stiffness * at.x) / generalised(at.x);
     const double apart =
-        -kWidth_mm / 2 *
+        -kPanel_mm / 2 *
         (std::sin(at.x / 2) / 2 * acceleration + std::cos(at.x / 2) / 4 * rate * rate);
     // Interpolated momenta: 1e-8 of what they are.
     EXPECT_NEAR(forces.crease_force_n.row(row).norm(), mass * std::abs(apart), 1e-7 * mass * 1e5)

@@ -11,7 +11,7 @@
 namespace misalign::solver {
 namespace {
 
-constexpr int kSheets = kFewer > 1 ? 1 : 4;
+constexpr int kSheetsOfEach = kFewer > 1 ? 1 : 4;
 
 class Families : public testing::TestWithParam<std::string> {};
 
@@ -33,7 +33,7 @@ TEST_P(Families, DiagonalsAreThoseOfVertexCoordinates) {
     const auto start = base_state(family.mechanism, family.base.folding,
                                   family.base.sheet.vertices_mm, half_angle_of_deg(1));
     SheetGeometry<double> geometry;
-    const ShiftBlock block = family.draws(kSheets, kSeed);
+    const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
     for (int i = 0; i < block.sheets; ++i) {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", sheet " + std::to_string(i));
       const FlatVertices flat_mm = family.vertices(block, i);
@@ -92,7 +92,7 @@ TEST_P(Families, StepsOfTheSolverDoNotMatter) {
   const CarriedFamily whole(GetParam());
   double worst_mm = 0;
   for (const CarriedFamily& family : {whole, CarriedFamily(cut_down(whole.base, 4, 4))}) {
-    const ShiftBlock block = family.draws(kSheets, kSeed);
+    const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
     for (const double sample_deg : {1.0, 20.0}) {
       PathPlanOptions usual;
       usual.sample_deg = sample_deg;
@@ -124,7 +124,7 @@ TEST_P(Families, StepsOfTheSolverDoNotMatter) {
 // sheets 2e-11 mm.
 TEST_P(Families, SamplesDoNotMoveThePath) {
   const CarriedFamily family(GetParam());
-  const ShiftBlock block = family.draws(kSheets, kSeed);
+  const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
   std::vector<std::vector<FoldingHistory>> by_sample;
   for (const double sample_deg : {1.0, 0.1, 5.0, 20.0}) {
     PathPlanOptions options;
@@ -205,7 +205,7 @@ TEST_P(Families, ThereAndBackAgain) {
     PathPlanOptions options;
     options.end_deg = family.end_deg();
     const PathPlan plan = family.plan(options);
-    const ShiftBlock block = family.draws(kSheets, kSeed);
+    const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
     ShiftHomotopy homotopy(family.mechanism, plan, family.base.sheet.vertices_mm);
     SheetGeometry<double> geometry;
     for (int i = 0; i < block.sheets; ++i) {
