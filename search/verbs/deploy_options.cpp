@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "schema/campaign/campaign.hpp"
 #include "search/verbs/options.hpp"
 
 namespace misalign::search {
@@ -20,23 +19,13 @@ constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
 }  // namespace
 
-void add_plates(CLI::App& verb, DeployWish& wish) {
-  verb.add_option("--from", wish.from_deg,
-                  fmt::format("pilot angle at which the sheet is let go at rest [{:g}, or D where "
-                              "that is less]",
-                              kDeployFrom_deg))
-      ->check(within(1e-3, kMostAngle_deg))
-      ->type_name("DEG");
-  verb.add_option("--stiffness", wish.stiffness_n_per_mm, "of each spring, N/mm [the campaign's]")
-      ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm))
-      ->type_name("N/MM");
-  solver::Plates& plates = wish.sheet.plates;
-  add_number(verb, "--thickness", plates.thickness_mm, "of the panels", 1e-6, 1e3, "MM");
-  add_number(verb, "--density", plates.density_g_per_cm3, "of the panels", 1e-6, 1e3, "G_PER_CM3");
-}
-
 void add_deployment(CLI::App& verb, DeployWish& wish) {
-  add_plates(verb, wish);
+  constexpr double kLeastFrom_deg = 1e-3;
+  add_from(verb, wish.from_deg, kLeastFrom_deg);
+  add_stiffness(verb, wish.stiffness_n_per_mm);
+  add_thickness(verb, wish.sheet.plates);
+  add_number(verb, "--density", wish.sheet.plates.density_g_per_cm3, "of the panels, g/cm^3",
+             kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3, "G_PER_CM3");
   solver::JointResistance& joints = wish.sheet.joints;
   const auto resistance = [&](const char* name, double& value, const char* meaning,
                               const char* unit) {

@@ -7,10 +7,7 @@
 
 namespace misalign::search {
 
-/// --from, --stiffness, --thickness and --density: of everything that is made of plates.
-void add_plates(CLI::App& verb, DeployWish& wish);
-
-/// Those, joints, springs relaxed elsewhere, a held panel, and how the motion ends.
+/// --from, springs, plates and joints, a held panel, and how the motion ends.
 void add_deployment(CLI::App& verb, DeployWish& wish);
 
 }  // namespace misalign::search

@@ -119,22 +119,30 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
       ->type_name("SHARE");
 }
 
-void add_release(CLI::App& verb, ReleaseWish& wish) {
-  const solver::Plates& plates = wish.release.plates;
-  verb.add_option("--from", wish.release.from_deg,
+void add_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg) {
+  verb.add_option("--from", from_deg,
                   fmt::format("pilot angle at which the sheet is let go at rest [{:g}, or D where "
                               "that is less]",
                               kDeployFrom_deg))
-      ->check(within(1, 180))
+      ->check(within(least_deg, 180))
       ->type_name("DEG");
-  verb.add_option("--thickness", wish.release.plates.thickness_mm,
+}
+
+void add_thickness(CLI::App& verb, solver::Plates& plates) {
+  verb.add_option("--thickness", plates.thickness_mm,
                   fmt::format("of the panels, mm [{:g}]", plates.thickness_mm))
-      ->check(within(1e-3, 100))
+      ->check(within(kLeastThickness_mm, kMostThickness_mm))
       ->type_name("MM");
-  verb.add_option(
-          "--density", wish.density_g_per_cm3,
-          fmt::format("of the panels, g/cm^3 [{:g}, or the material's]", plates.density_g_per_cm3))
-      ->check(within(1e-3, 100))
+}
+
+void add_release(CLI::App& verb, ReleaseWish& wish) {
+  constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
+  add_from(verb, wish.release.from_deg, kLeast_deg);
+  add_thickness(verb, wish.release.plates);
+  verb.add_option("--density", wish.density_g_per_cm3,
+                  fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
+                              wish.release.plates.density_g_per_cm3))
+      ->check(within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3))
       ->type_name("G_PER_CM3");
 }
 
