@@ -118,6 +118,8 @@ refused 2 "has no meaning without --format mjcf" export "$table1" --from 30 --ou
 refused 2 "has no meaning without --format inp" export "$table1" --format mjcf --mesh 2 --output o
 refused 2 "is not a number from" export "$table1" --format mjcf --friction -1 --output o
 refused 2 "is not a whole number from 2" export "$table1" --format inp --mesh 1 --output o
+refused 2 "is not a number from" stress "$table1" --disc -1 --output o
+refused 2 "required" stress "$table1"
 echo '{ "e_gpa": -1, "poison": 0.3 }' > ../material.json
 refused 3 "e_gpa = -1" export "$table1" --format inp --material ../material.json --output o
 grep -q "poison (is not a key here)" ../err || fail "a key of a material: $(cat ../err)"

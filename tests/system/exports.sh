@@ -151,7 +151,7 @@ sqlite3 twins.db "UPDATE candidate SET elongation = '{}' WHERE draw = $one"
 rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 1499)
   SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
 sqlite3 twins.db "UPDATE candidate SET draw = $rejected WHERE draw = $other"
-for format in json csv fold svg obj; do
+for format in json csv fold svg obj mjcf inp; do
   "$program" export twins.db --draw "$rejected" --format $format --output twins > /dev/null 2> err
   [ $? = 3 ] || fail "a row that is no candidate, as $format: $(cat err)"
 done
