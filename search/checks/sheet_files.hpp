@@ -10,16 +10,23 @@
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, fold, svg, obj };
+enum class SheetFormat { json, csv, fold, svg, obj, stl };
 
 struct SheetFilesOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   SheetFormat format = SheetFormat::json;
-  double step_deg = 10;  ///< between two states of `fold` and `obj`
+  double step_deg = 10;  ///< between two states of `fold`, `obj` and `stl`
   bool creases = false;  ///< with `csv`: also the table of fold angles
 
-  bool in_states() const { return format == SheetFormat::fold || format == SheetFormat::obj; }
+  /// With `stl`: how thick the plates are, and what is trimmed off their corners (none: as
+  /// ContactStudier has it).
+  double thickness_mm = 1;
+  std::optional<double> trim_mm;
+
+  bool in_states() const {
+    return format == SheetFormat::fold || format == SheetFormat::obj || format == SheetFormat::stl;
+  }
   /// What a SheetFolder has to look at between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
 };
@@ -35,7 +42,7 @@ struct SheetLabel {
 };
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
-/// UserError (2) if one of them is the file that is read.
+/// UserError (2) if one of them is the file that is read, or the plates are thicker than reaches D.
 class SheetFiles {
  public:
   SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
@@ -50,6 +57,8 @@ class SheetFiles {
   std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
                         const SheetLabel& label, const schema::Json& origin) const;
   void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
+                    const SheetLabel& label) const;
+  void write_plates(const FoldedSheet& folded, const schema::FoldingView& view,
                     const SheetLabel& label) const;
   void write_file(const std::string& stem, const std::string& text) const;
 

@@ -1,4 +1,6 @@
 // `misalign export`: chosen candidates, or a pattern, as files.
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
@@ -87,7 +89,10 @@ void run_export(const ExportCall& call, const CLI::App& verb, const CLI::App& ch
     throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
                                                     with + "; take it out, or add that");
   };
-  only_with("--step", call.files.in_states(), "--format fold or obj");
+  only_with("--step", call.files.in_states(), "--format fold, obj or stl");
+  for (const char* option : {"--thickness", "--trim"}) {
+    only_with(option, call.files.format == SheetFormat::stl, "--format stl");
+  }
   only_with("--creases", call.files.format == SheetFormat::csv, "--format csv");
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
@@ -121,6 +126,8 @@ Action export_verb(CLI::App& verb) {
       "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
       "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
       "  obj   one file for each folded state\n"
+      "  stl   the same of plates with --thickness, tapered and trimmed as `contact` says: a\n"
+      "        closed solid for each panel\n"
       "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
       "joint there, which is not in the files. Files are named after the campaign and the draw, or "
       "after the\n"
@@ -153,12 +160,18 @@ Action export_verb(CLI::App& verb) {
                                        {"csv", SheetFormat::csv},
                                        {"fold", SheetFormat::fold},
                                        {"svg", SheetFormat::svg},
-                                       {"obj", SheetFormat::obj}}));
+                                       {"obj", SheetFormat::obj},
+                                       {"stl", SheetFormat::stl}}));
   verb.add_option("--step", files.step_deg,
-                  "fold and obj: degrees of the pilot from state to state [10]")
+                  "fold, obj and stl: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
+  verb.add_option("--thickness", files.thickness_mm,
+                  fmt::format("with stl: of the plates, mm [{:g}]", files.thickness_mm))
+      ->check(within(1e-6, 1e3))
+      ->type_name("MM");
+  add_trim(verb, files.trim_mm);
   add_other_actuators(verb, call->actuators);
   verb.add_option("--output", files.directory,
                   "directory, made if it is not there; with --sqlite-compat a new file")

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/exchange/contact_json.hpp"
 #include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
@@ -114,6 +115,14 @@ void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
                   "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the campaign's]")
       ->check(a_share(schema::kLeastStroke, schema::kMostStroke))
       ->type_name("SHARE");
+}
+
+void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
+  verb.add_option("--trim", trim_mm,
+                  fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
+                              schema::kTrimPart))
+      ->check(within(0, 1e6))
+      ->type_name("MM");
 }
 
 std::string first_given(const CLI::App& group) {

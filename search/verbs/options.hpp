@@ -50,6 +50,9 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const
 /// --stiffness and --stroke-limit, of other springs than the campaign's.
 void add_other_actuators(CLI::App& verb, OtherActuators& actuators);
 
+/// --trim, of the plates' corners.
+void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
+
 /// The first option of a group that was given; empty if none was.
 std::string first_given(const CLI::App& group);
 

@@ -29,12 +29,13 @@ std::vector<SmoothTable::Parity> parities_of(Index panels) {
   return parities;
 }
 
-Vector3d vector(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+Vector3d as_vector(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
 PanelPose pose_of(const Pose<double>& pose, double width_mm) {
   PanelPose seen;
-  seen.rotation << vector(pose.rotation.cx), vector(pose.rotation.cy), vector(pose.rotation.cz);
-  seen.shift_mm = width_mm * vector(pose.translation);
+  seen.rotation << as_vector(pose.rotation.cx), as_vector(pose.rotation.cy),
+      as_vector(pose.rotation.cz);
+  seen.shift_mm = width_mm * as_vector(pose.translation);
   return seen;
 }
 
@@ -83,7 +84,7 @@ void PanelMotion::look_at_stations() {
     for (Index panel = 0; panel < count; ++panel) {
       const auto facet = static_cast<std::size_t>(panels_.facets[static_cast<std::size_t>(panel)]);
       MovingPose pose{pose_of(points.facets[facet], panel_width_mm()), {}, {}};
-      const Vector3d spin = vector(twists[facet].spin), drift = vector(twists[facet].drift);
+      const Vector3d spin = as_vector(twists[facet].spin), drift = as_vector(twists[facet].drift);
       for (int axis = 0; axis < 3; ++axis) {
         pose.rotation_rate.col(axis) = spin.cross(pose.rotation.col(axis));
       }

@@ -41,13 +41,13 @@ void cut_off(const Vector3d& on, const Vector3d& normal, PlateSolid& solid) {
   }
   std::map<std::pair<int, int>, int> on_edges;
   const auto on_edge = [&](int from, int to) {
-    const auto [at, is_new] = on_edges.try_emplace(std::minmax(from, to),
-                                                   static_cast<int>(solid.vertices_mm.size()));
+    const auto [at, is_new] =
+        on_edges.try_emplace(std::minmax(from, to), static_cast<int>(solid.vertices_mm.size()));
     if (is_new) {
       const auto [i, k] = at->first;
-      const double share = beyond[static_cast<std::size_t>(i)] /
-                           (beyond[static_cast<std::size_t>(i)] -
-                            beyond[static_cast<std::size_t>(k)]);
+      const double share =
+          beyond[static_cast<std::size_t>(i)] /
+          (beyond[static_cast<std::size_t>(i)] - beyond[static_cast<std::size_t>(k)]);
       const Vector3d p = solid.vertices_mm[static_cast<std::size_t>(i)],
                      q = solid.vertices_mm[static_cast<std::size_t>(k)];
       solid.vertices_mm.push_back(p + share * (q - p));

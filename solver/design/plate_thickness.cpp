@@ -105,9 +105,8 @@ std::vector<PolygonCorners> trimmed_panels(const Panels& panels, const FlatVerti
   std::vector<PolygonCorners> outlines;
   for (std::size_t panel = 0; panel < trimmed.size(); ++panel) {
     const auto corners_mm = corners_of(panels, panel, vertices_mm);
-    PolygonCorners outline(3, 4 + (trim_mm > 0 ? std::count(trimmed[panel].begin(),
-                                                            trimmed[panel].end(), true)
-                                               : 0));
+    PolygonCorners outline(
+        3, 4 + (trim_mm > 0 ? std::count(trimmed[panel].begin(), trimmed[panel].end(), true) : 0));
     Index next = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       if (!trimmed[panel][k] || !(trim_mm > 0)) {
@@ -181,10 +180,10 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
   double least_mm = kUnlimited, at_x = 0;
   for (const PanelPair& pair : pairs_of(panels)) {
     if (pair.kind == ContactKind::crease) continue;
-    walks.emplace_back(PolygonWalk(motion, pair.a, pair.b,
-                                   trimmed[static_cast<std::size_t>(pair.a)],
-                                   trimmed[static_cast<std::size_t>(pair.b)]),
-                       pair);
+    walks.emplace_back(
+        PolygonWalk(motion, pair.a, pair.b, trimmed[static_cast<std::size_t>(pair.a)],
+                    trimmed[static_cast<std::size_t>(pair.b)]),
+        pair);
     for (int k = 1; k <= kGuesses; ++k) {
       const double x = end * k / kGuesses, gap_mm = walks.back().first.look(x);
       if (gap_mm >= least_mm) continue;
@@ -202,7 +201,7 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
   result.panel = taper.panel;
   result.pilot_deg = motion.way().pilot_deg(at_x);
   result.thickness_mm = std::min(result.clear_mm, result.taper_mm);
-  result.limit = result.taper_mm < result.clear_mm             ? ThicknessLimit::taper
+  result.limit = result.taper_mm < result.clear_mm         ? ThicknessLimit::taper
                  : result.pair.kind == ContactKind::vertex ? ThicknessLimit::vertex
                                                            : ThicknessLimit::apart;
   return result;

@@ -50,9 +50,9 @@ struct PlateThickness {
   /// Of plates that would meet: which, and where on the way.
   PanelPair pair{};
   double pilot_deg = 0;
-  int panel = -1;                   ///< whose tapers meet
+  int panel = -1;                     ///< whose tapers meet
   double clear_mm = 0, taper_mm = 0;  ///< what either limit alone allows
-  std::vector<double> largest_rad;  ///< of each crease
+  std::vector<double> largest_rad;    ///< of each crease
 };
 
 /// Of plates that are to fold from flat up to `end` (x, where the motion is resolved). No trim may

@@ -34,6 +34,8 @@ class SolvedShapes {
         state_(solver::flat_state<double>(model.mechanism())) {}
 
   const solver::FoldState<double>& state_at(double pilot_deg) {
+    if (pilot_deg == solved_deg_) return state_;
+    solved_deg_ = pilot_deg;
     way_.find_state(way_.x_of(pilot_deg), state_);
     state_.creases[static_cast<std::size_t>(model_.mechanism().pilot)] =
         solver::half_angle_of_deg(pilot_deg);
@@ -53,6 +55,7 @@ class SolvedShapes {
   solver::SparseLu<double> lu_;
   std::vector<double> room_, work_ = room_, turn_ = room_;
   solver::FoldState<double> state_;
+  double solved_deg_ = -1;
 };
 
 struct Sums {
@@ -170,16 +173,16 @@ class Sweeper {
     for (const solver::HalfAngle<double>& rho : shapes.state_at(pilot_deg).creases) {
       if (rho.c < -1e-12) return true;
     }
-    std::vector<Vector3d> centres_mm;
-    std::vector<double> radii_mm;
+    centres_mm_.clear();
+    radii_mm_.clear();
     for (Index panel = 0; panel < corners_mm.cols() / 4; ++panel) {
       const auto corners = corners_mm.middleCols<4>(4 * panel);
-      centres_mm.push_back(corners.rowwise().mean());
-      radii_mm.push_back((corners.colwise() - centres_mm.back()).colwise().norm().maxCoeff());
+      centres_mm_.push_back(corners.rowwise().mean());
+      radii_mm_.push_back((corners.colwise() - centres_mm_.back()).colwise().norm().maxCoeff());
     }
     for (const solver::PanelPair& pair : pairs_) {
       const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
-      if ((centres_mm[a] - centres_mm[b]).norm() > radii_mm[a] + radii_mm[b]) continue;
+      if ((centres_mm_[a] - centres_mm_[b]).norm() > radii_mm_[a] + radii_mm_[b]) continue;
       if (cross(pair, corners_mm.middleCols<4>(4 * pair.a), corners_mm.middleCols<4>(4 * pair.b))) {
         return true;
       }
@@ -245,6 +248,8 @@ class Sweeper {
   const solver::Panels panels_;
   solver::ResolvedWay ways_;
   const std::vector<solver::PanelPair> pairs_ = solver::pairs_of(panels_);
+  std::vector<Vector3d> centres_mm_;
+  std::vector<double> radii_mm_;
   Sums sums_;
 };
 
