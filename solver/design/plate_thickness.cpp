@@ -184,8 +184,11 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
         PolygonWalk(motion, pair.a, pair.b, trimmed[static_cast<std::size_t>(pair.a)],
                     trimmed[static_cast<std::size_t>(pair.b)]),
         pair);
-    for (int k = 1; k <= kGuesses; ++k) {
-      const double x = end * k / kGuesses, gap_mm = walks.back().first.look(x);
+  }
+  for (int k = 1; k <= kGuesses; ++k) {
+    const double x = end * k / kGuesses;
+    for (auto& [walk, pair] : walks) {
+      const double gap_mm = walk.look(x);
       if (gap_mm >= least_mm) continue;
       least_mm = std::max(gap_mm, 0.0);
       at_x = x;

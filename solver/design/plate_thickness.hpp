@@ -39,7 +39,7 @@ TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& 
 struct ThicknessOptions {
   double trim_mm;
   /// How far below the least distance of the mid-planes the thickness stays, as a share.
-  double slack = 1e-4;
+  double slack = 1e-3;
 };
 
 enum class ThicknessLimit { apart, vertex, taper };

@@ -102,7 +102,7 @@ TEST_F(UnshiftedMiura, MeetsWhenFoldedFlat) {
 // vertex, over the panel opposite, which the panel between is folded away from by rho: r /
 // cos(alpha/2) * sin(alpha) * sin(rho) = 2 r sin(alpha/2) sin(rho).
 TEST_F(UnshiftedMiura, ThicknessThatTrimsAllow) {
-  for (const double reach_deg : {120.0, 150.0, 170.0}) {
+  for (const double reach_deg : {150.0, 170.0}) {  // the foot is on the panel from 147 degrees on
     for (const double trim_mm : {2.0, 5.0}) {
       const double least_mm =
           2 * trim_mm * std::sin(sector_rad / 2) * std::sin(reach_deg * kRadPerDeg);
@@ -110,7 +110,7 @@ TEST_F(UnshiftedMiura, ThicknessThatTrimsAllow) {
       EXPECT_EQ(plates.limit, ThicknessLimit::vertex);
       EXPECT_NEAR(plates.pilot_deg, reach_deg, 1e-9);
       EXPECT_LE(plates.thickness_mm, least_mm);
-      EXPECT_NEAR(plates.thickness_mm, least_mm, 2e-4 * least_mm);  // its slack, and a little
+      EXPECT_NEAR(plates.thickness_mm, least_mm, 1.001e-3 * least_mm);  // its slack, and a little
     }
   }
 }
