@@ -117,6 +117,7 @@ std::string pattern_verification_text(const PatternVerification& v) {
               ? "contacts     panels cross first at " + shown_number(*report.first_contact_deg) +
                     " deg (" + report.contact + ")\n"
               : "contacts     none: no two panels without a common vertex cross\n";
+  text += "any angle    " + report.meet_text + "\n";
   return text + "findings     " + (v.good() ? "none" : std::to_string(report.findings.size())) +
          "\n";
 }
@@ -132,6 +133,8 @@ Json pattern_verification_json(const PatternVerification& v) {
           {"shapes", v.shapes},
           {"first_contact_deg", crosses ? Json(*v.report.first_contact_deg) : Json()},
           {"panels", crosses ? Json(v.report.contact) : Json()},
+          {"contact", v.report.meet},
+          {"contact_known_until_deg", v.report.met_until_deg},
           {"worst", worst_json(v.report.shape, v.report.diagonal_mm)}};
 }
 

@@ -92,6 +92,31 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
   }
   report.shape = shape_check.worst();
   add_shape_findings(where, report);
+  find_meeting(sheet, samples, report);
+}
+
+void SheetCheck::find_meeting(const FollowedSheet& sheet, Eigen::Index samples,
+                              SheetReport& report) const {
+  solver::ResolvedWay ways(model_, panels_);
+  const solver::PanelMotion* motion = ways.follow(sheet.vertices_mm);
+  if (!motion) {
+    report.meet_text = "not known where panels meet: the path is lost as a function";
+    return;
+  }
+  const solver::FoldingWay& way = motion->way();
+  const double last_deg = static_cast<double>(samples) * sampling_.sample_deg;
+  const double end =
+      std::min(way.x_of(std::min(last_deg, way.end_deg())), motion->resolved_until());
+  report.met_until_deg = way.pilot_deg(end);
+  const auto contact = solver::ContactFinder(panels_, *motion).first(end);
+  if (!contact) {
+    report.meet_text = fmt::format("none meet up to {:.10g} deg", report.met_until_deg);
+    return;
+  }
+  report.meet = schema::contact_json(base_, panels_, *contact);
+  report.meet_text =
+      fmt::format("{} meet first at {:.4f} deg", schema::panels_text(base_, panels_, contact->pair),
+                  contact->pilot_deg);
 }
 
 void SheetCheck::add_shape_findings(const std::string& where, SheetReport& report) const {

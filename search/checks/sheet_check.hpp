@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/exchange/contact_json.hpp"
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/contact.hpp"
 #include "solver/design/fold_lines.hpp"
@@ -20,6 +21,11 @@ struct SheetReport {
   double diagonal_mm = 0;  ///< of the recomputed lengths against the coordinates
   std::optional<double> first_contact_deg;
   std::string contact;  ///< the two panels that cross there: "[2,3] and [4,3]"
+  /// Where panels first meet at any angle up to the last of those samples, as contact_json; null if
+  /// they do not, and how far that is known.
+  schema::Json meet;
+  double met_until_deg = 0;
+  std::string meet_text;  ///< "panels [2,3] and [4,3] meet first at 171.2345 deg", or that none do
 };
 
 struct FollowedSheet {
@@ -61,6 +67,7 @@ class SheetCheck {
   const ColumnTolerances& tolerances() const { return tolerances_; }
 
  private:
+  void find_meeting(const FollowedSheet& sheet, Eigen::Index samples, SheetReport& report) const;
   void add_shape_findings(const std::string& where, SheetReport& report) const;
 
   const schema::Pattern& base_;

@@ -8,7 +8,9 @@
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "schema/exchange/fold_export.hpp"
+#include "schema/exchange/plate_stl.hpp"
 #include "schema/files/text_file.hpp"
+#include "search/checks/contact_study.hpp"
 #include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
@@ -24,6 +26,8 @@ const char* ending(SheetFormat format) {
       return ".fold";
     case SheetFormat::svg:
       return ".svg";
+    case SheetFormat::stl:
+      return ".stl";
     case SheetFormat::obj:
       return ".obj";
     case SheetFormat::mjcf:
@@ -82,6 +86,8 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
     case SheetFormat::mjcf:
     case SheetFormat::inp:
       return write_file(stem, simulated(folded, label));
+    case SheetFormat::stl:
+      return write_plates(folded, view, label);
   }
 }
 
@@ -121,6 +127,37 @@ void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingVi
                schema::folded_obj(folder_.base(), shape_mm,
                                   fmt::format("{}, pilot at {:.10g} deg", label.title, pilot_deg)));
   };
+  write_state(0, flat_mm);
+  for (const Eigen::Index row : rows) {
+    const auto k = static_cast<std::size_t>(row);
+    write_state(folded.path.history.stations[k].pilot_deg, folded.path.shapes_mm[k]);
+  }
+}
+
+void SheetFiles::write_plates(const FoldedSheet& folded, const schema::FoldingView& view,
+                              const SheetLabel& label) const {
+  const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+  folder_.check_shapes(folded, rows, label.name);
+  ContactStudier studier(folder_.base(), folder_.sampling());
+  const schema::ContactStudy study = studier.study(folded.shifts_mm, options_.trim_mm, label.name);
+  const double largest_mm = study.thickness ? study.thickness->thickness_mm : 0;
+  if (!(options_.release.plates.thickness_mm <= largest_mm)) {
+    throw schema::UserError(
+        schema::kExitUsage,
+        fmt::format("--thickness {:g}: too thick (plates of {} reach D if they have at most {:.4g} "
+                    "mm, trimmed by {:g} mm); take less, or say more by --trim",
+                    options_.release.plates.thickness_mm, label.name, largest_mm, study.trim_mm));
+  }
+  const auto solids = solver::plate_solids(studier.panels(), folded.vertices_mm,
+                                           options_.release.plates.thickness_mm, study.trim_mm,
+                                           study.thickness->largest_rad);
+  const auto write_state = [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
+    write_file(
+        label.stem + of_state(pilot_deg),
+        schema::plate_stl(folder_.base(), studier.panels(), folded.vertices_mm, solids, shape_mm));
+  };
+  Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, folded.vertices_mm.cols());
+  flat_mm.topRows<2>() = folded.vertices_mm;
   write_state(0, flat_mm);
   for (const Eigen::Index row : rows) {
     const auto k = static_cast<std::size_t>(row);

@@ -13,19 +13,23 @@
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, fold, svg, obj, mjcf, inp };
+enum class SheetFormat { json, csv, fold, svg, obj, stl, mjcf, inp };
 
 struct SheetFilesOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   SheetFormat format = SheetFormat::json;
-  double step_deg = 10;    ///< between two states of `fold` and `obj`
+  double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
   bool creases = false;    ///< with `csv`: also the table of fold angles
-  ReleaseOptions release;  ///< of `mjcf` and `inp`
+  ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
   schema::MjcfOptions mjcf;
   schema::DeckOptions deck;  ///< of `inp`
+  /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
+  std::optional<double> trim_mm;
 
-  bool in_states() const { return format == SheetFormat::fold || format == SheetFormat::obj; }
+  bool in_states() const {
+    return format == SheetFormat::fold || format == SheetFormat::obj || format == SheetFormat::stl;
+  }
   bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
   /// What a SheetFolder has to look at between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
@@ -42,7 +46,7 @@ struct SheetLabel {
 };
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
-/// UserError (2) if one of them is the file that is read.
+/// UserError (2) if one of them is the file that is read, or the plates are thicker than reaches D.
 class SheetFiles {
  public:
   SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
@@ -58,6 +62,8 @@ class SheetFiles {
                         const SheetLabel& label, const schema::Json& origin) const;
   std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
+                    const SheetLabel& label) const;
+  void write_plates(const FoldedSheet& folded, const schema::FoldingView& view,
                     const SheetLabel& label) const;
   void write_file(const std::string& stem, const std::string& text) const;
 

@@ -80,7 +80,8 @@ class Verifier {
 
  private:
   void add(const CandidateReport& report, std::uint64_t draw) {
-    v_.checked.push_back({draw, report.first_contact_deg, report.contact});
+    v_.checked.push_back({draw, report.first_contact_deg, report.contact, report.meet,
+                          report.met_until_deg, report.meet_text});
     v_.findings.insert(v_.findings.end(), report.findings.begin(), report.findings.end());
     v_.not_comparable += !report.not_comparable.empty();
     v_.other_definitions.insert(report.not_comparable.begin(), report.not_comparable.end());
@@ -145,6 +146,15 @@ const CheckedCandidate* Verification::first_contact() const {
   return first;
 }
 
+const CheckedCandidate* Verification::first_meeting() const {
+  const CheckedCandidate* first = nullptr;
+  for (const CheckedCandidate& candidate : checked) {
+    if (candidate.meet.is_null()) continue;
+    if (!first || candidate.meet["pilot_deg"] < first->meet["pilot_deg"]) first = &candidate;
+  }
+  return first;
+}
+
 double Verification::chance_to_find_one() const {
   return units.of == 0 ? 0 : static_cast<double>(units.checked) / static_cast<double>(units.of);
 }
@@ -184,6 +194,14 @@ std::string verification_text(const Verification& v) {
   } else {
     text += "contacts     none: no two panels without a common vertex cross\n";
   }
+  if (const CheckedCandidate* first = v.first_meeting()) {
+    const auto meeting = std::count_if(v.checked.begin(), v.checked.end(),
+                                       [](const CheckedCandidate& c) { return !c.meet.is_null(); });
+    text += fmt::format("any angle    panels meet in {} of them: of draw {} {}\n", meeting,
+                        first->draw, first->meet_text);
+  } else {
+    text += "any angle    no panels meet up to D, as far as paths are resolved\n";
+  }
   return text + "findings     " + (v.good() ? "none" : std::to_string(v.findings.size())) + "\n";
 }
 
@@ -193,7 +211,9 @@ Json verification_json(const Verification& v) {
     const bool crosses = candidate.first_contact_deg.has_value();
     checked.push_back({{"draw", candidate.draw},
                        {"first_contact_deg", crosses ? Json(*candidate.first_contact_deg) : Json()},
-                       {"panels", crosses ? Json(candidate.contact) : Json()}});
+                       {"panels", crosses ? Json(candidate.contact) : Json()},
+                       {"contact", candidate.meet},
+                       {"contact_known_until_deg", candidate.met_until_deg}});
   }
   return {{"campaign", v.campaign},
           {"digest", v.digest},

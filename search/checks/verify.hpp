@@ -24,6 +24,9 @@ struct CheckedCandidate {
   std::uint64_t draw;
   std::optional<double> first_contact_deg;
   std::string contact;  ///< the panels that cross
+  schema::Json meet;    ///< as in SheetReport
+  double met_until_deg;
+  std::string meet_text;
 };
 
 struct Verification {
@@ -46,6 +49,8 @@ struct Verification {
   double diagonal_mm = 0;
 
   std::uint64_t contacts() const;
+  /// The one whose panels meet first at any angle; null if none do.
+  const CheckedCandidate* first_meeting() const;
   /// The one whose panels cross first; null if none do.
   const CheckedCandidate* first_contact() const;
   /// That units made again show a candidate that was removed together with its sums: each unit is

@@ -1,4 +1,6 @@
 // `misalign export`: chosen candidates, or a pattern, as files.
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
@@ -89,11 +91,14 @@ void refuse_idle_options(const SheetFilesOptions& files, const CLI::App& verb) {
     throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
                                                     with + "; take it out, or add that");
   };
-  only_with("--step", files.in_states(), "--format fold or obj");
+  only_with("--step", files.in_states(), "--format fold, obj or stl");
   only_with("--creases", files.format == SheetFormat::csv, "--format csv");
-  for (const char* option : {"--from", "--thickness", "--density"}) {
+  for (const char* option : {"--from", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
+  only_with("--thickness", files.is_simulated() || files.format == SheetFormat::stl,
+            "--format stl, mjcf or inp");
+  only_with("--trim", files.format == SheetFormat::stl, "--format stl");
   only_with("--friction", files.format == SheetFormat::mjcf, "--format mjcf");
   for (const char* option : {"--mesh", "--material"}) {
     only_with(option, files.format == SheetFormat::inp, "--format inp");
@@ -134,6 +139,8 @@ constexpr const char* kExportFooter =
     "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
     "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
     "  obj   one file for each folded state\n"
+    "  stl   the same of plates with --thickness, tapered and trimmed as `contact` says: a\n"
+    "        closed solid for each panel\n"
     "  mjcf  the sheet folded to --from, about to be let go, for MuJoCo: rigid panels, hinges,\n"
     "        ball joints, springs as tendons\n"
     "  inp   the same for CalculiX: elastic panels\n"
@@ -178,13 +185,15 @@ Action export_verb(CLI::App& verb) {
                                        {"fold", SheetFormat::fold},
                                        {"svg", SheetFormat::svg},
                                        {"obj", SheetFormat::obj},
+                                       {"stl", SheetFormat::stl},
                                        {"mjcf", SheetFormat::mjcf},
                                        {"inp", SheetFormat::inp}}));
   verb.add_option("--step", files.step_deg,
-                  "fold and obj: degrees of the pilot from state to state [10]")
+                  "fold, obj and stl: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
+  add_trim(verb, files.trim_mm);
   add_other_actuators(verb, call->actuators);
   add_release(verb, call->release);
   verb.add_option("--friction", files.mjcf.friction_n_mm_per_mm,

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/exchange/contact_json.hpp"
 #include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
@@ -163,6 +164,14 @@ void settle(ReleaseWish& release, DeckWish& deck) {
   }
   release.release.plates.density_g_per_cm3 =
       release.density_g_per_cm3.value_or(deck.deck.material.density_g_per_cm3);
+}
+
+void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
+  verb.add_option("--trim", trim_mm,
+                  fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
+                              schema::kTrimPart))
+      ->check(within(0, 1e6))
+      ->type_name("MM");
 }
 
 std::string first_given(const CLI::App& group) {

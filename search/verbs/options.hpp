@@ -74,6 +74,8 @@ struct DeckWish {
 void add_deck(CLI::App& verb, DeckWish& wish);
 /// Reads the material file, if there is one, into both. UserError (3).
 void settle(ReleaseWish& release, DeckWish& deck);
+/// --trim, of the plates' corners.
+void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 
 /// The first option of a group that was given; empty if none was.
 std::string first_given(const CLI::App& group);

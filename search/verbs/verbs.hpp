@@ -20,6 +20,7 @@ Action actuators_verb(CLI::App& verb);
 Action bench_verb(CLI::App& verb);
 Action completion_verb(CLI::App& verb);
 Action config_verb(CLI::App& verb);
+Action contact_verb(CLI::App& verb);
 Action deploy_verb(CLI::App& verb);
 Action doctor_verb(CLI::App& verb);
 Action export_verb(CLI::App& verb);
@@ -56,6 +57,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"tolerance", tolerance_verb},
           {"doctor", doctor_verb},
           {"actuators", actuators_verb},
+          {"contact", contact_verb},
           {"deploy", deploy_verb},
           {"stress", stress_verb},
           {"report", report_verb},

@@ -25,8 +25,8 @@ done
   fail "actuators of a pipe"
 
 # Every format of a pattern has its name; what is exported of an export is the same drawing.
-for format in json csv fold svg obj; do
-  case $format in fold | obj) step="--step 60" ;; *) step="" ;; esac
+for format in json csv fold svg stl obj; do
+  case $format in stl) step="--step 60 --thickness 0.3" ;; fold | obj) step="--step 60" ;; *) step="" ;; esac
   # shellcheck disable=SC2086
   "$program" export "$table1" --format $format $step --output out > names || fail "export as $format"
   [ -s names ] && ! grep -v "^out/table1" names || fail "names of $format: $(cat names)"

@@ -1,0 +1,64 @@
+// `misalign contact`: where the panels of one sheet meet, and how thick they may be.
+#include <fmt/format.h>
+
+#include "search/checks/chosen_sheet.hpp"
+#include "search/checks/contact_study.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct ContactCall {
+  std::string path;                   // a catalogue or a pattern file
+  std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+  std::optional<double> trim_mm;
+  bool json = false;
+};
+
+void show_contact(const ContactCall& call) {
+  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
+  const std::string name = schema::printable(sheet.name());
+  ContactStudier studier(sheet.base, sheet.sampling);
+  const schema::ContactStudy study = studier.study(sheet.shifts_mm, call.trim_mm, name);
+  if (call.json) {
+    schema::Json json = schema::contact_study_json(sheet.base, studier.panels(), study);
+    json.update(sheet.key().json());
+    put_json(json);
+    return;
+  }
+  put("{}: deploys from {:g} deg\n", name, study.deploys_from_deg);
+  put(contact_text(sheet.base, studier.panels(), study));
+}
+
+}  // namespace
+
+Action contact_verb(CLI::App& verb) {
+  verb.description("where the panels of one sheet meet, and how thick they may be");
+  verb.footer(
+      "Of panels without thickness, at any angle and not only at samples: the first at which\n"
+      "two meet. Those with a common crease meet when it is closed, those with one common\n"
+      "vertex when a ray from it lies in both. Then the least distances on the way:\n"
+      "  apart_mm     of panels without a common vertex\n"
+      "  vertex_deg   of panels with one common vertex, as an angle seen from it\n"
+      "  crease_deg   of the most folded crease from 180\n"
+      "Thickness: hinges at the mid-plane; a plate is tapered towards each crease by the plane\n"
+      "through it at which neighbours touch when most folded up to D, and trimmed across each\n"
+      "corner where it meets another panel in that point alone, as ball joints are (--trim).\n"
+      "Plates as thick as is said clear each other up to D; thicker ones might.\n\n"
+      "Examples:\n  misalign contact search/patterns/table1.json\n"
+      "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --trim 8\n"
+      "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --json");
+  auto call = std::make_shared<ContactCall>();
+  add_catalogue_or_pattern(verb, call->path);
+  add_draw_of_catalogue(verb, call->draw);
+  add_trim(verb, call->trim_mm);
+  verb.add_flag("--json", call->json, "as JSON");
+  return [call] {
+    show_contact(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

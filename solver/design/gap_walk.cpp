@@ -1,0 +1,129 @@
+#include "solver/design/gap_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+// The first s > 0 at which f + b s + a s^2 is zero, f > 0; infinity if there is none.
+double first_root(double f, double b, double a) {
+  const double discriminant = b * b - 4 * a * f;
+  const double below = -b + std::sqrt(std::max(discriminant, 0.0));
+  return discriminant >= 0 && below > 0 ? 2 * f / below : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+GapWalk::Piece GapWalk::piece(int index) const {
+  const int last = motion_.nodes() - 1;
+  Piece piece;
+  find_rates(index - 1, piece.from);
+  PolygonCorners before, beyond;
+  find_rates(index - 2, before);
+  const bool is_behind_all = index > last;
+  if (is_behind_all) {
+    find_rates(index - 3, beyond);
+    piece.to = 2 * piece.from - before;
+  } else {
+    find_rates(index, piece.to);
+    if (index < last) find_rates(index + 1, beyond);
+  }
+  for (Index k = 0; k < piece.from.cols(); ++k) {
+    double curved = 0;
+    if (is_behind_all) {  // half a step beyond two nodes that the line goes through: three eighths
+      curved = 3 * (piece.from.col(k) - 2 * before.col(k) + beyond.col(k)).norm();
+    } else {
+      curved = (piece.to.col(k) - 2 * piece.from.col(k) + before.col(k)).norm();
+      if (index < last) {
+        curved = std::max(curved, (beyond.col(k) - 2 * piece.to.col(k) + piece.from.col(k)).norm());
+      }
+    }
+    piece.error(k) = curved / 8;
+  }
+  return piece;
+}
+
+double GapWalk::certain_until(double level_mm, double end) const {
+  const double step = motion_.step();
+  const double place = x_ / step + 0.5;
+  int index = std::min(static_cast<int>(place), motion_.nodes());
+  double from = place - index;
+  auto gaps_mm = gaps_mm_;
+  for (;; ++index, from = 0) {
+    const Piece rates = piece(index);
+    double until = 1;
+    for (Index k = 0; k < gaps_mm.cols(); ++k) {
+      const double error_mm = kRateSafety * rates.error(k) + kRateError * motion_.panel_width_mm();
+      const double rate_mm = direction_.dot(rates.from.col(k));
+      const double change_mm = direction_.dot(rates.to.col(k)) - rate_mm;
+      const double b = step * (rate_mm - error_mm + change_mm * from);
+      const double a = step * change_mm / 2;
+      until = std::min(until, from + first_root(gaps_mm(k) - level_mm, b, a));
+      gaps_mm(k) += (1 - from) * (b + (1 - from) * a);
+    }
+    const double reached = (index - 0.5 + until) * step;
+    if (reached >= end) return end;
+    if (until < 1 || index == motion_.nodes()) return std::max(reached, x_);
+  }
+}
+
+double PolygonWalk::look(double x) {
+  x_ = x;
+  const PanelPose a = motion_.pose(x, a_), b = motion_.pose(x, b_);
+  PolygonCorners seen = of_b_;
+  for (Index k = 0; k < seen.cols(); ++k) seen.col(k) = seen_from(a, b, of_b_.col(k));
+  separation_ = separation_of(of_a_, seen);
+  direction_ = separation_.direction;
+  gaps_mm_ = (direction_.transpose() * seen).array() - (direction_.transpose() * of_a_).maxCoeff();
+  return gaps_mm_.minCoeff();
+}
+
+void PolygonWalk::find_rates(int node, PolygonCorners& rates) const {
+  const int like = node < 0 ? -1 - node : node;
+  const MovingPose &a = motion_.at_node(like, a_), &b = motion_.at_node(like, b_);
+  rates.resize(3, of_b_.cols());
+  for (Index k = 0; k < rates.cols(); ++k) rates.col(k) = rate_seen_from(a, b, of_b_.col(k));
+  if (node < 0) rates.topRows<2>() *= -1;  // the mirror image, the other way
+}
+
+double CreaseWalk::look(double x) {
+  x_ = x;
+  const double angle_rad = motion_.crease_rad(x, crease_);
+  direction_ = angle_rad > 0 ? -Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ());
+  gaps_mm_.resize(1);
+  gaps_mm_(0) = (kPi - std::abs(angle_rad)) * motion_.panel_width_mm();
+  return gaps_mm_(0);
+}
+
+void CreaseWalk::find_rates(int node, PolygonCorners& rates) const {
+  rates.setZero(3, 1);
+  rates(2, 0) =
+      motion_.crease_rate(node < 0 ? -1 - node : node, crease_) * motion_.panel_width_mm();
+}
+
+double first_touch(GapWalk& walk, double touch_mm, double end) {
+  for (double x = 0;; x = walk.certain_until(touch_mm / 2, end)) {
+    if (walk.look(x) <= touch_mm) return x;
+    if (x >= end) return std::numeric_limits<double>::infinity();
+  }
+}
+
+bool lower_to_least(GapWalk& walk, double slack, double end, double& least_mm, double& at_x) {
+  bool is_less = false;
+  for (double x = 0;; x = walk.certain_until((1 - slack) * least_mm, end)) {
+    const double gap_mm = walk.look(x);
+    if (gap_mm < least_mm) {
+      least_mm = gap_mm;
+      at_x = x;
+      is_less = true;
+    }
+    if (x >= end || gap_mm <= 0) return is_less;
+  }
+}
+
+}  // namespace misalign::solver
