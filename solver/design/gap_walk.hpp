@@ -13,7 +13,7 @@
 namespace misalign::solver {
 
 /// Rates between two nodes differ from a straight line by an eighth of the larger of the second
-/// differences at both, times this (RATIO).
+/// differences at both, times this (up to 7.9 was seen: results/deployment/contact.md).
 inline constexpr double kRateSafety = 20;
 /// And by what the nodes' own rates are off by, per mm and unit of x: next to flat, where states
 /// are singular, up to 3e-7.
