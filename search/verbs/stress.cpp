@@ -44,6 +44,21 @@ std::string job_of(const StressCall& call, const ChosenSheet& sheet) {
   return job;
 }
 
+// What the run writes, and what it removes first, must not be what is read.
+void keep_input(const StressCall& call, const std::string& job) {
+  for (const char* ending :
+       {".inp", ".dat", ".frd", ".sta", ".cvg", ".12d", ".log", "-stress.json"}) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(job_file(call.directory, job, ending), call.path, error)) {
+      continue;
+    }
+    throw schema::UserError(schema::kExitUsage,
+                            "--output " + call.directory +
+                                ": a file would replace the one that is read (it has the same "
+                                "name); name another directory");
+  }
+}
+
 // How far it is: a live line where somebody watches, else a line now and then.
 class StressProgress {
  public:
@@ -154,6 +169,7 @@ void show_stress(StressCall& call) {
   find_calculix();
   make_directory(call.directory);
   const std::string job = job_of(call, sheet);
+  keep_input(call, job);
   const std::string result = job_file(call.directory, job, "-stress.json");
   StressStudy study;
   {

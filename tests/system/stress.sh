@@ -10,6 +10,11 @@ grep -q "there is no ccx in PATH" err || fail "without ccx: $(cat err)"
 [ -e none ] && fail "without ccx a directory was made"
 "$program" stress "$table1" --from 157 --output none > out 2> err
 [ $? = 2 ] && grep -q "fold limit at 156.34" err || fail "beyond the fold limit: $(cat err)"
+cp "$table1" table1.dat
+if command -v ccx > /dev/null; then
+  "$program" stress table1.dat --output . > out 2> err
+  [ $? = 2 ] && cmp -s "$table1" table1.dat || fail "a file that is read would be replaced: $(cat err)"
+fi
 if ! command -v ccx > /dev/null; then
   echo "SKIPPED: ccx (calculix-ccx) is not installed"
   finish
