@@ -82,6 +82,26 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
   reader.refuse_unknown_keys();
 }
 
+// Null, both of them, for no stop.
+void read_wished_stop(ObjectReader& accept, std::optional<WishedStop>& stop) {
+  const auto is_there = [&](const char* key) {
+    const Json* value = accept.find(key);
+    return value && !value->is_null();
+  };
+  const bool angle = is_there("stops_at_deg"), stiffness = is_there("stop_stiffness_mm2_per_rad2");
+  if (angle != stiffness) {
+    accept.faults().add(accept.name(angle ? "stops_at_deg" : "stop_stiffness_mm2_per_rad2"),
+                        std::string("needs ") +
+                            (angle ? "stop_stiffness_mm2_per_rad2" : "stops_at_deg") + " beside it",
+                        "write both, or neither: where the sheet stops, and how stiffly at least");
+  }
+  if (!angle || !stiffness) return;
+  stop = WishedStop{0, 0};
+  accept.number("stops_at_deg", stop->at_deg, 0.01, 180, "try 60, or null for no stop");
+  accept.number("stop_stiffness_mm2_per_rad2", stop->least_mm2_per_rad2, 1e-9, 1e9,
+                "try 5, or null for no stop");
+}
+
 void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
                              Campaign& campaign) {
   InputFaults& faults = path.faults();
@@ -90,11 +110,13 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
   read_between_samples(accept, campaign.between_samples);
+  read_wished_stop(accept, campaign.wished_stop);
   const bool numbers_good = faults.count() == before;
   path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
   if (!numbers_good) return;
-  const auto check = [&](const ObjectReader& reader, const char* key, double value, double most) {
+  const auto check = [&](const ObjectReader& reader, const char* key, double value, double most,
+                         const char* last) {
     const std::string shown = reader.name(key) + " = " + shown_number(value);
     const double rounded = std::max(1.0, std::round(value / campaign.sample_deg));
     const std::string suggestion =
@@ -104,17 +126,22 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
                  "must be a whole multiple of sample_deg = " + shown_number(campaign.sample_deg),
                  suggestion);
     } else if (value > most) {
-      faults.add(shown, "must not lie beyond end_deg = " + shown_number(most), suggestion);
+      faults.add(shown, fmt::format("must not lie beyond {} = {}", last, shown_number(most)),
+                 suggestion);
     }
   };
-  check(path, "end_deg", campaign.end_deg, 180);
+  check(path, "end_deg", campaign.end_deg, 180, "180 degrees");
   if (campaign.end_deg > base_end_deg) {
     faults.add(path.name("end_deg") + " = " + shown_number(campaign.end_deg),
                "the unshifted sheet folds to " + shown_number(base_end_deg) + " only",
                "try " + shown_number(std::floor(base_end_deg / campaign.sample_deg) *
                                      campaign.sample_deg));
   }
-  check(accept, "deploys_from_deg", campaign.threshold_deg, campaign.end_deg);
+  check(accept, "deploys_from_deg", campaign.threshold_deg, campaign.end_deg, "end_deg");
+  if (campaign.wished_stop) {
+    check(accept, "stops_at_deg", campaign.wished_stop->at_deg, campaign.threshold_deg,
+          "deploys_from_deg");
+  }
 }
 
 // A key that may be null for "no limit".
@@ -177,6 +204,13 @@ void leave_out_defaults(Json& value, const Json& defaults) {
 
 int Campaign::threshold_sample() const {
   return static_cast<int>(std::lround(threshold_deg / sample_deg));
+}
+
+solver::Criterion Campaign::criterion() const {
+  if (!wished_stop) return {between_samples, 0, 0};
+  const double width_mm = pattern.base.sheet.panel_width_mm;
+  return {between_samples, static_cast<int>(std::lround(wished_stop->at_deg / sample_deg)),
+          wished_stop->least_mm2_per_rad2 / (width_mm * width_mm)};
 }
 
 bool Campaign::accepts(const solver::Verdict& verdict) const {
@@ -247,6 +281,7 @@ Json campaign_json(const Campaign& campaign) {
     for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
   }
   const auto or_null = [](const auto& limit) { return limit ? Json(*limit) : Json(); };
+  const std::optional<WishedStop>& stop = campaign.wished_stop;
   return {{"name", campaign.name},
           {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
           {"misalignment",
@@ -256,7 +291,9 @@ Json campaign_json(const Campaign& campaign) {
           {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
           {"accept",
            {{"deploys_from_deg", campaign.threshold_deg},
-            {"between_samples", between_samples_json(campaign.between_samples)}}},
+            {"between_samples", between_samples_json(campaign.between_samples)},
+            {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
+            {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
           {"seed", campaign.seed},
           {"stop",
            {{"draws", or_null(campaign.stop.draws)},
@@ -272,6 +309,10 @@ Json stored_configuration(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json configuration = campaign_json(campaign);
   if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  if (!campaign.wished_stop) {
+    configuration["accept"].erase("stops_at_deg");
+    configuration["accept"].erase("stop_stiffness_mm2_per_rad2");
+  }
   return configuration;
 }
 

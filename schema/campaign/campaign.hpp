@@ -25,6 +25,12 @@ struct Misalignment {
   Levels levels = Levels::ternary;
 };
 
+/// A stop on the way: springs that are relaxed at this pilot angle hold the sheet there.
+struct WishedStop {
+  double at_deg;
+  double least_mm2_per_rad2;  ///< of solver::stop_stiffness; times a spring's k: N mm/rad
+};
+
 /// When a campaign or a run is over; what is absent does not limit.
 struct StopRule {
   std::optional<std::uint64_t> draws = 1000000;
@@ -42,6 +48,7 @@ struct Campaign {
   double end_deg = 180;
   double threshold_deg = 170;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
+  std::optional<WishedStop> wished_stop;  ///< not beyond the threshold
   std::uint64_t seed = 1;
   StopRule stop;
   solver::Actuators actuators;  ///< outside the identity: what is shown of candidates
@@ -50,6 +57,8 @@ struct Campaign {
   int threshold_sample() const;
   /// Whether a draw with this verdict is kept.
   bool accepts(const solver::Verdict& verdict) const;
+  /// What is asked besides.
+  solver::Criterion criterion() const;
   Sampling sampling() const { return {sample_deg, end_deg, between_samples}; }
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
@@ -70,7 +79,7 @@ Campaign default_campaign();
 /// The resolved configuration, every key. Reading it again gives the same campaign.
 Json campaign_json(const Campaign& campaign);
 
-/// The same without what programs from before the actuators do not know, where that is the default:
+/// The same without what older programs do not know, where that is the default:
 /// what a catalogue keeps, so that they can still read it.
 Json stored_configuration(const Campaign& campaign);
 

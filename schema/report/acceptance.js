@@ -37,7 +37,15 @@ function asked(configuration) {
   return (
     `${sheet}; ${holes}. Each draw shifts x and y of ${which} by ${levels}. A draw is accepted when every diagonal ` +
     `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${accept.between_samples ? `, ${exactly}between the samples too` : ""} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
+    `${accept.between_samples ? `, ${exactly}between the samples too` : ""}${stop_words(accept)} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
+  );
+}
+
+function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }) {
+  if (!stops_at_deg) return "";
+  return (
+    `, and springs that are relaxed at ${degrees(stops_at_deg)} hold it there with at least ` +
+    `${stop_stiffness_mm2_per_rad2} mm²/rad² times their stiffness`
   );
 }
 

@@ -136,7 +136,7 @@ std::uint64_t Backlash::one_way_to(double pilot_deg) const {
 BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
                              const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                              const solver::BacklashOptions& options)
-    : model_(campaign.pattern.base, campaign.path(), campaign.between_samples),
+    : model_(campaign.pattern.base, campaign.path(), campaign.criterion()),
       seed_(campaign.seed),
       options_(options) {
   for (const Eigen::Matrix2Xd& shifts : shifts_mm) {

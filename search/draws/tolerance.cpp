@@ -37,7 +37,7 @@ class Study {
         shifts_mm_(shifts_mm),
         options_(options),
         model_(campaign.pattern.base, all_vertices(campaign.pattern.base.sheet), campaign.path(),
-               campaign.threshold_sample(), campaign.between_samples) {
+               campaign.threshold_sample(), campaign.criterion()) {
     const int vertices = model_.mechanism().vertices;
     for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
       tolerances_.push_back({options.amplitude_mm,

@@ -65,7 +65,7 @@ class ReferenceRun {
         plan_(solver::plan_path(
             mechanism, base_.folding, base_.sheet.vertices_mm,
             solver::reference_path(campaign.path(), longest_step_deg, campaign.between_samples))),
-        reference_(mechanism, plan_, campaign.between_samples) {}
+        reference_(mechanism, plan_, campaign.criterion()) {}
 
   solver::Verdict judge(std::uint64_t draw) {
     return reference_.judge(base_.sheet.vertices_mm + shifts_of_draw(campaign_, draw));

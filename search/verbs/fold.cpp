@@ -24,7 +24,7 @@ void fold(const FoldCall& call) {
   path.sample_deg = sampling.sample_deg;
   path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
   path.look_deg = call.step_deg;
-  const solver::Model model(pattern.base, path, sampling.between_samples);
+  const solver::Model model(pattern.base, path, {sampling.between_samples});
   auto history = solver::record_history(model, pattern.vertices_mm());
   take_bump(solver::record_of(model, pattern.vertices_mm(), history), history);
   const schema::FoldingView view{pattern, pattern.shifts_mm, model.mechanism(), history,

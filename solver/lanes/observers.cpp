@@ -7,7 +7,7 @@ namespace misalign::solver {
 FunctionObserver::FunctionObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
-      judges_(static_cast<std::size_t>(lanes), FunctionJudge(model.mechanism(), model.bumps())),
+      judges_(static_cast<std::size_t>(lanes), FunctionJudge(model.mechanism(), model.criterion())),
       flat_(model.mechanism().diagonals.size()) {}
 
 FunctionObserver::~FunctionObserver() = default;

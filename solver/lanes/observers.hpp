@@ -50,7 +50,9 @@ class JudgingObserver {
   void only(const std::vector<int>& sheets) { queue_.begin_again(sheets); }
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
-  bool wants_slopes() const { return model_.bumps() != BumpRule::ignored; }
+  bool wants_slopes() const {
+    return model_.bumps() != BumpRule::ignored || model_.criterion().asks_for_stop();
+  }
   bool see(const Station& station, int lane);
   void ended(PathResult path, int lane);
   /// Once every path has ended: those that are for dense matrices, by dense matrices.

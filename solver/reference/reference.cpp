@@ -19,12 +19,12 @@ PathPlanOptions reference_path(PathPlanOptions path, double longest_step_deg, Bu
   return path;
 }
 
-Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, BumpRule bumps)
+Reference::Reference(const Mechanism& mechanism, const PathPlan& plan, const Criterion& criterion)
     : mechanism_(mechanism),
       plan_(plan),
       tracker_(mechanism),
-      bumps_(bumps),
-      judge_(mechanism, bumps),
+      criterion_(criterion),
+      judge_(mechanism, criterion),
       dense_state_(mechanism),
       point_(mechanism) {}
 
@@ -32,7 +32,7 @@ Verdict Reference::judge(const FlatVertices& vertices_mm) {
   place(mechanism_, vertices_mm, geometry_);
   flat_lengths(mechanism_, geometry_, point_.lengths.data());
   judge_.begin(point_.lengths);
-  if (bumps_ == BumpRule::exact) {
+  if (criterion_.bumps == BumpRule::exact) {
     std::fill(point_.slopes.begin(), point_.slopes.end(), 0.0);
     point_.pilot_rate = 0;
     visited_.assign(1, {0, point_});
@@ -44,12 +44,12 @@ Verdict Reference::judge(const FlatVertices& vertices_mm) {
 }
 
 bool Reference::see(const Station& station, const FoldState<double>& state) {
-  if (bumps_ == BumpRule::exact) {
+  if (criterion_.bumps == BumpRule::exact) {
     dense_state_.find(geometry_, state, point_);
     return see_exactly(station);
   }
   if (station.sample == 0) return true;
-  if (bumps_ == BumpRule::by_cubic) {
+  if (criterion_.bumps == BumpRule::by_cubic || station.sample == criterion_.stop_sample) {
     dense_state_.find(geometry_, state, point_);
     return judge_.see(station, &point_.state, point_.lengths, &point_.slopes, point_.pilot_rate);
   }
@@ -64,6 +64,10 @@ bool Reference::see_exactly(const Station& station) {
   const int where = longest_way_back();
   if (where >= 0) {
     judge_.end(Fault::bump, where);
+    return false;
+  }
+  if (criterion_.finds_soft_stop(station.sample, point_.slopes)) {
+    judge_.end(Fault::soft_stop, -1);
     return false;
   }
   judge_.take(station, point_.lengths);

@@ -20,7 +20,7 @@ class Reference {
   /// Both must outlive this object, which allocates nothing once it has judged a sheet.
   /// Bumps that are looked for exactly: by cubics between the plan's stations, which are to be
   /// visited closely.
-  Reference(const Mechanism& mechanism, const PathPlan& plan, BumpRule bumps = BumpRule::ignored);
+  Reference(const Mechanism& mechanism, const PathPlan& plan, const Criterion& criterion = {});
 
   Verdict judge(const FlatVertices& vertices_mm);
 
@@ -35,10 +35,10 @@ class Reference {
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   PathTracker tracker_;
-  const BumpRule bumps_;
+  const Criterion criterion_;
   Judge judge_;
   SheetGeometry<double> geometry_;
-  DenseState dense_state_;  // for slopes, which bumps are seen by
+  DenseState dense_state_;  // for slopes, which bumps and stops are seen by
   PathPoint point_;
   struct Visited {
     double pilot_deg;

@@ -4,7 +4,7 @@ namespace misalign::solver {
 
 CloseJudge::CloseJudge(const Model& model, SolvedBumps& bumps)
     : model_(model),
-      judge_(model.mechanism(), model.bumps()),
+      judge_(model.mechanism(), model.criterion()),
       last_(model.mechanism()),
       bumps_(bumps) {}
 

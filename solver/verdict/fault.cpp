@@ -20,6 +20,8 @@ constexpr FaultEntry kFaults[] = {
      "a diagonal does not change its length: it drives nothing", ShownBy::diagonal},
     {Fault::bump, "bump_between_samples", "bump between samples",
      "a diagonal goes back and on again between two samples", ShownBy::diagonal},
+    {Fault::soft_stop, "soft_stop", "soft stop",
+     "the stop on the way is softer than the campaign asks for", ShownBy::nothing},
     {Fault::undecided, "undecided", "undecided", "numerical failure: neither accepted nor rejected",
      ShownBy::nothing},
     {Fault::none, "none", "no fault", "no fault up to the end of the path", ShownBy::nothing},

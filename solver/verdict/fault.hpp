@@ -14,6 +14,7 @@ enum class Fault {
   not_monotone,        ///< a diagonal steps back against its direction by kStepBand_widths or more
   bump,                ///< it goes back before the next sample by kBumpBand_widths or more, where
                        ///< that was asked for
+  soft_stop,           ///< the stop that was asked for on the way is softer than was asked for
   inactive_diagonal,   ///< D >= kInactiveFrom_deg, yet a diagonal varied by less than
                        ///< kInactiveBand_widths up to it; then D = 0
   undecided            ///< a numerical failure (PathEnd says which): never a "no"

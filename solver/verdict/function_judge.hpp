@@ -13,7 +13,7 @@ namespace misalign::solver {
 class FunctionJudge {
  public:
   /// Bumps are ignored or looked for exactly; cubics between samples are for close steps.
-  explicit FunctionJudge(const Mechanism& mechanism, BumpRule bumps = BumpRule::ignored);
+  explicit FunctionJudge(const Mechanism& mechanism, const Criterion& criterion = {});
   ~FunctionJudge();
   FunctionJudge(const FunctionJudge&);
 
@@ -38,6 +38,7 @@ class FunctionJudge {
                const PathFunction& function);
   std::optional<bool> find_creases(double x, const PathFunction& function);
   bool is_decisive();
+  std::optional<bool> find_stop_stiff(double x, const PathFunction& function);
   void know_last_better(const PathFunction& function);
   Answer lost() {
     is_sure_ = false;
@@ -49,6 +50,7 @@ class FunctionJudge {
   }
 
   const Mechanism& mechanism_;
+  const Criterion criterion_;
   Judge judge_;
   const PathPlan* plan_ = nullptr;
   std::size_t next_ = 0;

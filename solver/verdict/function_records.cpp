@@ -28,7 +28,7 @@ FunctionRecords::FunctionRecords(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
       lanes_(static_cast<std::size_t>(lanes),
-             Lane{FunctionJudge(model.mechanism(), model.bumps()),
+             Lane{FunctionJudge(model.mechanism(), model.criterion()),
                   ExtremeFinder(model.mechanism().diagonal_count())}),
       solved_(static_cast<std::size_t>(lanes)),
       flat_(model.mechanism().diagonals.size()),

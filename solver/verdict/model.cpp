@@ -115,7 +115,8 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
 }  // namespace
 
 Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
-             const PathPlanOptions& path, int threshold_sample, BumpRule bumps, double ternary_mm)
+             const PathPlanOptions& path, int threshold_sample, const Criterion& criterion,
+             double ternary_mm)
     : base_(base),
       mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
       elimination_(plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
@@ -124,7 +125,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
       path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
-      bumps_(bumps),
+      criterion_(criterion),
       ternary_mm_(ternary_mm),
       margin_samples_(threshold_sample > 0
                           ? solver::margin_samples(path.sample_deg, threshold_sample)

@@ -7,7 +7,7 @@
 #include "solver/kinematics/folded_shape.hpp"
 #include "solver/linear/sparse_lu.hpp"
 #include "solver/pattern/perforation.hpp"
-#include "solver/verdict/between.hpp"
+#include "solver/verdict/criterion.hpp"
 
 namespace misalign::solver {
 
@@ -36,15 +36,15 @@ struct ShiftBlock {
 class Model {
  public:
   /// `shifted` are the vertices that differ from sheet to sheet; D of at least `threshold_sample`
-  /// is wanted, which a bump between samples ends as `bumps` says. Without a threshold (0) there
+  /// is wanted, by this criterion. Without a threshold (0) there
   /// are no rejection tests, and no margin against miscuts. `ternary_mm`: every shift is nothing or
   /// this much either way (mm; 0: any shift).
   Model(const PerforatedSheet& base, const std::vector<int>& shifted, const PathPlanOptions& path,
-        int threshold_sample, BumpRule bumps = BumpRule::ignored, double ternary_mm = 0);
+        int threshold_sample, const Criterion& criterion = {}, double ternary_mm = 0);
   /// A sheet that is looked at for itself.
   explicit Model(const PerforatedSheet& base, const PathPlanOptions& path = {},
-                 BumpRule bumps = BumpRule::ignored)
-      : Model(base, {}, path, 0, bumps) {}
+                 const Criterion& criterion = {})
+      : Model(base, {}, path, 0, criterion) {}
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -57,7 +57,8 @@ class Model {
   const PathPlan& path() const { return path_; }
   double sample_deg() const { return sample_deg_; }
   int threshold_sample() const { return threshold_sample_; }
-  BumpRule bumps() const { return bumps_; }
+  const Criterion& criterion() const { return criterion_; }
+  BumpRule bumps() const { return criterion_.bumps; }
   double ternary_mm() const { return ternary_mm_; }
   /// Where the stretches of MiscutMargin end; none without a threshold.
   const std::vector<int>& margin_samples() const { return margin_samples_; }
@@ -93,7 +94,7 @@ class Model {
   const PathPlan path_;
   const double sample_deg_;
   const int threshold_sample_;
-  const BumpRule bumps_;
+  const Criterion criterion_;
   const double ternary_mm_;
   const std::vector<int> margin_samples_;
   std::vector<TestAngle> tests_, beyond_;

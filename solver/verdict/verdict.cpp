@@ -5,7 +5,8 @@
 
 namespace misalign::solver {
 
-Judge::Judge(const Mechanism& mechanism, BumpRule bumps) : mechanism_(mechanism), bumps_(bumps) {}
+Judge::Judge(const Mechanism& mechanism, const Criterion& criterion)
+    : mechanism_(mechanism), criterion_(criterion) {}
 
 void Judge::begin(const std::vector<double>& flat_lengths) {
   samples_in_order_ = 0;
@@ -26,12 +27,17 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
   if (!is_in_order(state, lengths)) return false;
   if (slopes) {
     const Between between = seen_between(station, lengths, *slopes, pilot_rate);
-    if (bumps_ == BumpRule::by_cubic && between.back_where >= 0) {
+    if (criterion_.bumps == BumpRule::by_cubic && between.back_where >= 0) {
       end(Fault::bump, between.back_where);
       return false;
     }
+    if (criterion_.finds_soft_stop(station.sample, *slopes)) {
+      end(Fault::soft_stop, -1);
+      return false;
+    }
     between_ = between;
-    if (bumps_ == BumpRule::exact) between_.bump_where = -1;  // none: it would have ended D
+    if (criterion_.bumps == BumpRule::exact)
+      between_.bump_where = -1;  // none: it would have ended D
     last_slopes_ = *slopes;
     last_pilot_rate_ = pilot_rate;
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/continuation/path.hpp"
-#include "solver/verdict/between.hpp"
+#include "solver/verdict/criterion.hpp"
 #include "solver/verdict/fault.hpp"
 
 namespace misalign::solver {
@@ -54,14 +54,14 @@ struct Between {
 class Judge {
  public:
   /// Bumps count by the cubics that it sees, or as its owner says (BumpRule::exact).
-  explicit Judge(const Mechanism& mechanism, BumpRule bumps = BumpRule::ignored);
+  explicit Judge(const Mechanism& mechanism, const Criterion& criterion = {});
 
   /// Starts a path whose diagonals have these flat lengths (panel widths).
   void begin(const std::vector<double>& flat_lengths);
   /// The next sample in order; false once a fault is known. Nothing changes after that. Without a
-  /// state its creases are known to be in order. With the
-  /// diagonals' slopes (panel widths per radian of pilot), and the pilot's entry of the unit
-  /// tangent, it looks between the samples as well.
+  /// state its creases are known to be in order. With the diagonals' slopes (panel widths per
+  /// radian of pilot), and the pilot's entry of the unit tangent, it looks between the samples as
+  /// well, and at the stop that is asked for.
   bool see(const Station& station, const FoldState<double>* state,
            const std::vector<double>& lengths, const std::vector<double>* slopes = nullptr,
            double pilot_rate = 1);
@@ -69,7 +69,7 @@ class Judge {
   /// is in order, and that it counts.
   bool is_in_order(const FoldState<double>* state, const std::vector<double>& lengths);
   void take(const Station& station, const std::vector<double>& lengths);
-  /// What was seen before the next sample: a bump, or that it cannot be known.
+  /// What was seen before the next sample: a bump, or that it cannot be known; or a soft stop.
   void end(Fault fault, int where) {
     fault_ = fault;
     where_ = where;
@@ -91,7 +91,7 @@ class Judge {
                        const std::vector<double>& slopes, double pilot_rate);
 
   const Mechanism& mechanism_;
-  const BumpRule bumps_;
+  const Criterion criterion_;
   int samples_in_order_ = 0;
   double last_pilot_deg_ = 0, last_pilot_rate_ = 0;
   Fault fault_ = Fault::none;

@@ -33,6 +33,9 @@ TEST(Identity, IsTheHashOfWhatIsNotDefault) {
       {R"({"accept": {"between_samples": false}})", "{}"},
       {R"({"accept": {"between_samples": true}})", R"({"accept":{"between_samples":true}})"},
       {R"({"accept": {"between_samples": "exact"}})", R"({"accept":{"between_samples":"exact"}})"},
+      {R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
+       R"({"accept":{"stop_stiffness_mm2_per_rad2":5.0,"stops_at_deg":60.0}})"},
+      {R"({"accept": {"stops_at_deg": null, "stop_stiffness_mm2_per_rad2": null}})", "{}"},
       {R"({"seed": 0, "misalignment": {"vertices": "ring", "levels": "uniform"}})",
        R"({"misalignment":{"levels":"uniform","vertices":"ring"},"seed":0})"},
       {R"({"pattern": {"rows": 4, "zigzag_offset_mm": 30}})",
@@ -85,6 +88,7 @@ TEST(Identity, ChangesWithWhatChangesAnAnswer) {
       R"({"accept": {"deploys_from_deg": 150}})",
       R"({"accept": {"between_samples": true}})",
       R"({"accept": {"between_samples": "exact"}})",
+      R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
       R"({"path": {"sample_deg": 2}})",
       R"({"path": {"end_deg": 175}})",
       R"({"pattern": {"holes": "checkerboard-even"}})",
@@ -112,6 +116,7 @@ TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
       R"({"stop": {"draws": null, "accepted": 3, "wall_s": 0.5}})",
       R"({"accept": {"between_samples": true}})",
       R"({"accept": {"between_samples": "exact"}})",
+      R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
       R"({"stop": {"draws": 9223372036854775807, "accepted": 0, "wall_s": null}})",
   };
   for (const char* patch : kCampaigns) {

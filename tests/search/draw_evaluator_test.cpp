@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "search/checks/folded_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
@@ -202,6 +204,38 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
     EXPECT_EQ(words_of(strict_evaluator.history(kDraw).verdict), words_of(verdict)) << rule;
     EXPECT_FALSE(strict_evaluator.campaign().accepts(verdict)) << rule;
   }
+}
+
+// A stop that is asked for keeps those draws whose springs would hold it as stiffly: by the slopes
+// of the histories of all that deploy.
+TEST(DrawEvaluator, KeepsStiffStops) {
+  constexpr schema::DrawRange kDraws{0, 60};
+  constexpr int kStop_deg = 60;
+  DrawEvaluator without(small_campaign());
+  std::vector<std::pair<double, std::uint64_t>> by_stiffness;
+  for (const auto& candidate : work_off(without, kDraws).candidates) {
+    const auto history = without.history(candidate.draw);
+    by_stiffness.emplace_back(
+        (history.slope_mm_per_deg.row(kStop_deg - 1) / solver::kRadPerDeg).squaredNorm(),
+        candidate.draw);
+  }
+  std::sort(by_stiffness.begin(), by_stiffness.end());
+  ASSERT_GT(by_stiffness.size(), 8u);
+  const std::size_t soft = by_stiffness.size() / 2;
+  schema::Campaign campaign = small_campaign();
+  campaign.wished_stop = {kStop_deg,
+                          std::sqrt(by_stiffness[soft - 1].first * by_stiffness[soft].first)};
+  std::set<std::uint64_t> expected, kept;
+  for (std::size_t k = soft; k < by_stiffness.size(); ++k) expected.insert(by_stiffness[k].second);
+  DrawEvaluator stopping(campaign);
+  const schema::UnitRecord unit = work_off(stopping, kDraws);
+  for (const auto& candidate : unit.candidates) kept.insert(candidate.draw);
+  EXPECT_EQ(kept, expected);
+  const auto soft_ones =
+      unit.screened.find({static_cast<int>(solver::Fault::soft_stop), kStop_deg});
+  ASSERT_NE(soft_ones, unit.screened.end());
+  EXPECT_GE(soft_ones->second, soft) << "and others that do not reach the threshold";
+  EXPECT_EQ(unit.accepted + unit.rejected, kDraws.size());
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.

@@ -66,14 +66,14 @@ TEST(Allocation, NoneInsideAPath) {
 
 class BatchAllocation : public testing::TestWithParam<InstructionSet> {
  protected:
-  void expect_none(BumpRule bumps);
+  void expect_none(const Criterion& criterion);
 };
 
 // The threshold is far enough for an approach, and some sheets have no start.
-void BatchAllocation::expect_none(BumpRule bumps) {
+void BatchAllocation::expect_none(const Criterion& criterion) {
   if (!MISALIGN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not under a sanitizer";
   const DrawableSheet sheets(6, 6);
-  const Model model(sheets.base, sheets.shifted_vertices, {}, 165, bumps);
+  const Model model(sheets.base, sheets.shifted_vertices, {}, 165, criterion);
   const auto batch = make_batch(GetParam(), model);
   ShiftBlock block = sheets.draws(600, kSeed);
   const ShiftBlock large = sheets.draws(10, kSeed, 8);
@@ -102,8 +102,9 @@ void BatchAllocation::expect_none(BumpRule bumps) {
       with(verdicts, [](const Verdict& v) { return v.first_fault == Fault::not_monotone; }));
 }
 
-TEST_P(BatchAllocation, NoneInAWarmBatch) { expect_none(BumpRule::ignored); }
-TEST_P(BatchAllocation, NoneBetweenSamples) { expect_none(BumpRule::exact); }
+TEST_P(BatchAllocation, NoneInAWarmBatch) { expect_none({}); }
+TEST_P(BatchAllocation, NoneBetweenSamples) { expect_none({BumpRule::exact}); }
+TEST_P(BatchAllocation, NoneForAStop) { expect_none({BumpRule::ignored, 60, 1e-3}); }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, BatchAllocation,
                          testing::ValuesIn(available_instruction_sets()), [](const auto& set) {

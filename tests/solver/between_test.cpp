@@ -111,7 +111,7 @@ TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
 // With the bump a fault, D is the sample before it, and lanes and dense matrices agree.
 TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
   const DrawableSheet sheets(6, 6);
-  const Model strict(sheets.base, sheets.shifted_vertices, {}, 150, BumpRule::by_cubic);
+  const Model strict(sheets.base, sheets.shifted_vertices, {}, 150, {BumpRule::by_cubic});
   const Model lenient = sheets.with_threshold(150);
   const ShiftBlock block = sheets.draws(1000 / kFewer, kSeed);
   const auto judge = [&](const Model& model) {

@@ -49,7 +49,7 @@ struct DrawableSheet : TestSheet {
                                                     : ring_vertices(base.sheet)) {}
 
   Model with_threshold(int sample, const PathPlanOptions& path = {}, double ternary_mm = 0) const {
-    return Model(base, shifted_vertices, path, sample, BumpRule::ignored, ternary_mm);
+    return Model(base, shifted_vertices, path, sample, {}, ternary_mm);
   }
 
   ShiftBlock draws(int sheets, unsigned seed, double amplitude_mm = 0.4) const {

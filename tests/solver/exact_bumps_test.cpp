@@ -20,7 +20,7 @@ class ExactBumps : public testing::TestWithParam<ExactDraws> {
   const DrawableSheet sheets_{GetParam().rows, GetParam().columns};
   const ShiftBlock block_ = sheets_.draws(GetParam().draws / kFewer + 1, kSeed + 9);
   const PathPlanOptions path_{.sample_deg = GetParam().sample_deg};
-  const Model exact_{sheets_.base, sheets_.shifted_vertices, path_, 0, BumpRule::exact};
+  const Model exact_{sheets_.base, sheets_.shifted_vertices, path_, 0, {BumpRule::exact}};
 };
 
 INSTANTIATE_TEST_SUITE_P(Draws, ExactBumps,
@@ -56,7 +56,7 @@ TEST_P(ExactBumps, AreThoseOfFineSteps) {
 // The same of the records that candidates are measured by, on every instruction set.
 TEST_P(ExactBumps, AreTheSameInRecordsAndRegisters) {
   const Model from_60(sheets_.base, sheets_.shifted_vertices, path_,
-                      static_cast<int>(60 / path_.sample_deg), BumpRule::exact);
+                      static_cast<int>(60 / path_.sample_deg), {BumpRule::exact});
   std::vector<Verdict> expected;
   for (const InstructionSet set : available_instruction_sets()) {
     const auto batch = make_batch(set, from_60);

@@ -103,7 +103,7 @@ class Study {
         copies_(copies),
         amplitude_mm_(amplitude_mm),
         model_(campaign.pattern.base, all_vertices(), campaign.path(), campaign.threshold_sample(),
-               campaign.between_samples),
+               campaign.criterion()),
         batch_(solver::make_batch(solver::available_instruction_sets().back(), model_)) {}
 
   void row(const schema::Candidate& candidate) {
