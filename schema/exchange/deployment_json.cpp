@@ -105,6 +105,15 @@ Json deployment_metrics_json(const solver::DeploymentStudy& study) {
           {"critical_friction_n_mm_per_mm", or_null(study.friction.critical_n_mm_per_mm)}};
 }
 
+Json exported_deployment_json(const solver::DeploymentStudy& study) {
+  Json json = deployment_metrics_json(study);
+  json.update({{"from_deg", study.options.from_deg},
+               {"stiffness_n_per_mm", study.sheet.springs.stiffness_n_per_mm},
+               {"thickness_mm", study.sheet.plates.thickness_mm},
+               {"density_g_per_cm3", study.sheet.plates.density_g_per_cm3}});
+  return json;
+}
+
 Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study) {
   Json json = deployment_metrics_json(study);
   const solver::DeploymentRow& last = study.run.last();

@@ -10,6 +10,9 @@ namespace misalign::schema {
 /// where it does not get to flat.
 Json deployment_metrics_json(const solver::DeploymentStudy& study);
 
+/// Those, and what was let go: what an exported candidate says.
+Json exported_deployment_json(const solver::DeploymentStudy& study);
+
 /// Those and everything else but the motion itself: what was let go, its outcome, equilibria,
 /// friction.
 Json deployment_json(const solver::Mechanism& mechanism, const solver::DeploymentStudy& study);

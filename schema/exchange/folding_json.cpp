@@ -83,7 +83,8 @@ Json folding_json(const FoldingView& view) {
 }
 
 Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
-                         const std::optional<solver::Metrics>& metrics, const Json& actuation) {
+                         const std::optional<solver::Metrics>& metrics, const Json& actuation,
+                         const Json& deployment) {
   Json diagonals = diagonals_json(view, false);
   for (std::size_t d = 0; d < diagonals.size(); ++d) {
     diagonals[d]["elongation"] = metrics ? Json(metrics->elongation[d]) : Json();
@@ -93,7 +94,8 @@ Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
           {"verdict", verdict_json(view)},
           {"metrics", metrics ? metrics_json(*metrics) : Json()},
           {"diagonals", diagonals},
-          {"actuation", actuation}};
+          {"actuation", actuation},
+          {"deployment", deployment}};
 }
 
 Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yields) {

@@ -30,7 +30,8 @@ Json folding_json(const FoldingView& view);
 /// What is exported of a sheet (candidate.schema.json): metrics and elongations are null for one
 /// that deploys from nothing.
 Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
-                         const std::optional<solver::Metrics>& metrics, const Json& actuation);
+                         const std::optional<solver::Metrics>& metrics, const Json& actuation,
+                         const Json& deployment);
 
 /// What a candidate's export says besides: {"campaign": {"name", "identity"}, "draw", "yields"},
 /// the last as from yields_json.

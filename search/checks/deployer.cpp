@@ -118,6 +118,15 @@ double Deployer::deploys_from_deg(const Eigen::Matrix2Xd& shifts_mm) const {
   return solver::record_path(model_, vertices_mm).verdict.deploys_from_sample * sample_deg_;
 }
 
+std::optional<solver::DeploymentStudy> Deployer::study_if_possible(
+    const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg) {
+  try {
+    return study(shifts_mm, deploys_from_deg, "the sheet");
+  } catch (const schema::UserError&) {
+    return {};
+  }
+}
+
 solver::DeploymentStudy Deployer::study(const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg,
                                         const std::string& name) {
   const auto way = ways_.follow(base_.base.sheet.vertices_mm + shifts_mm);

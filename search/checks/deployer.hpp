@@ -41,6 +41,9 @@ class Deployer {
   /// as far as is wished, 1 where its path is lost; `name` is the sheet's in the sentence.
   solver::DeploymentStudy study(const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg,
                                 const std::string& name);
+  /// The same; none where it cannot be let go.
+  std::optional<solver::DeploymentStudy> study_if_possible(const Eigen::Matrix2Xd& shifts_mm,
+                                                           double deploys_from_deg);
 
   const solver::Mechanism& mechanism() const { return model_.mechanism(); }
 

@@ -34,16 +34,12 @@ class LetGo {
     }
     if (draw_ == draw) return study_;
     draw_ = draw;
-    try {
-      const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(*campaign_, draw);
-      // A candidate's is not less than the threshold: mostly that is known to be enough.
-      const bool is_enough = campaign_->threshold_deg >= kDeployFrom_deg && is_candidate(draw);
-      const double deploys_from_deg =
-          is_enough ? campaign_->threshold_deg : deployer_->deploys_from_deg(shifts_mm);
-      study_ = deployer_->study(shifts_mm, deploys_from_deg, "the draw");
-    } catch (const schema::UserError&) {
-      study_.reset();
-    }
+    const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(*campaign_, draw);
+    // A candidate's is not less than the threshold: mostly that is known to be enough.
+    const bool is_enough = campaign_->threshold_deg >= kDeployFrom_deg && is_candidate(draw);
+    const double deploys_from_deg =
+        is_enough ? campaign_->threshold_deg : deployer_->deploys_from_deg(shifts_mm);
+    study_ = deployer_->study_if_possible(shifts_mm, deploys_from_deg);
     return study_;
   }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/deployment_json.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "schema/exchange/fold_export.hpp"
 #include "schema/exchange/plate_stl.hpp"
@@ -67,6 +68,15 @@ void make_directory(const std::string& path) {
                                                     "); choose another --output");
 }
 
+SheetFiles::SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
+    : folder_(folder), options_(options) {
+  if (options.format != SheetFormat::json && options.format != SheetFormat::fold) return;
+  deployer_ = std::make_unique<Deployer>(folder.base(), folder.sampling(), folder.actuators(),
+                                         DeployWish());
+}
+
+SheetFiles::~SheetFiles() = default;
+
 void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
                        const schema::Json& origin) const {
   const schema::FoldingView view = folder_.view(folded);
@@ -100,11 +110,19 @@ std::string SheetFiles::simulated(const FoldedSheet& folded, const SheetLabel& l
 
 schema::Json SheetFiles::data_of(const FoldedSheet& folded, const schema::FoldingView& view,
                                  const schema::Json& origin) const {
-  schema::Json data =
-      schema::folded_pattern_json(folder_.sampling(), view, folded.metrics,
-                                  schema::actuation_json(view, folded.path, folded.actuation));
+  schema::Json data = schema::folded_pattern_json(
+      folder_.sampling(), view, folded.metrics,
+      schema::actuation_json(view, folded.path, folded.actuation), deployment_of(folded));
   data.update(origin);
   return data;
+}
+
+// Null where it cannot be let go.
+schema::Json SheetFiles::deployment_of(const FoldedSheet& folded) const {
+  const double deploys_from_deg =
+      folded.path.history.verdict.deploys_from_sample * folder_.sampling().sample_deg;
+  const auto study = deployer_->study_if_possible(folded.shifts_mm, deploys_from_deg);
+  return study ? schema::exported_deployment_json(*study) : schema::Json();
 }
 
 std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::FoldingView& view,

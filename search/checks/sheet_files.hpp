@@ -2,6 +2,7 @@
 // rows of one table.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "schema/exchange/history_table.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
+#include "search/checks/deployer.hpp"
 #include "search/checks/release.hpp"
 
 namespace misalign::search {
@@ -49,8 +51,8 @@ struct SheetLabel {
 /// UserError (2) if one of them is the file that is read, or the plates are thicker than reaches D.
 class SheetFiles {
  public:
-  SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
-      : folder_(folder), options_(options) {}
+  SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options);
+  ~SheetFiles();
 
   /// `origin`: the keys of the campaign that drew it, if there is one.
   void write(const FoldedSheet& folded, const SheetLabel& label, const schema::Json& origin) const;
@@ -58,6 +60,7 @@ class SheetFiles {
  private:
   schema::Json data_of(const FoldedSheet& folded, const schema::FoldingView& view,
                        const schema::Json& origin) const;
+  schema::Json deployment_of(const FoldedSheet& folded) const;
   std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
                         const SheetLabel& label, const schema::Json& origin) const;
   std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
@@ -69,6 +72,7 @@ class SheetFiles {
 
   const SheetFolder& folder_;
   const SheetFilesOptions& options_;
+  std::unique_ptr<Deployer> deployer_;  // of formats that say what comes of letting it go
 };
 
 /// All sheets as one long table, and as another one of creases if that is asked for. A sheet's rows

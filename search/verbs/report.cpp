@@ -91,11 +91,8 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
 Json let_go_json(Deployer& deployer, const SheetFolder& folder, const FoldedSheet& folded) {
   const double deploys_from_deg =
       folded.path.history.verdict.deploys_from_sample * folder.sampling().sample_deg;
-  try {
-    return schema::let_go_json(deployer.study(folded.shifts_mm, deploys_from_deg, "the sheet"));
-  } catch (const schema::UserError&) {
-    return nullptr;
-  }
+  const auto study = deployer.study_if_possible(folded.shifts_mm, deploys_from_deg);
+  return study ? schema::let_go_json(*study) : Json();
 }
 
 Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,

@@ -18,8 +18,8 @@ inline double stop_stiffness(const std::vector<double>& slopes) {
 
 struct Criterion {
   BumpRule bumps = BumpRule::ignored;
-  /// Where the sheet is to stop on the way, and how stiff the stop is to be at least (panel widths^2
-  /// per radian^2); sample 0: nowhere.
+  /// Where the sheet is to stop on the way, and how stiff the stop is to be at least (panel
+  /// widths^2 per radian^2); sample 0: nowhere.
   int stop_sample = 0;
   double least_stop_stiffness = 0;
 

@@ -181,7 +181,8 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
     if (!value.is_object()) wrong.push_back(Json::object({{"a", 1}}));
     if (!value.is_string()) wrong.push_back("text");
     if (value.is_string() || value.is_object() || value.is_boolean()) wrong.push_back(7);
-    const bool may_be_null = key.find("stop.") == 0 || key == "actuators.stroke_limit";
+    const bool may_be_null =
+        key.find("stop.") == 0 || key.find("accept.stop") == 0 || key == "actuators.stroke_limit";
     if (!may_be_null) wrong.push_back(nullptr);
     for (const Json& other : wrong) {
       expect_refused_by_both(schema, at.empty() ? other : with(good, at.to_string(), other), key);

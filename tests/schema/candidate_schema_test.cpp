@@ -1,6 +1,7 @@
 // candidate.schema.json describes what `misalign export` writes.
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/deployment_json.hpp"
 #include "schema_agreement.hpp"
 
 namespace misalign::schema {
@@ -25,10 +26,13 @@ Json table1_candidate() {
                                          campaign.sample_deg);
     const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
                            campaign.sample_deg};
+    const auto let_go =
+        solver::study_deployment(*solver::WaySolver(model).follow(vertices_mm), model, {}, {});
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
     Json exported =
         folded_pattern_json(campaign.sampling(), view, metrics,
-                            actuation_json(view, path, solver::actuate(wires, path, vertices_mm)));
+                            actuation_json(view, path, solver::actuate(wires, path, vertices_mm)),
+                            exported_deployment_json(let_go));
     exported.update(
         origin_json(campaign, 7, yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}})));
     return exported;

@@ -59,6 +59,9 @@ for pair in t:deploy_time_s f:critical_friction_n_mm_per_mm; do
 done
 "$program" export a.db --where "draw = $draw AND deploy_time_s(draw) < 60" --output out > exported ||
   fail "export --where"
+for key in deploy_time_s critical_friction_n_mm_per_mm from_deg; do
+  [ "$(field "$(cat exported)" deployment.$key)" = "$(field drawn.json $key)" ] || fail "$key in an export"
+done
 "$program" deploy "$(cat exported)" --json > again.json || fail "deploy of an export"
 [ "$(field again.json deploy_time_s)" = "$(field drawn.json deploy_time_s)" ] || fail "other times"
 [ "$("$program" query a.db --csv "SELECT deploy_time_s(draw, 500), deploy_time_s('x') FROM candidates
