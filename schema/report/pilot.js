@@ -1,7 +1,8 @@
 // The slider over the pilot angle: flat on the right, folded on the left, as the charts' axis.
 import { degrees, fixed, h } from "./format.js";
 
-const kSweep_s = 7;
+const kSweep_s = 7,
+  kApart_px = 12; // words of two marks
 
 const mark = (place, words, kind) =>
   h(
@@ -47,6 +48,7 @@ class Pilot {
     this.#state = state;
     box.append(this.#play, h("div", { class: "track" }, this.#slider, this.#marks), this.#says);
     this.#listen();
+    new ResizeObserver(() => this.#part_words()).observe(this.#marks);
   }
 
   load(detail, decoded) {
@@ -60,8 +62,27 @@ class Pilot {
     add(0, "flat", "flat");
     add(D, `D ${degrees(D)}`, "depth");
     if (limit_deg && limit_deg < 180) add(limit_deg, `fold limit ${degrees(limit_deg)}`, "limit");
+    const contact_deg = detail.contact?.first_contact?.pilot_deg;
+    if (contact_deg) add(contact_deg, `panels meet ${degrees(contact_deg)}`, "contact");
+    this.#part_words();
     this.#label();
     this.move();
+  }
+
+  /** The words of where panels meet go on to the right until they lie on no others. */
+  #part_words() {
+    const words = this.#marks.querySelector(".contact b");
+    if (!words) return;
+    words.style.left = "0";
+    const { left, width } = words.getBoundingClientRect(),
+      frames = [...this.#marks.querySelectorAll(".mark:not(.contact) b")]
+        .map((other) => other.getBoundingClientRect())
+        .sort((a, b) => a.left - b.left);
+    let at = left;
+    for (const frame of frames)
+      if (at < frame.right + kApart_px && at + width + kApart_px > frame.left)
+        at = frame.right + kApart_px;
+    words.style.left = `${at - left}px`;
   }
 
   move() {

@@ -179,7 +179,7 @@ void show_stress(StressCall& call) {
   }
   study.rigid = rigid_motion(sheet, let_go);
   schema::Json json = stress_json(let_go, call.options, study);
-  json.update(sheet.key().json());
+  json.update(sheet.whose());
   schema::write_text_file(result, json.dump(1) + "\n");
   if (call.json) return put_json(json);
   put("{}: let go from ", schema::printable(sheet.name()));
