@@ -89,7 +89,8 @@ class Pilot {
     const k = this.#state.get("sample"),
       pilot_deg = this.#decoded.pilot_deg[k],
       ratio = fixed(this.#decoded.deployment[k], 3),
-      beyond = pilot_deg > this.#detail.verdict.deploys_from_deg + 1e-9;
+      beyond = pilot_deg > this.#detail.verdict.deploys_from_deg + 1e-9,
+      met = pilot_deg >= this.#detail.contact?.first_contact?.pilot_deg;
     this.#slider.value = k;
     this.#slider.setAttribute("aria-valuetext", `${degrees(pilot_deg)}, deployment ratio ${ratio}`);
     this.#says.replaceChildren(
@@ -97,8 +98,8 @@ class Pilot {
       h("span", {}, "D* ", h("strong", {}, ratio)),
       h(
         "span",
-        { class: beyond ? "warn" : "quiet" },
-        beyond ? "beyond D" : k === 0 ? "flat" : "deploys from here",
+        { class: beyond || met ? "warn" : "quiet" },
+        beyond ? "beyond D" : met ? "panels have met" : k === 0 ? "flat" : "deploys from here",
       ),
     );
   }

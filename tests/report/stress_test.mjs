@@ -2,8 +2,9 @@
 //   node stress_test.mjs REPORT.html...
 // of reports whose first sheet has both.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { open_browser, open_page } from "./browser.mjs";
-import { axis, by, check, data_of, floats, summary } from "./reading.mjs";
+import { axis, by, check, data_of, eventually, floats, summary } from "./reading.mjs";
 
 const kNear = 3; // of 255: lines are blended with what lies below
 
@@ -36,6 +37,15 @@ const pixels_of = (page, name) =>
     [`--${name}`, kNear],
   );
 
+async function light_up(page, scheme) {
+  await page.emulateMedia({ colorScheme: scheme });
+  await eventually(
+    page,
+    { test: (wanted) => document.documentElement.dataset.theme === wanted, with: scheme },
+    `the page is not ${scheme}`,
+  );
+}
+
 const go = (page, k) =>
   by(page, "pilot").evaluate((node, value) => {
     node.value = value;
@@ -56,7 +66,7 @@ async function colour_checks(page, data, { panels_mpa }) {
     const scale = await by(page, "stress-scale").innerText();
     assert.ok(scale.startsWith("0 MPa") && is_close(mpa_in(scale.replace("0 MPa", "")), most), scale);
     for (const scheme of ["dark", "light"]) {
-      await page.emulateMedia({ colorScheme: scheme });
+      await light_up(page, scheme);
       const { count } = await pixels_of(page, "stress-most");
       assert.ok(count > 300, `${scheme}: ${count} pixels of the hardest panel's colour`);
       assert.ok((await pixels_of(page, "panel-front")).count < 30, `${scheme}: a panel without`);
@@ -134,6 +144,40 @@ async function card_checks(page, data, stress) {
   });
 }
 
+async function keeping_checks(page, { history }) {
+  await check("stresses over time are saved as CSV", async () => {
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      page.locator("#stress-history-card").getByTestId("save-csv").click(),
+    ]);
+    const [heads, ...rows] = (await readFile(await file.path(), "utf8")).trim().split("\r\n");
+    assert.equal(heads, "time_s,outside_discs_mpa");
+    const values = floats(history.outside_discs_mpa);
+    assert.equal(rows.length, values.length);
+    rows.forEach((row, k) => assert.ok(Math.abs(row.split(",")[1] / values[k] - 1) < 1e-6, row));
+  });
+  await check("on paper the charts are narrower, and the colours those of the day", async () => {
+    await light_up(page, "dark");
+    await page.evaluate(() => {
+      window.looks = () => ({
+        theme: document.documentElement.dataset.theme,
+        scale: getComputedStyle(document.querySelector(".stress-scale i")).backgroundImage,
+        chip: document.querySelector("#stress-panels i").style.background,
+        width: Number(document.querySelector("#stress-history svg.plot").getAttribute("width")),
+      });
+      addEventListener("beforeprint", () => (window.printed = looks()));
+    });
+    const before = await page.evaluate(() => window.looks());
+    await page.pdf();
+    const printed = await page.evaluate(() => window.printed);
+    assert.deepEqual([before.theme, printed.theme], ["dark", "light"]);
+    assert.ok(printed.width < before.width, `${printed.width} px`);
+    for (const what of ["scale", "chip"]) assert.notEqual(printed[what], before[what], what);
+    assert.deepEqual(await page.evaluate(() => window.looks()), before);
+    await light_up(page, "light");
+  });
+}
+
 async function contact_checks(page, detail) {
   const { contact, pilot_deg } = detail,
     first = contact.first_contact;
@@ -188,14 +232,14 @@ async function contact_checks(page, detail) {
     if (k < 0) return "beyond the last sample";
     const after = await marked(k);
     assert.ok(after.pixels > 50 && after.said, `from there on: ${JSON.stringify(after)}`);
+    const is_beyond = pilot_deg[k] > detail.verdict.deploys_from_deg + 1e-9;
+    assert.match(await by(page, "pilot-says").innerText(), is_beyond ? /beyond D/ : /panels have met/);
     if (await button.isVisible()) await button.click();
     assert.ok((await marked(k)).pixels > 50, "beside the stresses");
   });
 }
 
-const reports = process.argv.slice(2);
-const browser = await open_browser();
-for (const report of reports) {
+async function report_checks(browser, report) {
   const data = data_of(report),
     [detail] = data.details;
   console.log(`\n${report}`);
@@ -206,6 +250,7 @@ for (const report of reports) {
   if (detail.stress) {
     await colour_checks(page, data, detail.stress);
     await card_checks(page, data, detail.stress);
+    await keeping_checks(page, detail.stress);
   }
   await contact_checks(page, detail);
   await check("no word is missing a value, and nothing went wrong", async () => {
@@ -214,5 +259,13 @@ for (const report of reports) {
   });
   await context.close();
 }
+
+const reports = process.argv.slice(2);
+let browser = await open_browser();
+for (const report of reports) await report_checks(browser, report);
+await browser.close();
+console.log("\nwithout WebGL");
+browser = await open_browser(["--disable-3d-apis"]);
+for (const report of reports.slice(0, 2)) await report_checks(browser, report);
 await browser.close();
 process.exit(summary() && reports.length ? 0 : 1);

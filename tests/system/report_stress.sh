@@ -77,6 +77,10 @@ cp "$table1" copy.json
 "$program" report copy.json --stress "$result" --contact --output table1.html > names || fail "report table1"
 "$program" report few.db --stress second.json --stress first.json --details 2 --contact --output few.html > names ||
   fail "report few"
+# Where panels meet next to D, whose words are on the slider.
+"$program" search "$source_dir/search/campaigns/miura-4x4.json" --range 213:214 --catalogue near.db --progress none \
+  > /dev/null || fail "search near"
+"$program" report near.db --draw 213 --contact --output near.html > names || fail "report near"
 details() {  # FILE.html SQL of j, the first sheet's detail
   grep -o '^<script type="application/json" id="report-data">.*</script>' "$1" | sed 's/^[^>]*>//; s|</script>$||' > data.json
   sqlite3 :memory: "SELECT $2 FROM (SELECT json_extract(readfile('data.json'), '\$.details[0]') AS j)"
@@ -88,5 +92,5 @@ details() {  # FILE.html SQL of j, the first sheet's detail
 [ "$(details table1.html "max(json_array_length(j, '\$.stress.panels_mpa'))")" = 28 ] || fail "stresses of the panels"
 "$program" report few.db --details 2 --output plain.html > /dev/null || fail "report without"
 [ "$(details plain.html "j -> 'contact' IS NULL AND j -> 'stress' IS NULL")" = 1 ] || fail "what nobody asked for"
-node "$web/stress_test.mjs" table1.html few.html || fail "the pages in a browser"
+node "$web/stress_test.mjs" table1.html few.html near.html || fail "the pages in a browser"
 finish
