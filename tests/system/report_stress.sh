@@ -92,5 +92,14 @@ details() {  # FILE.html SQL of j, the first sheet's detail
 [ "$(details table1.html "max(json_array_length(j, '\$.stress.panels_mpa'))")" = 28 ] || fail "stresses of the panels"
 "$program" report few.db --details 2 --output plain.html > /dev/null || fail "report without"
 [ "$(details plain.html "j -> 'contact' IS NULL AND j -> 'stress' IS NULL")" = 1 ] || fail "what nobody asked for"
+# As a reader would do it: what stress writes of a draw is what report takes.
+if command -v ccx > /dev/null; then
+  "$program" stress near.db 213 --from 6 --time-step 4e-3 --time-limit 0.008 --output run > out || fail "stress"
+  "$program" report near.db --draw 213 --details 0 --stress run/miura-4x4-213-stress.json --output run.html > names ||
+    fail "report of what stress wrote"
+  [ "$(details run.html "json_array_length(j, '\$.stress.panels_mpa')")" = 14 ] || fail "stresses of the panels of draw 213"
+else
+  echo "SKIPPED: ccx (calculix-ccx) is not installed"
+fi
 node "$web/stress_test.mjs" table1.html few.html near.html || fail "the pages in a browser"
 finish
