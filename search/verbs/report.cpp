@@ -205,12 +205,12 @@ void settle_stress(const ReportCall& call, const std::vector<std::uint64_t>& str
   for (std::size_t k = 0; k < stressed.size(); ++k) {
     const auto at = std::find(look.draws.begin(), look.draws.end(), stressed[k]);
     if (at == look.draws.end()) {
-      const std::string draw = std::to_string(stressed[k]);
-      throw schema::UserError(schema::kExitBadInput,
-                              call.wish.stress_files[k] + ": is of draw " + draw +
-                                  ", which is not among those that can be looked at closely on "
-                                  "this page; add --draw " +
-                                  draw);
+      throw schema::UserError(
+          schema::kExitBadInput,
+          fmt::format(
+              "{}: is of draw {}, which is not among those that can be looked at closely on "
+              "this page; add --draw {}",
+              call.wish.stress_files[k], stressed[k], stressed[k]));
     }
     look.asked_for =
         std::max(look.asked_for, static_cast<std::size_t>(at - look.draws.begin()) + 1);
