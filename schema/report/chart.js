@@ -71,6 +71,11 @@ function word(angle_deg, words, line) {
 
 const rule_at = (angle_deg, style) => Plot.ruleX([deployment(angle_deg)], style);
 
+const contact_marks = (angle_deg, line) => [
+  rule_at(angle_deg, { stroke: "var(--contact)", strokeDasharray: "4 3", strokeWidth: 1.5 }),
+  word(angle_deg, `panels meet ${degrees(angle_deg)}`, line),
+];
+
 /** Words along the left edge of what lies beyond the fold limit: there no line is hidden. */
 const word_beyond = (words, edge) =>
   Plot.text([words], {
@@ -92,6 +97,7 @@ function limit_marks(detail, end_deg, room, letter) {
   const D = detail.verdict.deploys_from_deg,
     limit_deg = detail.fold_limit_deg,
     over_deg = detail.over_stroke?.from_deg,
+    contact_deg = detail.contact?.first_contact?.pilot_deg,
     last_deg = Math.min(limit_deg ?? end_deg, end_deg),
     limited = limit_deg && limit_deg < end_deg,
     aside = limited && deployment(limit_deg) - deployment(end_deg) >= letter,
@@ -116,6 +122,9 @@ function limit_marks(detail, end_deg, room, letter) {
           })
         : null,
       over_deg ? word(over_deg, `stroke limit ${degrees(over_deg)}`, aside ? 1 : 2) : null,
+      ...(contact_deg <= last_deg
+        ? contact_marks(contact_deg, (aside ? 1 : 2) + (over_deg ? 1 : 0))
+        : []),
     ],
   };
 }

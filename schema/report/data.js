@@ -51,6 +51,12 @@ export function read_candidates(report) {
   return { columns, count: columns.draw.length, row_of, detailed };
 }
 
+/** [[time, value]…] of two lists in base64. */
+function curve(lists, name) {
+  const values = floats(lists[name]);
+  return Array.from(floats(lists.time_s), (time, k) => [time, values[k]]);
+}
+
 /** A draw's histories: n samples, the first of them flat. */
 export function decode_detail(detail, report) {
   const diagonals = report.diagonals.length,
@@ -80,6 +86,11 @@ export function decode_detail(detail, report) {
     let_go: detail.let_go && {
       time_s: floats(detail.let_go.time_s),
       pilot_deg: floats(detail.let_go.pilot_deg),
+    },
+    stress: detail.stress && {
+      motion: curve(detail.stress.motion, "pilot_deg"),
+      rigid_motion: curve(detail.stress.rigid_motion, "pilot_deg"),
+      history: curve(detail.stress.history, "outside_discs_mpa"),
     },
   };
 }

@@ -3,6 +3,7 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { clamp, h } from "./format.js";
+import { PanelPaint } from "./panel_paint.js";
 import { painter_pen } from "./painter_pen.js";
 import { view_height } from "./sheet.js";
 import { on_theme } from "./theme.js";
@@ -20,8 +21,10 @@ function has_webgl() {
   }
 }
 
+const kTones = "Two-toned: light is the side seen in the crease pattern. ",
+  kStress = "Coloured by stress, both sides alike. ";
 const kHelp =
-  "Two-toned: light is the side seen in the crease pattern. Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.";
+  "Drag to turn, then the wheel zooms; with the keyboard: arrows, + and −, 0.";
 
 const rad = (deg) => (deg * Math.PI) / 180;
 
@@ -40,11 +43,24 @@ function away_from([x, y], [x1, y1], [x2, y2]) {
   return Math.hypot(x - x1 - t * (x2 - x1), y - y1 - t * (y2 - y1));
 }
 
+/** Whether a point lies within a convex outline, gone round either way. */
+function is_within([x, y], outline) {
+  const sides = outline.map(([x1, y1], i) => {
+    const [x2, y2] = outline[(i + 1) % outline.length];
+    return (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1);
+  });
+  return sides.every((side) => side >= 0) || sides.every((side) => side <= 0);
+}
+
 const pairs_of = (list) => list.map(({ from_vertex, to_vertex }) => [from_vertex, to_vertex]);
 
 class FoldingView {
   #report;
   #state;
+  #box;
+  #caption;
+  #help;
+  #paint;
   #canvas = h("canvas", {
     tabindex: 0,
     role: "application",
@@ -62,11 +78,14 @@ class FoldingView {
   #width = 0;
 
   constructor(box, caption, report, state) {
-    [this.#report, this.#state] = [report, state];
-    box.append(this.#canvas, h("div", { class: "view-buttons" }, this.#buttons()));
+    [this.#report, this.#state, this.#box] = [report, state, box];
+    box.append(this.#canvas);
+    this.#paint = new PanelPaint(box, report.sheet, () => this.#repaint());
+    box.append(h("div", { class: "view-buttons" }, this.#paint.button, this.#buttons()));
     const webgl = has_webgl();
     this.#pen = webgl ? webgl_pen(this.#canvas) : painter_pen(this.#canvas);
-    caption.textContent =
+    this.#caption = caption;
+    this.#help =
       kHelp +
       (webgl ? "" : " This browser has no WebGL: a simpler drawing, panels from back to front.");
     this.#set_up_controls();
@@ -74,24 +93,27 @@ class FoldingView {
     new ResizeObserver(([entry]) => this.#resize(Math.floor(entry.contentRect.width))).observe(box);
     on_theme(() => {
       this.#pen.recolour();
-      this.draw();
+      this.#repaint();
     });
   }
 
-  load(decoded) {
+  load(detail, decoded) {
     const before = this.#radius;
     this.#decoded = decoded;
     this.#radius = radius_of(this.#flat());
+    this.#paint.load(detail);
     this.#pen.load(this.#report.sheet.panels, this.#parts());
     this.#pen.recolour();
+    this.#repaint();
     this.pose(this.#state.get("sample"));
     if (before !== this.#radius && this.#width) this.#whole();
   }
 
   pose(sample) {
     if (!this.#decoded) return;
-    const { vertex_count, vertices_mm } = this.#decoded;
+    const { vertex_count, vertices_mm, pilot_deg } = this.#decoded;
     this.#points = vertices_mm.subarray(3 * sample * vertex_count, 3 * (sample + 1) * vertex_count);
+    this.#paint.pose(pilot_deg[sample]);
     this.draw();
   }
 
@@ -106,6 +128,13 @@ class FoldingView {
     if (!this.#points) return;
     this.#camera.updateMatrixWorld();
     this.#pen.draw(this.#points, this.#camera);
+  }
+
+  #repaint() {
+    const tint = this.#paint.tint();
+    this.#caption.textContent = (tint.exact ? kStress : kTones) + this.#help;
+    this.#pen.tint(tint);
+    this.draw();
   }
 
   #buttons() {
@@ -130,9 +159,14 @@ class FoldingView {
   #listen() {
     this.#canvas.addEventListener("keydown", (event) => this.#key(event));
     this.#canvas.addEventListener("pointermove", (event) => {
-      if (this.#decoded && !event.buttons) this.#state.set("diagonal", this.#nearest(event));
+      if (!this.#decoded || event.buttons) return;
+      this.#state.set("diagonal", this.#nearest(event));
+      this.#paint.say(this.#panel_under(event), event, this.#box);
     });
-    this.#canvas.addEventListener("pointerleave", () => this.#state.set("diagonal", null));
+    this.#canvas.addEventListener("pointerleave", (event) => {
+      this.#state.set("diagonal", null);
+      this.#paint.say(null, event, this.#box);
+    });
   }
 
   #key(event) {
@@ -218,22 +252,41 @@ class FoldingView {
     this.#look(azimuth / rad(1), elevation / rad(1), this.#points);
   }
 
-  /** The diagonal under the pointer, or null. */
-  #nearest(event) {
+  /** Where each vertex is seen in the window, px, and how far behind the screen. */
+  #seen() {
     const frame = this.#canvas.getBoundingClientRect(),
       corner = new Vector3(),
       points = this.#points;
-    const seen = (k) => {
+    return Array.from({ length: points.length / 3 }, (_, k) => {
       corner.set(points[3 * k], points[3 * k + 1], points[3 * k + 2]).project(this.#camera);
       return [
         frame.left + ((corner.x + 1) / 2) * frame.width,
         frame.top + ((1 - corner.y) / 2) * frame.height,
+        corner.z,
       ];
-    };
+    });
+  }
+
+  /** The number of the panel under the pointer that is nearest in the middle, or null. */
+  #panel_under({ clientX, clientY }) {
+    const seen = this.#seen();
+    let best = null,
+      least = Infinity;
+    this.#report.sheet.panels.forEach((corners, panel) => {
+      const outline = corners.map((k) => seen[k]),
+        depth = outline.reduce((sum, [, , z]) => sum + z, 0);
+      if (depth < least && is_within([clientX, clientY], outline)) [best, least] = [panel, depth];
+    });
+    return best;
+  }
+
+  /** The diagonal under the pointer, or null. */
+  #nearest(event) {
+    const seen = this.#seen();
     let best = null,
       least = kReach_px;
     this.#report.diagonals.forEach(({ from_vertex, to_vertex }, d) => {
-      const away = away_from([event.clientX, event.clientY], seen(from_vertex), seen(to_vertex));
+      const away = away_from([event.clientX, event.clientY], seen[from_vertex], seen[to_vertex]);
       if (away < least) [best, least] = [d, away];
     });
     return best;
@@ -272,6 +325,7 @@ class FoldingView {
         dashed: true,
         dash: (this.#radius / 34) * thin,
       },
+      this.#paint.outline,
       this.#marked,
     ];
   }

@@ -9,6 +9,7 @@ import {
   verdict_words,
 } from "./candidate.js";
 import { show_when_wide } from "./chart.js";
+import { show_contact } from "./contact.js";
 import { make_crease_pattern } from "./crease_pattern.js";
 import { decode_detail, last_sample_up_to } from "./data.js";
 import { save_details } from "./detail_files.js";
@@ -18,6 +19,7 @@ import { make_diagonal_list, make_histories } from "./histories.js";
 import { metric_of, with_unit } from "./metrics.js";
 import { make_let_go } from "./let_go.js";
 import { make_pilot } from "./pilot.js";
+import { make_stress } from "./stress.js";
 import { end_of_path, heading } from "./whose.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
@@ -134,8 +136,10 @@ export class Inspector {
     for (const { box, chart } of actuation) this.#place_chart(box, chart);
     const let_go = make_let_go(report, along);
     if (let_go) this.#place_chart(by_id("let-go"), let_go);
+    for (const { box, chart } of make_stress(report, detail, decoded)) this.#place_chart(box, chart);
+    show_contact(detail);
     pilot.load(detail, decoded);
-    folding.load(decoded);
+    folding.load(detail, decoded);
     show_actuation_words(by_id("actuation"), report, detail, decoded);
     show_shifts(by_id("shifts"), detail, state);
     save_details(report, detail, decoded, state, crease.drawing);

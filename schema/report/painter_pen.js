@@ -7,10 +7,14 @@ import { colour } from "./theme.js";
 export function painter_pen(canvas) {
   let corners = [],
     parts = [],
+    colours = [],
     ratio = 1;
   return {
     load(corners_, parts_) {
       [corners, parts] = [corners_, parts_];
+    },
+    tint(tint) {
+      colours = tint?.colours ?? [];
     },
     recolour() {},
     resize(width, height) {
@@ -29,7 +33,7 @@ export function painter_pen(canvas) {
         seen.push([((point.x + 1) / 2) * canvas.width, ((1 - point.y) / 2) * canvas.height]);
       }
       const mean = (list) => list.reduce((total, k) => total + depth[k], 0) / list.length;
-      const items = corners.map((list) => ({ list, depth: mean(list) }));
+      const items = corners.map((list, panel) => ({ list, panel, depth: mean(list) }));
       // Lines lie a little nearer than the panels they bound.
       for (const part of parts)
         if (!part.hidden)
@@ -37,7 +41,7 @@ export function painter_pen(canvas) {
             items.push({ list, part, depth: part.on_top ? -1 : mean(list) * 0.98 });
       items.sort((a, b) => b.depth - a.depth);
       pen.clearRect(0, 0, canvas.width, canvas.height);
-      for (const { list, part } of items) {
+      for (const { list, part, panel } of items) {
         pen.beginPath();
         list.forEach((k, i) => (i ? pen.lineTo(...seen[k]) : pen.moveTo(...seen[k])));
         if (part) {
@@ -48,7 +52,7 @@ export function painter_pen(canvas) {
         } else {
           const [a, b, c] = list.map((k) => seen[k]);
           const front = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;
-          pen.fillStyle = colour(front ? "panel-front" : "panel-back");
+          pen.fillStyle = colours[panel] ?? colour(front ? "panel-front" : "panel-back");
           pen.closePath();
           pen.fill();
         }

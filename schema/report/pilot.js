@@ -1,7 +1,8 @@
 // The slider over the pilot angle: flat on the right, folded on the left, as the charts' axis.
 import { degrees, fixed, h } from "./format.js";
 
-const kSweep_s = 7;
+const kSweep_s = 7,
+  kApart_px = 12; // words of two marks
 
 const mark = (place, words, kind) =>
   h(
@@ -47,6 +48,7 @@ class Pilot {
     this.#state = state;
     box.append(this.#play, h("div", { class: "track" }, this.#slider, this.#marks), this.#says);
     this.#listen();
+    new ResizeObserver(() => this.#part_words()).observe(this.#marks);
   }
 
   load(detail, decoded) {
@@ -60,15 +62,35 @@ class Pilot {
     add(0, "flat", "flat");
     add(D, `D ${degrees(D)}`, "depth");
     if (limit_deg && limit_deg < 180) add(limit_deg, `fold limit ${degrees(limit_deg)}`, "limit");
+    const contact_deg = detail.contact?.first_contact?.pilot_deg;
+    if (contact_deg) add(contact_deg, `panels meet ${degrees(contact_deg)}`, "contact");
+    this.#part_words();
     this.#label();
     this.move();
+  }
+
+  /** The words of where panels meet go on to the right until they lie on no others. */
+  #part_words() {
+    const words = this.#marks.querySelector(".contact b");
+    if (!words) return;
+    words.style.left = "0";
+    const { left, width } = words.getBoundingClientRect(),
+      frames = [...this.#marks.querySelectorAll(".mark:not(.contact) b")]
+        .map((other) => other.getBoundingClientRect())
+        .sort((a, b) => a.left - b.left);
+    let at = left;
+    for (const frame of frames)
+      if (at < frame.right + kApart_px && at + width + kApart_px > frame.left)
+        at = frame.right + kApart_px;
+    words.style.left = `${at - left}px`;
   }
 
   move() {
     const k = this.#state.get("sample"),
       pilot_deg = this.#decoded.pilot_deg[k],
       ratio = fixed(this.#decoded.deployment[k], 3),
-      beyond = pilot_deg > this.#detail.verdict.deploys_from_deg + 1e-9;
+      beyond = pilot_deg > this.#detail.verdict.deploys_from_deg + 1e-9,
+      met = pilot_deg >= this.#detail.contact?.first_contact?.pilot_deg;
     this.#slider.value = k;
     this.#slider.setAttribute("aria-valuetext", `${degrees(pilot_deg)}, deployment ratio ${ratio}`);
     this.#says.replaceChildren(
@@ -76,8 +98,8 @@ class Pilot {
       h("span", {}, "D* ", h("strong", {}, ratio)),
       h(
         "span",
-        { class: beyond ? "warn" : "quiet" },
-        beyond ? "beyond D" : k === 0 ? "flat" : "deploys from here",
+        { class: beyond || met ? "warn" : "quiet" },
+        beyond ? "beyond D" : met ? "panels have met" : k === 0 ? "flat" : "deploys from here",
       ),
     );
   }

@@ -147,13 +147,14 @@ Json faults_json(SQLite::Database& database, const Campaign& campaign) {
 
 Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism) {
   const solver::CreasePattern& sheet = base.base.sheet;
-  Json vertices = Json::array(), panels = Json::array(), holes = Json::array(),
-       creases = Json::array(), cuts = Json::array(), balls = Json::array();
+  Json vertices = Json::array(), panels = Json::array(), places = Json::array(),
+       holes = Json::array(), creases = Json::array(), cuts = Json::array(), balls = Json::array();
   for (Index v = 0; v < sheet.vertices_mm.cols(); ++v) {
     vertices.push_back({sheet.vertices_mm(0, v), sheet.vertices_mm(1, v)});
   }
   for (const int f : solver::kept_facets(sheet, base.base.holes)) {
     panels.push_back(sheet.facets[f]);
+    places.push_back(sheet.places[f]);
   }
   for (const int f : base.base.holes) {
     holes.push_back({{"place", sheet.places[f]}, {"corners", sheet.facets[f]}});
@@ -170,9 +171,9 @@ Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism) {
   }
   for (const solver::BallJoint& ball : mechanism.balls) balls.push_back(ball.vertex);
   const solver::Crease& pilot = mechanism.creases[mechanism.pilot];
-  return {{"vertices_mm", vertices},    {"panels", panels}, {"holes", holes},
-          {"creases", creases},         {"cuts", cuts},     {"ball_joints", balls},
-          {"pilot", {pilot.a, pilot.b}}};
+  return {{"vertices_mm", vertices}, {"panels", panels},           {"panel_places", places},
+          {"holes", holes},          {"creases", creases},         {"cuts", cuts},
+          {"ball_joints", balls},    {"pilot", {pilot.a, pilot.b}}};
 }
 
 Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,

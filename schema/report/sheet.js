@@ -1,6 +1,13 @@
 // The flat sheet as SVG: what the map of the faults and the crease pattern have in common.
 import { h } from "./format.js";
 
+/** "[2, 3]": row and column. */
+export const place_name = ([row, column]) => `[${row}, ${column}]`;
+export const panel_name = (sheet, panel) => `panel ${place_name(sheet.panel_places[panel])}`;
+/** The number of the panel at [row, column]. */
+export const panel_at = (sheet, [row, column]) =>
+  sheet.panel_places.findIndex((place) => place[0] === row && place[1] === column);
+
 /** y points up on the sheet and down on the screen. */
 const place = ([x, y]) => `${x.toFixed(2)},${(-y).toFixed(2)}`;
 

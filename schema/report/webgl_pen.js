@@ -4,10 +4,12 @@ import {
   BackSide,
   BufferAttribute,
   BufferGeometry,
+  Color,
   DirectionalLight,
   FrontSide,
   Group,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
   Scene,
   Vector3,
@@ -23,23 +25,40 @@ const kSides = [
   [BackSide, "panel-back"],
 ];
 
-/** Both sides of the panels, which share their corners' places. */
+/** Both sides of the panels: with the same corners, and colours of their own. */
 function panel_meshes(corners) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners.length * 18), 3));
+  const values = () => new BufferAttribute(new Float32Array(corners.length * 18), 3),
+    position = values();
   return kSides.map(([side, name]) => {
-    const material = new MeshLambertMaterial({
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", position);
+    geometry.setAttribute("color", values());
+    const options = {
       side,
-      flatShading: true,
+      vertexColors: true,
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 2,
-    });
-    const mesh = new Mesh(geometry, material);
-    mesh.userData.colour = name;
+    };
+    const lit = new MeshLambertMaterial({ ...options, flatShading: true }),
+      plain = new MeshBasicMaterial(options); // as bright as the colour is
+    const mesh = new Mesh(geometry, lit);
+    mesh.userData = { colour: name, lit, plain };
     mesh.frustumCulled = false;
     return mesh;
   });
+}
+
+/** A colour for each panel's six corners; null is the side's own. */
+function colour_panels({ geometry, userData }, colours) {
+  const { array } = geometry.attributes.color,
+    own = colour(userData.colour),
+    rgb = new Color();
+  colours.forEach((panel, i) => {
+    rgb.set(panel ?? own);
+    for (let n = 0; n < 6; ++n) rgb.toArray(array, 18 * i + 3 * n);
+  });
+  geometry.attributes.color.needsUpdate = true;
 }
 
 function line_mesh({ pairs, width, dashed, dash, on_top }) {
@@ -59,8 +78,8 @@ function line_mesh({ pairs, width, dashed, dash, on_top }) {
 }
 
 /** Each panel is two triangles. */
-function move_panels({ corners, geometry }, points) {
-  const positions = geometry.attributes.position;
+function move_panels({ corners, meshes }, points) {
+  const positions = meshes[0].geometry.attributes.position; // of both sides
   corners.forEach(([a, b, c, d], i) =>
     [a, b, c, a, c, d].forEach((k, n) =>
       positions.array.set(points.subarray(3 * k, 3 * k + 3), 18 * i + 3 * n),
@@ -92,6 +111,7 @@ class WebglPen {
   #lamp = new DirectionalLight(0xffffff, 1.9);
   #group = null;
   #panels = null;
+  #tint = null;
   #lines = [];
 
   constructor(canvas) {
@@ -106,19 +126,29 @@ class WebglPen {
 
   load(corners, parts) {
     this.#unload();
-    const panels = panel_meshes(corners);
-    this.#panels = { corners, geometry: panels[0].geometry };
+    const meshes = panel_meshes(corners);
+    this.#panels = { corners, meshes };
     this.#lines = parts
       .filter((part) => part.pairs.length > 0)
       .map((part) => ({ part, mesh: line_mesh(part) }));
-    this.#group = new Group().add(...panels, ...this.#lines.map(({ mesh }) => mesh));
+    this.#group = new Group().add(...meshes, ...this.#lines.map(({ mesh }) => mesh));
     this.#scene.add(this.#group);
   }
 
+  tint(tint) {
+    this.#tint = tint;
+    if (!this.#group) return;
+    const { corners, meshes } = this.#panels,
+      own = corners.map(() => null);
+    for (const mesh of meshes) {
+      colour_panels(mesh, tint?.colours ?? own);
+      mesh.material = tint?.exact ? mesh.userData.plain : mesh.userData.lit;
+    }
+  }
+
   recolour() {
-    this.#group?.children.forEach(
-      (mesh) => mesh.userData.colour && mesh.material.color.set(colour(mesh.userData.colour)),
-    );
+    if (!this.#group) return;
+    this.tint(this.#tint);
     for (const { part, mesh } of this.#lines) mesh.material.color.set(colour(part.colour));
   }
 
@@ -141,10 +171,14 @@ class WebglPen {
     this.#scene.remove(this.#group);
     this.#group.traverse((node) => {
       node.geometry?.dispose();
-      node.material?.dispose();
+      for (const material of [node.material, node.userData.lit, node.userData.plain])
+        material?.dispose();
     });
   }
 }
 
-/** Panels by their `corners`; `parts` are lines: { pairs, width, colour, dashed, on_top }. */
+/**
+ * Panels by their `corners`; `parts` are lines: { pairs, width, colour, dashed, on_top }. A tint is
+ * { colours, exact }, see PanelPaint.
+ */
 export const webgl_pen = (canvas) => new WebglPen(canvas);

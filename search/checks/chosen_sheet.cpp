@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/files/hash.hpp"
 #include "search/draws/draw.hpp"
 
 namespace misalign::search {
@@ -13,6 +14,16 @@ std::string SheetKey::name() const { return draw ? "draw " + std::to_string(*dra
 schema::Json SheetKey::json() const {
   if (draw) return {{"draw", *draw}};
   return {{"pattern", pattern}};
+}
+
+schema::Json ChosenSheet::whose() const {
+  schema::Json json = key().json();
+  if (drawn) {
+    json["campaign"] = schema::identity(drawn->campaign);
+  } else {
+    json["sheet"] = schema::hex(schema::hash_of(schema::pattern_json(base, shifts_mm).dump()));
+  }
+  return json;
 }
 
 bool is_pattern_file(const std::string& path) {

@@ -34,6 +34,8 @@ struct ChosenSheet {
   schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
 
   SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
+  /// The same, beyond doubt: also the draw's "campaign", or a fingerprint of the pattern's "sheet".
+  schema::Json whose() const;
   /// "draw 7 of miura-6x6", or the pattern's name.
   std::string name() const { return key().name() + (drawn ? " of " + drawn->campaign.name : ""); }
 };

@@ -11,8 +11,8 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/checks/chosen_sheet.hpp"
-#include "search/checks/deployer.hpp"
 #include "search/checks/deployment_functions.hpp"
+#include "search/checks/report_details.hpp"
 #include "search/draws/draw.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/terminal/shell_word.hpp"
@@ -37,6 +37,7 @@ struct ReportCall {
   Choice choice;                     // whom to look at instead; of `where` alone, `details` many
   OtherActuators actuators;
   bool let_go = false;  // the table says what comes of letting each go
+  ReportWish wish;
 };
 
 using schema::Json;
@@ -87,30 +88,19 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
   return look;
 }
 
-// What comes of letting it go; null where it cannot be let go.
-Json let_go_json(Deployer& deployer, const SheetFolder& folder, const FoldedSheet& folded) {
-  const double deploys_from_deg =
-      folded.path.history.verdict.deploys_from_sample * folder.sampling().sample_deg;
-  const auto study = deployer.study_if_possible(folded.shifts_mm, deploys_from_deg);
-  return study ? schema::let_go_json(*study) : Json();
-}
-
 Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
-                  const DrawsToLookAt& look) {
-  Json details = Json::array();
+                  const DrawsToLookAt& look, ReportDetails& details) {
+  Json json = Json::array();
   std::size_t bytes = 0;
-  Deployer deployer(folder.base(), folder.sampling(), folder.actuators(), {});
   for (std::size_t k = 0; k < look.draws.size(); ++k) {
     if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
     const std::uint64_t draw = look.draws[k];
     const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
     const bool accepted = campaign.accepts(folded.path.history.verdict);
-    details.push_back(schema::detail_json(folder.view(folded), draw, accepted, folded.path,
-                                          folded.actuation, folded.metrics));
-    details.back()["let_go"] = let_go_json(deployer, folder, folded);
-    bytes += details.back().dump().size();
+    json.push_back(details.of_draw(folded, draw, accepted));
+    bytes += json.back().dump().size();
   }
-  return details;
+  return json;
 }
 
 Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism) {
@@ -154,6 +144,7 @@ Json commands_json(const ReportCall& call) {
     choice += " --details " + std::to_string(call.details);
   }
   if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
+  if (call.wish.contact) choice += " --contact";
   return {{"misalign", "misalign"},
           {"catalogue", shell_word(call.path)},
           {"choice", choice},
@@ -196,11 +187,34 @@ Json origin_json(const ReportCall& call) {
 }
 
 void refuse_own_input(const ReportCall& call) {
-  std::error_code error;
-  if (!std::filesystem::equivalent(call.output, call.path, error)) return;
-  throw schema::UserError(
-      schema::kExitUsage,
-      "--output " + call.output + ": is the file itself that is shown; name another file");
+  std::vector<std::string> read = call.wish.stress_files;
+  read.push_back(call.path);
+  for (const std::string& path : read) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(call.output, path, error)) continue;
+    throw schema::UserError(
+        schema::kExitUsage,
+        "--output " + call.output + ": is the file itself that is shown; name another file");
+  }
+}
+
+// Those of a result of `misalign stress` are looked at whatever room they take, and are to be among
+// those that are shown.
+void settle_stress(const ReportCall& call, const std::vector<std::uint64_t>& stressed,
+                   DrawsToLookAt& look) {
+  for (std::size_t k = 0; k < stressed.size(); ++k) {
+    const auto at = std::find(look.draws.begin(), look.draws.end(), stressed[k]);
+    if (at == look.draws.end()) {
+      throw schema::UserError(
+          schema::kExitBadInput,
+          fmt::format(
+              "{}: is of draw {}, which is not among those that can be looked at closely on "
+              "this page; add --draw {}",
+              call.wish.stress_files[k], stressed[k], stressed[k]));
+    }
+    look.asked_for =
+        std::max(look.asked_for, static_cast<std::size_t>(at - look.draws.begin()) + 1);
+  }
 }
 
 void write_page(const ReportCall& call, const Json& data) {
@@ -214,16 +228,19 @@ void write_report(const ReportCall& call) {
   add_deployment_functions(*database, call.path, call.actuators.stiffness_n_per_mm);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);
+  const SheetFolder folder(campaign);
+  ReportDetails details(folder, call.wish);
+  const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
   DrawsToLookAt look;
   const Json catalogue = catalogue_json(*database, campaign, call, look);
-  const SheetFolder folder(campaign);
+  settle_stress(call, stressed, look);
   Json data = origin_json(call);
   data["campaign"] = {{"name", campaign.name},
                       {"identity", schema::identity(campaign)},
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
   data.update(folding_json(folder));
-  data["details"] = details_json(campaign, folder, look);
+  data["details"] = details_json(campaign, folder, look, details);
   write_page(call, data);
 }
 
@@ -231,18 +248,13 @@ void write_report_of_pattern(const ReportCall& call) {
   refuse_own_input(call);
   const ChosenSheet sheet = sheet_of_pattern_file(call.path);
   const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
-  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
-  Json detail = schema::detail_json(folder.view(folded), 0, false, folded.path, folded.actuation,
-                                    folded.metrics);
-  detail["draw"] = sheet.pattern;  // by which the page knows it
-  Deployer deployer(folder.base(), folder.sampling(), folder.actuators(), {});
-  detail["let_go"] = let_go_json(deployer, folder, folded);
-  detail["accepted"] = nullptr;  // by nobody
+  ReportDetails details(folder, call.wish);
+  details.check_stress(call.path, sheet.whose()["sheet"]);
   Json data = origin_json(call);
   data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
   data.update(folding_json(folder));
-  data["details"] = Json::array({detail});
+  data["details"] = Json::array({details.of_pattern(folder.fold(sheet.shifts_mm), sheet.pattern)});
   write_page(call, data);
 }
 
@@ -258,6 +270,8 @@ Action report_verb(CLI::App& verb) {
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --diverse 12 \\\n"
       "    --where \"stroke_max < 0.08\" --output report.html\n"
+      "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --contact \\\n"
+      "    --stress stress/miura-6x6-1234-stress.json --output report.html\n"
       "  misalign report search/patterns/table1.json --output table1.html");
   auto call = std::make_shared<ReportCall>();
   add_catalogue_or_pattern(verb, call->path);
@@ -281,6 +295,16 @@ Action report_verb(CLI::App& verb) {
       "--deploy", call->let_go,
       "in the table also when candidates that are let go are flat, and what friction they "
       "overcome (some milliseconds each)");
+  verb.add_flag(
+      "--contact", call->wish.contact,
+      "also where panels first meet, of each sheet that can be looked at closely (about a "
+      "tenth of a second each)");
+  verb.add_option("--stress", call->wish.stress_files,
+                  "NAME-stress.json that `misalign stress` wrote of a sheet that can be looked at "
+                  "closely: colours its panels (again: and that one)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("FILE");
   return [call, &verb, group] {
     if (is_pattern_file(call->path)) {
       std::string chosen_by = first_given(*group);

@@ -179,7 +179,7 @@ void show_stress(StressCall& call) {
   }
   study.rigid = rigid_motion(sheet, let_go);
   schema::Json json = stress_json(let_go, call.options, study);
-  json.update(sheet.key().json());
+  json.update(sheet.whose());
   schema::write_text_file(result, json.dump(1) + "\n");
   if (call.json) return put_json(json);
   put("{}: let go from ", schema::printable(sheet.name()));
@@ -196,8 +196,8 @@ constexpr const char* kStressFooter =
     "crease within 5 deg at one moment) or at --time-limit.\n"
     "Springs and ball joints pull at points, where stress has no limit as meshes get finer: what\n"
     "counts is the largest von Mises stress outside discs round every vertex.\n"
-    "The directory keeps the deck (.inp), what ccx wrote, and NAME-stress.json. ccx uses as many\n"
-    "cores as OMP_NUM_THREADS says.\n\n"
+    "The directory keeps the deck (.inp), what ccx wrote, and NAME-stress.json, which `misalign\n"
+    "report --stress` shows. ccx uses as many cores as OMP_NUM_THREADS says.\n\n"
     "Examples:\n"
     "  misalign stress search/patterns/table1.json --output stress\n"
     "  misalign stress results/miura-6x6-1a2b3c4d.db 1234 --from 90 --mesh 4 --output stress\n"

@@ -53,6 +53,10 @@ for (const report of reports) {
     assert.doesNotMatch(await by(page, "actuation").textContent(), /campaign/);
     assert.doesNotMatch(await by(page, "metrics").textContent(), /miscut/);
   });
+  await check("there is no card of what was not asked for", async () => {
+    for (const id of ["contact", "stress-card", "stress-motion", "stress-history", "stress-scale", "stress-button", "met-legend"])
+      assert.equal(await by(page, id).isVisible(), false, `${id} is shown`);
+  });
   await check("the fold limit is named where no line is", async () => {
     const { fold_limit_deg, verdict } = detail;
     if (!(fold_limit_deg < 165)) return; // else there is no room

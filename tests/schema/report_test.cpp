@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "schema/files/base64.hpp"
+#include "schema/report/stress_result.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
@@ -103,6 +105,46 @@ TEST(ReportSheet, CutsAreTheEdgesWithOnePanel) {
   EXPECT_EQ(sheet["ball_joints"].size(), 9u);
   EXPECT_EQ(sheet["pilot"], Json({1, 8})) << "A2-A9";
   EXPECT_EQ(sheet["creases"].size() + sheet["cuts"].size(), base.sheet.edges.size());
+}
+
+const std::string kStressFile = MISALIGN_SOURCE_DIR "/tests/fixtures/table1-stress.json";
+
+TEST(ReportStress, PanelsAreThoseOfTheSheetInItsOrder) {
+  const Pattern pattern = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
+  const auto& base = pattern.base;
+  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const Json places = sheet_json(pattern, mechanism)["panel_places"];
+  StressResult result = read_stress_result(kStressFile);
+  EXPECT_EQ(result.whose["pattern"], "table1");
+  std::reverse(result.panels_mpa.begin(), result.panels_mpa.end());  // in any order
+  const Json shown = stress_shown_json(result, pattern);
+  const Json file = read_json_file(kStressFile);
+  ASSERT_EQ(shown["panels_mpa"].size(), 28u);
+  ASSERT_EQ(places.size(), 28u);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto same = [&](const Json& entry) { return entry["panel"] == places[k]; };
+    const auto at = std::find_if(file["panels"].begin(), file["panels"].end(), same);
+    ASSERT_NE(at, file["panels"].end()) << places[k];
+    EXPECT_EQ(shown["panels_mpa"][k], (*at)["outside_discs_mpa"]) << places[k];
+  }
+  EXPECT_EQ(shown["largest"]["stress_mpa"], file["largest_outside_discs"]["stress_mpa"]);
+  const auto pilot_deg = decoded<float>(shown["motion"]["pilot_deg"]);
+  ASSERT_EQ(pilot_deg.size(), file["motion"]["pilot_deg"].size());
+  EXPECT_FLOAT_EQ(pilot_deg[0], 36);
+}
+
+TEST(ReportStress, OfAnotherSheetIsRefused) {
+  StressResult result = read_stress_result(kStressFile);
+  const Campaign campaign = default_campaign();
+  EXPECT_NO_THROW(stress_shown_json(result, campaign.pattern)) << "the same panels";
+  result.panels_mpa.back().first = result.panels_mpa.front().first;
+  try {
+    stress_shown_json(result, campaign.pattern);
+    FAIL() << "a panel that is there twice";
+  } catch (const UserError& error) {
+    EXPECT_EQ(error.exit_code(), kExitBadInput);
+    EXPECT_NE(std::string(error.what()).find("has other panels"), std::string::npos);
+  }
 }
 
 // The material lies on the left of every walk: areas are positive outside and negative in holes.

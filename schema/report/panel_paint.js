@@ -1,0 +1,142 @@
+// What panels are coloured by in the folding picture: the largest stress of each, which can be
+// switched on and off, and those that have met.
+import { colour_scale } from "./colour_scale.js";
+import { contact_panels } from "./contact.js";
+import { h, number } from "./format.js";
+import { panel_name } from "./sheet.js";
+import { colour } from "./theme.js";
+
+const kTip_px = 14; // away from the pointer
+
+const stress_scale = () =>
+  colour_scale(["least", "middle", "most"].map((name) => colour(`stress-${name}`)));
+
+/** Colours of the panels from nothing to the largest of the values; of the theme as it is. */
+export function stress_colours(panels_mpa) {
+  const scale = stress_scale(),
+    most = Math.max(...panels_mpa) || 1;
+  return panels_mpa.map((stress) => scale(stress / most));
+}
+
+const mpa = (stress) => (stress > 0 ? `${number(stress)} MPa` : "no node outside the discs");
+
+/** The pair of every edge of these panels. */
+const edges_of = (panels) =>
+  panels.flatMap((corners) => corners.map((a, i) => [a, corners[(i + 1) % corners.length]]));
+
+export class PanelPaint {
+  #sheet;
+  #changed;
+  #stress = null; // largest of each panel, or null
+  #contact = null; // { pilot_deg, panels: [i, j] }, or null
+  #on = true; // for every draw that has stresses
+  #met = false;
+  #scale = h(
+    "div",
+    { class: "scale stress-scale", "data-testid": "stress-scale" },
+    h("span", {}, "0 MPa"),
+    h("i"),
+    h("span"),
+    h("span", { class: "note" }, "largest von Mises stress outside the discs"),
+  );
+  #met_key = h(
+    "ul",
+    { class: "legend met-legend", "data-testid": "met-legend" },
+    h("li", {}, h("i"), h("span")),
+  );
+  #tip = h("div", { class: "tip", "data-testid": "panel-tip", hidden: true });
+  #button = h(
+    "button",
+    {
+      type: "button",
+      title: "Panels coloured by their largest stress, or by their sides",
+      "data-testid": "stress-button",
+      onclick: () => this.#turn(!this.#on),
+    },
+    "Stress",
+  );
+  /** Edges of the panels that have met, as a part for the pen. */
+  outline = { pairs: [], width: 3.5, colour: "contact", on_top: true, hidden: true };
+
+  /** `changed` is called when the panels' colours have. */
+  constructor(box, sheet, changed) {
+    [this.#sheet, this.#changed] = [sheet, changed];
+    box.append(this.#scale, this.#met_key, this.#tip);
+  }
+
+  get button() {
+    return this.#button;
+  }
+
+  load({ stress, contact }) {
+    this.#stress = stress?.panels_mpa ?? null;
+    this.#contact = contact_panels(this.#sheet, contact);
+    this.#met = false;
+    this.#button.hidden = !this.#stress;
+    if (this.#stress) {
+      this.#scale.children[2].textContent = mpa(Math.max(...this.#stress));
+    }
+    const corners = this.#contact?.panels.map((panel) => this.#sheet.panels[panel]);
+    this.outline.pairs = corners ? edges_of(corners) : [];
+    this.#met_key.hidden = !this.#contact;
+    if (this.#contact) this.#met_key.querySelector("span").textContent = this.#contact.words;
+    this.#show_whether_on();
+  }
+
+  /** At this pilot angle; the colours may change. */
+  pose(pilot_deg) {
+    const met = this.#contact !== null && pilot_deg >= this.#contact.pilot_deg;
+    this.outline.hidden = !met;
+    this.#met_key.classList.toggle("met", met);
+    if (met === this.#met) return;
+    this.#met = met;
+    this.#changed();
+  }
+
+  /**
+   * { colours, exact }: of each panel a colour for both sides, or null for those of its sides. Exact
+   * ones are read off a scale: no light falls on them.
+   */
+  tint() {
+    const exact = this.#shows_stress();
+    const colours = exact ? stress_colours(this.#stress) : this.#sheet.panels.map(() => null);
+    if (this.#met && !exact)
+      for (const panel of this.#contact.panels) colours[panel] = colour("contact-panel");
+    return { colours, exact };
+  }
+
+  /** What is said of the panel under the pointer; null: of none. */
+  say(panel, event, box) {
+    const words = panel === null ? null : this.#words(panel);
+    this.#tip.hidden = words === null;
+    if (words === null) return;
+    this.#tip.textContent = words;
+    const frame = box.getBoundingClientRect(),
+      x = event.clientX - frame.left,
+      left = x > frame.width / 2;
+    this.#tip.style.left = left ? "auto" : `${x + kTip_px}px`;
+    this.#tip.style.right = left ? `${frame.width - x + kTip_px}px` : "auto";
+    this.#tip.style.top = `${event.clientY - frame.top + kTip_px}px`;
+  }
+
+  #words(panel) {
+    const stress = this.#shows_stress() ? `: ${mpa(this.#stress[panel])}` : "",
+      met = this.#met && this.#contact.panels.includes(panel) ? ", has met another" : "";
+    return stress || met ? panel_name(this.#sheet, panel) + stress + met : null;
+  }
+
+  #shows_stress() {
+    return this.#on && this.#stress !== null;
+  }
+
+  #turn(on) {
+    this.#on = on;
+    this.#show_whether_on();
+    this.#changed();
+  }
+
+  #show_whether_on() {
+    this.#button.setAttribute("aria-pressed", String(this.#on));
+    this.#scale.hidden = !this.#shows_stress();
+  }
+}
