@@ -29,6 +29,8 @@ struct Misalignment {
 struct WishedStop {
   double at_deg;
   double least_mm2_per_rad2;  ///< of solver::stop_stiffness; times a spring's k: N mm/rad
+
+  bool operator==(const WishedStop&) const = default;
 };
 
 /// When a campaign or a run is over; what is absent does not limit.

@@ -43,8 +43,8 @@ bool same_campaign(const Campaign& a, const Campaign& b) {
   const auto parts = [](const Campaign& c) {
     return std::tie(c.name, c.misalignment.vertices, c.misalignment.amplitude_mm,
                     c.misalignment.levels, c.sample_deg, c.end_deg, c.threshold_deg,
-                    c.between_samples, c.seed, c.stop.draws, c.stop.accepted, c.stop.relative_error,
-                    c.stop.wall_s);
+                    c.between_samples, c.wished_stop, c.seed, c.stop.draws, c.stop.accepted,
+                    c.stop.relative_error, c.stop.wall_s);
   };
   return parts(a) == parts(b) && same_pattern(a.pattern, b.pattern);
 }
@@ -140,7 +140,8 @@ const char* const kEveryKey[] = {
        "seed": 9223372036854775807,
        "stop": {"draws": null, "accepted": 100, "relative_error": 0.05, "wall_s": 3600}})",
     R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "path": {"sample_deg": 10},
-       "accept": {"deploys_from_deg": 60, "between_samples": "exact"}})",
+       "accept": {"deploys_from_deg": 60, "between_samples": "exact", "stops_at_deg": 30,
+                  "stop_stiffness_mm2_per_rad2": 0.5}})",
     R"({"family": "miura", "rows": 4, "columns": 4, "panel_width_mm": 80, "panel_height_mm": 80,
         "zigzag_offset_mm": 40, "holes": "checkerboard-even", "pilot": "A8-A9",
         "displacements_mm": {"A7": [0.4, -0.4], "A9": [0, 1e-3], "A25": [-0.1, 0.3]}})"};

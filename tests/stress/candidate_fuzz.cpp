@@ -35,8 +35,9 @@ std::vector<Json> candidates() {
     for (const std::uint64_t draw : {0U, 1U, 2U}) {
       const auto folded = folder.fold(search::shifts_of_draw(campaign, draw));
       const FoldingView view = folder.view(folded);
-      Json candidate = folded_pattern_json(folder.sampling(), view, folded.metrics,
-                                           actuation_json(view, folded.path, folded.actuation));
+      Json candidate =
+          folded_pattern_json(folder.sampling(), view, folded.metrics,
+                              actuation_json(view, folded.path, folded.actuation), Json());
       candidate.update(origin_json(campaign, draw, Json::array()));
       all.push_back(candidate);
       candidate.erase("pattern");
