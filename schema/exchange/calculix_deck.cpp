@@ -100,10 +100,12 @@ std::string Deck::elements() const {
     }
   }
   const solver::Plates& plates = sheet_.plates;
+  const double damping = options_.damping_per_s;
   return text + fmt::format(
-                    "*MATERIAL, NAME=PANEL\n*ELASTIC\n{:.10g},{:.10g}\n*DENSITY\n{:.10g}\n"
+                    "*MATERIAL, NAME=PANEL\n*ELASTIC\n{:.10g},{:.10g}\n{}*DENSITY\n{:.10g}\n"
                     "*SHELL SECTION, ELSET={}, MATERIAL=PANEL\n{:.10g}\n",
                     options_.material.e_gpa * 1e3, options_.material.poisson,
+                    damping > 0 ? fmt::format("*DAMPING, ALPHA={:.10g}\n", damping) : "",
                     plates.density_g_per_cm3 * 1e-9, kPanelSet, plates.thickness_mm);
 }
 

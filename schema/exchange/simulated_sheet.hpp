@@ -22,10 +22,11 @@ struct SimulatedSheet {
   std::vector<double> fold_angle_deg;  ///< of each crease at the start, valleys positive
   solver::Plates plates;
   double stiffness_n_per_mm;
+  double rest_deg;           ///< the pilot angle at which all springs are relaxed
+  Eigen::Matrix3Xd rest_mm;  ///< the vertices there
 
-  /// Of a diagonal: its spring is relaxed on the flat sheet.
   double relaxed_mm(const solver::Diagonal& diagonal) const {
-    return (flat_mm.col(diagonal.from) - flat_mm.col(diagonal.to)).norm();
+    return (rest_mm.col(diagonal.from) - rest_mm.col(diagonal.to)).norm();
   }
   double start_length_mm(const solver::Diagonal& diagonal) const {
     return (start_mm.col(diagonal.from) - start_mm.col(diagonal.to)).norm();

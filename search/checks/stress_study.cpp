@@ -143,6 +143,7 @@ Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
                         {"outside_discs_mpa", study.stress.outside_mpa},
                         {"anywhere_mpa", study.stress.anywhere_mpa}};
   return {{"from_deg", sheet.pilot_deg},
+          {"rest_deg", sheet.rest_deg},
           {"stiffness_n_per_mm", sheet.stiffness_n_per_mm},
           {"thickness_mm", sheet.plates.thickness_mm},
           {"density_g_per_cm3", sheet.plates.density_g_per_cm3},
@@ -150,6 +151,7 @@ Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
           {"elements_a_side", options.deck.elements},
           {"time_step_s", options.deck.time_step_s},
           {"time_limit_s", options.deck.end_s},
+          {"damping_per_s", options.deck.damping_per_s},
           {"disc_mm", options.stress.disc_mm},
           {"outcome", study.deployed_s ? "deployed"
                       : study.gave_up  ? "failed"

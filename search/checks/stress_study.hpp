@@ -17,7 +17,8 @@ namespace misalign::search {
 struct StressStudyOptions {
   schema::DeckOptions deck;
   schema::StressOptions stress;
-  /// Deployed when every crease is as close to flat as this at one moment; there the run ends.
+  /// Deployed when every crease is as close to flat as this at one moment; there the run ends. 0:
+  /// only at the end of time.
   double flat_deg = 5;
 };
 

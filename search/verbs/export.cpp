@@ -93,7 +93,7 @@ void refuse_idle_options(const SheetFilesOptions& files, const CLI::App& verb) {
   };
   only_with("--step", files.in_states(), "--format fold, obj or stl");
   only_with("--creases", files.format == SheetFormat::csv, "--format csv");
-  for (const char* option : {"--from", "--density"}) {
+  for (const char* option : {"--from", "--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
   only_with("--thickness", files.is_simulated() || files.format == SheetFormat::stl,

@@ -139,6 +139,11 @@ void add_thickness(CLI::App& verb, solver::Plates& plates) {
 void add_release(CLI::App& verb, ReleaseWish& wish) {
   constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
   add_from(verb, wish.release.from_deg, kLeast_deg);
+  verb.add_option(
+          "--rest-deg", wish.release.rest_deg,
+          fmt::format("pilot angle where the springs are relaxed [{:g}]", wish.release.rest_deg))
+      ->check(within(0, 180))
+      ->type_name("DEG");
   add_thickness(verb, wish.release.plates);
   verb.add_option("--density", wish.density_g_per_cm3,
                   fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",

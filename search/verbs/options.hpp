@@ -59,7 +59,7 @@ void add_thickness(CLI::App& verb, solver::Plates& plates);
 inline constexpr double kLeastThickness_mm = 1e-3, kMostThickness_mm = 100;
 inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 = 100;
 
-/// Those and --density: of a sheet that is let go.
+/// Those, --rest-deg and --density: of a sheet that is let go.
 struct ReleaseWish {
   ReleaseOptions release;
   std::optional<double> density_g_per_cm3;  ///< the material's otherwise

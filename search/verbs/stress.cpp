@@ -111,8 +111,15 @@ void print_study(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
     put("deployed: every crease within {:g} deg after {:.4f} s\n", options.flat_deg,
         *study.deployed_s);
   } else {
-    put("not deployed: after {:.4f} s creases are within {:.2f} deg{}\n", last.time_s,
-        last.widest_deg, study.gave_up ? "; there ccx gave up" : "");
+    const std::string where =
+        sheet.rest_deg > 0
+            ? fmt::format(
+                  "springs are relaxed at {:g} deg: after {:.4f} s the pilot "
+                  "is at {:.3f} deg",
+                  sheet.rest_deg, last.time_s, last.pilot_deg)
+            : fmt::format("not deployed: after {:.4f} s creases are within {:.2f} deg", last.time_s,
+                          last.widest_deg);
+    put("{}{}\n", where, study.gave_up ? "; there ccx gave up" : "");
   }
   put("largest von Mises stress\n");
   print_stress(
@@ -151,6 +158,7 @@ std::vector<solver::DeploymentRow> rigid_motion(const ChosenSheet& sheet,
   DeployWish wish;
   wish.from_deg = let_go.pilot_deg;
   wish.stiffness_n_per_mm = let_go.stiffness_n_per_mm;
+  wish.sheet.springs.rest_deg = let_go.rest_deg;
   wish.sheet.plates = let_go.plates;
   Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
   return deployer.study(sheet.shifts_mm, let_go.pilot_deg, schema::printable(sheet.name()))
@@ -166,6 +174,7 @@ void show_stress(StressCall& call) {
   const schema::SimulatedSheet let_go =
       release(folder, folder.fold(sheet.shifts_mm), call.release.release,
               "misalign: " + sheet.name(), schema::printable(sheet.name()));
+  if (let_go.rest_deg > 0) call.options.flat_deg = 0;
   find_calculix();
   make_directory(call.directory);
   const std::string job = job_of(call, sheet);
@@ -191,9 +200,11 @@ void show_stress(StressCall& call) {
 constexpr const char* kStressFooter =
     "The sheet is folded, without stress, to --from, springs are put on its diagonals, and it is\n"
     "let go, free in space. Panels are elastic shells that bend as far as they like, creases turn\n"
-    "freely, and nothing damps but the integrator. rigid_deg is the pilot's angle if panels were\n"
-    "rigid, as `misalign deploy` has it. The run ends when the sheet is deployed (every\n"
-    "crease within 5 deg at one moment) or at --time-limit.\n"
+    "freely, and nothing damps but --damping and, a little, the integrator. rigid_deg is the\n"
+    "pilot's angle if panels were rigid and nothing damped, as `misalign deploy` has it. The run\n"
+    "ends when the sheet is deployed (every crease within 5 deg at one moment) or at "
+    "--time-limit;\n"
+    "with --rest-deg only there.\n"
     "Springs and ball joints pull at points, where stress has no limit as meshes get finer: what\n"
     "counts is the largest von Mises stress outside discs round every vertex.\n"
     "The directory keeps the deck (.inp), what ccx wrote, and NAME-stress.json, which `misalign\n"
@@ -224,6 +235,12 @@ Action stress_verb(CLI::App& verb) {
                   fmt::format("longest increment, s [{:g}]", options.deck.time_step_s))
       ->check(within(1e-9, 1))
       ->type_name("S");
+  verb.add_option(
+          "--damping", options.deck.damping_per_s,
+          fmt::format("force against the velocity of all mass, per unit of both, 1/s [{:g}]",
+                      options.deck.damping_per_s))
+      ->check(within(0, 1e6))
+      ->type_name("PER_S");
   verb.add_option("--disc", options.stress.disc_mm,
                   fmt::format("radius of the discs, mm [{:g}]", options.stress.disc_mm))
       ->check(within(0, 1e6))

@@ -5,7 +5,7 @@ namespace misalign::schema {
 namespace {
 
 TEST(SchemaFiles, DescribeEveryKeyAndRefuseEveryOther) {
-  for (const Json& schema : {campaign_schema(), candidate_schema()}) {
+  for (const Json& schema : {campaign_schema(), candidate_schema(), material_schema()}) {
     walk(schema, [](const Pointer& at, const Json& part) {
       if (!part.is_object()) return;
       if (at.to_string().starts_with("/dependencies")) return;  // of keys that are described

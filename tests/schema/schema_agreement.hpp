@@ -28,6 +28,7 @@ inline Json source_json(const std::string& path) {
 
 inline Json campaign_schema() { return source_json("schema/campaign.schema.json"); }
 inline Json candidate_schema() { return source_json("schema/candidate.schema.json"); }
+inline Json material_schema() { return source_json("schema/material.schema.json"); }
 
 /// What valijson says of `value`: empty if it is valid.
 inline std::string complaint(const Json& schema_json, const Json& value) {

@@ -122,6 +122,42 @@ TEST_F(Calculix, SpringsPullFromTheStart) {
   EXPECT_NEAR(energy_n_mm, folded_.actuation.energy_n_mm[36], 1e-6);
 }
 
+// With relaxed lengths of a folded state: by coordinates of both decks.
+TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
+  ReleaseOptions stop, there;
+  stop.from_deg = 15;
+  stop.rest_deg = 30;
+  there.from_deg = 30;
+  const SimulatedSheet sheet = release(folder_, folded_, stop, "Table 1", "table1");
+  const ReadDeck deck(schema::calculix_deck(sheet, {})),
+      at30(schema::calculix_deck(release(folder_, folded_, there, "Table 1", "table1"), {}));
+  ASSERT_EQ(deck.springs.size(), 16u);
+  const auto length_mm = [](const ReadDeck& of, const Spring& spring) {
+    return (of.nodes_mm.at(spring.from) - of.nodes_mm.at(spring.to)).norm();
+  };
+  double energy_n_mm = 0;
+  for (const Spring& spring : deck.springs) {
+    const double now_n = spring.forces_n[0][0] - 50 * spring.forces_n[0][1];
+    EXPECT_NEAR(now_n, 50 * (length_mm(deck, spring) - length_mm(at30, spring)), 1e-8);
+    energy_n_mm += now_n * now_n / 100;
+  }
+  DeployWish wish;
+  wish.from_deg = 15;
+  wish.sheet.springs.rest_deg = 30;
+  Deployer deployer(chosen_.base, chosen_.sampling, chosen_.actuators, wish);
+  const auto rigid = deployer.study(chosen_.shifts_mm, 15, "table1").run.rows;
+  EXPECT_NEAR(energy_n_mm, rigid.front().springs_n_mm, 1e-6);
+  schema::DeckOptions damped;
+  damped.damping_per_s = 40;
+  const std::string text = schema::calculix_deck(sheet, damped);
+  EXPECT_NE(text.find("relaxed with the pilot at 30 deg"), std::string::npos);
+  EXPECT_NE(text.find("\n*DAMPING, ALPHA=40\n*DENSITY\n"), std::string::npos);
+  EXPECT_EQ(schema::calculix_deck(sheet, {}).find("DAMPING"), std::string::npos);
+
+  stop.rest_deg = 157;
+  EXPECT_THROW(release(folder_, folded_, stop, "Table 1", "table1"), schema::UserError);
+}
+
 // Corners as rigid panels have them at 30 degrees, in ccx's digits and in two pieces.
 TEST_F(Calculix, MotionIsReadAsItGrows) {
   ReleaseOptions later;

@@ -129,6 +129,21 @@ TEST(Mujoco, HasThicknessAndFriction) {
   EXPECT_NEAR(run.pilot_deg(), 60.5, 0.01);
 }
 
+// Springs that are relaxed where it is let go hold it there; nothing else moves it.
+TEST(Mujoco, StaysWhereSpringsAreRelaxed) {
+  const Table1 table1;
+  ReleaseOptions options;
+  options.from_deg = options.rest_deg = 30;
+  MujocoRun still = run_of(table1.let_go(options));
+  EXPECT_LT(still.spring_energy_n_mm(), 1e-12);
+  for (int i = 0; i < 100; ++i) still.step();
+  EXPECT_NEAR(still.pilot_deg(), 30, 1e-6);
+  options.from_deg = 15;
+  MujocoRun pushed = run_of(table1.let_go(options));
+  for (int i = 0; i < 100; ++i) pushed.step();
+  EXPECT_GT(pushed.pilot_deg(), 15);
+}
+
 // A 4 x 4 sheet beside `misalign deploy`: 1e-5 of the start's angle was seen, and 1e-3 of critical
 // frictions (results/deployment/simulators.md). Friction of MuJoCo's constraints creeps a little.
 TEST(Mujoco, DeploysAsDeployDoes) {

@@ -10,6 +10,8 @@ grep -q "there is no ccx in PATH" err || fail "without ccx: $(cat err)"
 [ -e none ] && fail "without ccx a directory was made"
 "$program" stress "$table1" --from 157 --output none > out 2> err
 [ $? = 2 ] && grep -q "fold limit at 156.34" err || fail "beyond the fold limit: $(cat err)"
+"$program" stress "$table1" --rest-deg 157 --output none > out 2> err
+[ $? = 2 ] && grep -q -e "--rest-deg 157: table1 has its fold limit at 156.34" err || fail "rest beyond the fold limit: $(cat err)"
 cp "$table1" table1.dat
 if command -v ccx > /dev/null; then
   "$program" stress table1.dat --output . > out 2> err
@@ -36,4 +38,12 @@ holds "energy only goes away" "j ->> '\$.motion.springs_n_mm[#-1]' + j ->> '\$.m
 holds "stresses" "j ->> '\$.largest_outside_discs.stress_mpa' > 0.1 AND json_array_length(j, '\$.panels') = 14 AND
   j ->> '\$.largest_anywhere_mesh_dependent.stress_mpa' >= j ->> '\$.largest_outside_discs.stress_mpa' AND
   j ->> '\$.largest_outside_discs.stress_mpa' = (SELECT max(value ->> 'outside_discs_mpa') FROM json_each(j, '\$.panels'))"
+
+# Springs relaxed on the way: there it comes to rest, if something damps.
+echo '{ "e_gpa": 700000 }' > rigid.json
+"$program" stress a.db 1112 --from 25 --rest-deg 30 --stiffness 5000 --material rigid.json --damping 150 \
+  --time-step 8e-3 --time-limit 0.1 --output run > out || fail "stress with a stop"
+holds "comes to rest" "j ->> 'outcome' = 'time_limit' AND j ->> 'rest_deg' = 30 AND j ->> 'damping_per_s' = 150 AND
+  abs((j ->> '\$.motion.pilot_deg[#-1]') - 30) < 0.1 AND j ->> '\$.motion.kinetic_n_mm[#-1]' < 1e-3"
+grep -q "^springs are relaxed at 30 deg: after 0.1000 s the pilot is at 30.0" out || fail "the text of a stop: $(cat out)"
 finish
