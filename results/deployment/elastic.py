@@ -185,7 +185,7 @@ def draw_stiff(runs):
 def main():
     runs = sys.argv[1]
     stress_table(runs, [f"mesh-{n}" for n in (2, 4, 8, 16)] + [f"step-{s}" for s in ("4e-4", "2e-4", "1e-4", "5e-5")]
-                 + ["mesh-8-step-1e-4", "mesh-20-disc-0"])
+                 + ["mesh-8-step-1e-4", "mesh-20-disc-0"] + [f"first-mesh-{n}" for n in (4, 8, 12, 16)])
     stress_table(runs, sorted((name for name in os.listdir(runs) if name.startswith("start-") and "." not in name),
                               key=lambda name: (int(name.split("-")[3]), float(name.split("-")[1]))))
     stiff_table(runs)

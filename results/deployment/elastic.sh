@@ -25,6 +25,7 @@ mesh() {
   for n in 2 4 8; do run "mesh-$n" --mesh $n --time-limit 0.006; done
   run mesh-8-step-1e-4 --mesh 8 --time-limit 0.002 --time-step 1e-4
   run mesh-16 --mesh 16 --time-limit 0.002
+  for n in 4 8 12 16; do run "first-mesh-$n" --mesh $n --time-limit 0.001 --time-step 1e-4; done
   run mesh-20-disc-0 --mesh 20 --time-limit 0.0012 --disc 0
 }
 
