@@ -1,5 +1,5 @@
 // The overview: the campaign in words, its acceptance, and the charts of where draws fail.
-import { count, degrees, h, percent, plural } from "./format.js";
+import { count, degrees, h, number, percent, plural } from "./format.js";
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart } from "./faults.js";
@@ -10,7 +10,7 @@ import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
 const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
 
 /** What the campaign asked, in words. */
-function asked(configuration) {
+function asked(configuration, actuators) {
   const { pattern, misalignment, path, accept } = configuration;
   const sheet =
     pattern.family === "miura"
@@ -37,15 +37,15 @@ function asked(configuration) {
   return (
     `${sheet}; ${holes}. Each draw shifts x and y of ${which} by ${levels}. A draw is accepted when every diagonal ` +
     `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${accept.between_samples ? `, ${exactly}between the samples too` : ""}${stop_words(accept)} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
+    `${accept.between_samples ? `, ${exactly}between the samples too` : ""}${stop_words(accept, actuators)} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
   );
 }
 
-function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }) {
+function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
   if (!stops_at_deg) return "";
   return (
-    `, and springs that are relaxed at ${degrees(stops_at_deg)} hold it there with at least ` +
-    `${stop_stiffness_mm2_per_rad2} mm²/rad² times their stiffness`
+    `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there ` +
+    `with at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
   );
 }
 
@@ -187,7 +187,7 @@ export function show_acceptance(report) {
     note = document.getElementById("sample-note");
   document.title = `${campaign.name} · misalign report`;
   document.getElementById("campaign-name").textContent = campaign.name;
-  document.getElementById("asked").textContent = asked(campaign.configuration);
+  document.getElementById("asked").textContent = asked(campaign.configuration, report.actuators);
   show_figures(report);
   if (total === 0) {
     note.textContent = `First faults are known exactly for one draw in ${count(faults.every)}; there is none in this catalogue yet.`;

@@ -23,6 +23,14 @@ export async function figures_check(page, data) {
         asked.includes(`${misalignment.amplitude_mm} mm`),
       asked,
     );
+    if (accept.stops_at_deg) {
+      const stiffness = accept.stop_stiffness_mm2_per_rad2 * data.actuators.stiffness_n_per_mm;
+      assert.ok(
+        asked.includes(`relaxed at ${accept.stops_at_deg}°`) &&
+          asked.includes(`at least ${stiffness.toPrecision(3)} N mm/rad`),
+        asked,
+      );
+    }
     if (data.state.acceptance.rate > 0)
       assert.match(figures, /Acceptance rate[\d.,]+ %95 %: [\d.,]+ % – [\d.,]+ %/);
   });

@@ -14,8 +14,9 @@ make many 60 16000 90       # more than ten thousand
 [ "$(sql many.db 'SELECT count(*) FROM candidate')" -gt 10000 ] || fail "too few candidates in many.db"
 # Its later rows stand for more draws than the first, as those of large numbers do.
 sqlite3 many.db "UPDATE fault_sample SET stands_for = 4096 WHERE draw % 4096 = 0 AND draw > 0"
-# Few of another family, seen from the side where its pilot is a mountain, and a rejected draw.
-sed "s|\.\./patterns|$source_dir/search/patterns|; s/\"deploys_from_deg\": [0-9]*/\"deploys_from_deg\": 60/" \
+# Few of another family, seen from the side where its pilot is a mountain, with a stop, and a rejected draw.
+stop='"stops_at_deg": 30, "stop_stiffness_mm2_per_rad2": 0.01'
+sed "s|\.\./patterns|$source_dir/search/patterns|; s/\"deploys_from_deg\": [0-9]*/\"deploys_from_deg\": 60, $stop/" \
   "$source_dir/search/campaigns/turned-quads-6x6.json" > few.json
 "$program" search few.json --draws 200 --catalogue few.db --progress none > /dev/null || fail "search few"
 rejected=$(sql few.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 199)
