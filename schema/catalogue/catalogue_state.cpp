@@ -139,7 +139,8 @@ CatalogueState state_of(SQLite::Database& database) {
                             "goal_accepted, goal_end, ") +
                     column_sql("campaign", "goal_relative_error", version_of(database)) +
                     ", json_extract(configuration, '$.seed'), json_extract(configuration, "
-                    "'$.accept.deploys_from_deg') FROM campaign");
+                    "'$.accept.deploys_from_deg'), json_extract(configuration, "
+                    "'$.accept.stops_at_deg') FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
@@ -154,6 +155,7 @@ CatalogueState state_of(SQLite::Database& database) {
     state.goal.relative_error = campaign.getColumn(7).getDouble();
   state.seed = draw_of(campaign.getColumn(8));
   state.threshold_deg = campaign.getColumn(9).getDouble();
+  if (!campaign.getColumn(10).isNull()) state.stops_at_deg = campaign.getColumn(10).getDouble();
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);

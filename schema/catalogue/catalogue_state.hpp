@@ -19,6 +19,7 @@ struct CatalogueState {
   Goal goal;
   std::uint64_t goal_end;
   double threshold_deg;                                ///< that accepted draws deploy from
+  std::optional<double> stops_at_deg;                  ///< where they are to stop on the way
   std::uint64_t draws, accepted, rejected, undecided;  ///< below the goal's end
   std::uint64_t draws_in_ledger;
   std::vector<DrawRange> gaps;

@@ -99,6 +99,12 @@ std::string what_to_try(const Survival& survival, const schema::CatalogueState& 
   const auto sample = survival.sample_to_try(kShareToTry);
   const std::string other =
       "another misalignment.amplitude_mm or other vertices change all of these shares";
+  // A threshold cannot lie below the stop.
+  if (state.stops_at_deg && (!sample || survival.deg(*sample) < *state.stops_at_deg)) {
+    return "to find some: more draws (--draws), or a lower accept.stop_stiffness_mm2_per_rad2 in a "
+           "copy of the campaign; " +
+           other;
+  }
   if (!sample || *sample <= 0 || *sample >= threshold_sample(survival, state)) {
     return "to find some: more draws (--draws), or a lower accept.deploys_from_deg in a copy of "
            "the "

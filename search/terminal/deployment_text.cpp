@@ -73,19 +73,22 @@ std::string outcome_text(const DeploymentStudy& study) {
 
 std::string friction_text(const DeploymentStudy& study) {
   const solver::FrictionLimits& limits = study.friction;
+  const solver::JointResistance& joints = study.sheet.joints;
   std::string text =
       limits.critical_n_mm_per_mm
           ? fmt::format(
                 "critical friction: {:.5g} N mm per mm of crease; with more it does not "
                 "get to flat\n",
                 *limits.critical_n_mm_per_mm)
+      : joints.damping_n_mm_s_per_mm > 0
+          ? "critical friction: none, with this damping it does not get to flat in time\n"
           : "critical friction: none, it does not get to flat by itself\n";
-  const solver::JointResistance& joints = study.sheet.joints;
   if (joints.friction_n_mm_per_mm <= 0 && joints.ball_friction_n_mm <= 0) return text;
   text += fmt::format("moving slowly it would stall at {:.4g} deg\n", limits.static_stall_deg);
   if (limits.stiffness_needed_n_per_mm) {
-    text += fmt::format("to get to flat it needs springs of {:.5g} N/mm\n",
-                        *limits.stiffness_needed_n_per_mm);
+    text += fmt::format("to get to flat it needs springs of at least {:.5g} N/mm{}\n",
+                        *limits.stiffness_needed_n_per_mm,
+                        joints.damping_n_mm_s_per_mm > 0 ? ", but for the damping" : "");
   }
   return text;
 }

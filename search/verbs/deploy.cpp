@@ -57,12 +57,14 @@ Action deploy_verb(CLI::App& verb) {
       "  turned_back   it turns round and nothing slows it down\n"
       "  fold_limit    it folds as far as it can\n"
       "  time_limit    it still moves\n"
-      "Critical friction: the most that the creases may have for it to get to flat.\n"
+      "Critical friction: the most that the creases may have for it to get to flat; with damping "
+      "found\n"
+      "by letting it go again and again, otherwise from its energies.\n"
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n\n"
       "Examples:\n  misalign deploy search/patterns/table1.json\n"
       "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
-      "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.003");
+      "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.05");
   auto call = std::make_shared<DeployCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);

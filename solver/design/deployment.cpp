@@ -23,6 +23,9 @@ double time_unit_s(const DeployingSheet& sheet, double from_x, const std::vector
   return std::abs(from_x) * std::sqrt(start.mass / (2 * released));
 }
 
+// As close as this to where friction holds it, it is there.
+constexpr double kCreep_deg = 1e-5;
+
 class Run {
  public:
   Run(const DeployingSheet& sheet, const std::vector<double>& wells_x,
@@ -32,8 +35,11 @@ class Run {
         options_(options),
         from_x_(way_.x_of(options.from_deg)),
         unit_s_(time_unit_s(sheet, from_x_, wells_x)),
-        integrator_([this](double x, double rate) { return acceleration(x, rate); }, way_.end(),
-                    std::abs(from_x_), options.relative_tolerance) {
+        integrator_([this](double x, double rate) { return acceleration(x, rate); },
+                    sheet.options().joints.damping_n_mm_s_per_mm > 0
+                        ? MotionMethod::backward_differences
+                        : MotionMethod::adams,
+                    way_.end(), std::abs(from_x_), options.relative_tolerance) {
     for (const double x : wells_x) wells_.push_back(well_at(x));
   }
 
@@ -132,9 +138,28 @@ class Run {
     return {x, edge};
   }
 
-  // In the nearest well, without the energy to leave its neighbourhood.
+  // Friction will hold it before it has gone on by kCreep_deg: it would come to rest there in no
+  // time, or creep for ever.
+  bool creeps_to_rest(const MotionState& here, const SheetAt& now) const {
+    if (now.friction <= 0 || here.rate == 0) return false;
+    const double ahead_x =
+        here.x +
+        std::copysign(kCreep_deg / std::abs(way_.pilot_rate(here.x) / kRadPerDeg), here.rate);
+    if (std::abs(ahead_x) >= way_.end() || ahead_x * here.x <= 0) return false;
+    const SheetAt ahead = sheet_.at(ahead_x);
+    const double lost = (now.friction + ahead.friction) / 2 * std::abs(ahead_x - here.x);
+    return now.potential + kinetic(now, here.rate) - ahead.potential < lost;
+  }
+
+  // In the nearest well, without the energy to leave its neighbourhood; or next to where friction
+  // holds it.
   std::optional<Outcome> settled(const MotionState& here) {
-    if (wells_.empty() || !sheet_.options().joints.slows_down()) return {};
+    if (!sheet_.options().joints.slows_down()) return {};
+    if (creeps_to_rest(here, sheet_.at(here.x))) {
+      add_row({here.time, here.x, 0}, DeploymentEvent::end);
+      return held_at(here.x);
+    }
+    if (wells_.empty()) return {};
     const Well& well =
         *std::min_element(wells_.begin(), wells_.end(), [&](const Well& a, const Well& b) {
           return std::abs(here.x - a.x) < std::abs(here.x - b.x);

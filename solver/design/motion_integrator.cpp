@@ -2,7 +2,10 @@
 
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <array>
 #include <new>
@@ -22,16 +25,24 @@ T* made(T* object) {
 }  // namespace
 
 struct MotionIntegrator::Cvode {
-  Cvode(Acceleration how, double farthest) : acceleration(std::move(how)), end(farthest) {
+  Cvode(Acceleration how, MotionMethod method, double farthest)
+      : acceleration(std::move(how)), end(farthest) {
+    const bool is_stiff = method == MotionMethod::backward_differences;
     SUNContext_Create(nullptr, &context);
     y = made(N_VNew_Serial(2, context));
     passed = made(N_VNew_Serial(2, context));
-    memory = made(CVodeCreate(CV_ADAMS, context));
-    iteration = made(SUNNonlinSol_FixedPoint(y, 0, context));
+    memory = made(CVodeCreate(is_stiff ? CV_BDF : CV_ADAMS, context));
+    iteration =
+        made(is_stiff ? SUNNonlinSol_Newton(y, context) : SUNNonlinSol_FixedPoint(y, 0, context));
+    if (!is_stiff) return;
+    jacobian = made(SUNDenseMatrix(2, 2, context));
+    solver = made(SUNLinSol_Dense(y, jacobian, context));
   }
   ~Cvode() {
     SUNNonlinSolFree(iteration);
     CVodeFree(&memory);
+    if (solver) SUNLinSolFree(solver);
+    if (jacobian) SUNMatDestroy(jacobian);
     N_VDestroy(passed);
     N_VDestroy(y);
     SUNContext_Free(&context);
@@ -61,15 +72,18 @@ struct MotionIntegrator::Cvode {
   N_Vector y = nullptr, passed = nullptr;
   void* memory = nullptr;
   SUNNonlinearSolver iteration = nullptr;
+  SUNMatrix jacobian = nullptr;  // by differences; of backward differences only
+  SUNLinearSolver solver = nullptr;
 };
 
-MotionIntegrator::MotionIntegrator(Acceleration acceleration, double end, double scale,
-                                   double tolerance)
-    : cvode_(std::make_unique<Cvode>(std::move(acceleration), end)) {
+MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod method, double end,
+                                   double scale, double tolerance)
+    : cvode_(std::make_unique<Cvode>(std::move(acceleration), method, end)) {
   void* const memory = cvode_->memory;
   CVodeInit(memory, Cvode::rates, 0, cvode_->y);
   CVodeSStolerances(memory, tolerance, tolerance * scale);
   CVodeSetNonlinearSolver(memory, cvode_->iteration);
+  if (cvode_->solver) CVodeSetLinearSolver(memory, cvode_->solver, cvode_->jacobian);
   CVodeSetUserData(memory, cvode_.get());
   CVodeSetErrFile(memory, nullptr);  // failures are what step() returns
   CVodeRootInit(memory, kEvents, Cvode::events);

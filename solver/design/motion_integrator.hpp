@@ -1,5 +1,5 @@
-// One coordinate in motion: SUNDIALS' CVODE (Hindmarsh et al., ACM TOMS 31, 2005), by Adams'
-// methods of changing order and step, with the places where something changes located.
+// One coordinate in motion: SUNDIALS' CVODE (Hindmarsh et al., ACM TOMS 31, 2005), with the places
+// where something changes located.
 #pragma once
 
 #include <functional>
@@ -11,13 +11,18 @@ struct MotionState {
   double time, x, rate;
 };
 
+/// By Adams' methods, of changing order and step. By backward differences where much damping makes
+/// the equation stiff: it settles to a slow creep at once, which Adams' steps would have to follow.
+enum class MotionMethod { adams, backward_differences };
+
 class MotionIntegrator {
  public:
   using Acceleration = std::function<double(double x, double rate)>;
 
   /// Where x reaches `end` or -`end` it must stop. Errors of x are kept at `tolerance` times
   /// `scale` a step, and so are those of its rate.
-  MotionIntegrator(Acceleration acceleration, double end, double scale, double tolerance);
+  MotionIntegrator(Acceleration acceleration, MotionMethod method, double end, double scale,
+                   double tolerance);
   ~MotionIntegrator();
   MotionIntegrator(const MotionIntegrator&) = delete;
   MotionIntegrator& operator=(const MotionIntegrator&) = delete;

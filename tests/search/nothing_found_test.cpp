@@ -51,6 +51,19 @@ TEST(NothingFound, SaysFromWhereDrawsSurviveAndHowRareTheOthersAre) {
   for (const char* part : {"nan", "inf"}) EXPECT_EQ(text.find(part), std::string::npos) << text;
 }
 
+// A threshold below the stop that is asked for cannot be advised.
+TEST(NothingFound, NamesTheStopThatIsTooStiff) {
+  schema::CatalogueState state = nothing_in(1024000);
+  for (const double stops_at_deg : {40.0, 170.0}) {
+    state.stops_at_deg = stops_at_deg;
+    const std::string text = all_of(nothing_found(made_up(), state));
+    const bool is_beyond = stops_at_deg == 170;
+    EXPECT_EQ(text.find("lower accept.stop_stiffness_mm2_per_rad2") != std::string::npos, is_beyond)
+        << text;
+    EXPECT_EQ(text.find("accept.deploys_from_deg = ") == std::string::npos, is_beyond) << text;
+  }
+}
+
 TEST(NothingFound, IsSilentWhereSomethingWas) {
   schema::CatalogueState found = nothing_in(1000);
   found.accepted = 1;

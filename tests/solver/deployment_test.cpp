@@ -95,6 +95,26 @@ TEST_F(Oscillator, IsDampedAsOneIs) {
   EXPECT_NEAR(deployment.last().time_s * decay, std::log(60 / run.flat_deg), 0.5);
 }
 
+// So much damping that it only creeps: x - h = A exp(-s t), s the slow root, up to where friction
+// holds it, at h. In few steps, though the fast root is four million times the slow one.
+TEST_F(Oscillator, CreepsToWhereFrictionHoldsIt) {
+  const double held_deg = 7, decay = 1000 * frequency;
+  options.joints.friction_n_mm_per_mm = stiffness * held_deg * kRadPerDeg / kAlong_mm;
+  options.joints.damping_n_mm_s_per_mm = 2 * decay * inertia / kAlong_mm;
+  run.time_limit_s = 1e5 / frequency;
+  const Deployment creep = let_go();
+  EXPECT_EQ(creep.outcome, Outcome::stalled);
+  EXPECT_LT(creep.steps, 2000);
+  EXPECT_NEAR(creep.last().pilot_deg, held_deg, 1e-4);
+  const double root = std::sqrt(decay * decay - frequency * frequency);
+  const double slow = frequency * frequency / (decay + root);
+  const double from_deg = (60 - held_deg) * (decay + root) / (2 * root);
+  for (const DeploymentRow& row : creep.rows) {
+    if (row.time_s * decay < 50) continue;  // by then the fast root has gone
+    EXPECT_NEAR(row.pilot_deg, held_deg + from_deg * std::exp(-slow * row.time_s), 60 * kTimes);
+  }
+}
+
 // Coulomb: every half swing is shorter by twice the friction over the stiffness, until it holds.
 TEST_F(Oscillator, IsHeldByDryFriction) {
   const double falls_deg = 7;
