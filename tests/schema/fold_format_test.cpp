@@ -7,6 +7,7 @@
 #include "fold_meshes.hpp"
 #include "schema/campaign/campaign.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -176,7 +177,8 @@ TEST(FoldFormat, PatternsOfACatalogueAreTheFilesOwn) {
 
 TEST(FoldFormat, IdentityDoesNotDependOnThePath) {
   namespace fs = std::filesystem;
-  const fs::path root = fs::path(testing::TempDir()) / "fold_identity";
+  const Folder folder("misalign_fold_identity");
+  const fs::path& root = folder.path();
   fs::create_directories(root / "elsewhere");
   const Json mesh = miura_mesh(4, 4);
   std::ofstream(root / "a.fold") << mesh.dump();
@@ -196,7 +198,6 @@ TEST(FoldFormat, IdentityDoesNotDependOnThePath) {
   EXPECT_EQ(of_file("elsewhere/../elsewhere/b.fold"), expected);
   EXPECT_EQ(of_file((root / "elsewhere" / "b.fold").string()), expected);
   EXPECT_NE(of_file("c.fold"), expected);
-  fs::remove_all(root);
 }
 
 }  // namespace

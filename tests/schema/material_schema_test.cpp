@@ -2,12 +2,14 @@
 #include "schema/exchange/material.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema_agreement.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::schema {
 namespace {
 
 Material material_of(const Json& value) {
-  const std::string file = testing::TempDir() + "/brass.json";
+  const Folder folder("misalign_material");
+  const std::string file = folder.file("brass.json");
   write_text_file(file, value.dump());
   return read_material_file(file);
 }

@@ -12,6 +12,7 @@
 #include "search/checks/release.hpp"
 #include "search/draws/draw.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -37,7 +38,8 @@ class Table1 {
 };
 
 MujocoRun run_of(const SimulatedSheet& sheet, const schema::MjcfOptions& options = {}) {
-  const std::string file = testing::TempDir() + "/sheet.xml";
+  const Folder folder("misalign_mjcf");
+  const std::string file = folder.file("sheet.xml");
   schema::write_text_file(file, schema::mjcf_model(sheet, options));
   return MujocoRun(file);
 }

@@ -9,6 +9,7 @@
 
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/sheet_files.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -83,15 +84,14 @@ TEST(PlateStl, IsClosedInEveryState) {
   const ChosenSheet sheet =
       sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
   SheetFilesOptions options;
-  options.directory = testing::TempDir() + "/plates";
+  const Folder folder("misalign_plates");
+  options.directory = folder.path();
   options.format = SheetFormat::stl;
   options.step_deg = 60;
   options.release.plates.thickness_mm = 0.3;
-  std::filesystem::remove_all(options.directory);
-  make_directory(options.directory);
-  const SheetFolder folder(sheet.base, sheet.sampling, sheet.actuators, options.look_deg());
-  SheetFiles(folder, options)
-      .write(folder.fold(sheet.shifts_mm), {"sheet", "a sheet", "a sheet"}, {});
+  const SheetFolder folded(sheet.base, sheet.sampling, sheet.actuators, options.look_deg());
+  SheetFiles(folded, options)
+      .write(folded.fold(sheet.shifts_mm), {"sheet", "a sheet", "a sheet"}, {});
   std::map<std::string, double> volumes_mm3;
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(options.directory)) {

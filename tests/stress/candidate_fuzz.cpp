@@ -11,7 +11,7 @@
 #include "search/checks/folded_sheet.hpp"
 #include "search/checks/pattern_check.hpp"
 #include "search/draws/draw.hpp"
-#include "tests/stress/folder.hpp"
+#include "tests/folder.hpp"
 #include "tests/stress/mutations.hpp"
 
 namespace misalign::stress {

@@ -18,8 +18,8 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/verbs/choice.hpp"
+#include "tests/folder.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
-#include "tests/stress/folder.hpp"
 
 namespace misalign::stress {
 namespace {

@@ -1,4 +1,4 @@
-// A directory of our own for the files of one fuzzer.
+// A directory of our own for the files of one test or fuzzer: tests run beside each other.
 #pragma once
 
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace misalign::stress {
+namespace misalign {
 
 /// In memory where there is one; gone at the end.
 class Folder {
@@ -23,6 +23,7 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
+  const std::filesystem::path& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ / name; }
   std::string file(const std::string& name, const std::string& bytes) const {
     std::ofstream(file(name), std::ios::binary) << bytes;
@@ -43,4 +44,4 @@ inline std::string bytes_of(const std::string& path) {
   return bytes.str();
 }
 
-}  // namespace misalign::stress
+}  // namespace misalign
