@@ -1,0 +1,47 @@
+#include "search/splitting/climber.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "search/splitting/pilot.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Of a Population or a Pilot, all its levels.
+template <class Climb>
+void climb_alone(Climb& climb, Climber& climber) {
+  while (!climb.is_done()) {
+    PieceOrder order = *climb.take(kBeyondAll);
+    const std::uint32_t end = order.hi;
+    PieceWork work = climber.start(std::move(order));
+    while (!work.finished()) work.run_next_step();
+    climb.add(end, work.take());
+  }
+}
+
+}  // namespace
+
+Climber::Climber(const schema::Campaign& campaign, std::uint32_t sweeps, solver::InstructionSet set)
+    : moves_(campaign), sweeps_(sweeps), judges_(campaign, set) {}
+
+Ladder ladder_of(const schema::Campaign& campaign, const schema::Splitting& splitting,
+                 Climber& climber) {
+  Ladder ladder{campaign.seed, {}, splitting.particles, splitting.first_draws};
+  const double scores_per_deg = solver::kScoresPerSample / campaign.sample_deg;
+  for (const double level_deg : splitting.levels_deg) {
+    ladder.scores.push_back(static_cast<int>(std::lround(level_deg * scores_per_deg)));
+  }
+  if (!ladder.scores.empty()) return ladder;
+  Pilot pilot(campaign.seed, splitting.particles, splitting.first_draws, last_level(campaign));
+  climb_alone(pilot, climber);
+  return pilot.ladder();
+}
+
+PopulationRecord climbed(const Ladder& ladder, std::uint32_t number, Climber& climber) {
+  Population population(ladder, number);
+  climb_alone(population, climber);
+  return population.record();
+}
+
+}  // namespace misalign::search

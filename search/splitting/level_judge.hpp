@@ -1,0 +1,56 @@
+// What score sheets have, of those that may reach a level.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "schema/campaign/campaign.hpp"
+#include "solver/lanes/batch.hpp"
+
+namespace misalign::search {
+
+/// Instead of a score: below the level that was asked for, for certain; or a numerical failure.
+inline constexpr int kBelow = -1, kUndecided = -2;
+
+/// The score of a campaign's last level: its criterion.
+int last_level(const schema::Campaign& campaign);
+/// A verdict's score in this campaign: kScoresPerSample a sample, see solver::score. A sheet that
+/// is not accepted, for an inactive diagonal, lies just below the last level.
+int score_of(const solver::Verdict& verdict, const schema::Campaign& campaign);
+
+/// Rejection tests at a level's own sample, and full paths of those that they leave.
+class LevelJudge {
+ public:
+  /// `campaign` must outlive this object.
+  LevelJudge(const schema::Campaign& campaign, int sample, solver::InstructionSet set);
+
+  /// The scores of all sheets that lie above the level's sample; of others perhaps kBelow.
+  const std::vector<int>& judge(const solver::ShiftBlock& block);
+
+  const solver::Model& model() const { return model_; }
+  solver::Batch& batch() { return *batch_; }
+
+ private:
+  const schema::Campaign& campaign_;
+  const solver::Model model_;
+  std::unique_ptr<solver::Batch> batch_;
+  solver::ShiftBlock open_;
+  std::vector<int> scores_;
+};
+
+/// The judges of all levels, each made when first needed.
+class LevelJudges {
+ public:
+  LevelJudges(const schema::Campaign& campaign, solver::InstructionSet set)
+      : campaign_(campaign), set_(set) {}
+  /// Of the sheets whose score may be `score`, or more.
+  LevelJudge& from(int score);
+  const schema::Campaign& campaign() const { return campaign_; }
+
+ private:
+  const schema::Campaign& campaign_;
+  const solver::InstructionSet set_;
+  std::map<int, std::unique_ptr<LevelJudge>> of_sample_;
+};
+
+}  // namespace misalign::search

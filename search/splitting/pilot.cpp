@@ -1,0 +1,119 @@
+#include "search/splitting/pilot.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+
+namespace misalign::search {
+namespace {
+
+// How often a level is walked again before the pilot gives up.
+constexpr std::uint32_t kMostTries = 20;
+
+// The score that so many of these reach, or more of them where they have it in common.
+int score_of_rank(std::vector<int> scores, std::size_t rank) {
+  assert(!scores.empty());
+  const std::size_t place = std::min(std::max<std::size_t>(rank, 1), scores.size()) - 1;
+  std::ranges::nth_element(scores, scores.begin() + static_cast<std::ptrdiff_t>(place),
+                           std::greater());
+  return scores[place];
+}
+
+}  // namespace
+
+Pilot::Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last)
+    : ladder_{seed, {}, particles, first_draws},
+      last_(last),
+      looked_at_(std::min(particles, first_draws)),
+      pieces_(0, std::min(particles, first_draws)) {}
+
+std::optional<PieceOrder> Pilot::take(std::uint32_t most) {
+  const auto range = pieces_.take(most);
+  if (!range) return std::nullopt;
+  PieceOrder order{
+      kNumber, level_, range->lo, range->hi, ladder_.scores.empty() ? 0 : ladder_.scores.back(),
+      0,       false,  {},        {}};
+  if (level_ == 0) {
+    order.next = from_;
+    return order;
+  }
+  order.next = order.within;
+  for (std::uint32_t k = range->lo; k < range->hi; ++k) {
+    order.sheets.add(std::as_const(sheets_)[k]);
+    order.scores.push_back(scores_[k]);
+  }
+  return order;
+}
+
+bool Pilot::add(std::uint32_t end_of_order, PieceResult result) {
+  const LevelPieces::Range range{result.lo, end_of_order};
+  if (!pieces_.add(range, std::move(result))) return false;
+  end_level(pieces_.all());
+  return true;
+}
+
+void Pilot::end_level(PieceResult all) {
+  if (all.scores.empty()) {
+    end(false);
+  } else if (looked_at_ < ladder_.first_draws) {
+    // Ten times as many, of which a tenth is enough to look at.
+    from_ = std::min(last_, score_of_rank(all.scores, all.scores.size() / 10));
+    looked_at_ = std::min(std::uint64_t{10} * looked_at_, std::uint64_t{ladder_.first_draws});
+    pieces_ = LevelPieces(0, static_cast<std::uint32_t>(looked_at_));
+  } else {
+    const std::size_t rank = level_ == 0
+                                 ? ladder_.particles / 2
+                                 : static_cast<std::size_t>(kShareOfLevel * ladder_.particles);
+    go_on_from(std::min(last_, score_of_rank(all.scores, rank)), all);
+  }
+}
+
+void Pilot::go_on_from(int score, const PieceResult& all) {
+  const int reached = ladder_.scores.empty() ? 0 : ladder_.scores.back();
+  if (score <= reached) {  // ties: the least above, if there is one
+    score = last_;
+    bool is_there = false;
+    for (const int one : all.scores) {
+      if (one <= reached) continue;
+      score = std::min(score, one);
+      is_there = true;
+    }
+    if (!is_there && ++tries_ > kMostTries) {
+      end(false);
+      return;
+    }
+    if (!is_there) score = reached;
+  }
+  if (score > reached) {
+    ladder_.scores.push_back(score);
+    tries_ = 0;
+  }
+  if (score == last_) {
+    end(true);
+    return;
+  }
+  PieceResult above;
+  for (std::size_t k = 0; k < all.scores.size(); ++k) {
+    if (all.scores[k] < score) continue;
+    above.sheets.add(all.sheets[k]);
+    above.scores.push_back(all.scores[k]);
+  }
+  ++level_;
+  sheets_.clear();
+  scores_.clear();
+  for (const std::uint32_t k :
+       copies_of_survivors(ladder_.seed, kNumber, level_,
+                           static_cast<std::uint32_t>(above.scores.size()), ladder_.particles)) {
+    sheets_.add(std::as_const(above.sheets)[k]);
+    scores_.push_back(above.scores[k]);
+  }
+  pieces_ = LevelPieces(0, ladder_.particles);
+}
+
+void Pilot::end(bool is_whole) {
+  is_done_ = true;
+  is_whole_ = is_whole;
+  if (ladder_.scores.empty() || ladder_.scores.back() < last_) ladder_.scores.push_back(last_);
+}
+
+}  // namespace misalign::search

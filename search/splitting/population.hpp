@@ -1,0 +1,73 @@
+// One population on its way up: which particles are done, given out and open at its level, and who
+// goes on from there. A pure state machine, without clock, file or message.
+#pragma once
+
+#include "search/splitting/ladder.hpp"
+#include "search/splitting/level_pieces.hpp"
+
+namespace misalign::search {
+
+/// What became of a population at one level.
+struct LevelCount {
+  std::uint32_t level;
+  std::uint32_t particles;                ///< or first draws
+  std::uint32_t survivors;                ///< that have reached the next one
+  std::uint32_t ancestors;                ///< first draws from which these descend
+  std::uint64_t tried, taken, undecided;  ///< moves, see PieceResult
+  double seconds;
+};
+
+/// Where a sheet was met.
+struct Origin {
+  std::uint32_t population, level, step, particle;
+  friend auto operator<=>(const Origin&, const Origin&) = default;
+};
+
+struct FoundSheet {
+  Origin origin;
+  schema::Candidate candidate;
+};
+
+struct PopulationRecord {
+  std::uint32_t population;
+  std::vector<LevelCount>
+      levels;                     ///< from 0 on, as far as it came; the last level's has none after
+  std::vector<FoundSheet> found;  ///< by their origins, each sheet once
+
+  /// The estimate of the share of draws that reach this level: 0 if it died before. Unbiased.
+  double share(std::uint32_t level) const;
+};
+
+class Population {
+ public:
+  /// `ladder` must outlive this object.
+  Population(const Ladder& ladder, std::uint32_t number);
+
+  std::uint32_t number() const { return number_; }
+  std::uint32_t level() const { return level_; }
+  /// The next particles of its level that are open, at most so many, now given out.
+  std::optional<PieceOrder> take(std::uint32_t most);
+  /// What has come back of an order that ended at this particle; what it leaves of that is open
+  /// again. True if it ended the level.
+  bool add(std::uint32_t end_of_order, PieceResult result);
+  bool is_done() const { return is_done_; }
+  /// Particles of its level that nobody has.
+  std::uint32_t open() const { return pieces_.open(); }
+  /// Once it is done.
+  PopulationRecord record();
+
+ private:
+  void end_level(PieceResult all);
+
+  const Ladder& ladder_;
+  const std::uint32_t number_;
+  std::uint32_t level_ = 0;
+  bool is_done_ = false;
+  LevelPieces pieces_;
+  Particles sheets_;  // at its level
+  std::vector<int> scores_;
+  std::vector<std::uint32_t> ancestors_;
+  PopulationRecord record_;
+};
+
+}  // namespace misalign::search
