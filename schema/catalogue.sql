@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 4. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 6. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 5;
+PRAGMA user_version = 6;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -122,7 +122,9 @@ CREATE TABLE candidate (
   -- Since version 4; null in rows that were written before.
   miscut_margin_mm REAL,
   -- Since version 5; null in rows that were written before.
-  reverses_at_deg REAL  -- and when no diagonal turns back up to the end of its path
+  reverses_at_deg REAL,  -- and when no diagonal turns back up to the end of its path
+  -- Of a splitting search: by which the same sheet is known again; it has the least of its numbers.
+  sheet BLOB CHECK (length(sheet) = 16)
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
@@ -134,6 +136,44 @@ CREATE INDEX candidate_simplest ON candidate (shifted_vertices, deploys_from_deg
 CREATE INDEX candidate_smooth ON candidate (slope_between_min_mm_per_deg DESC) WHERE bump_deg IS NULL;
 CREATE INDEX candidate_stroke ON candidate (stroke_min DESC);
 CREATE INDEX candidate_tolerant ON candidate (miscut_margin_mm DESC, slope_min_mm_per_deg DESC);
+
+CREATE INDEX candidate_by_sheet ON candidate (sheet) WHERE sheet IS NOT NULL;
+
+-- Of a splitting search (search/splitting/README.md): its levels, 1, 2, ..., as scores in 1024ths of a
+-- sample; the last is the campaign's criterion. Since version 6, here and below.
+CREATE TABLE level (
+  number INTEGER PRIMARY KEY CHECK (number >= 1),
+  score INTEGER NOT NULL CHECK (score > 0),
+  deploys_from_deg REAL NOT NULL
+) STRICT;
+
+-- What became of each population at each level that it came to; at level 0 of its first draws. Its unit
+-- holds its numbers, 10^10 of them, of which its candidates have some.
+CREATE TABLE population (
+  unit INTEGER NOT NULL REFERENCES unit (lo),
+  level INTEGER NOT NULL CHECK (level >= 0),
+  particles INTEGER NOT NULL CHECK (particles > 0),
+  survivors INTEGER NOT NULL CHECK (survivors BETWEEN 0 AND particles),  -- that have reached the next one
+  ancestors INTEGER NOT NULL CHECK (ancestors BETWEEN 0 AND survivors),  -- first draws that these descend from
+  tried INTEGER NOT NULL CHECK (tried >= 0),                     -- draws, or moves
+  taken INTEGER NOT NULL CHECK (taken BETWEEN 0 AND tried),      -- moves that stayed within the level
+  undecided INTEGER NOT NULL CHECK (undecided BETWEEN 0 AND tried - taken),
+  met INTEGER NOT NULL CHECK (met >= 0),  -- different candidates, kept or not
+  seconds REAL NOT NULL CHECK (seconds >= 0),
+  PRIMARY KEY (unit, level)
+) STRICT, WITHOUT ROWID;
+
+-- What is done of populations that are under way: particles lo to hi - 1 of one at a level. Gone once the
+-- population is in the ledger.
+CREATE TABLE piece (
+  population INTEGER NOT NULL CHECK (population >= 0),
+  level INTEGER NOT NULL CHECK (level >= 0),
+  lo INTEGER NOT NULL CHECK (lo >= 0),
+  hi INTEGER NOT NULL CHECK (hi > lo),
+  layout TEXT NOT NULL,  -- of the result: a build that has another makes the piece again
+  result BLOB NOT NULL,
+  PRIMARY KEY (population, level, lo)
+) STRICT, WITHOUT ROWID;
 
 -- What `misalign tolerance` found: of copies of a candidate whose vertices are off by up to
 -- amplitude_mm, in x and in y, how many still deploy from the campaign's threshold.

@@ -115,6 +115,19 @@ Bytes pack(const SentUnit& sent) {
   return wire.take();
 }
 
+Bytes pack(const schema::DrawRange& range) {
+  Writer wire;
+  wire.field(range);
+  return wire.take();
+}
+
+schema::DrawRange unpack_range(const Bytes& bytes) {
+  Reader wire(bytes);
+  schema::DrawRange range{};
+  wire.field(range);
+  return range;
+}
+
 SentUnit unpack_unit(const Bytes& bytes) {
   Reader wire(bytes);
   SentUnit sent;

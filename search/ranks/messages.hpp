@@ -17,6 +17,10 @@ struct SentUnit {
   bool was_stopped = false;  ///< by a signal, before the range was done
 };
 
+/// What a worker is to do.
+Bytes pack(const schema::DrawRange& range);
+schema::DrawRange unpack_range(const Bytes& bytes);
+
 /// Which metrics a packed unit holds, in their order, and how large its parts are: ranks of two
 /// builds understand each other where this is the same.
 std::string message_layout();

@@ -11,6 +11,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/nothing_found.hpp"
+#include "search/ranks/draw_task.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
@@ -152,11 +153,11 @@ class RankZero {
   // Returns the exit code.
   int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
     CoordinatorOptions settings;
-    settings.unit_size.draws = options_.unit_draws;
-    settings.unit_bytes = options_.unit_bytes;
     settings.max_time_s = campaign().stop.wall_s;
     settings.progress = options_.progress;
-    const RunEnd end = run_coordinator(mpi, heartbeat, evaluator_, catalogue_, goal_, settings);
+    const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
+    DrawTask task(evaluator_, catalogue_, goal_, mpi.ranks(), units);
+    const RunEnd end = run_coordinator(mpi, heartbeat, task, settings);
     catalogue_.end_run(run_end_name(end));
     const schema::CommitCost& cost = catalogue_.cost();
     spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
@@ -222,6 +223,17 @@ int run_rank_zero(const SearchOptions& options, MpiSession& mpi) {
   return failure ? failure : exit_code;
 }
 
+void work_on_draws(const MpiSession& mpi, DrawEvaluator& evaluator, std::size_t most_bytes) {
+  run_worker(
+      mpi,
+      [&](const Bytes& job) {
+        return UnitWork(evaluator, unpack_range(job), schema::FaultSampleRule(), most_bytes);
+      },
+      [](UnitWork& work, bool was_stopped) {
+        return pack(SentUnit{work.take(), was_stopped});
+      });
+}
+
 int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
   Heartbeat heartbeat(mpi);
   if (const int code = mpi.broadcast(0)) return code;
@@ -233,7 +245,7 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
         options.instruction_set);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
-    if (!refused) run_worker(mpi, evaluator, options.unit_bytes);
+    if (!refused) work_on_draws(mpi, evaluator, options.unit_bytes);
   });
   if (failure) mpi.abort(failure);  // rank 0 would wait for ever
   if (!refused) mpi.meet();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/coordinator.hpp"
 
 namespace misalign::search {

@@ -22,11 +22,11 @@ void climb_alone(Climb& climb, Climber& climber) {
 
 }  // namespace
 
-Climber::Climber(const schema::Campaign& campaign, std::uint32_t sweeps, solver::InstructionSet set)
-    : moves_(campaign), sweeps_(sweeps), judges_(campaign, set) {}
+Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
+    : moves_(campaign), sweeps_(campaign.splitting->sweeps), judges_(campaign, set) {}
 
-Ladder ladder_of(const schema::Campaign& campaign, const schema::Splitting& splitting,
-                 Climber& climber) {
+Ladder ladder_of(const schema::Campaign& campaign, Climber& climber) {
+  const schema::Splitting& splitting = *campaign.splitting;
   Ladder ladder{campaign.seed, {}, splitting.particles, splitting.first_draws};
   const double scores_per_deg = solver::kScoresPerSample / campaign.sample_deg;
   for (const double level_deg : splitting.levels_deg) {

@@ -7,11 +7,11 @@
 
 namespace misalign::search {
 
-/// One splitting campaign made ready, and the workspace of this rank.
+/// One campaign that splits made ready, and the workspace of this rank.
 class Climber {
  public:
   /// `campaign` must outlive this object.
-  Climber(const schema::Campaign& campaign, std::uint32_t sweeps, solver::InstructionSet set);
+  Climber(const schema::Campaign& campaign, solver::InstructionSet set);
 
   PieceWork start(PieceOrder order) { return {moves_, sweeps_, judges_, std::move(order)}; }
   const Moves& moves() const { return moves_; }
@@ -24,8 +24,7 @@ class Climber {
 };
 
 /// The levels of a campaign: those that it names, or what a pilot finds.
-Ladder ladder_of(const schema::Campaign& campaign, const schema::Splitting& splitting,
-                 Climber& climber);
+Ladder ladder_of(const schema::Campaign& campaign, Climber& climber);
 
 /// One population from its first draws to the last level, by one rank alone.
 PopulationRecord climbed(const Ladder& ladder, std::uint32_t number, Climber& climber);

@@ -62,7 +62,7 @@ void Population::end_level(PieceResult all) {
   const std::set<std::uint32_t> different(ancestors.begin(), ancestors.end());
   record_.levels.push_back({level_, ladder_.size(level_), survivors,
                             static_cast<std::uint32_t>(different.size()), all.tried, all.taken,
-                            all.undecided, all.seconds});
+                            all.undecided, 0, all.seconds});
   for (MetCandidate& met : all.met) {
     record_.found.push_back({{number_, level_, met.step, met.particle}, std::move(met.candidate)});
   }

@@ -7,16 +7,6 @@
 
 namespace misalign::search {
 
-/// What became of a population at one level.
-struct LevelCount {
-  std::uint32_t level;
-  std::uint32_t particles;                ///< or first draws
-  std::uint32_t survivors;                ///< that have reached the next one
-  std::uint32_t ancestors;                ///< first draws from which these descend
-  std::uint64_t tried, taken, undecided;  ///< moves, see PieceResult
-  double seconds;
-};
-
 /// Where a sheet was met.
 struct Origin {
   std::uint32_t population, level, step, particle;
@@ -30,7 +20,7 @@ struct FoundSheet {
 
 struct PopulationRecord {
   std::uint32_t population;
-  std::vector<LevelCount>
+  std::vector<schema::LevelCount>
       levels;                     ///< from 0 on, as far as it came; the last level's has none after
   std::vector<FoundSheet> found;  ///< by their origins, each sheet once
 

@@ -23,25 +23,25 @@ void run(int argc, char** argv) {
   schema::Campaign campaign = schema::read_campaign_file(argv[1]);
   campaign.threshold_deg = std::atof(argv[2]);
   const auto populations = static_cast<std::uint32_t>(std::atoi(argv[3]));
-  schema::Splitting splitting;
+  schema::Splitting& splitting = campaign.splitting.emplace();
   if (argc > 4) splitting.particles = static_cast<std::uint32_t>(std::atoi(argv[4]));
   if (argc > 5) splitting.sweeps = static_cast<std::uint32_t>(std::atoi(argv[5]));
   splitting.first_draws = 100 * splitting.particles;
   if (argc > 6) splitting.first_draws = static_cast<std::uint32_t>(std::atoi(argv[6]));
   for (int i = 7; i < argc; ++i) splitting.levels_deg.push_back(std::atof(argv[i]));
-  Climber climber(campaign, splitting.sweeps, solver::available_instruction_sets().back());
+  Climber climber(campaign, solver::available_instruction_sets().back());
   double start_s = cpu_seconds();
-  const Ladder ladder = ladder_of(campaign, splitting, climber);
+  const Ladder ladder = ladder_of(campaign, climber);
   fmt::print("{} levels, pilot {:.2f} CPU s\n", ladder.top(), cpu_seconds() - start_s);
   start_s = cpu_seconds();
-  std::vector<LevelCount> sums(ladder.top() + 1);
+  std::vector<schema::LevelCount> sums(ladder.top() + 1);
   std::vector<double> means(ladder.top() + 1), squares(means);
   std::set<std::vector<double>> sheets;
   std::uint64_t ancestors = 0;
   for (std::uint32_t r = 0; r < populations; ++r) {
     const PopulationRecord record = climbed(ladder, r, climber);
-    for (const LevelCount& level : record.levels) {
-      LevelCount& sum = sums[level.level];
+    for (const schema::LevelCount& level : record.levels) {
+      schema::LevelCount& sum = sums[level.level];
       sum.particles += level.particles;
       sum.survivors += level.survivors;
       sum.tried += level.tried;
@@ -63,7 +63,7 @@ void run(int argc, char** argv) {
   }
   const double seconds = cpu_seconds() - start_s, n = populations;
   for (std::uint32_t k = 0; k <= ladder.top(); ++k) {
-    const LevelCount& sum = sums[k];
+    const schema::LevelCount& sum = sums[k];
     const double mean = k ? means[k] / n : 1;
     const double se = k ? std::sqrt((squares[k] / n - mean * mean) / (n - 1)) : 0;
     fmt::print(

@@ -1,0 +1,89 @@
+#include "schema/catalogue/population_rows.hpp"
+
+#include <fmt/format.h>
+
+#include "schema/catalogue/database.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Takes the rows of candidates away that `statement` selects, with their yields.
+void drop(SQLite::Database& database, SQLite::Statement statement) {
+  struct Row {
+    std::int64_t draw, unit;
+    int sample;
+    std::string sheet;
+  };
+  std::vector<Row> rows;
+  while (statement.executeStep()) {
+    rows.push_back({statement.getColumn(0).getInt64(), statement.getColumn(1).getInt64(),
+                    statement.getColumn(2).getInt(), statement.getColumn(3).getString()});
+  }
+  statement.reset();
+  SQLite::Statement part(database, "SELECT digest_part FROM unit WHERE lo = ?");
+  SQLite::Statement update(database,
+                           "UPDATE unit SET accepted = accepted - 1, rejected = rejected + 1, "
+                           "digest_part = ? WHERE lo = ?");
+  SQLite::Statement yields(database, "DELETE FROM yield WHERE draw = ?");
+  SQLite::Statement candidate(database, "DELETE FROM candidate WHERE draw = ?");
+  for (const Row& row : rows) {
+    part.reset();
+    part.bind(1, row.unit);
+    if (!part.executeStep() || part.getColumn(0).getBytes() != 16) continue;  // a damaged file
+    CandidateSum sum =
+        CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getColumn(0).getBlob()));
+    CandidateSum one;
+    one.add(static_cast<std::uint64_t>(row.draw), row.sample, row.sheet);
+    sum.subtract(one);
+    update.reset();
+    const auto bytes = sum.bytes();
+    update.bind(1, bytes.data(), static_cast<int>(bytes.size()));
+    update.bind(2, row.unit);
+    update.exec();
+    for (SQLite::Statement* remove : {&yields, &candidate}) {
+      remove->reset();
+      remove->bind(1, row.draw);
+      remove->exec();
+    }
+  }
+}
+
+}  // namespace
+
+std::string sheet_hash(const std::string& displacements_mm) {
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, hash_of(displacements_mm));
+  return {reinterpret_cast<const char*>(bytes.digest), sizeof bytes.digest};
+}
+
+CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& levels) {
+  CandidateSum sum;
+  for (const LevelCount& level : levels) {
+    sum.add_text(fmt::format("unit {} level {}: {} of {}", unit, level.level, level.survivors,
+                             level.particles));
+  }
+  return sum;
+}
+
+void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
+                          const std::optional<std::uint64_t>& most) {
+  SQLite::Statement again(
+      database,
+      "SELECT DISTINCT more.draw, more.unit, more.deploys_from_sample, more.sheet FROM candidate "
+      "AS one "
+      "JOIN candidate AS least ON least.sheet = one.sheet "
+      "JOIN candidate AS more ON more.sheet = one.sheet AND more.draw > least.draw "
+      "WHERE one.draw >= ? AND one.draw < ?");
+  again.bind(1, stored(added.lo));
+  again.bind(2, stored(added.hi));
+  drop(database, std::move(again));
+  if (!most) return;
+  SQLite::Statement beyond(
+      database,
+      "SELECT draw, unit, deploys_from_sample, sheet FROM candidate ORDER BY draw "
+      "LIMIT -1 OFFSET ?");
+  beyond.bind(1, stored(*most));
+  drop(database, std::move(beyond));
+}
+
+}  // namespace misalign::schema

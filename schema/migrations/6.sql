@@ -1,0 +1,41 @@
+-- From version 5 to 6: splitting searches.
+ALTER TABLE candidate ADD COLUMN sheet BLOB CHECK (length(sheet) = 16);
+CREATE INDEX candidate_by_sheet ON candidate (sheet) WHERE sheet IS NOT NULL;
+
+-- Of a splitting search (search/splitting/README.md): its levels, 1, 2, ..., as scores in 1024ths of a
+-- sample; the last is the campaign's criterion. Since version 6, here and below.
+CREATE TABLE level (
+  number INTEGER PRIMARY KEY CHECK (number >= 1),
+  score INTEGER NOT NULL CHECK (score > 0),
+  deploys_from_deg REAL NOT NULL
+) STRICT;
+
+-- What became of each population at each level that it came to; at level 0 of its first draws. Its unit
+-- holds its numbers, 10^10 of them, of which its candidates have some.
+CREATE TABLE population (
+  unit INTEGER NOT NULL REFERENCES unit (lo),
+  level INTEGER NOT NULL CHECK (level >= 0),
+  particles INTEGER NOT NULL CHECK (particles > 0),
+  survivors INTEGER NOT NULL CHECK (survivors BETWEEN 0 AND particles),  -- that have reached the next one
+  ancestors INTEGER NOT NULL CHECK (ancestors BETWEEN 0 AND survivors),  -- first draws that these descend from
+  tried INTEGER NOT NULL CHECK (tried >= 0),                     -- draws, or moves
+  taken INTEGER NOT NULL CHECK (taken BETWEEN 0 AND tried),      -- moves that stayed within the level
+  undecided INTEGER NOT NULL CHECK (undecided BETWEEN 0 AND tried - taken),
+  met INTEGER NOT NULL CHECK (met >= 0),  -- different candidates, kept or not
+  seconds REAL NOT NULL CHECK (seconds >= 0),
+  PRIMARY KEY (unit, level)
+) STRICT, WITHOUT ROWID;
+
+-- What is done of populations that are under way: particles lo to hi - 1 of one at a level. Gone once the
+-- population is in the ledger.
+CREATE TABLE piece (
+  population INTEGER NOT NULL CHECK (population >= 0),
+  level INTEGER NOT NULL CHECK (level >= 0),
+  lo INTEGER NOT NULL CHECK (lo >= 0),
+  hi INTEGER NOT NULL CHECK (hi > lo),
+  layout TEXT NOT NULL,  -- of the result: a build that has another makes the piece again
+  result BLOB NOT NULL,
+  PRIMARY KEY (population, level, lo)
+) STRICT, WITHOUT ROWID;
+
+PRAGMA user_version = 6;
