@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "schema/catalogue/unit_writer.hpp"
+#include "search/ranks/wire.hpp"
 
 namespace misalign::search {
-
-using Bytes = std::vector<char>;
 
 /// What a worker sends back of its range.
 struct SentUnit {

@@ -15,7 +15,7 @@ void climb_alone(Climb& climb, Climber& climber) {
     PieceOrder order = *climb.take(kBeyondAll);
     const std::uint32_t end = order.hi;
     PieceWork work = climber.start(std::move(order));
-    while (!work.finished()) work.run_next_step();
+    while (!work.finished()) work.run_next_block();
     climb.add(end, work.take());
   }
 }

@@ -2,6 +2,23 @@
 
 namespace misalign::search {
 
+PieceOrder order_of(std::uint32_t population, std::uint32_t level,
+                    const schema::DrawRange& particles, const Bounds& bounds,
+                    const ScoredSheets& here) {
+  PieceOrder order{population,
+                   level,
+                   static_cast<std::uint32_t>(particles.lo),
+                   static_cast<std::uint32_t>(particles.hi),
+                   bounds.within,
+                   bounds.next,
+                   here.count() == 0,
+                   true,
+                   {}};
+  if (order.is_first) return order;
+  for (std::uint64_t k = particles.lo; k < particles.hi; ++k) order.here.add(here, k);
+  return order;
+}
+
 // Selection sampling (Knuth, The Art of Computer Programming 2, 3.4.2, algorithm S).
 std::vector<std::uint32_t> copies_of_survivors(std::uint64_t seed, std::uint32_t population,
                                                std::uint32_t level, std::uint32_t survivors,

@@ -21,6 +21,16 @@ struct Ladder {
   int next(std::uint32_t level) const { return level < top() ? scores[level] : kBeyondAll; }
 };
 
+/// The levels that particles are confined to, and on the watch for.
+struct Bounds {
+  int within, next;
+};
+
+/// Of a population's particles at a level, those of `here`; at its beginning none.
+PieceOrder order_of(std::uint32_t population, std::uint32_t level,
+                    const schema::DrawRange& particles, const Bounds& bounds,
+                    const ScoredSheets& here);
+
 /// Who is copied where so few have survived: each of them as often as any other, and some once
 /// more, chosen by chance without replacement. So each has `particles` / `survivors` copies on
 /// average, which keeps estimates unbiased. Numbers of survivors, ascending.

@@ -1,34 +1,34 @@
-// Which particles of a level are done, given out and open: a pure state machine.
+// The pieces of a level: which of its particles are done, and what that gave.
 #pragma once
 
 #include <map>
 #include <optional>
 
+#include "search/draws/ledger.hpp"
 #include "search/splitting/piece.hpp"
 
 namespace misalign::search {
 
 class LevelPieces {
  public:
-  struct Range {
-    std::uint32_t lo, hi;
-  };
+  /// A level of so many particles, all open.
+  explicit LevelPieces(std::uint32_t particles) : ledger_({0, particles}, {}) {}
 
-  /// A level whose particles lo to hi - 1 are all open.
-  LevelPieces(std::uint32_t lo, std::uint32_t hi) : lo_(lo), left_(hi - lo) { open_[lo] = hi; }
-
-  /// The next ones that are open, at most so many, now given out.
-  std::optional<Range> take(std::uint32_t most);
-  /// What has come back of them; what it leaves is open again. True if now all are done.
-  bool add(const Range& taken, PieceResult result);
+  /// Particles lo to hi - 1, the next that are open, at most so many: now given out.
+  std::optional<DrawRange> take(std::uint32_t most) { return ledger_.take(most); }
+  /// These, which were done in an earlier run. False if they are not all open.
+  bool take(const DrawRange& particles) { return ledger_.take(particles); }
+  /// What has come back of particles that were given out; what it leaves is open again. True if now
+  /// all are done.
+  bool add(const DrawRange& taken, PieceResult result);
   /// All that was done, in the particles' order, once that is so.
   PieceResult all();
-  std::uint32_t open() const;
+  bool anything_open() const { return ledger_.open_draws() > 0; }
+  std::uint64_t open() const { return ledger_.open_draws(); }
 
  private:
-  std::uint32_t lo_, left_;
-  std::map<std::uint32_t, std::uint32_t> open_;  // lo -> hi
-  std::map<std::uint32_t, PieceResult> done_;    // by their lo
+  Ledger ledger_;
+  std::map<std::uint32_t, PieceResult> done_;  // by their lo
 };
 
 }  // namespace misalign::search

@@ -42,32 +42,47 @@ class ShiftCode {
 };
 
 /// Sheets one after another, in one piece of memory.
-class Particles {
- public:
-  Particles() = default;
-  Particles(std::size_t bytes_each, std::size_t count)
-      : bytes_each_(bytes_each), bytes_(bytes_each * count) {}
+struct Particles {
+  std::size_t bytes_each = 0;
+  std::vector<std::uint8_t> bytes;
 
-  std::size_t count() const { return bytes_each_ > 0 ? bytes_.size() / bytes_each_ : 0; }
-  ShiftCode::Sheet operator[](std::size_t k) {
-    return {bytes_.data() + k * bytes_each_, bytes_each_};
+  static Particles of(std::size_t bytes_each, std::size_t count) {
+    return {bytes_each, std::vector<std::uint8_t>(bytes_each * count)};
   }
+  std::size_t count() const { return bytes_each > 0 ? bytes.size() / bytes_each : 0; }
+  ShiftCode::Sheet operator[](std::size_t k) { return {bytes.data() + k * bytes_each, bytes_each}; }
   ShiftCode::ConstSheet operator[](std::size_t k) const {
-    return {bytes_.data() + k * bytes_each_, bytes_each_};
+    return {bytes.data() + k * bytes_each, bytes_each};
   }
   void add(ShiftCode::ConstSheet sheet) {
-    bytes_each_ = sheet.size();
-    bytes_.insert(bytes_.end(), sheet.begin(), sheet.end());
+    bytes_each = sheet.size();
+    bytes.insert(bytes.end(), sheet.begin(), sheet.end());
   }
   void add(const Particles& others) {
-    if (others.count() > 0) bytes_each_ = others.bytes_each_;
-    bytes_.insert(bytes_.end(), others.bytes_.begin(), others.bytes_.end());
+    if (others.count() > 0) bytes_each = others.bytes_each;
+    bytes.insert(bytes.end(), others.bytes.begin(), others.bytes.end());
   }
-  void clear() { bytes_.clear(); }
+  void clear() { bytes.clear(); }
+};
 
- private:
-  std::size_t bytes_each_ = 0;
-  std::vector<std::uint8_t> bytes_;
+/// Sheets with their scores.
+struct ScoredSheets {
+  Particles sheets;
+  std::vector<int> scores;
+
+  std::size_t count() const { return scores.size(); }
+  void add(const ScoredSheets& others, std::size_t k) {
+    sheets.add(others.sheets[k]);
+    scores.push_back(others.scores[k]);
+  }
+  void add(const ScoredSheets& others) {
+    sheets.add(others.sheets);
+    scores.insert(scores.end(), others.scores.begin(), others.scores.end());
+  }
+  void clear() {
+    sheets.clear();
+    scores.clear();
+  }
 };
 
 }  // namespace misalign::search

@@ -23,8 +23,7 @@ void PieceResult::append(PieceResult next) {
   undecided += next.undecided;
   seconds += next.seconds;
   survivors.insert(survivors.end(), next.survivors.begin(), next.survivors.end());
-  sheets.add(next.sheets);
-  scores.insert(scores.end(), next.scores.begin(), next.scores.end());
+  there.add(next.there);
   std::ranges::move(next.met, std::back_inserter(met));
 }
 
@@ -41,27 +40,27 @@ PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelJudges& judg
   result_.lo = result_.hi = order_.lo;
 }
 
-void PieceWork::run_next_step() {
+void PieceWork::run_next_block() {
   const Stopwatch watch;
   if (block_ == 0) begin_block();
   make_proposals();
   take_good_ones();
   of_block_.seconds += watch.seconds();
-  if (order_.level == 0 || ++step_ > sweeps_) end_block();
+  if (order_.is_first || ++step_ > sweeps_) end_block();
 }
 
 void PieceWork::begin_block() {
   block_ = std::min(kMostOfBlock, order_.hi - next_);
-  step_ = order_.level == 0 ? 0 : 1;
+  step_ = order_.is_first ? 0 : 1;
   of_block_ = {};
-  if (order_.level == 0) {
-    now_ = Particles(bytes_, block_);
+  if (order_.is_first) {
+    now_ = Particles::of(bytes_, block_);
     now_scores_.assign(block_, kBelow);
     return;
   }
   now_.clear();
-  for (std::uint32_t k = 0; k < block_; ++k) now_.add(order_.sheets[next_ - order_.lo + k]);
-  const auto first = order_.scores.begin() + (next_ - order_.lo);
+  for (std::uint32_t k = 0; k < block_; ++k) now_.add(order_.here.sheets[next_ - order_.lo + k]);
+  const auto first = order_.here.scores.begin() + (next_ - order_.lo);
   now_scores_.assign(first, first + block_);
 }
 
@@ -72,7 +71,7 @@ void PieceWork::make_proposals() {
   for (std::uint32_t k = 0; k < block_; ++k) {
     const StepWords words(judges_.campaign().seed, order_.population, order_.level, step_,
                           next_ + k);
-    if (order_.level == 0) {
+    if (order_.is_first) {
       moves_.draw(words, tried_[k]);
     } else {
       moves_.propose(words, tried_[k]);
@@ -83,7 +82,7 @@ void PieceWork::make_proposals() {
 
 // Of the first draws those that reach the next level; later those that stay within theirs.
 void PieceWork::take_good_ones() {
-  const int least = order_.level == 0 ? order_.next : order_.within;
+  const int least = order_.is_first ? order_.next : order_.within;
   const std::vector<int>& scores = judges_.from(least).judge(shifts_);
   const int accepted = last_level(judges_.campaign());
   for (std::uint32_t k = 0; k < block_; ++k) {
@@ -136,8 +135,8 @@ void PieceWork::end_block() {
   for (std::uint32_t k = 0; k < block_; ++k) {
     if (now_scores_[k] < order_.next) continue;
     of_block_.survivors.push_back(of_block_.lo + k);
-    of_block_.sheets.add(std::as_const(now_)[k]);
-    of_block_.scores.push_back(now_scores_[k]);
+    of_block_.there.sheets.add(std::as_const(now_)[k]);
+    of_block_.there.scores.push_back(now_scores_[k]);
   }
   result_.append(std::move(of_block_));
   block_ = 0;

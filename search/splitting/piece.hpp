@@ -15,16 +15,15 @@ namespace misalign::search {
 /// Above every score.
 inline constexpr int kBeyondAll = std::numeric_limits<int>::max();
 
-/// Particles lo to hi - 1 of a population at a level: at level 0 its first draws, whose sheets are
-/// still to be made.
+/// Particles lo to hi - 1 of a population at a level.
 struct PieceOrder {
   std::uint32_t population, level;
   std::uint32_t lo, hi;
   int within;          ///< the least score at this level
   int next;            ///< that of the next: who has it is wanted; kBeyondAll: nobody
+  bool is_first;       ///< its first draws, whose sheets are still to be made
   bool is_catalogued;  ///< whether sheets that meet the campaign's criterion are kept
-  Particles sheets;
-  std::vector<int> scores;
+  ScoredSheets here;   ///< none of the first draws
 };
 
 /// A sheet that meets the criterion, and where it was met first.
@@ -41,9 +40,8 @@ struct PieceResult {
   std::uint64_t undecided = 0;   ///< of those tried
   double seconds = 0;
   std::vector<std::uint32_t> survivors;  ///< particles that have reached the next level, ascending
-  Particles sheets;                      ///< theirs
-  std::vector<int> scores;
-  std::vector<MetCandidate> met;  ///< each sheet of a piece once, where it was met first
+  ScoredSheets there;                    ///< theirs
+  std::vector<MetCandidate> met;         ///< each sheet of a piece once, where it was met first
 
   /// Those that come next.
   void append(PieceResult next);
@@ -56,8 +54,11 @@ class PieceWork {
   PieceWork(const Moves& moves, std::uint32_t sweeps, LevelJudges& judges, PieceOrder order);
 
   bool finished() const { return next_ == order_.hi; }
-  /// One step of a block of particles.
-  void run_next_step();
+  bool is_full() const { return false; }  // orders are small enough
+  /// One step of a block of particles: about a tenth of a second.
+  void run_next_block();
+  const PieceOrder& order() const { return order_; }
+  const PieceResult& so_far() const { return result_; }
   /// What has been done: whole blocks of particles.
   PieceResult take();
 

@@ -25,55 +25,55 @@ Pilot::Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_dr
     : ladder_{seed, {}, particles, first_draws},
       last_(last),
       looked_at_(std::min(particles, first_draws)),
-      pieces_(0, std::min(particles, first_draws)) {}
+      pieces_(std::min(particles, first_draws)) {}
 
 std::optional<PieceOrder> Pilot::take(std::uint32_t most) {
-  const auto range = pieces_.take(most);
-  if (!range) return std::nullopt;
-  PieceOrder order{
-      kNumber, level_, range->lo, range->hi, ladder_.scores.empty() ? 0 : ladder_.scores.back(),
-      0,       false,  {},        {}};
-  if (level_ == 0) {
-    order.next = from_;
-    return order;
-  }
-  order.next = order.within;
-  for (std::uint32_t k = range->lo; k < range->hi; ++k) {
-    order.sheets.add(std::as_const(sheets_)[k]);
-    order.scores.push_back(scores_[k]);
-  }
+  const auto particles = pieces_.take(most);
+  if (!particles) return std::nullopt;
+  // The scores of all are wanted.
+  const Bounds bounds{reached(), here_.count() == 0 ? from_ : reached()};
+  PieceOrder order = order_of(kNumber, level_, *particles, bounds, here_);
+  order.is_catalogued = false;
   return order;
 }
 
+bool Pilot::restore(PieceResult result) {
+  if (is_done_ || result.level != level_ || !pieces_.take({result.lo, result.hi})) return false;
+  const std::uint32_t end = result.hi;
+  add(end, std::move(result));
+  return true;
+}
+
 bool Pilot::add(std::uint32_t end_of_order, PieceResult result) {
-  const LevelPieces::Range range{result.lo, end_of_order};
-  if (!pieces_.add(range, std::move(result))) return false;
+  const DrawRange taken{result.lo, end_of_order};
+  if (!pieces_.add(taken, std::move(result))) return false;
   end_level(pieces_.all());
   return true;
 }
 
 void Pilot::end_level(PieceResult all) {
-  if (all.scores.empty()) {
+  if (all.there.scores.empty()) {
     end(false);
   } else if (looked_at_ < ladder_.first_draws) {
     // Ten times as many, of which a tenth is enough to look at.
-    from_ = std::min(last_, score_of_rank(all.scores, all.scores.size() / 10));
+    from_ = std::min(last_, score_of_rank(all.there.scores, all.there.scores.size() / 10));
+    ++level_;
     looked_at_ = std::min(std::uint64_t{10} * looked_at_, std::uint64_t{ladder_.first_draws});
-    pieces_ = LevelPieces(0, static_cast<std::uint32_t>(looked_at_));
+    pieces_ = LevelPieces(static_cast<std::uint32_t>(looked_at_));
   } else {
-    const std::size_t rank = level_ == 0
+    const std::size_t rank = here_.count() == 0
                                  ? ladder_.particles / 2
                                  : static_cast<std::size_t>(kShareOfLevel * ladder_.particles);
-    go_on_from(std::min(last_, score_of_rank(all.scores, rank)), all);
+    go_on_from(std::min(last_, score_of_rank(all.there.scores, rank)), all);
   }
 }
 
 void Pilot::go_on_from(int score, const PieceResult& all) {
-  const int reached = ladder_.scores.empty() ? 0 : ladder_.scores.back();
+  const int reached = this->reached();
   if (score <= reached) {  // ties: the least above, if there is one
     score = last_;
     bool is_there = false;
-    for (const int one : all.scores) {
+    for (const int one : all.there.scores) {
       if (one <= reached) continue;
       score = std::min(score, one);
       is_there = true;
@@ -92,22 +92,18 @@ void Pilot::go_on_from(int score, const PieceResult& all) {
     end(true);
     return;
   }
-  PieceResult above;
-  for (std::size_t k = 0; k < all.scores.size(); ++k) {
-    if (all.scores[k] < score) continue;
-    above.sheets.add(all.sheets[k]);
-    above.scores.push_back(all.scores[k]);
+  ScoredSheets above;
+  for (std::size_t k = 0; k < all.there.count(); ++k) {
+    if (all.there.scores[k] >= score) above.add(all.there, k);
   }
   ++level_;
-  sheets_.clear();
-  scores_.clear();
+  here_.clear();
   for (const std::uint32_t k :
-       copies_of_survivors(ladder_.seed, kNumber, level_,
-                           static_cast<std::uint32_t>(above.scores.size()), ladder_.particles)) {
-    sheets_.add(std::as_const(above.sheets)[k]);
-    scores_.push_back(above.scores[k]);
+       copies_of_survivors(ladder_.seed, kNumber, level_, static_cast<std::uint32_t>(above.count()),
+                           ladder_.particles)) {
+    here_.add(above, k);
   }
-  pieces_ = LevelPieces(0, ladder_.particles);
+  pieces_ = LevelPieces(ladder_.particles);
 }
 
 void Pilot::end(bool is_whole) {

@@ -22,7 +22,9 @@ class Pilot {
   /// As of a Population.
   std::optional<PieceOrder> take(std::uint32_t most);
   bool add(std::uint32_t end_of_order, PieceResult result);
-  std::uint32_t open() const { return pieces_.open(); }
+  bool restore(PieceResult result);
+  std::uint64_t open() const { return pieces_.open(); }
+  std::uint32_t level() const { return level_; }
   /// Whether the last level is reached, or none higher is.
   bool is_done() const { return is_done_; }
   /// Once it is done: ascending, the last one `last` whether it was reached or not.
@@ -34,17 +36,17 @@ class Pilot {
   void end_level(PieceResult all);
   void go_on_from(int score, const PieceResult& all);
   void end(bool is_whole);
+  int reached() const { return ladder_.scores.empty() ? 0 : ladder_.scores.back(); }
 
   Ladder ladder_;
   const int last_;
-  std::uint32_t level_ = 0;  // 0: some of the first draws, then more, then all of them
+  std::uint32_t level_ = 0;  // at first ever more of the first draws
   int from_ = 0;             // the score from which on first draws are looked at
   std::uint64_t looked_at_;  // of the first draws
   std::uint32_t tries_ = 0;  // steps of this level without a higher one
   bool is_done_ = false, is_whole_ = false;
   LevelPieces pieces_;
-  Particles sheets_;
-  std::vector<int> scores_;
+  ScoredSheets here_;
 };
 
 }  // namespace misalign::search

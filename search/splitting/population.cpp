@@ -16,29 +16,29 @@ double PopulationRecord::share(std::uint32_t level) const {
 }
 
 Population::Population(const Ladder& ladder, std::uint32_t number)
-    : ladder_(ladder), number_(number), pieces_(0, ladder.first_draws) {
+    : ladder_(ladder), number_(number), pieces_(ladder.first_draws) {
   record_.population = number;
 }
 
 std::optional<PieceOrder> Population::take(std::uint32_t most) {
-  const auto range = pieces_.take(most);
-  if (!range) return std::nullopt;
-  PieceOrder order{
-      number_, level_, range->lo, range->hi, ladder_.score(level_), ladder_.next(level_),
-      true,    {},     {}};
-  if (level_ == 0) return order;
-  for (std::uint32_t k = range->lo; k < range->hi; ++k) {
-    order.sheets.add(std::as_const(sheets_)[k]);
-    order.scores.push_back(scores_[k]);
-  }
-  return order;
+  const auto particles = pieces_.take(most);
+  if (!particles) return std::nullopt;
+  return order_of(number_, level_, *particles, {ladder_.score(level_), ladder_.next(level_)},
+                  here_);
 }
 
 bool Population::add(std::uint32_t end_of_order, PieceResult result) {
   assert(result.level == level_);
-  const LevelPieces::Range range{result.lo, end_of_order};
-  if (!pieces_.add(range, std::move(result))) return false;
+  const DrawRange taken{result.lo, end_of_order};
+  if (!pieces_.add(taken, std::move(result))) return false;
   end_level(pieces_.all());
+  return true;
+}
+
+bool Population::restore(PieceResult result) {
+  if (is_done_ || result.level != level_ || !pieces_.take({result.lo, result.hi})) return false;
+  const std::uint32_t end = result.hi;
+  add(end, std::move(result));
   return true;
 }
 
@@ -50,6 +50,7 @@ PopulationRecord Population::record() {
     const Eigen::Matrix2Xd& shifts_mm = found.candidate.shifts_mm;
     return !seen.insert({shifts_mm.data(), shifts_mm.data() + shifts_mm.size()}).second;
   });
+  for (const FoundSheet& found : record_.found) ++record_.levels[found.origin.level].met;
   return std::move(record_);
 }
 
@@ -69,16 +70,14 @@ void Population::end_level(PieceResult all) {
   is_done_ = survivors == 0;  // it died, or there is nowhere to go on to
   if (is_done_) return;
   ++level_;
-  sheets_.clear();
-  scores_.clear();
+  here_.clear();
   ancestors_.clear();
   for (const std::uint32_t k :
        copies_of_survivors(ladder_.seed, number_, level_, survivors, ladder_.particles)) {
-    sheets_.add(std::as_const(all.sheets)[k]);
-    scores_.push_back(all.scores[k]);
+    here_.add(all.there, k);
     ancestors_.push_back(ancestors[k]);
   }
-  pieces_ = LevelPieces(0, ladder_.particles);
+  pieces_ = LevelPieces(ladder_.particles);
 }
 
 }  // namespace misalign::search

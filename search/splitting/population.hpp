@@ -40,9 +40,11 @@ class Population {
   /// What has come back of an order that ended at this particle; what it leaves of that is open
   /// again. True if it ended the level.
   bool add(std::uint32_t end_of_order, PieceResult result);
+  /// What an earlier run has done. False if it does not belong to the level that this one is at.
+  bool restore(PieceResult result);
   bool is_done() const { return is_done_; }
   /// Particles of its level that nobody has.
-  std::uint32_t open() const { return pieces_.open(); }
+  std::uint64_t open() const { return pieces_.open(); }
   /// Once it is done.
   PopulationRecord record();
 
@@ -54,8 +56,7 @@ class Population {
   std::uint32_t level_ = 0;
   bool is_done_ = false;
   LevelPieces pieces_;
-  Particles sheets_;  // at its level
-  std::vector<int> scores_;
+  ScoredSheets here_;  // at its level
   std::vector<std::uint32_t> ancestors_;
   PopulationRecord record_;
 };

@@ -1,0 +1,20 @@
+// The messages of a splitting search between ranks, as bytes; results are kept in catalogues too.
+#pragma once
+
+#include "search/ranks/wire.hpp"
+#include "search/splitting/piece.hpp"
+
+namespace misalign::search {
+
+/// What a worker sends back of its piece.
+struct SentPiece {
+  PieceResult result;
+  bool was_stopped = false;  ///< by a signal, before the piece was done
+};
+
+Bytes pack(const PieceOrder& order);
+PieceOrder unpack_order(const Bytes& bytes);
+Bytes pack(const SentPiece& sent);
+SentPiece unpack_piece(const Bytes& bytes);
+
+}  // namespace misalign::search
