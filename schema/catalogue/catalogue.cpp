@@ -242,6 +242,25 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   cost_.longest_s = std::max(cost_.longest_s, seconds);
 }
 
+std::vector<int> Catalogue::levels() const { return read_levels(*database_); }
+
+std::vector<PieceRow> Catalogue::pieces(const std::string& layout) const {
+  return reading(*database_, [&] { return read_pieces(*database_, layout); });
+}
+
+void Catalogue::keep_levels(const std::vector<int>& scores, std::uint32_t pilot) {
+  guarded(path_, [&] {
+    transact([&] {
+      write_levels(*database_, scores, campaign_.sample_deg);
+      drop_pieces(*database_, pilot);
+    });
+  });
+}
+
+void Catalogue::keep_pieces(const std::vector<PieceRow>& pieces) {
+  guarded(path_, [&] { transact([&] { write_pieces(*database_, pieces); }); });
+}
+
 void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
   guarded(path_, [&] {
     transact([&] {

@@ -66,6 +66,14 @@ class Catalogue {
   /// One transaction: the units, their candidates and what else belongs to them, and the goal's
   /// end. UserError: 1 if the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
+  /// Of a splitting search: the scores of its levels, none where they are not known yet; and what
+  /// is done of populations under way, of a layout.
+  std::vector<int> levels() const;
+  std::vector<PieceRow> pieces(const std::string& layout) const;
+  /// One transaction each: the levels, instead of what is done of finding them by this population;
+  /// more pieces.
+  void keep_levels(const std::vector<int>& scores, std::uint32_t pilot);
+  void keep_pieces(const std::vector<PieceRow>& pieces);
   /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
   /// begin_run. UserError (3) if the other one holds rows that no catalogue may.
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/since.hpp"
+#include "solver/verdict/score.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -49,6 +51,65 @@ void drop(SQLite::Database& database, SQLite::Statement statement) {
 }
 
 }  // namespace
+
+std::vector<int> read_levels(SQLite::Database& database) {
+  return reading(database, [&] {
+    std::vector<int> scores;
+    if (version_of(database) < kSplittingSince) return scores;
+    SQLite::Statement rows(database, "SELECT score FROM level ORDER BY number");
+    while (rows.executeStep()) scores.push_back(rows.getColumn(0).getInt());
+    return scores;
+  });
+}
+
+void write_levels(SQLite::Database& database, const std::vector<int>& scores, double sample_deg) {
+  SQLite::Statement insert(database,
+                           "INSERT INTO level (number, score, deploys_from_deg) VALUES (?,?,?)");
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    insert.reset();
+    insert.bind(1, stored(k + 1));
+    insert.bind(2, scores[k]);
+    insert.bind(3, scores[k] * sample_deg / solver::kScoresPerSample);
+    insert.exec();
+  }
+}
+
+std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout) {
+  std::vector<PieceRow> pieces;
+  SQLite::Statement rows(database,
+                         "SELECT population, level, lo, hi, result FROM piece WHERE layout = ? "
+                         "ORDER BY population, level, lo");
+  rows.bind(1, layout);
+  while (rows.executeStep()) {
+    const auto number = [&](int column) { return rows.getColumn(column).getUInt(); };
+    pieces.push_back(
+        {number(0), number(1), number(2), number(3), layout, rows.getColumn(4).getString()});
+  }
+  return pieces;
+}
+
+void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces) {
+  // Another build's result is replaced.
+  SQLite::Statement insert(database,
+                           "INSERT OR REPLACE INTO piece (population, level, lo, hi, layout, "
+                           "result) VALUES (?,?,?,?,?,?)");
+  for (const PieceRow& piece : pieces) {
+    insert.reset();
+    insert.bind(1, piece.population);
+    insert.bind(2, piece.level);
+    insert.bind(3, piece.lo);
+    insert.bind(4, piece.hi);
+    insert.bind(5, piece.layout);
+    insert.bind(6, piece.result.data(), static_cast<int>(piece.result.size()));
+    insert.exec();
+  }
+}
+
+void drop_pieces(SQLite::Database& database, std::uint32_t population) {
+  SQLite::Statement remove(database, "DELETE FROM piece WHERE population = ?");
+  remove.bind(1, population);
+  remove.exec();
+}
 
 std::string sheet_hash(const std::string& displacements_mm) {
   XXH128_canonical_t bytes;

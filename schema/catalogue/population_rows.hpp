@@ -24,6 +24,21 @@ struct LevelCount {
   double seconds;
 };
 
+/// What is done of a population that is under way: particles lo to hi - 1 at a level.
+struct PieceRow {
+  std::uint32_t population, level, lo, hi;
+  std::string layout;  ///< of the result's bytes
+  std::string result;
+};
+
+/// The scores of levels 1, 2, ..., as stored; none where they are not known yet.
+std::vector<int> read_levels(SQLite::Database& database);
+void write_levels(SQLite::Database& database, const std::vector<int>& scores, double sample_deg);
+/// All whose result has this layout, in the order in which they were done.
+std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout);
+void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces);
+void drop_pieces(SQLite::Database& database, std::uint32_t population);
+
 /// By which the same sheet is known again: XXH3-128 of its displacements_mm.
 std::string sheet_hash(const std::string& displacements_mm);
 

@@ -99,7 +99,9 @@ void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
     write_fault_sample(sampled, lo, stored(FaultSampleRule().spacing(sampled.draw)));
   }
   for (const LevelCount& level : unit.levels) write_level(level, lo);
-  if (campaign_.splitting) keep_each_sheet_once(database_, unit.range, campaign_.stop.accepted);
+  if (!campaign_.splitting) return;
+  keep_each_sheet_once(database_, unit.range, campaign_.stop.accepted);
+  drop_pieces(database_, static_cast<std::uint32_t>(unit.range.lo / kNumbersOfPopulation));
 }
 
 CandidateSum UnitWriter::sum_of(const UnitRecord& unit) const {

@@ -36,6 +36,7 @@ class Coordinator {
     task_.hand_in_own();
     task_.commit();
     end_workers();
+    task_.commit_all();
     progress_.finish(counts());
     if (heartbeat_.lost()) return RunEnd::lost;
     return task_.complete() ? RunEnd::complete : *stop;

@@ -27,6 +27,7 @@ class DrawTask final : public RankTask {
   void hand_in_own() override;
   std::size_t rows_waiting() const override { return rows_; }
   void commit() override;
+  void commit_all() override { commit(); }
   bool anything_open() const override { return dispatcher_.anything_open(); }
   bool complete() const override { return dispatcher_.complete(); }
   ProgressCounts counts() const override;

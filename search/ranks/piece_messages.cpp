@@ -1,5 +1,7 @@
 #include "search/ranks/piece_messages.hpp"
 
+#include "search/ranks/messages.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -48,6 +50,8 @@ void result_fields(Wire& wire, Result& result) {
 }
 
 }  // namespace
+
+std::string piece_layout() { return "piece 1 " + message_layout(); }
 
 Bytes pack(const PieceOrder& order) {
   Writer wire;

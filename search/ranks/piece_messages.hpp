@@ -12,6 +12,9 @@ struct SentPiece {
   bool was_stopped = false;  ///< by a signal, before the piece was done
 };
 
+/// How a packed result is laid out: those that are kept are of use where this is the same.
+std::string piece_layout();
+
 Bytes pack(const PieceOrder& order);
 PieceOrder unpack_order(const Bytes& bytes);
 Bytes pack(const SentPiece& sent);

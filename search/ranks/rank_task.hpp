@@ -26,8 +26,10 @@ class RankTask {
 
   /// Of the results that wait, roughly.
   virtual std::size_t rows_waiting() const = 0;
-  /// Writes them, in one transaction.
+  /// Writes them, in one transaction; some may wait a little longer.
   virtual void commit() = 0;
+  /// The last time: all of them.
+  virtual void commit_all() = 0;
 
   virtual bool anything_open() const = 0;
   /// Nothing is left below the goal's end.

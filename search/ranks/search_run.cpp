@@ -11,7 +11,9 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/nothing_found.hpp"
+#include "search/ranks/climb_task.hpp"
 #include "search/ranks/draw_task.hpp"
+#include "search/ranks/piece_messages.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
@@ -22,6 +24,25 @@
 
 namespace misalign::search {
 namespace {
+
+// UserError (2) where what was typed counts something else than the campaign is made of.
+void check_counts(const SearchOptions& options, const schema::Campaign& campaign) {
+  const auto refuse = [](const std::string& option, const char* why, const char* instead) {
+    throw schema::UserError(schema::kExitUsage, option + ": " + why + "; " + instead);
+  };
+  if (campaign.splitting && options.draws) {
+    refuse("--draws", "this campaign splits, and is made of populations", "give --populations N");
+  }
+  if (campaign.splitting && options.unit_draws) {
+    refuse("--unit-draws", "this campaign splits, and cuts its work by time", "take it out");
+  }
+  if (!campaign.splitting && options.populations) {
+    refuse("--populations", "this campaign is one of plain draws", "give --draws N");
+  }
+  if (campaign.splitting && options.range && options.range->hi > schema::kEndOfPopulations) {
+    refuse("--range", "populations are numbered below 922337203", "try 0:100");
+  }
+}
 
 schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (!random_numbers_as_published()) {
@@ -36,12 +57,21 @@ schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (options.max_time_s) campaign.stop.wall_s = options.max_time_s;
   // A range asked for by hand is meant as a whole, unless --draws says otherwise.
   if (options.range || options.draws) campaign.stop.draws = options.draws;
+  if (options.range || options.populations) campaign.stop.populations = options.populations;
+  check_counts(options, campaign);
   return campaign;
 }
 
 schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campaign) {
   schema::Goal goal;
   if (options.range) goal.range = *options.range;
+  if (campaign.splitting) {
+    goal.range =
+        schema::numbers_of(options.range.value_or(schema::DrawRange{0, schema::kEndOfPopulations}));
+    if (campaign.stop.populations)
+      goal.draws = *campaign.stop.populations * schema::kNumbersOfPopulation;
+    return goal;
+  }
   goal.draws = campaign.stop.draws;
   goal.accepted = campaign.stop.accepted;
   goal.relative_error = campaign.stop.relative_error;
@@ -155,9 +185,8 @@ class RankZero {
     CoordinatorOptions settings;
     settings.max_time_s = campaign().stop.wall_s;
     settings.progress = options_.progress;
-    const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
-    DrawTask task(evaluator_, catalogue_, goal_, mpi.ranks(), units);
-    const RunEnd end = run_coordinator(mpi, heartbeat, task, settings);
+    const std::unique_ptr<RankTask> task = make_task(mpi.ranks());
+    const RunEnd end = run_coordinator(mpi, heartbeat, *task, settings);
     catalogue_.end_run(run_end_name(end));
     const schema::CommitCost& cost = catalogue_.cost();
     spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
@@ -167,6 +196,15 @@ class RankZero {
   }
 
  private:
+  std::unique_ptr<RankTask> make_task(int ranks) {
+    if (campaign().splitting) {
+      climber_.emplace(campaign(), options_.instruction_set);
+      return std::make_unique<ClimbTask>(*climber_, catalogue_, goal_, ranks);
+    }
+    const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
+    return std::make_unique<DrawTask>(evaluator_, catalogue_, goal_, ranks, units);
+  }
+
   void print_summary(RunEnd end) const {
     const auto database = schema::open_for_reading(catalogue_.path());
     const schema::CatalogueState state = schema::read_state(*database);
@@ -192,6 +230,7 @@ class RankZero {
   DrawEvaluator evaluator_;
   schema::Catalogue catalogue_;
   schema::Goal goal_;
+  std::optional<Climber> climber_;  // of a splitting search
 };
 
 // The exit code of `work`, 0 if it throws nothing; what it throws is said.
@@ -234,6 +273,14 @@ void work_on_draws(const MpiSession& mpi, DrawEvaluator& evaluator, std::size_t 
       });
 }
 
+void work_on_pieces(const MpiSession& mpi, Climber& climber) {
+  run_worker(
+      mpi, [&](const Bytes& job) { return climber.start(unpack_order(job)); },
+      [](PieceWork& work, bool was_stopped) {
+        return pack(SentPiece{work.take(), was_stopped});
+      });
+}
+
 int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
   Heartbeat heartbeat(mpi);
   if (const int code = mpi.broadcast(0)) return code;
@@ -245,7 +292,13 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
         options.instruction_set);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
-    if (!refused) work_on_draws(mpi, evaluator, options.unit_bytes);
+    if (refused) return;
+    if (evaluator.campaign().splitting) {
+      Climber climber(evaluator.campaign(), options.instruction_set);
+      work_on_pieces(mpi, climber);
+    } else {
+      work_on_draws(mpi, evaluator, options.unit_bytes);
+    }
   });
   if (failure) mpi.abort(failure);  // rank 0 would wait for ever
   if (!refused) mpi.meet();

@@ -25,15 +25,20 @@ void climb_alone(Climb& climb, Climber& climber) {
 Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
     : moves_(campaign), sweeps_(campaign.splitting->sweeps), judges_(campaign, set) {}
 
-Ladder ladder_of(const schema::Campaign& campaign, Climber& climber) {
+Ladder named_ladder(const schema::Campaign& campaign) {
   const schema::Splitting& splitting = *campaign.splitting;
   Ladder ladder{campaign.seed, {}, splitting.particles, splitting.first_draws};
   const double scores_per_deg = solver::kScoresPerSample / campaign.sample_deg;
   for (const double level_deg : splitting.levels_deg) {
     ladder.scores.push_back(static_cast<int>(std::lround(level_deg * scores_per_deg)));
   }
-  if (!ladder.scores.empty()) return ladder;
-  Pilot pilot(campaign.seed, splitting.particles, splitting.first_draws, last_level(campaign));
+  return ladder;
+}
+
+Ladder ladder_of(const schema::Campaign& campaign, Climber& climber) {
+  const Ladder named = named_ladder(campaign);
+  if (!named.scores.empty()) return named;
+  Pilot pilot(named.seed, named.particles, named.first_draws, last_level(campaign));
   climb_alone(pilot, climber);
   return pilot.ladder();
 }

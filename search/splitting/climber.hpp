@@ -14,6 +14,7 @@ class Climber {
   Climber(const schema::Campaign& campaign, solver::InstructionSet set);
 
   PieceWork start(PieceOrder order) { return {moves_, sweeps_, judges_, std::move(order)}; }
+  const schema::Campaign& campaign() const { return judges_.campaign(); }
   const Moves& moves() const { return moves_; }
   LevelJudges& judges() { return judges_; }
 
@@ -23,6 +24,8 @@ class Climber {
   LevelJudges judges_;
 };
 
+/// The ladder of a campaign, without levels where it names none.
+Ladder named_ladder(const schema::Campaign& campaign);
 /// The levels of a campaign: those that it names, or what a pilot finds.
 Ladder ladder_of(const schema::Campaign& campaign, Climber& climber);
 

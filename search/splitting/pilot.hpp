@@ -25,6 +25,7 @@ class Pilot {
   bool restore(PieceResult result);
   std::uint64_t open() const { return pieces_.open(); }
   std::uint32_t level() const { return level_; }
+  bool is_at_first() const { return here_.count() == 0; }
   /// Whether the last level is reached, or none higher is.
   bool is_done() const { return is_done_; }
   /// Once it is done: ascending, the last one `last` whether it was reached or not.

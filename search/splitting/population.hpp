@@ -42,6 +42,7 @@ class Population {
   bool add(std::uint32_t end_of_order, PieceResult result);
   /// What an earlier run has done. False if it does not belong to the level that this one is at.
   bool restore(PieceResult result);
+  bool is_at_first() const { return level_ == 0; }
   bool is_done() const { return is_done_; }
   /// Particles of its level that nobody has.
   std::uint64_t open() const { return pieces_.open(); }

@@ -60,9 +60,14 @@ std::string plain_line(const ProgressReport& report) {
   const ProgressCounts& counts = report.counts;
   std::string line = fmt::format("{}: {}", duration(report.elapsed_s), counts.standing.draws);
   if (counts.limited) line += fmt::format(" of {}", wanted(counts));
-  line += fmt::format(" draws, {:.4g} draws/s, {} accepted ({:.4g} %)",
-                      report.last ? report.draws_per_s_mean : report.draws_per_s,
-                      counts.standing.accepted, 100 * rate(counts));
+  if (counts.of == std::string_view("draws")) {
+    line += fmt::format(" draws, {:.4g} draws/s, {} accepted ({:.4g} %)",
+                        report.last ? report.draws_per_s_mean : report.draws_per_s,
+                        counts.standing.accepted, 100 * rate(counts));
+  } else {
+    line += fmt::format(" {}, {} accepted", counts.of, counts.standing.accepted);
+    if (!counts.under_way.empty()) line += ", " + counts.under_way;
+  }
   if (const auto& best = counts.standing.best) {
     line += fmt::format(", best {:.10g} deg (draw {})", best->deploys_from_deg, best->draw);
   }

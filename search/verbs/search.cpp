@@ -57,6 +57,10 @@ void add_goals(CLI::App& verb, SearchOptions& options) {
           "end after the first N draws (of --range, if given), those of earlier runs among them")
       ->check(draw_count)
       ->type_name("N");
+  verb.add_option("--populations", options.populations,
+                  "of a splitting search: end after the first N populations (of --range, if given)")
+      ->check(counted(0, schema::kEndOfPopulations))
+      ->type_name("N");
   verb.add_option("--accepted", options.accepted,
                   "end when so many of them are accepted, those of earlier runs too")
       ->check(draw_count)
