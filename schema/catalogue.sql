@@ -122,9 +122,7 @@ CREATE TABLE candidate (
   -- Since version 4; null in rows that were written before.
   miscut_margin_mm REAL,
   -- Since version 5; null in rows that were written before.
-  reverses_at_deg REAL,  -- and when no diagonal turns back up to the end of its path
-  -- Of a splitting search: by which the same sheet is known again; it has the least of its numbers.
-  sheet BLOB CHECK (length(sheet) = 16)
+  reverses_at_deg REAL  -- and when no diagonal turns back up to the end of its path
 ) STRICT;
 
 CREATE INDEX candidate_by_deploys_from ON candidate (deploys_from_sample);
@@ -136,8 +134,6 @@ CREATE INDEX candidate_simplest ON candidate (shifted_vertices, deploys_from_deg
 CREATE INDEX candidate_smooth ON candidate (slope_between_min_mm_per_deg DESC) WHERE bump_deg IS NULL;
 CREATE INDEX candidate_stroke ON candidate (stroke_min DESC);
 CREATE INDEX candidate_tolerant ON candidate (miscut_margin_mm DESC, slope_min_mm_per_deg DESC);
-
-CREATE INDEX candidate_by_sheet ON candidate (sheet) WHERE sheet IS NOT NULL;
 
 -- Of a splitting search (search/splitting/README.md): its levels, 1, 2, ..., as scores in 1024ths of a
 -- sample; the last is the campaign's criterion. Since version 6, here and below.
@@ -162,6 +158,15 @@ CREATE TABLE population (
   seconds REAL NOT NULL CHECK (seconds >= 0),
   PRIMARY KEY (unit, level)
 ) STRICT, WITHOUT ROWID;
+
+-- By which a candidate of a splitting search is known when it is met again: XXH3-128 of its
+-- displacements_mm. It has the least of its numbers.
+CREATE TABLE sheet (
+  draw INTEGER PRIMARY KEY REFERENCES candidate (draw),
+  hash BLOB NOT NULL CHECK (length(hash) = 16)
+) STRICT;
+
+CREATE INDEX sheet_by_hash ON sheet (hash);
 
 -- What is done of populations that are under way: particles lo to hi - 1 of one at a level. Gone once the
 -- population is in the ledger.

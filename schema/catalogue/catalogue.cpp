@@ -267,8 +267,25 @@ void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>&
       UnitCopier copier(other, *database_);
       copier.copy_runs();
       for (const DrawRange& unit : units) copier.copy(unit);
+      if (!campaign_.splitting) return;
+      take_over_levels(other);
+      keep_each_sheet_once(*database_, {0, kEndOfDraws}, campaign_.stop.accepted);
     });
   });
+}
+
+// They are a function of the campaign: where they differ, one of two builds is broken.
+void Catalogue::take_over_levels(SQLite::Database& other) {
+  const std::vector<int> ours = levels(), theirs = read_levels(other);
+  if (ours.empty()) {
+    write_levels(*database_, theirs, campaign_.sample_deg);
+  } else if (!theirs.empty() && theirs != ours) {
+    throw UserError(kExitOtherCampaign,
+                    other.getFilename() +
+                        ": its levels are others than those of the catalogues before it (another "
+                        "build's pilot found them); join what one build has made, or name the "
+                        "levels in the campaign");
+  }
 }
 
 std::vector<std::uint64_t> Catalogue::keep(const std::vector<Yield>& yields,

@@ -103,6 +103,7 @@ class Catalogue {
   void migrate();
   void create();
   void store_goal_end(const GoalEnd& end);
+  void take_over_levels(SQLite::Database& other);
   template <class Work>
   void transact(const Work& work);
 

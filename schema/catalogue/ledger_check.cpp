@@ -28,6 +28,7 @@ class LedgerCheck {
     look_at_state();
     read_units();
     sum_candidates();
+    sum_levels();
     count_undecided();
     count_fault_sample();
     check_units();
@@ -121,7 +122,7 @@ class LedgerCheck {
                 {},
                 {},
                 FaultSampleRule(row.getColumn(6).getInt())};
-      unit.fault_sample.stored = unit.rule.rows_in(range);
+      unit.fault_sample.stored = campaign_.splitting ? 0 : unit.rule.rows_in(range);
       if (row.getColumn(5).getBytes() == 16) {
         unit.stored =
             CandidateSum::from_bytes(static_cast<const unsigned char*>(row.getColumn(5).getBlob()));
@@ -147,7 +148,7 @@ class LedgerCheck {
   void sum_candidates() {
     const int first = campaign_.threshold_sample();
     const int last = static_cast<int>(std::lround(campaign_.end_deg / campaign_.sample_deg));
-    SQLite::Statement row(database_, "SELECT draw, unit, deploys_from_sample FROM candidate");
+    SQLite::Statement row(database_, candidates_sql());
     while (row.executeStep()) {
       const std::uint64_t draw = draw_of(row.getColumn(0));
       const int sample = row.getColumn(2).getInt();  // of 64 bits, the lower ones
@@ -155,14 +156,40 @@ class LedgerCheck {
         add("draw " + std::to_string(draw), "deploys_from_sample", row.getColumn(2).getInt64(),
             "one of the campaign's " + std::to_string(first) + " to " + std::to_string(last));
       }
+      const std::string sheet = campaign_.splitting ? checked_sheet(draw, row) : "";
       if (state_ && draw < state_->goal_end) {
         ++counted_.accepted;
-        counted_.sum.add(draw, sample);
+        counted_.sum.add(draw, sample, sheet);
       }
       if (Unit* unit = unit_of("candidate", draw, draw_of(row.getColumn(1)))) {
         ++unit->accepted.counted;
-        unit->summed.add(draw, sample);
+        unit->summed.add(draw, sample, sheet);
       }
+    }
+  }
+
+  std::string candidates_sql() const {
+    return campaign_.splitting ? "SELECT draw, unit, deploys_from_sample, hash, displacements_mm "
+                                 "FROM candidate LEFT JOIN sheet USING (draw)"
+                               : "SELECT draw, unit, deploys_from_sample FROM candidate";
+  }
+
+  // The hash by which a sheet is known again, by its displacements.
+  std::string checked_sheet(std::uint64_t draw, SQLite::Statement& row) {
+    const std::string hash = sheet_hash(text_of(row.getColumn(4)));
+    if (row.getColumn(3).getString() != hash) {
+      add("draw " + std::to_string(draw), "sheet.hash", "another", "of its displacements");
+    }
+    return hash;
+  }
+
+  // What became of each population.
+  void sum_levels() {
+    if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
+    for (auto& [lo, unit] : units_) {
+      const CandidateSum levels = sum_of_levels(lo, read_population(database_, lo));
+      unit.summed.add(levels);
+      if (state_ && lo < state_->goal_end) counted_.sum.add(levels);
     }
   }
 

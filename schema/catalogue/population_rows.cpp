@@ -27,6 +27,7 @@ void drop(SQLite::Database& database, SQLite::Statement statement) {
                            "UPDATE unit SET accepted = accepted - 1, rejected = rejected + 1, "
                            "digest_part = ? WHERE lo = ?");
   SQLite::Statement yields(database, "DELETE FROM yield WHERE draw = ?");
+  SQLite::Statement sheet(database, "DELETE FROM sheet WHERE draw = ?");
   SQLite::Statement candidate(database, "DELETE FROM candidate WHERE draw = ?");
   for (const Row& row : rows) {
     part.reset();
@@ -42,7 +43,7 @@ void drop(SQLite::Database& database, SQLite::Statement statement) {
     update.bind(1, bytes.data(), static_cast<int>(bytes.size()));
     update.bind(2, row.unit);
     update.exec();
-    for (SQLite::Statement* remove : {&yields, &candidate}) {
+    for (SQLite::Statement* remove : {&yields, &sheet, &candidate}) {
       remove->reset();
       remove->bind(1, row.draw);
       remove->exec();
@@ -72,6 +73,21 @@ void write_levels(SQLite::Database& database, const std::vector<int>& scores, do
     insert.bind(3, scores[k] * sample_deg / solver::kScoresPerSample);
     insert.exec();
   }
+}
+
+std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit) {
+  std::vector<LevelCount> levels;
+  SQLite::Statement rows(database,
+                         "SELECT level, particles, survivors, ancestors, tried, taken, undecided, "
+                         "met, seconds FROM population WHERE unit = ? ORDER BY level");
+  rows.bind(1, stored(unit));
+  while (rows.executeStep()) {
+    const auto count = [&](int column) { return rows.getColumn(column).getUInt(); };
+    levels.push_back({count(0), count(1), count(2), count(3), draw_of(rows.getColumn(4)),
+                      draw_of(rows.getColumn(5)), draw_of(rows.getColumn(6)),
+                      draw_of(rows.getColumn(7)), rows.getColumn(8).getDouble()});
+  }
+  return levels;
 }
 
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout) {
@@ -130,19 +146,18 @@ void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
                           const std::optional<std::uint64_t>& most) {
   SQLite::Statement again(
       database,
-      "SELECT DISTINCT more.draw, more.unit, more.deploys_from_sample, more.sheet FROM candidate "
-      "AS one "
-      "JOIN candidate AS least ON least.sheet = one.sheet "
-      "JOIN candidate AS more ON more.sheet = one.sheet AND more.draw > least.draw "
-      "WHERE one.draw >= ? AND one.draw < ?");
+      "SELECT DISTINCT more.draw, unit, deploys_from_sample, more.hash FROM sheet AS one "
+      "JOIN sheet AS least ON least.hash = one.hash "
+      "JOIN sheet AS more ON more.hash = one.hash AND more.draw > least.draw "
+      "JOIN candidate ON candidate.draw = more.draw WHERE one.draw >= ? AND one.draw < ?");
   again.bind(1, stored(added.lo));
   again.bind(2, stored(added.hi));
   drop(database, std::move(again));
   if (!most) return;
   SQLite::Statement beyond(
       database,
-      "SELECT draw, unit, deploys_from_sample, sheet FROM candidate ORDER BY draw "
-      "LIMIT -1 OFFSET ?");
+      "SELECT draw, unit, deploys_from_sample, hash FROM candidate JOIN sheet USING (draw) "
+      "ORDER BY draw LIMIT -1 OFFSET ?");
   beyond.bind(1, stored(*most));
   drop(database, std::move(beyond));
 }

@@ -34,6 +34,8 @@ struct PieceRow {
 /// The scores of levels 1, 2, ..., as stored; none where they are not known yet.
 std::vector<int> read_levels(SQLite::Database& database);
 void write_levels(SQLite::Database& database, const std::vector<int>& scores, double sample_deg);
+/// What became of a population, from level 0 on.
+std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit);
 /// All whose result has this layout, in the order in which they were done.
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout);
 void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces);

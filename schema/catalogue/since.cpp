@@ -23,7 +23,6 @@ constexpr LaterColumn kLaterColumns[] = {
     {"run", "commit_s", 3, "NULL"},
     {"run", "longest_commit_s", 3, "NULL"},
     {"campaign", "goal_relative_error", 3, "NULL"},
-    {"candidate", "sheet", kSplittingSince, "NULL"},
     {"fault_sample", "stands_for", kRarerSampleSince, "1024"},  // kFaultSampleEvery
 };
 

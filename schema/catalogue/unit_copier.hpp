@@ -34,6 +34,7 @@ class UnitCopier {
   SQLite::Database& into_;
   const std::uint64_t run_shift_;
   std::unique_ptr<Table> unit_, candidate_, undecided_, fault_sample_;
+  std::unique_ptr<Table> population_, sheet_;  // of a schema that has them
 };
 
 }  // namespace misalign::schema

@@ -24,7 +24,7 @@ void bind_sum(SQLite::Statement& statement, int column, const CandidateSum& sum)
 
 // Its values in the order in which write_candidate binds them.
 std::string insert_of_candidates() {
-  std::string columns = "draw, unit, displacements_mm, elongation, sheet", values = "?,?,?,?,?";
+  std::string columns = "draw, unit, displacements_mm, elongation", values = "?,?,?,?";
   for (const MetricEntry& metric : metric_table()) {
     columns += std::string(", ") + metric.name;
     values += ",?";
@@ -68,7 +68,8 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       screened_(database, kAddScreened),
       level_(database,
              "INSERT INTO population (unit, level, particles, survivors, ancestors, tried, taken, "
-             "undecided, met, seconds) VALUES (?,?,?,?,?,?,?,?,?,?)") {}
+             "undecided, met, seconds) VALUES (?,?,?,?,?,?,?,?,?,?)"),
+      sheet_(database, "INSERT INTO sheet (draw, hash) VALUES (?,?)") {}
 
 // What was screened is summed up first: a unit alone touches some two hundred rows of it.
 void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
@@ -172,12 +173,6 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
   const std::string displacements_mm = displacements_json(candidate.shifts_mm).dump();
   candidate_.bind(++column, displacements_mm);
   candidate_.bind(++column, elongations_json(candidate.metrics.elongation).dump());
-  if (campaign_.splitting) {
-    const std::string hash = sheet_hash(displacements_mm);
-    candidate_.bind(++column, hash.data(), static_cast<int>(hash.size()));
-  } else {
-    candidate_.bind(++column);
-  }
   each_metric(candidate.metrics, [&](const MetricEntry&, const auto& value) {
     if constexpr (requires { value.has_value(); }) {
       value ? candidate_.bind(++column, *value) : candidate_.bind(++column);
@@ -186,6 +181,12 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
     }
   });
   insert(candidate_);
+  if (!campaign_.splitting) return;
+  const std::string hash = sheet_hash(displacements_mm);
+  sheet_.tryReset();
+  sheet_.bind(1, stored(candidate.draw));
+  sheet_.bind(2, hash.data(), static_cast<int>(hash.size()));
+  insert(sheet_);
 }
 
 void UnitWriter::write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run) {

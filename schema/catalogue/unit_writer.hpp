@@ -72,7 +72,7 @@ class UnitWriter {
   SQLite::Database& database_;
   const Campaign& campaign_;
   const solver::Mechanism& mechanism_;
-  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_, level_;
+  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_, level_, sheet_;
 };
 
 }  // namespace misalign::schema

@@ -1,7 +1,4 @@
 -- From version 5 to 6: splitting searches.
-ALTER TABLE candidate ADD COLUMN sheet BLOB CHECK (length(sheet) = 16);
-CREATE INDEX candidate_by_sheet ON candidate (sheet) WHERE sheet IS NOT NULL;
-
 -- Of a splitting search (search/splitting/README.md): its levels, 1, 2, ..., as scores in 1024ths of a
 -- sample; the last is the campaign's criterion. Since version 6, here and below.
 CREATE TABLE level (
@@ -25,6 +22,15 @@ CREATE TABLE population (
   seconds REAL NOT NULL CHECK (seconds >= 0),
   PRIMARY KEY (unit, level)
 ) STRICT, WITHOUT ROWID;
+
+-- By which a candidate of a splitting search is known when it is met again: XXH3-128 of its
+-- displacements_mm. It has the least of its numbers.
+CREATE TABLE sheet (
+  draw INTEGER PRIMARY KEY REFERENCES candidate (draw),
+  hash BLOB NOT NULL CHECK (length(hash) = 16)
+) STRICT;
+
+CREATE INDEX sheet_by_hash ON sheet (hash);
 
 -- What is done of populations that are under way: particles lo to hi - 1 of one at a level. Gone once the
 -- population is in the ledger.

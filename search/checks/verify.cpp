@@ -70,6 +70,15 @@ class Verifier {
       }
     }
     if (units_.empty()) return;
+    if (campaign_.splitting) {
+      Climber climber(campaign_, solver::available_instruction_sets().back());
+      for (const schema::DrawRange& unit : units_) {
+        make_population_again(database_, climber, unit.lo, v_.findings);
+        ++v_.units.checked;
+        ++v_.draws_again;
+      }
+      return;
+    }
     DrawEvaluator evaluator(campaign_);
     for (const schema::DrawRange& unit : units_) {
       v_.decided_now += make_unit_again(database_, evaluator, unit, v_.findings);

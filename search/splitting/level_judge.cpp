@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 
 namespace misalign::search {
@@ -52,6 +53,14 @@ LevelJudge& LevelJudges::from(int score) {
   std::unique_ptr<LevelJudge>& judge = of_sample_[sample];
   if (!judge) judge = std::make_unique<LevelJudge>(campaign_, sample, set_);
   return *judge;
+}
+
+std::vector<schema::Candidate> LevelJudges::measured(const solver::ShiftBlock& shifts) {
+  if (!batch_) {
+    model_.reset(new solver::Model(model_of(campaign_)));
+    batch_ = solver::make_batch(set_, *model_);
+  }
+  return search::measured(*model_, *batch_, shifts);
 }
 
 }  // namespace misalign::search

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "schema/campaign/campaign.hpp"
+#include "schema/catalogue/unit_writer.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
@@ -27,9 +28,6 @@ class LevelJudge {
   /// The scores of all sheets that lie above the level's sample; of others perhaps kBelow.
   const std::vector<int>& judge(const solver::ShiftBlock& block);
 
-  const solver::Model& model() const { return model_; }
-  solver::Batch& batch() { return *batch_; }
-
  private:
   const schema::Campaign& campaign_;
   const solver::Model model_;
@@ -38,19 +36,23 @@ class LevelJudge {
   std::vector<int> scores_;
 };
 
-/// The judges of all levels, each made when first needed.
+/// The judges of all levels, and what measures candidates, each made when first needed.
 class LevelJudges {
  public:
   LevelJudges(const schema::Campaign& campaign, solver::InstructionSet set)
       : campaign_(campaign), set_(set) {}
   /// Of the sheets whose score may be `score`, or more.
   LevelJudge& from(int score);
+  /// Of sheets that meet the criterion, as of plain draws.
+  std::vector<schema::Candidate> measured(const solver::ShiftBlock& shifts);
   const schema::Campaign& campaign() const { return campaign_; }
 
  private:
   const schema::Campaign& campaign_;
   const solver::InstructionSet set_;
   std::map<int, std::unique_ptr<LevelJudge>> of_sample_;
+  std::unique_ptr<const solver::Model> model_;
+  std::unique_ptr<solver::Batch> batch_;
 };
 
 }  // namespace misalign::search

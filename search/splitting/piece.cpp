@@ -4,7 +4,6 @@
 #include <cassert>
 #include <tuple>
 
-#include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {
@@ -118,8 +117,7 @@ void PieceWork::collect_met() {
   }
   met_.clear();
   if (shifts.sheets == 0) return;
-  LevelJudge& judge = judges_.from(last_level(judges_.campaign()));
-  std::vector<schema::Candidate> candidates = measured(judge.model(), judge.batch(), shifts);
+  std::vector<schema::Candidate> candidates = judges_.measured(shifts);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     result_.met[known + k].candidate = std::move(candidates[k]);
   }

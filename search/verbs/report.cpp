@@ -10,10 +10,10 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/text_file.hpp"
+#include "search/checks/campaign_sheet.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/deployment_functions.hpp"
 #include "search/checks/report_details.hpp"
-#include "search/draws/draw.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/status_text.hpp"
@@ -88,14 +88,14 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
   return look;
 }
 
-Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
-                  const DrawsToLookAt& look, ReportDetails& details) {
+Json details_json(SQLite::Database& database, const schema::Campaign& campaign,
+                  const SheetFolder& folder, const DrawsToLookAt& look, ReportDetails& details) {
   Json json = Json::array();
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < look.draws.size(); ++k) {
     if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
     const std::uint64_t draw = look.draws[k];
-    const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
+    const FoldedSheet folded = folder.fold(shifts_of_number(database, campaign, draw));
     const bool accepted = campaign.accepts(folded.path.history.verdict);
     json.push_back(details.of_draw(folded, draw, accepted));
     bytes += json.back().dump().size();
@@ -240,7 +240,7 @@ void write_report(const ReportCall& call) {
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
   data.update(folding_json(folder));
-  data["details"] = details_json(campaign, folder, look, details);
+  data["details"] = details_json(*database, campaign, folder, look, details);
   write_page(call, data);
 }
 
