@@ -1,17 +1,17 @@
 // Whether estimates of splitting are right on average, and their intervals as often right as they
-// say: many small campaigns, each with a seed of its own, against plain draws
-// (results/splitting/unbiased.md).
+// say: many small campaigns, each with a seed of its own, against plain draws; and what other
+// intervals would have been (results/splitting/unbiased.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "schema/campaign/split_rate.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"
+#include "tests/bench/share_intervals.hpp"
 
 namespace misalign::search {
 namespace {
@@ -20,7 +20,7 @@ struct StudyOptions {
   std::string campaign, shares;
   double threshold_deg = 170;
   schema::Splitting splitting{.levels_deg = {}, .particles = 60, .sweeps = 3, .first_draws = 1000};
-  std::uint64_t campaigns = 400, plain_draws = 1000000, plain_accepted = 0;
+  std::uint64_t campaigns = 400, plain_draws = 1000000, plain_accepted = 0, samples = 0;
   std::uint32_t populations = 20;
 };
 
@@ -82,18 +82,42 @@ Shares read_shares(std::istream& file) {
   return shares;
 }
 
+// Of these sheets, which the campaign accepts: those that some level would have lost.
+std::uint64_t count_lost(const std::vector<schema::Candidate>& accepted, const Ladder& ladder,
+                         LevelJudges& judges) {
+  if (accepted.empty()) return 0;
+  solver::ShiftBlock block{{}, static_cast<int>(accepted.size())};
+  for (const schema::Candidate& candidate : accepted) {
+    for (const int vertex : judges.campaign().misalignment.vertices) {
+      block.shifts_mm.push_back(candidate.shifts_mm(0, vertex));
+      block.shifts_mm.push_back(candidate.shifts_mm(1, vertex));
+    }
+  }
+  std::vector<char> is_lost(accepted.size(), false);
+  for (const int level : ladder.scores) {
+    const std::vector<int>& scores = judges.from(level).judge(block);
+    for (std::size_t k = 0; k < scores.size(); ++k) is_lost[k] |= scores[k] < level;
+  }
+  return static_cast<std::uint64_t>(std::ranges::count(is_lost, true));
+}
+
 std::uint64_t count_accepted(const StudyOptions& options) {
   constexpr std::uint64_t kAtOnce = 1 << 18, kSeed = 0;
-  DrawEvaluator evaluator(campaign_of(options, kSeed));
-  std::uint64_t accepted = 0, undecided = 0;
+  const auto set = solver::available_instruction_sets().back();
+  const schema::Campaign campaign = campaign_of(options, kSeed);
+  DrawEvaluator evaluator(campaign, set);
+  Climber climber(campaign, options.splitting.sweeps, set);
+  const Ladder ladder = ladder_of(campaign, options.splitting, climber);
+  std::uint64_t accepted = 0, undecided = 0, lost = 0;
   for (std::uint64_t lo = 0; lo < options.plain_draws; lo += kAtOnce) {
     const schema::UnitRecord unit =
         work_off(evaluator, {lo, std::min(lo + kAtOnce, options.plain_draws)});
     accepted += unit.accepted;
     undecided += unit.undecided.size();
+    lost += count_lost(unit.candidates, ladder, climber.judges());
   }
-  fmt::print("{} plain draws: {} accepted, {} undecided\n", options.plain_draws, accepted,
-             undecided);
+  fmt::print("{} plain draws: {} accepted, of which {} are below some level; {} undecided\n",
+             options.plain_draws, accepted, lost, undecided);
   return accepted;
 }
 
@@ -142,6 +166,12 @@ void run(const StudyOptions& options) {
   std::ofstream file;
   if (!made) file.open(options.shares);
   const Shares shares = made ? read_shares(made) : climbed_shares(options, file);
+  if (options.samples > 0) {
+    std::vector<double> all;
+    for (const std::vector<double>& own : shares) all.insert(all.end(), own.begin(), own.end());
+    bench::compare_intervals(all, options.populations, options.samples);
+    return;
+  }
   const auto draws = static_cast<double>(options.plain_draws);
   const auto accepted = static_cast<double>(options.plain_accepted > 0 ? options.plain_accepted
                                                                        : count_accepted(options));
@@ -167,6 +197,8 @@ int main(int count, char** arguments) {
                  "known to be accepted of these; 0: they are made");
   app.add_option("--shares", options.shares, "CSV file: read if it is there, otherwise written")
       ->required();
+  app.add_option("--samples", options.samples,
+                 "compare intervals instead, of so many samples of --populations from all shares");
   CLI11_PARSE(app, count, arguments);
   misalign::search::run(options);
 }
