@@ -264,7 +264,7 @@ void Catalogue::keep_pieces(const std::vector<PieceRow>& pieces) {
 void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
   guarded(path_, [&] {
     transact([&] {
-      UnitCopier copier(other, *database_);
+      UnitCopier copier(other, *database_, campaign_.splitting.has_value());
       copier.copy_runs();
       for (const DrawRange& unit : units) copier.copy(unit);
       if (!campaign_.splitting) return;

@@ -78,7 +78,7 @@ class UnitCopier::Table {
   SQLite::Statement select_, insert_;
 };
 
-UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into)
+UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into, bool splits)
     : from_(from),
       into_(into),
       run_shift_(draw_of(into.execAndGet("SELECT coalesce(max(id), 0) FROM run"))),
@@ -86,7 +86,7 @@ UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into)
       candidate_(table("candidate", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
       undecided_(table("undecided", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
       fault_sample_(table("fault_sample", "WHERE draw >= ? AND draw < ? ORDER BY draw")) {
-  if (version_of(from) < kSplittingSince) return;
+  if (!splits) return;
   population_ = table("population", "WHERE unit >= ? AND unit < ? ORDER BY unit, level");
   sheet_ = table("sheet", "WHERE draw >= ? AND draw < ? ORDER BY draw");
 }

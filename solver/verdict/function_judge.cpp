@@ -156,12 +156,12 @@ bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
 // Whether the stop that is asked for is as stiff, if that is certain.
 std::optional<bool> FunctionJudge::find_stop_stiff(double x, const PathFunction& function) {
   function.look(x, again_);
-  LeastPart part;
-  part.add(criterion_.stop_part(again_.slopes), kStiffnessError);
-  const bool is_stiff = part.value() > 1;
-  if (std::abs(part.value() - 1) <= kStiffnessError) return std::nullopt;
-  if (criterion_.scores && !is_stiff && !part.is_certain()) return std::nullopt;
-  return is_stiff;
+  const double part = criterion_.stop_part(again_.slopes);
+  if (std::abs(part - 1) <= kStiffnessError) return std::nullopt;
+  LeastPart missed;
+  missed.add(part, kStiffnessError);
+  if (criterion_.scores && part < 1 && !missed.is_certain()) return std::nullopt;
+  return part > 1;
 }
 
 // The last sample again, by polynomials through nodes that came after it.
