@@ -29,18 +29,6 @@ void bind_or_null(SQLite::Statement& statement, const char* name,
 
 }  // namespace
 
-void Standing::add(const UnitRecord& unit) {
-  draws += unit.range.size();
-  accepted += unit.accepted;
-  for (const Candidate& candidate : unit.candidates) {
-    const double deg = candidate.metrics.deploys_from_deg;
-    if (!best || deg > best->deploys_from_deg ||
-        (deg == best->deploys_from_deg && candidate.draw < best->draw)) {
-      best = {deg, candidate.draw};
-    }
-  }
-}
-
 Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
                      const solver::Mechanism& mechanism, std::optional<Storage> storage,
                      Missing missing)
@@ -139,23 +127,7 @@ void Catalogue::create() {
 
 std::vector<DrawRange> Catalogue::done() const { return units_done(*database_); }
 
-Standing Catalogue::standing() const {
-  Standing standing;
-  SQLite::Statement sums(*database_,
-                         "SELECT coalesce(sum(hi - lo), 0), coalesce(sum(accepted), 0) FROM unit");
-  sums.executeStep();
-  standing.draws = static_cast<std::uint64_t>(sums.getColumn(0).getInt64());
-  standing.accepted = static_cast<std::uint64_t>(sums.getColumn(1).getInt64());
-  SQLite::Statement best(*database_,
-                         "SELECT deploys_from_deg, min(draw) FROM candidate WHERE "
-                         "deploys_from_deg = (SELECT max(deploys_from_deg) FROM candidate) "
-                         "GROUP BY deploys_from_deg");
-  if (best.executeStep()) {
-    standing.best = {best.getColumn(0).getDouble(),
-                     static_cast<std::uint64_t>(best.getColumn(1).getInt64())};
-  }
-  return standing;
-}
+Standing Catalogue::standing() const { return read_standing(*database_); }
 
 std::vector<std::uint64_t> Catalogue::undecided() const {
   return draws_of(*database_, "undecided", {0, kEndOfDraws});

@@ -8,6 +8,7 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/standing.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/write_ahead_log.hpp"
 #include "schema/catalogue/writer_lock.hpp"
@@ -24,18 +25,6 @@ struct RunInfo {
 enum class Builds {
   same,  ///< all runs of a catalogue must give the same golden verdicts
   mixed
-};
-
-/// What a campaign has found so far.
-struct Standing {
-  struct Best {
-    double deploys_from_deg;
-    std::uint64_t draw;
-  };
-  std::uint64_t draws = 0, accepted = 0;  ///< in the whole ledger
-  std::optional<Best> best{};             ///< the first of those that deploy from the deepest fold
-
-  void add(const UnitRecord& unit);
 };
 
 /// What committing has cost this run.

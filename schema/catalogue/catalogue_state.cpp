@@ -140,7 +140,8 @@ CatalogueState state_of(SQLite::Database& database) {
                     column_sql("campaign", "goal_relative_error", version_of(database)) +
                     ", json_extract(configuration, '$.seed'), json_extract(configuration, "
                     "'$.accept.deploys_from_deg'), json_extract(configuration, "
-                    "'$.accept.stops_at_deg') FROM campaign");
+                    "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method') "
+                    "FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
@@ -159,6 +160,9 @@ CatalogueState state_of(SQLite::Database& database) {
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
+  if (text_of(campaign.getColumn(11)) == "splitting") {
+    state.ladder = read_ladder(database, state.goal_end);
+  }
 
   // Those of no candidate, by what makes one: to look for each of them would take ten times as
   // long.

@@ -8,6 +8,7 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/ladder_state.hpp"
 #include "schema/catalogue/weighted_count.hpp"
 
 namespace misalign::schema {
@@ -25,7 +26,8 @@ struct CatalogueState {
   std::vector<DrawRange> gaps;
   std::string digest;
   std::map<std::string, WeightedCount>
-      faults;          ///< first faults of the rejected draws in the sample
+      faults;                         ///< first faults of the rejected draws in the sample
+  std::optional<LadderState> ladder;  ///< of a splitting search
   double draws_per_s;  ///< of the last run that committed something, all ranks together
 };
 

@@ -148,7 +148,7 @@ Json survival_json(const Survival& survival, const schema::CatalogueState& state
 
 std::vector<std::string> nothing_found(const Survival& survival,
                                        const schema::CatalogueState& state) {
-  if (state.accepted > 0 || state.draws == 0) return {};
+  if (state.accepted > 0 || state.draws == 0 || state.ladder) return {};
   std::vector<std::string> sentences = {how_rare(state), who_survives(survival)};
   if (const auto share = guess(survival, state)) sentences.push_back(guess_words(*share, state));
   sentences.push_back(what_to_try(survival, state));
@@ -157,7 +157,7 @@ std::vector<std::string> nothing_found(const Survival& survival,
 
 std::vector<std::string> nothing_found(SQLite::Database& database,
                                        const schema::CatalogueState& state) {
-  if (state.accepted > 0 || state.draws == 0) return {};
+  if (state.accepted > 0 || state.draws == 0 || state.ladder) return {};
   return nothing_found(schema::read_survival(database), state);
 }
 

@@ -19,6 +19,7 @@
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/terminal/failure.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 
@@ -211,12 +212,22 @@ class RankZero {
     const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
                                               static_cast<double>(state.draws)
                                         : 0.0;
+    if (state.ladder) {
+      put("{}: {}, {}, digest {}\n", schema::printable(catalogue_.path()), run_end_name(end),
+          ladder_summary(state), state.digest);
+      std::fflush(stdout);
+      if (is_talkative()) say_what_next(*database, state);
+      return;
+    }
     put("{}: {}, {} draws, {} accepted ({:.4g} %), {} undecided, digest {}\n",
         schema::printable(catalogue_.path()), run_end_name(end), state.draws, state.accepted, rate,
         state.undecided, state.digest);
     std::fflush(stdout);
-    if (!is_talkative()) return;
-    for (const std::string& sentence : nothing_found(*database, state)) {
+    if (is_talkative()) say_what_next(*database, state);
+  }
+
+  void say_what_next(SQLite::Database& database, const schema::CatalogueState& state) const {
+    for (const std::string& sentence : nothing_found(database, state)) {
       spdlog::info("{}", sentence);
     }
     spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
