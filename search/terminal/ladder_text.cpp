@@ -80,7 +80,7 @@ std::string ladder_text(const schema::CatalogueState& state) {
     const LadderLevel& level = ladder.levels[k];
     const bool is_last = k + 1 == ladder.levels.size();
     rows.push_back({std::to_string(k), k > 0 ? fmt::format("{:.6g}", level.deploys_from_deg) : "",
-                    k > 0 ? rate_text(level.rate.mean) : "", interval_text(level.rate),
+                    k > 0 ? rate_text(level.rate.mean) : "", k > 0 ? interval_text(level.rate) : "",
                     is_last ? "" : share_text(level.survivors, level.particles),
                     k > 0 ? share_text(level.taken, level.tried) : "", std::to_string(level.met),
                     fmt::format("{:.1f}", level.seconds)});
