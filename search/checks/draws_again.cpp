@@ -164,8 +164,7 @@ std::uint64_t end_of_kept(SQLite::Database& database, const schema::Campaign& ca
 void make_population_again(SQLite::Database& database, Climber& climber, std::uint64_t unit,
                            std::vector<schema::Finding>& findings) {
   const schema::Campaign& campaign = climber.campaign();
-  Ladder ladder = named_ladder(campaign);
-  if (ladder.scores.empty()) ladder.scores = schema::read_levels(database);
+  const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
   const auto number = static_cast<std::uint32_t>(unit / schema::kNumbersOfPopulation);
   const PopulationRecord again = climbed(ladder, number, climber);
   schema::reading(database, [&] {

@@ -19,25 +19,20 @@ Ledger ledger_of(const schema::Catalogue& catalogue, const schema::Goal& goal) {
   return {populations_of({goal.range.lo, catalogue.goal_end()}), done};
 }
 
-Ladder ladder_of(const schema::Campaign& campaign, const std::vector<int>& stored) {
-  Ladder ladder = named_ladder(campaign);
-  if (ladder.scores.empty()) ladder.scores = stored;
-  return ladder;
-}
-
 // Kept pieces are committed this often at least: what a kill can cost besides what is under way.
 constexpr double kCommitEvery_s = 2;
 
 }  // namespace
 
-ClimbTask::ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schema::Goal& goal,
-                     int ranks)
+ClimbTask::ClimbTask(Climber& climber, const solver::Mechanism& mechanism,
+                     schema::Catalogue& catalogue, const schema::Goal& goal, int ranks)
     : climber_(climber),
+      mechanism_(mechanism),
       catalogue_(catalogue),
       splitting_(*climber.campaign().splitting),
       limited_(goal.planned_end() < schema::kEndOfDraws),
-      dispatcher_(ladder_of(climber.campaign(), catalogue.levels()), last_level(climber.campaign()),
-                  ledger_of(catalogue, goal), ranks),
+      dispatcher_(stored_ladder(climber.campaign(), catalogue.levels()),
+                  last_level(climber.campaign()), ledger_of(catalogue, goal), ranks),
       standing_(catalogue.standing()) {
   if (catalogue.levels().empty() && !dispatcher_.ladder().scores.empty()) write_levels();
   restore();
@@ -48,7 +43,10 @@ ClimbTask::~ClimbTask() = default;
 // Pieces of populations that are in the ledger, or that another build made, are of no use.
 void ClimbTask::restore() {
   for (const schema::PieceRow& row : catalogue_.pieces(piece_layout())) {
-    dispatcher_.restore(unpack_piece({row.result.begin(), row.result.end()}).result);
+    auto result = unpack_kept(row.result, climber_.moves().code(), mechanism_);
+    const bool is_row = result && result->population == row.population &&
+                        result->level == row.level && result->lo == row.lo && result->hi == row.hi;
+    if (is_row) dispatcher_.restore(std::move(*result));
     if (dispatcher_.take_news_of_levels()) write_levels();
   }
   commit();

@@ -13,7 +13,8 @@ class ClimbTask final : public RankTask {
  public:
   /// All must outlive this object; the catalogue's run has begun already. Goes on from what it
   /// holds of populations under way.
-  ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schema::Goal& goal, int ranks);
+  ClimbTask(Climber& climber, const solver::Mechanism& mechanism, schema::Catalogue& catalogue,
+            const schema::Goal& goal, int ranks);
   ~ClimbTask() override;
 
   std::optional<Bytes> assign(int worker) override;
@@ -36,6 +37,7 @@ class ClimbTask final : public RankTask {
   schema::UnitRecord unit_of(PopulationRecord record) const;
 
   Climber& climber_;
+  const solver::Mechanism& mechanism_;
   schema::Catalogue& catalogue_;
   const schema::Splitting& splitting_;
   const bool limited_;

@@ -1,5 +1,8 @@
 #include "search/ranks/piece_messages.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include "search/ranks/messages.hpp"
 
 namespace misalign::search {
@@ -79,6 +82,44 @@ SentPiece unpack_piece(const Bytes& bytes) {
   wire.field(sent.was_stopped);
   result_fields(wire, sent.result);
   return sent;
+}
+
+namespace {
+
+bool are_sheets(const ScoredSheets& sheets, const ShiftCode& code) {
+  if (sheets.sheets.bytes.size() != sheets.count() * code.bytes()) return false;
+  if (sheets.count() > 0 && sheets.sheets.bytes_each != code.bytes()) return false;
+  constexpr std::uint8_t kMostLevel = 2;
+  return !code.is_ternary() || std::ranges::all_of(sheets.sheets.bytes, [](std::uint8_t level) {
+    return level <= kMostLevel;
+  });
+}
+
+bool is_sound(const PieceResult& result, const ShiftCode& code,
+              const solver::Mechanism& mechanism) {
+  const auto is_particle = [&](std::uint32_t k) { return k >= result.lo && k < result.hi; };
+  return result.lo < result.hi && are_sheets(result.there, code) &&
+         result.survivors.size() == result.there.count() &&
+         std::ranges::is_sorted(result.survivors, std::less_equal()) &&
+         std::ranges::all_of(result.survivors, is_particle) &&
+         std::ranges::all_of(result.met, [&](const MetCandidate& met) {
+           const schema::Candidate& candidate = met.candidate;
+           return is_particle(met.particle) && candidate.shifts_mm.cols() == mechanism.vertices &&
+                  candidate.metrics.elongation.size() == mechanism.diagonals.size();
+         });
+}
+
+}  // namespace
+
+std::optional<PieceResult> unpack_kept(const std::string& bytes, const ShiftCode& code,
+                                       const solver::Mechanism& mechanism) {
+  const Bytes copy(bytes.begin(), bytes.end());
+  Reader wire(copy);
+  SentPiece sent;
+  wire.field(sent.was_stopped);
+  result_fields(wire, sent.result);
+  if (!wire.is_whole() || !is_sound(sent.result, code, mechanism)) return std::nullopt;
+  return std::move(sent.result);
 }
 
 }  // namespace misalign::search

@@ -1,6 +1,8 @@
 // The messages of a splitting search between ranks, as bytes; results are kept in catalogues too.
 #pragma once
 
+#include <optional>
+
 #include "search/ranks/wire.hpp"
 #include "search/splitting/piece.hpp"
 
@@ -19,5 +21,10 @@ Bytes pack(const PieceOrder& order);
 PieceOrder unpack_order(const Bytes& bytes);
 Bytes pack(const SentPiece& sent);
 SentPiece unpack_piece(const Bytes& bytes);
+
+/// A result that was kept in a file, which may say anything; nothing if it is none of a piece of
+/// this campaign's sheets.
+std::optional<PieceResult> unpack_kept(const std::string& bytes, const ShiftCode& code,
+                                       const solver::Mechanism& mechanism);
 
 }  // namespace misalign::search

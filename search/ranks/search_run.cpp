@@ -200,7 +200,8 @@ class RankZero {
   std::unique_ptr<RankTask> make_task(int ranks) {
     if (campaign().splitting) {
       climber_.emplace(campaign(), options_.instruction_set);
-      return std::make_unique<ClimbTask>(*climber_, catalogue_, goal_, ranks);
+      return std::make_unique<ClimbTask>(*climber_, evaluator_.mechanism(), catalogue_, goal_,
+                                         ranks);
     }
     const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
     return std::make_unique<DrawTask>(evaluator_, catalogue_, goal_, ranks, units);

@@ -1,7 +1,6 @@
 // Fields of messages as bytes: the same list of them is written or read.
 #pragma once
 
-#include <cassert>
 #include <cstring>
 #include <type_traits>
 #include <vector>
@@ -28,20 +27,29 @@ class Writer {
   Bytes bytes_;
 };
 
+/// Bytes that end too early leave fields as they are, and lists empty.
 class Reader {
  public:
   explicit Reader(const Bytes& bytes) : bytes_(bytes) {}
   template <class T>
   void field(T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    assert(at_ + sizeof value <= bytes_.size());
+    if (!has(1, sizeof value)) return;
     std::memcpy(&value, bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
   }
+  /// Whether there are so many items of at least so many bytes.
+  bool has(std::size_t items, std::size_t bytes_each) {
+    if (items > (bytes_.size() - at_) / bytes_each) is_whole_ = false;
+    return is_whole_;
+  }
+  /// Whether every byte was read, and none was missing.
+  bool is_whole() const { return is_whole_ && at_ == bytes_.size(); }
 
  private:
   const Bytes& bytes_;
   std::size_t at_ = 0;
+  bool is_whole_ = true;
 };
 
 template <class T, class Each>
@@ -54,7 +62,7 @@ template <class T, class Each>
 void list(Reader& wire, std::vector<T>& items, Each&& each) {
   std::size_t size = 0;
   wire.field(size);
-  items.resize(size);
+  items.resize(wire.has(size, 1) ? size : 0);
   for (T& item : items) each(item);
 }
 
@@ -72,7 +80,9 @@ inline void shifts_fields(Writer& wire, const Eigen::Matrix2Xd& shifts) {
 inline void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
   Eigen::Index columns = 0;
   wire.field(columns);
-  shifts.resize(2, columns);
+  const bool is_there =
+      columns >= 0 && wire.has(static_cast<std::size_t>(columns), 2 * sizeof(double));
+  shifts.resize(2, is_there ? columns : 0);
   for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "search/splitting/pilot.hpp"
 
@@ -32,6 +33,22 @@ Ladder named_ladder(const schema::Campaign& campaign) {
   for (const double level_deg : splitting.levels_deg) {
     ladder.scores.push_back(static_cast<int>(std::lround(level_deg * scores_per_deg)));
   }
+  return ladder;
+}
+
+Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored) {
+  Ladder ladder = named_ladder(campaign);
+  if (stored.empty() || stored == ladder.scores) return ladder;
+  const bool is_possible = ladder.scores.empty() && stored.size() <= schema::kMostLevels &&
+                           stored.front() > 0 && stored.back() == last_level(campaign) &&
+                           std::ranges::is_sorted(stored, std::less_equal());
+  if (!is_possible) {
+    throw schema::UserError(schema::kExitBadInput,
+                            "the levels in the catalogue of " + campaign.name +
+                                " are not those of its campaign (the file is damaged, or another "
+                                "program changed it); put a backup in its place");
+  }
+  ladder.scores = stored;
   return ladder;
 }
 

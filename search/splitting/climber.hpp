@@ -26,6 +26,9 @@ class Climber {
 
 /// The ladder of a campaign, without levels where it names none.
 Ladder named_ladder(const schema::Campaign& campaign);
+/// The same with the levels that its catalogue keeps, if a pilot has found them. UserError (3) if
+/// they can be none of this campaign.
+Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored);
 /// The levels of a campaign: those that it names, or what a pilot finds.
 Ladder ladder_of(const schema::Campaign& campaign, Climber& climber);
 

@@ -25,8 +25,7 @@ Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& c
                            const ReplayCall& call) {
   if (!call.again || !campaign.splitting) return shifts_of_number(database, campaign, call.draw);
   Climber climber(campaign, solver::available_instruction_sets().back());
-  Ladder ladder = named_ladder(campaign);
-  if (ladder.scores.empty()) ladder.scores = schema::read_levels(database);
+  const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
   const Origin origin = origin_of(call.draw, *campaign.splitting);
   for (const FoundSheet& found : climbed(ladder, origin.population, climber).found) {
     if (found.origin == origin) return found.candidate.shifts_mm;
