@@ -36,10 +36,10 @@ struct SplitRate {
 /// 1992). Its quantiles are taken from Student's law, as is usual for T itself.
 ///
 /// Chosen by what intervals from 20 populations hold (results/splitting/unbiased.md): of real
-/// populations 95 %, where Student's hold 90 %; of laws with longer tails, log-normal with sigma =
-/// 1 (1.5), 91 % (89 %), Student's 86 % (76 %), Johnson's (J. Am. Stat. Assoc. 73, 1978) 85 % (75
-/// %), BCa's 87 % (81 %). Bootstrap-t holds as much, but one interval in a hundred is several times
-/// as wide, or without bound where few populations reach the top.
+/// populations 95 to 96 %, where Student's hold 90 to 95 %; of laws with longer tails, log-normal
+/// with sigma = 1 (1.5), 92 % (89 %), Student's 87 % (77 %), Johnson's (J. Am. Stat. Assoc. 73,
+/// 1978) 86 % (75 %), BCa's 88 % (81 %). Bootstrap-t holds as much, but one interval in a hundred
+/// is several times as wide, or without bound where few populations reach the top.
 SplitRate split_rate(const std::vector<double>& shares);
 
 /// What must be the case before a rate is believed. A third: of a population with more, the

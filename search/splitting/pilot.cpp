@@ -55,10 +55,12 @@ void Pilot::end_level(PieceResult all) {
   if (all.there.scores.empty()) {
     end(false);
   } else if (looked_at_ < ladder_.first_draws) {
-    // Ten times as many, of which a tenth is enough to look at.
-    from_ = std::min(last_, score_of_rank(all.there.scores, all.there.scores.size() / 10));
+    // Up to ten times as many, of which as many are enough to look at as these are.
+    const std::uint64_t now = looked_at_;
+    looked_at_ = std::min(10 * now, std::uint64_t{ladder_.first_draws});
+    from_ = std::min(last_,
+                     score_of_rank(all.there.scores, all.there.scores.size() * now / looked_at_));
     ++level_;
-    looked_at_ = std::min(std::uint64_t{10} * looked_at_, std::uint64_t{ladder_.first_draws});
     pieces_ = LevelPieces(static_cast<std::uint32_t>(looked_at_));
   } else {
     const std::size_t rank = here_.count() == 0
