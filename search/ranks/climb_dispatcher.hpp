@@ -19,6 +19,9 @@ class ClimbDispatcher {
   /// `ladder` without scores: a pilot finds them first.
   ClimbDispatcher(const Ladder& ladder, int last_score, Ledger populations, int workers);
 
+  ClimbDispatcher(const ClimbDispatcher&) = delete;
+  ClimbDispatcher& operator=(const ClimbDispatcher&) = delete;
+
   /// What an earlier run did of a population under way, or of the pilot. False if it is no use:
   /// then it will be done again.
   bool restore(PieceResult result);
