@@ -249,6 +249,25 @@ SELECT coalesce(sum(draws), 0) AS draws, coalesce(sum(accepted), 0) AS accepted,
        CAST(sum(accepted) AS REAL) / sum(draws) AS rate, sum(seconds) AS worker_seconds
 FROM unit;
 
+-- Of a splitting search: each level with the mean over populations of their estimates of the share of
+-- draws that deploy from it; sums over them of particles, of those that reached the next level, of the
+-- first draws that these descend from, and of moves tried and taken. `misalign query acceptance` and
+-- `status` have its interval as well.
+CREATE VIEW ladder AS
+WITH RECURSIVE way (unit, level, share) AS (
+  SELECT lo, 0, 1.0 FROM unit WHERE EXISTS (SELECT 1 FROM level)
+  UNION ALL
+  SELECT unit, level + 1, share * survivors / particles FROM way JOIN population USING (unit, level)
+  WHERE level < (SELECT max(number) FROM level)
+)
+SELECT way.level, (SELECT deploys_from_deg FROM level WHERE number = way.level) AS deploys_from_deg,
+       sum(share) / (SELECT count(*) FROM unit) AS rate, sum(share > 0) AS populations_here,
+       sum(particles) AS particles, sum(survivors) AS survivors, sum(ancestors) AS ancestors,
+       sum(tried) AS tried, sum(taken) AS taken, sum(undecided) AS undecided, sum(met) AS met,
+       sum(seconds) AS worker_seconds
+FROM way LEFT JOIN population USING (unit, level)
+GROUP BY way.level;
+
 -- From fault_sample, an unbiased sample of the draws, accepted ones too: the rows that there are, about
 -- how many draws they stand for, and the share of those.
 CREATE VIEW faults AS

@@ -201,7 +201,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
       end = *goal_end_;  // it may be the second time
       writer_->write(units, run_);
       for (const UnitRecord& unit : units) {
-        end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
+        add_to_goal(unit, end);
       }
       if (end.value() != goal_end_->value()) store_goal_end(end);
     });
@@ -231,6 +231,15 @@ void Catalogue::keep_levels(const std::vector<int>& scores, std::uint32_t pilot)
 
 void Catalogue::keep_pieces(const std::vector<PieceRow>& pieces) {
   guarded(path_, [&] { transact([&] { write_pieces(*database_, pieces); }); });
+}
+
+void Catalogue::add_to_goal(const UnitRecord& unit, GoalEnd& end) const {
+  if (!campaign_.splitting) {
+    end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
+  } else if (goal_.looks_at_results()) {
+    const auto top = static_cast<std::uint32_t>(levels().size());
+    end.add_population(unit.range, share_reaching(top, unit.levels));
+  }
 }
 
 void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {

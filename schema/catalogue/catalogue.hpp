@@ -91,6 +91,7 @@ class Catalogue {
   void check_same_builds(const RunInfo& run) const;
   void migrate();
   void create();
+  void add_to_goal(const UnitRecord& unit, GoalEnd& end) const;
   void store_goal_end(const GoalEnd& end);
   void take_over_levels(SQLite::Database& other);
   template <class Work>

@@ -157,12 +157,11 @@ CatalogueState state_of(SQLite::Database& database) {
   state.seed = draw_of(campaign.getColumn(8));
   state.threshold_deg = campaign.getColumn(9).getDouble();
   if (!campaign.getColumn(10).isNull()) state.stops_at_deg = campaign.getColumn(10).getDouble();
+  state.goal.of_populations = text_of(campaign.getColumn(11)) == "splitting";
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
-  if (text_of(campaign.getColumn(11)) == "splitting") {
-    state.ladder = read_ladder(database, state.goal_end);
-  }
+  if (state.goal.of_populations) state.ladder = read_ladder(database, state.goal_end);
 
   // Those of no candidate, by what makes one: to look for each of them would take ten times as
   // long.
@@ -231,6 +230,13 @@ GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   return reading(database, [&] {
     GoalEnd end(goal);
     if (!goal.looks_at_results()) return end;
+    if (goal.of_populations) {
+      const auto top = static_cast<std::uint32_t>(read_levels(database).size());
+      for (const DrawRange& unit : units_done(database)) {
+        end.add_population(unit, share_reaching(top, read_population(database, unit.lo)));
+      }
+      return end;
+    }
     const auto draws_of = [&](const char* sql) {
       std::vector<std::uint64_t> draws;
       SQLite::Statement rows(database, sql);

@@ -43,13 +43,9 @@ LadderState read_ladder(SQLite::Database& database, std::uint64_t end) {
     while (units.executeStep()) {
       ++ladder.populations;
       const auto counts = read_population(database, draw_of(units.getColumn(0)));
-      double share = 1;
       for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
-        shares[k].push_back(share);
+        shares[k].push_back(share_reaching(static_cast<std::uint32_t>(k), counts));
         if (k < counts.size()) add(counts[k], ladder.levels[k]);
-        share *= k < counts.size() && counts[k].particles > 0
-                     ? static_cast<double>(counts[k].survivors) / counts[k].particles
-                     : 0;
       }
     }
     for (std::size_t k = 0; k < shares.size(); ++k) ladder.levels[k].rate = split_rate(shares[k]);

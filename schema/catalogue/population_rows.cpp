@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/since.hpp"
 #include "solver/verdict/score.hpp"
@@ -53,6 +55,15 @@ void drop(SQLite::Database& database, SQLite::Statement statement) {
 
 }  // namespace
 
+double share_reaching(std::uint32_t level, const std::vector<LevelCount>& levels) {
+  double share = 1;
+  for (std::uint32_t k = 0; k < level; ++k) {
+    if (k >= levels.size()) return 0;
+    share *= static_cast<double>(levels[k].survivors) / levels[k].particles;
+  }
+  return share;
+}
+
 std::vector<int> read_levels(SQLite::Database& database) {
   return reading(database, [&] {
     std::vector<int> scores;
@@ -83,9 +94,10 @@ std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_
   rows.bind(1, stored(unit));
   while (rows.executeStep()) {
     const auto count = [&](int column) { return rows.getColumn(column).getUInt(); };
-    levels.push_back({count(0), count(1), count(2), count(3), draw_of(rows.getColumn(4)),
-                      draw_of(rows.getColumn(5)), draw_of(rows.getColumn(6)),
-                      draw_of(rows.getColumn(7)), rows.getColumn(8).getDouble()});
+    levels.push_back({count(0), std::max(count(1), 1u), count(2), count(3),
+                      draw_of(rows.getColumn(4)), draw_of(rows.getColumn(5)),
+                      draw_of(rows.getColumn(6)), draw_of(rows.getColumn(7)),
+                      rows.getColumn(8).getDouble()});
   }
   return levels;
 }

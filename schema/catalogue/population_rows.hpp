@@ -24,6 +24,10 @@ struct LevelCount {
   double seconds;
 };
 
+/// Its estimate of the share of draws that reach this level: the product of what survived before. 0
+/// if it died on the way. Unbiased.
+double share_reaching(std::uint32_t level, const std::vector<LevelCount>& levels);
+
 /// What is done of a population that is under way: particles lo to hi - 1 at a level.
 struct PieceRow {
   std::uint32_t population, level, lo, hi;

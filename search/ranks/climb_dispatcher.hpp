@@ -36,6 +36,8 @@ class ClimbDispatcher {
   const Ladder& ladder() const { return ladder_; }
   bool take_news_of_levels() { return std::exchange(has_news_of_levels_, false); }
 
+  /// The goal ends here now: populations from this one on are wanted no more.
+  void cut(std::uint64_t end) { populations_.cut(end); }
   bool complete() const { return !pilot_ && populations_.complete(); }
   bool anything_open() const;
   /// Populations that are not done.

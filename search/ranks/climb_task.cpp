@@ -113,6 +113,7 @@ void ClimbTask::commit() {
     ++populations_of_run_;
   }
   if (!units.empty()) catalogue_.commit(units);
+  dispatcher_.cut(catalogue_.goal_end() / schema::kNumbersOfPopulation);
   if (since_commit_.seconds() < kCommitEvery_s) return;
   commit_pieces();
 }

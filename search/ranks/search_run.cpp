@@ -71,6 +71,8 @@ schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campa
         schema::numbers_of(options.range.value_or(schema::DrawRange{0, schema::kEndOfPopulations}));
     if (campaign.stop.populations)
       goal.draws = *campaign.stop.populations * schema::kNumbersOfPopulation;
+    goal.relative_error = campaign.stop.relative_error;
+    goal.of_populations = true;
     return goal;
   }
   goal.draws = campaign.stop.draws;

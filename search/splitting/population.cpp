@@ -6,15 +6,6 @@
 
 namespace misalign::search {
 
-double PopulationRecord::share(std::uint32_t level) const {
-  double share = 1;
-  for (std::uint32_t k = 0; k < level; ++k) {
-    if (k >= levels.size()) return 0;
-    share *= static_cast<double>(levels[k].survivors) / levels[k].particles;
-  }
-  return share;
-}
-
 Population::Population(const Ladder& ladder, std::uint32_t number)
     : ladder_(ladder), number_(number), pieces_(ladder.first_draws) {
   record_.population = number;

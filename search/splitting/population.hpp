@@ -24,8 +24,7 @@ struct PopulationRecord {
       levels;                     ///< from 0 on, as far as it came; the last level's has none after
   std::vector<FoundSheet> found;  ///< by their origins, each sheet once
 
-  /// The estimate of the share of draws that reach this level: 0 if it died before. Unbiased.
-  double share(std::uint32_t level) const;
+  double share(std::uint32_t level) const { return schema::share_reaching(level, levels); }
 };
 
 class Population {

@@ -64,6 +64,10 @@ std::string population_goal(const schema::CatalogueState& state) {
   const std::uint64_t end = state.goal_end / schema::kNumbersOfPopulation;
   std::string text = fmt::format("populations from {}", lo);
   text += end >= schema::kEndOfPopulations ? " on, without end" : fmt::format(" to {}", end);
+  if (state.goal.relative_error) {
+    text += fmt::format(", or a rate known to {} %",
+                        schema::shown_number(100 * *state.goal.relative_error));
+  }
   const std::uint64_t missing = missing_populations(state);
   if (missing > 0 && end < schema::kEndOfPopulations) {
     text += fmt::format(", {} of them missing", missing);
@@ -111,6 +115,28 @@ std::string ladder_summary(const schema::CatalogueState& state) {
   const std::string interval = interval_text(*ladder.rate());
   if (!interval.empty()) text += fmt::format(" (95 %: {})", interval);
   return text;
+}
+
+std::string ladder_sql(const schema::LadderState& ladder) {
+  std::vector<std::string> rows;
+  for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+    const LadderLevel& level = ladder.levels[k];
+    const auto number = [](std::optional<double> value) {
+      return value ? fmt::format("{:.17g}", *value) : std::string("NULL");
+    };
+    const auto& interval = level.rate.interval;
+    rows.push_back(fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {})", k,
+                               k > 0 ? number(level.deploys_from_deg) : "NULL",
+                               number(level.rate.mean), interval ? number(interval->low) : "NULL",
+                               interval ? number(interval->high) : "NULL", level.rate.reached,
+                               level.particles, level.survivors, level.ancestors, level.tried,
+                               level.taken, level.met, number(level.seconds)));
+  }
+  return fmt::format(
+      "WITH ladder (level, deploys_from_deg, rate, rate_low, rate_high, populations_here, "
+      "particles, survivors, ancestors, tried, taken, met, worker_seconds) AS (VALUES {}) "
+      "SELECT * FROM ladder",
+      fmt::join(rows, ", "));
 }
 
 Json ladder_json(const schema::CatalogueState& state) {

@@ -15,6 +15,8 @@ std::string population_goal(const schema::CatalogueState& state);
 /// "6 populations, 3094 candidates, 1 in 98000 draws (95 %: ...)", for one line.
 std::string ladder_summary(const schema::CatalogueState& state);
 schema::Json ladder_json(const schema::CatalogueState& state);
+/// A SELECT of a row for each level, in numbers.
+std::string ladder_sql(const schema::LadderState& ladder);
 /// Why the rate is not to be believed yet; empty if it is.
 std::string why_not_converged(const schema::SplitRate& rate);
 
