@@ -51,6 +51,7 @@ std::optional<PieceOrder> ClimbDispatcher::assign(int worker) {
   assert(!w.population);
   if (pilot_) return take(*pilot_, w);
   for (auto& [number, population] : climbing_) {
+    if (number >= end_) return std::nullopt;
     if (auto order = take(population, w)) return order;
   }
   const auto next = populations_.take(1);
@@ -114,10 +115,16 @@ void ClimbDispatcher::look_at_end(std::uint32_t number) {
 
 std::vector<PopulationRecord> ClimbDispatcher::take_done() { return std::exchange(done_, {}); }
 
+void ClimbDispatcher::cut(std::uint64_t end) {
+  end_ = std::min(end_, end);
+  populations_.cut(end);
+}
+
 bool ClimbDispatcher::anything_open() const {
   if (pilot_) return pilot_->open() > 0;
-  return populations_.open_draws() > 0 ||
-         std::ranges::any_of(climbing_, [](const auto& one) { return one.second.open() > 0; });
+  return populations_.open_draws() > 0 || std::ranges::any_of(climbing_, [&](const auto& one) {
+           return one.first < end_ && one.second.open() > 0;
+         });
 }
 
 std::string ClimbDispatcher::under_way() const {

@@ -37,7 +37,7 @@ class ClimbDispatcher {
   bool take_news_of_levels() { return std::exchange(has_news_of_levels_, false); }
 
   /// The goal ends here now: populations from this one on are wanted no more.
-  void cut(std::uint64_t end) { populations_.cut(end); }
+  void cut(std::uint64_t end);
   bool complete() const { return !pilot_ && populations_.complete(); }
   bool anything_open() const;
   /// Populations that are not done.
@@ -62,6 +62,7 @@ class ClimbDispatcher {
 
   Ladder ladder_;
   Ledger populations_;
+  std::uint64_t end_ = schema::kEndOfPopulations;  // above what is wanted
   std::optional<Pilot> pilot_;
   bool has_news_of_levels_ = false;
   std::map<std::uint32_t, Population> climbing_;

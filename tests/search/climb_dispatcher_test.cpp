@@ -144,6 +144,27 @@ TEST(ClimbDispatcher, WhatIsOfNoUseIsNotRestored) {
   EXPECT_FALSE(all.restore(result)) << "the levels are known";
 }
 
+// Where the goal turns out to end before populations that are under way, nobody works on for these.
+TEST(ClimbDispatcher, NothingIsOpenBeyondTheGoal) {
+  ClimbDispatcher all = dispatcher(16);
+  std::map<int, PieceOrder> out;
+  for (int worker = 0; worker < 16; ++worker) {
+    if (auto order = all.assign(worker)) out.emplace(worker, std::move(*order));
+  }
+  EXPECT_GT(out.rbegin()->second.population, 3u);
+  all.cut(3);
+  Climb rest;
+  for (auto& [worker, order] : out) {
+    const bool is_wanted = order.population < 3;
+    all.settle(worker, invented(order, is_wanted ? order.hi : order.lo + 1));
+  }
+  climb(all, 16, 4, rest);
+  EXPECT_TRUE(all.complete());
+  EXPECT_FALSE(all.anything_open());
+  EXPECT_FALSE(all.assign(0));
+  for (const PieceResult& result : rest.results) EXPECT_LT(result.population, 3u);
+}
+
 // A pilot comes first, for all; then its levels are news once.
 TEST(ClimbDispatcher, PilotsComeFirst) {
   std::vector<int> scores;
