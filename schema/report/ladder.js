@@ -35,12 +35,12 @@ function rate_tiles({ levels, populations }, from) {
     tile(
       "One in",
       rate > 0 ? number(1 / rate) : "–",
-      rate > 0 ? `draws deploys from ${from}` : "none found yet",
+      rate > 0 ? `draws deploys from ${from}` : "no estimate yet",
     ),
     tile(
-      "Descend from",
+      "Ancestors",
       count(ancestors),
-      `of ${count(levels[0].tried)} first draws: all that came to the last level`,
+      `of ${count(levels[0].tried)} first draws: those at the last level descend from them`,
       "Sheets that descend from few first draws have much in common",
     ),
   ];
@@ -166,7 +166,8 @@ function show_levels({ levels, populations }, name) {
   const points = points_of(levels),
     chart = by_id("ladder-chart"),
     caption = by_id("ladder-caption"),
-    nowhere = levels.find(({ rate }) => rate === 0);
+    nowhere = levels.find(({ rate }) => rate === 0),
+    ends = [levels[1], levels.at(-1)].map(({ deploys_from_deg }) => deploys_from_deg);
   by_id("ladder-levels").append(table_of(levels));
   by_id("ladder-words").textContent =
     "Level 0 are the first draws. “Met here” counts each sheet in each population once; the catalogue keeps it once in all.";
@@ -176,7 +177,7 @@ function show_levels({ levels, populations }, name) {
   if (nowhere)
     caption.append(` No population came to ${degrees(nowhere.deploys_from_deg)} or beyond.`);
   if (points.length > 0)
-    show_when_wide(chart, (width) => ladder_chart(points, populations, width));
+    show_when_wide(chart, (width) => ladder_chart(points, ends, populations, width));
   add_saving(chart.closest(".card"), {
     name: `${name}-ladder`,
     csv: () => rows_of(levels),

@@ -1,9 +1,11 @@
 // The share of draws that deploy from each level of a splitting search, on a logarithmic scale.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
-import { count, degrees, number, plural, power, powers } from "./format.js";
+import { clamp, count, degrees, number, plural, power, powers } from "./format.js";
 
-const kMostTicks = 9;
+const kMostTicks = 9,
+  kRow_px = 28, // of the table beside it, which it is to be about as high as
+  kHeight_px = [320, 560];
 
 /** Decades round all that is shown, and marks at them: not more than fit. */
 function decades(points) {
@@ -16,23 +18,19 @@ function decades(points) {
   return { domain, ticks: all.filter((_, k) => (all.length - 1 - k) % step === 0) };
 }
 
-const interval_marks = (points, least) => {
-  const bars = points.filter(({ low }) => low !== null);
-  const ends = ["low", "high"].flatMap((end) => bars.map((bar) => ({ ...bar, end: bar[end] })));
-  return [
-    Plot.ruleX(bars, {
+// Wider than the points: where little is left in doubt an interval is shorter than they are.
+const interval_mark = (points, least) =>
+  Plot.ruleX(
+    points.filter(({ low }) => low !== null),
+    {
       x: "from_deg",
       y1: ({ low }) => Math.max(low, least),
       y2: "high",
       stroke: "var(--accent)",
-      strokeWidth: 1.6,
-    }),
-    Plot.tickY(
-      ends.filter(({ end }) => end >= least),
-      { x: "from_deg", y: "end", stroke: "var(--accent)", strokeWidth: 1.6 },
-    ),
-  ];
-};
+      strokeOpacity: 0.4,
+      strokeWidth: 9,
+    },
+  );
 
 const interval_words = ({ low, high }) =>
   low === null ? "" : ` (95 %: ${number(low)} – ${number(high)})`;
@@ -58,15 +56,16 @@ function description(points) {
   return `${words(first)}${last === first ? "" : `, ${words(last)}`}. The table of levels has all numbers.`;
 }
 
-/** `points`: those above zero, { level, from_deg, share, low, high, reached }. */
-export function ladder_chart(points, populations, width) {
+/**
+ * `points`: of the levels that were reached, { level, from_deg, share, low, high, reached };
+ * then the angles of the first level and of the last one, reached or not. level's and the last one's, reached or not.
+ */
+export function ladder_chart(points, [least_deg, most_deg], populations, width) {
   const { domain, ticks } = decades(points),
-    angles = points.map(({ from_deg }) => from_deg),
-    [least_deg, most_deg] = [Math.min(...angles), Math.max(...angles)],
     spare_deg = 0.06 * (most_deg - least_deg) || 1;
   return plot_with_room({
     width,
-    height: 320,
+    height: clamp(kRow_px * (points.length + 2), ...kHeight_px),
     marginTop: 30, // the uppermost tick is at the very top, the title above it
     marginLeft: 62,
     marginBottom: 42,
@@ -93,11 +92,11 @@ export function ladder_chart(points, populations, width) {
         x: "from_deg",
         y: "share",
         stroke: "var(--accent)",
-        strokeOpacity: 0.45,
+        strokeOpacity: 0.5,
         strokeWidth: 1.5,
       }),
-      ...interval_marks(points, domain[0]),
-      Plot.dot(points, { x: "from_deg", y: "share", fill: "var(--accent)", r: 4 }),
+      interval_mark(points, domain[0]),
+      Plot.dot(points, { x: "from_deg", y: "share", fill: "var(--accent)", r: 3 }),
       tip(points, populations),
     ],
   });

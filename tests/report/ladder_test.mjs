@@ -42,16 +42,16 @@ async function asked_check(page, data) {
     const words = await by(page, "asked").textContent(),
       { search, accept } = data.campaign.configuration;
     const numbers = [
-      [search.first_draws, "first draws"],
-      [search.particles, "particles"],
-      [search.sweeps, "sweeps"],
+      [search.first_draws, "first draw"],
+      [search.particles, "particle"],
+      [search.sweeps, "sweep"],
     ];
     assert.match(words, /Searched by splitting/);
     assert.ok(words.includes(`${accept.deploys_from_deg}°`), words);
     for (const [many, what] of numbers)
-      assert.ok(words.includes(` ${many.toLocaleString("en")} ${what}`), `${many} ${what}: ${words}`);
+      assert.match(words, new RegExp(` ${many.toLocaleString("en")} ${what}${many > 1 ? "s" : "\\b"}`));
     if (search.levels_deg === "auto") assert.match(words, /levels? that a pilot (found|finds first)/);
-    else for (const deg of search.levels_deg) assert.ok(words.includes(`${deg}°`), words);
+    else for (const deg of search.levels_deg.slice(0, 12)) assert.ok(words.includes(`${deg}°`), words);
   });
 }
 
@@ -72,9 +72,9 @@ async function figures_check(page, data, levels) {
       same(high, last.rate_high, "high");
     }
     same(number_of(await value_of(page, "One in")), last.rate > 0 ? 1 / last.rate : null, "one in");
-    assert.equal(number_of(await value_of(page, "Descend from")), levels.at(-2).ancestors);
+    assert.equal(number_of(await value_of(page, "Ancestors")), levels.at(-2).ancestors);
     const drawn = levels[0].particles.toLocaleString("en");
-    assert.match(await tile(page, "Descend from").textContent(), new RegExp(`of ${drawn} first draws`));
+    assert.match(await tile(page, "Ancestors").textContent(), new RegExp(`of ${drawn} first draws`));
   });
 }
 
@@ -120,7 +120,7 @@ async function chart_check(page, levels) {
     bars = above.filter(({ rate_low }) => rate_low !== null);
   await check("the chart has a point and an interval for each level that was reached", async () => {
     if (above.length === 0) return assert.equal(await box.locator("svg").count(), 0);
-    const x = above.length > 1 ? await axis(box, "x") : null,
+    const x = levels.length > 2 ? await axis(box, "x") : null,
       y = await axis(box, "y", Math.log10);
     const near = (shown, wanted, what) =>
       assert.ok(Math.abs(shown - wanted) < 1, `${what}: ${shown}, not ${wanted}`);
@@ -194,7 +194,7 @@ async function sentence_check(page, status, levels) {
       lines = status.split("\n"),
       reasons = lines.filter((line) => /not to be believed|an interval is shown/.test(line));
     assert.equal(await says.isVisible(), reasons.length > 0 && levels.length > 0);
-    if (reasons.length === 0) return "it is";
+    if (reasons.length === 0) return "nothing to say";
     const words = await says.textContent();
     assert.equal(`${words[0].toLowerCase()}${words.slice(1)}`, `${reasons[0]}.`);
     return reasons[0];
