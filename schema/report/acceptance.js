@@ -31,7 +31,10 @@ function show_figures({ state, campaign, candidates }) {
       rate > 0 ? "draws is accepted" : "no draw accepted yet",
     ),
     tile("Undecided", count(state.undecided), "numerical failures, counted apart"),
-    ...beyond_tiles(state.draws_in_ledger - state.draws, "draws"),
+    ...beyond_tiles(
+      state.draws_in_ledger - state.draws,
+      "draws that the figures before do not count, but table and charts do",
+    ),
     ...shown_tiles(candidates),
   );
 }

@@ -18,17 +18,9 @@ export const how_far = (complete, missing) =>
       ? `${count(missing)} of those asked for are missing`
       : "the campaign may go on";
 
-/** Of what the catalogue has and the figures leave out; none if that is nothing. */
-export const beyond_tiles = (some, what) =>
-  some > 0
-    ? [
-        tile(
-          "Beyond the goal",
-          count(some),
-          `${what} that the figures before do not count, but table and charts do`,
-        ),
-      ]
-    : [];
+/** Of what the catalogue has beyond the goal, and what counts it; none if that is nothing. */
+export const beyond_tiles = (some, words) =>
+  some > 0 ? [tile("Beyond the goal", count(some), words)] : [];
 
 export const shown_tiles = ({ shown, total }) =>
   shown < total

@@ -21,7 +21,7 @@ const no_interval = ({ populations_here }, populations) =>
 
 function rate_tiles({ levels, populations }, from) {
   const last = levels.at(-1),
-    rate = populations > 0 ? (last?.rate ?? null) : null;
+    rate = last?.rate;
   if (!last) return [tile("Share of draws", "–", "no level is known yet")];
   const interval = interval_of(last),
     ancestors = levels.at(-2).ancestors;
@@ -46,9 +46,8 @@ function rate_tiles({ levels, populations }, from) {
   ];
 }
 
-function show_figures({ state, campaign, candidates }) {
-  const { ladder } = state,
-    from = degrees(campaign.configuration.accept.deploys_from_deg),
+function show_figures({ state, campaign, candidates }, ladder) {
+  const from = degrees(campaign.configuration.accept.deploys_from_deg),
     undecided = ladder.levels.reduce((total, level) => total + level.undecided, 0),
     beyond = (state.draws_in_ledger - state.draws) / ladder.numbers_of_population;
   by_id("figures").append(
@@ -62,7 +61,10 @@ function show_figures({ state, campaign, candidates }) {
     ...(undecided > 0
       ? [tile("Undecided", count(undecided), "numerical failures, and not taken")]
       : []),
-    ...beyond_tiles(Math.round(beyond), "populations"),
+    ...beyond_tiles(
+      Math.round(beyond),
+      "populations that figures and ladder do not count; the table of candidates has theirs",
+    ),
     ...shown_tiles(candidates),
   );
 }
@@ -162,35 +164,46 @@ const points_of = (levels) =>
       reached: populations_here,
     }));
 
-function show_levels({ levels, populations }, name) {
-  const points = points_of(levels),
-    chart = by_id("ladder-chart"),
-    caption = by_id("ladder-caption"),
-    nowhere = levels.find(({ rate }) => rate === 0),
+/** Nothing where no population has come to a level yet: the table says so. */
+function show_chart(points, { levels, populations }, name) {
+  const chart = by_id("ladder-chart"),
+    card = chart.closest(".card"),
     ends = [levels[1], levels.at(-1)].map(({ deploys_from_deg }) => deploys_from_deg);
-  by_id("ladder-levels").append(table_of(levels));
-  by_id("ladder-words").textContent =
-    "Level 0 are the first draws. “Met here” counts each sheet in each population once; the catalogue keeps it once in all.";
-  caption.textContent = points.some(({ low }) => low !== null)
+  card.hidden = points.length === 0;
+  if (card.hidden) return;
+  by_id("ladder-caption").textContent = points.some(({ low }) => low !== null)
     ? "Each with its 95 % interval."
     : "There are no intervals yet.";
-  if (nowhere)
-    caption.append(` No population came to ${degrees(nowhere.deploys_from_deg)} or beyond.`);
-  if (points.length > 0)
-    show_when_wide(chart, (width) => ladder_chart(points, ends, populations, width));
-  add_saving(chart.closest(".card"), {
+  show_when_wide(chart, (width) => ladder_chart(points, ends, populations, width));
+  add_saving(card, {
     name: `${name}-ladder`,
     csv: () => rows_of(levels),
-    svg: points.length > 0 && (() => chart.querySelector("svg")),
+    svg: () => chart.querySelector("svg"),
   });
 }
 
+function show_levels(ladder, name) {
+  const { levels } = ladder,
+    missed = levels.find(({ rate }) => rate === 0);
+  show_chart(points_of(levels), ladder, name);
+  by_id("ladder-levels").append(table_of(levels));
+  by_id("ladder-words").textContent =
+    (missed ? `No population has come to ${degrees(missed.deploys_from_deg)} or beyond. ` : "") +
+    "Level 0 are the first draws. “Met here” counts each sheet in each population once; the catalogue keeps it once in all.";
+}
+
+/** No populations know no share, where the mean of theirs is written as 0. */
+const with_known_shares = (ladder) =>
+  ladder.populations > 0
+    ? ladder
+    : { ...ladder, levels: ladder.levels.map((level) => ({ ...level, rate: null })) };
+
 /** Figures, chart and table. */
 export function show_ladder(report) {
-  const { ladder } = report.state,
+  const ladder = with_known_shares(report.state.ladder),
     [note, says] = [by_id("ladder-note"), by_id("ladder-says")],
     words = ladder.why_not_converged;
-  show_figures(report);
+  show_figures(report, ladder);
   by_id("where-draws-fail").hidden = true;
   by_id("ladder").hidden = false;
   says.hidden = words === "";

@@ -58,7 +58,7 @@ function description(points) {
 
 /**
  * `points`: of the levels that were reached, { level, from_deg, share, low, high, reached };
- * then the angles of the first level and of the last one, reached or not. level's and the last one's, reached or not.
+ * then the angles of the first level and of the last one, reached or not.
  */
 export function ladder_chart(points, [least_deg, most_deg], populations, width) {
   const { domain, ticks } = decades(points),

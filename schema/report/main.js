@@ -43,7 +43,7 @@ function nothing_words(report) {
     const met = state.ladder.populations
       ? `none of ${plural(state.ladder.populations, "population")} met one that deploys from ${degrees(deploys_from_deg)} or more`
       : "no population has been searched";
-    return `No sheet has been accepted yet: ${met}. Run the same search again with more populations; ${lower}`;
+    return `No sheet has been accepted yet: ${met}. Run the same search again${state.complete ? " with more populations" : ""}; ${lower}`;
   }
   const drawn = state.draws
     ? `none of ${count(state.draws)} deploys from ${degrees(deploys_from_deg)} or more`

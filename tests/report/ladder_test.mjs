@@ -60,12 +60,12 @@ async function figures_check(page, data, levels) {
     const populations = levels[0]?.populations_here ?? 0,
       last = levels.at(-1);
     assert.equal(number_of(await value_of(page, "Populations")), populations);
-    assert.equal(number_of(await value_of(page, "Candidates kept")), data.candidates.total);
+    assert.equal(number_of(await value_of(page, "Candidates kept")), data.state.accepted);
     const share = await value_of(page, "Share of draws"),
       beside = await tile(page, "Share of draws").locator(".note").textContent();
     if (!last) return assert.equal(share, "–");
     same(number_of(share), last.rate, "share");
-    if (last.rate_low === null) assert.match(beside, /^no (interval|population)/);
+    if (last.rate_low === null) assert.match(beside, /^(no interval|no population|nothing searched)/);
     else {
       const { low, high } = interval_of(beside.replace("95 %: ", ""));
       same(low, last.rate_low, "low");
@@ -75,6 +75,21 @@ async function figures_check(page, data, levels) {
     assert.equal(number_of(await value_of(page, "Ancestors")), levels.at(-2).ancestors);
     const drawn = levels[0].particles.toLocaleString("en");
     assert.match(await tile(page, "Ancestors").textContent(), new RegExp(`of ${drawn} first draws`));
+  });
+}
+
+async function goal_check(page, data, levels, status) {
+  await check("how far it is, and what lies beyond the goal", async () => {
+    const missing = /, (\d+) of them missing/.exec(status)?.[1],
+      words = await tile(page, "Populations").locator(".note").textContent();
+    if (missing) assert.equal(words, `${missing} of those asked for are missing`);
+    else assert.equal(words, /without end/.test(status) ? "the campaign may go on" : "complete");
+    const all = data.state.draws_in_ledger / 1e10,
+      beyond = all - (levels[0]?.populations_here ?? 0);
+    assert.equal(await tile(page, "Beyond the goal").count(), beyond > 0 ? 1 : 0);
+    if (beyond > 0) assert.equal(number_of(await value_of(page, "Beyond the goal")), beyond);
+    else assert.equal(data.state.accepted, data.candidates.total);
+    return words;
   });
 }
 
@@ -114,12 +129,21 @@ async function table_check(page, levels) {
   });
 }
 
+async function missed_check(page, levels) {
+  await check("the first level to which no population has come is named", async () => {
+    const words = await page.locator("#ladder-words").textContent(),
+      missed = levels[0].populations_here > 0 && levels.find(({ rate }) => rate === 0);
+    if (!missed) return assert.doesNotMatch(words, /No population/);
+    assert.ok(words.includes(`has come to ${missed.deploys_from_deg}° or`), words);
+  });
+}
+
 async function chart_check(page, levels) {
   const box = by(page, "ladder-chart"),
     above = levels.filter(({ level, rate }) => level > 0 && rate > 0),
     bars = above.filter(({ rate_low }) => rate_low !== null);
   await check("the chart has a point and an interval for each level that was reached", async () => {
-    if (above.length === 0) return assert.equal(await box.locator("svg").count(), 0);
+    if (above.length === 0) return assert.equal(await box.isVisible(), false, "a chart of nothing");
     const x = levels.length > 2 ? await axis(box, "x") : null,
       y = await axis(box, "y", Math.log10);
     const near = (shown, wanted, what) =>
@@ -162,6 +186,7 @@ async function chart_check(page, levels) {
 }
 
 async function saving_check(page, data, levels) {
+  if (!levels.some(({ level, rate }) => level > 0 && rate > 0)) return; // no chart
   await check("the levels are saved as CSV, with seven digits", async () => {
     const card = page.locator(".card").filter({ has: by(page, "ladder-chart") });
     const [download] = await Promise.all([
@@ -183,8 +208,7 @@ async function saving_check(page, data, levels) {
         assert.ok(Math.abs(Number(saved) - wanted) <= 1e-6 * Math.abs(wanted), `${head}: ${saved}`);
       });
     const buttons = await card.locator(".saving button").allTextContents();
-    const any = levels.some(({ level, rate }) => level > 0 && rate > 0);
-    assert.deepEqual(buttons, any ? ["CSV", "PNG", "SVG"] : ["CSV"]);
+    assert.deepEqual(buttons, ["CSV", "PNG", "SVG"]);
   });
 }
 
@@ -251,11 +275,18 @@ async function sheet_check(page, data) {
   });
 }
 
+/** The mean of no populations is no share, whatever is written there. */
+function levels_of(file) {
+  const levels = JSON.parse(readFileSync(file, "utf8"));
+  if (levels[0]?.populations_here === 0) for (const level of levels) level.rate = null;
+  return levels;
+}
+
 const names = process.argv.slice(2);
 const browser = await open_browser();
 for (const name of names) {
   const data = data_of(`${name}.html`),
-    levels = JSON.parse(readFileSync(`${name}-levels.json`, "utf8")),
+    levels = levels_of(`${name}-levels.json`),
     status = readFileSync(`${name}-status.txt`, "utf8");
   console.log(`\n${name}.html: ${levels.length} levels, ${data.candidates.total} candidates`);
   const { page, context, problems } = await open_page(browser, `${name}.html`, {
@@ -263,10 +294,12 @@ for (const name of names) {
   });
   await asked_check(page, data);
   await figures_check(page, data, levels);
+  await goal_check(page, data, levels, status);
   await sentence_check(page, status, levels);
   await nothing_plain_check(page);
   if (levels.length > 0) {
     await table_check(page, levels);
+    await missed_check(page, levels);
     await chart_check(page, levels);
     await saving_check(page, data, levels);
   } else
