@@ -15,6 +15,7 @@
 #include "search/checks/deployment_functions.hpp"
 #include "search/checks/report_details.hpp"
 #include "search/ranks/build_info.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
@@ -152,12 +153,25 @@ Json commands_json(const ReportCall& call) {
           {"output", shell_word(call.output)}};
 }
 
+// The state as `status --json` has it; of a splitting search also why its rate is not to be
+// believed yet, in the words of `status`, and what its numbers are made of.
+Json state_json(const schema::CatalogueState& state) {
+  Json json = status_json(state);
+  if (!state.ladder) return json;
+  const schema::SplitRate* const rate = state.ladder->rate();
+  json["ladder"].update(
+      {{"why_not_converged", rate ? why_not_converged(*rate) : ""},
+       {"without_end", state.goal_end / schema::kNumbersOfPopulation >= schema::kEndOfPopulations},
+       {"numbers_of_population", schema::kNumbersOfPopulation}});
+  return json;
+}
+
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     const ReportCall& call, DrawsToLookAt& look) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    Json json = {{"state", status_json(schema::read_state(database))},
+    Json json = {{"state", state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
                  {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
     look = draws_to_look_at(database, json["candidates"], call);
