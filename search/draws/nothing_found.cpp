@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "schema/campaign/climb_cost.hpp"
+#include "schema/campaign/split_rate.hpp"
 #include "search/terminal/duration.hpp"
 
 namespace misalign::search {
@@ -95,6 +97,23 @@ std::string guess_words(const schema::SurvivalGuess& guess, const schema::Catalo
   return text;
 }
 
+// Of a splitting search with the defaults of its keys, where plain draws would take longer than a
+// population of it.
+std::optional<schema::ClimbCost> worthwhile_climb(const schema::SurvivalGuess& guess) {
+  const schema::ClimbCost cost = schema::climb_cost({}, guess.rate);
+  return 1 / guess.rate > cost.draws ? std::optional(cost) : std::nullopt;
+}
+
+std::string climb_words(const schema::ClimbCost& cost, const schema::CatalogueState& state) {
+  std::string text = fmt::format(
+      "splitting climbs to such sheets by levels: \"search\": {{\"method\": \"splitting\"}} in a "
+      "copy of the campaign; a population of it takes as long as about {} draws",
+      two_digits(cost.draws));
+  if (state.draws_per_s > 0) text += ", " + duration(cost.draws / state.draws_per_s) + ",";
+  return text +
+         fmt::format(" and {} of them say how rare the sheets are", schema::kLeastPopulations);
+}
+
 std::string what_to_try(const Survival& survival, const schema::CatalogueState& state) {
   const auto sample = survival.sample_to_try(kShareToTry);
   const std::string other =
@@ -133,9 +152,12 @@ Json survival_json(const Survival& survival, const schema::CatalogueState& state
                       {"share_high", high},
                       {"deploys_from_deg", survival.deg(*sample)}});
   }
-  Json guessed;
+  Json guessed, climb;
   if (const auto share = guess(survival, state)) {
     guessed = {{"rate", share->rate}, {"rate_low", share->low}, {"rate_high", share->high}};
+    if (const auto cost = worthwhile_climb(*share)) {
+      climb = {{"levels", cost->levels}, {"moves", cost->moves}, {"worth_draws", cost->draws}};
+    }
   }
   const bool any = survival.all().rows > 0;
   return {{"sampled", survival.all().rows},
@@ -143,6 +165,7 @@ Json survival_json(const Survival& survival, const schema::CatalogueState& state
           {"shares", shares},
           {"deepest_deg", any ? Json(survival.deg(survival.deepest())) : Json()},
           {"guess_at_threshold", guessed},
+          {"splitting_population", climb},
           {"one_in_a_thousand_deg", deg(survival.sample_to_try(kShareToTry))}};
 }
 
@@ -150,7 +173,10 @@ std::vector<std::string> nothing_found(const Survival& survival,
                                        const schema::CatalogueState& state) {
   if (state.accepted > 0 || state.draws == 0 || state.ladder) return {};
   std::vector<std::string> sentences = {how_rare(state), who_survives(survival)};
-  if (const auto share = guess(survival, state)) sentences.push_back(guess_words(*share, state));
+  if (const auto share = guess(survival, state)) {
+    sentences.push_back(guess_words(*share, state));
+    if (const auto cost = worthwhile_climb(*share)) sentences.push_back(climb_words(*cost, state));
+  }
   sentences.push_back(what_to_try(survival, state));
   return sentences;
 }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <functional>
 
+#include "schema/campaign/climb_cost.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -63,9 +65,9 @@ void Pilot::end_level(PieceResult all) {
     ++level_;
     pieces_ = LevelPieces(static_cast<std::uint32_t>(looked_at_));
   } else {
-    const std::size_t rank = here_.count() == 0
-                                 ? ladder_.particles / 2
-                                 : static_cast<std::size_t>(kShareOfLevel * ladder_.particles);
+    const std::size_t rank =
+        here_.count() == 0 ? ladder_.particles / 2
+                           : static_cast<std::size_t>(schema::kShareOfLevel * ladder_.particles);
     go_on_from(std::min(last_, score_of_rank(all.there.scores, rank)), all);
   }
 }

@@ -14,7 +14,6 @@ namespace misalign::search {
 class Pilot {
  public:
   static constexpr std::uint32_t kNumber = 0xFFFFFFFF;
-  static constexpr double kShareOfLevel = 0.2;
 
   /// `last`: the score of the last level.
   Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last);

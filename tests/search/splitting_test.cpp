@@ -106,7 +106,7 @@ TEST(Splitting, PiecesDoNotMatter) {
   const schema::Campaign campaign = climbed_miura(170);
   const int last = last_level(campaign);
   const Ladder ladder{
-      kClimbSeed, {last - 15 * solver::kScoresPerSample + 300, last}, 1100 / kFewer, 3000 / kFewer};
+      kClimbSeed, {last - 15 * solver::kScoresPerSample + 300, last}, 500 / kFewer, 1500 / kFewer};
   Climber climber(campaign, widest_set());
   const PopulationRecord whole = climbed(ladder, 5, climber);
   ASSERT_EQ(whole.levels.size(), 3u);
@@ -212,7 +212,7 @@ TEST(Splitting, AcceptedDrawsAreAboveEveryLevel) {
   const schema::Campaign campaign = climbed_miura(170);
   DrawEvaluator plain(campaign);
   LevelJudges judges(campaign, widest_set());
-  const int draws = kFewer > 1 ? 250 : 10000, last = last_level(campaign);
+  const int draws = kFewer > 1 ? 250 : 4000, last = last_level(campaign);
   constexpr std::uint64_t kAtOnce = 250;
   int accepted = 0;
   for (std::uint64_t lo = 0; lo < static_cast<std::uint64_t>(draws); lo += kAtOnce) {

@@ -80,7 +80,7 @@ std::optional<double> part_of(const FoldingHistory& history) {
 // more leave 1e-6 of a part.
 TEST(Score, IsThatOfTheSolvedLengths) {
   const DrawableSheet sheets{4, 4};
-  const ShiftBlock block = sheets.draws(3000 / kFewer, kSeed + 17);
+  const ShiftBlock block = sheets.draws(800 / kFewer, kSeed + 17);
   Criterion criterion;
   criterion.scores = true;
   const Model model(sheets.base, sheets.shifted_vertices, {1}, 150, criterion);
@@ -115,7 +115,7 @@ TEST(Score, IsThatOfTheSolvedLengths) {
 // Also where a polynomial's errors leave the score in doubt.
 TEST(Score, IsTheSameOnEveryInstructionSet) {
   const DrawableSheet sheets{4, 4};
-  const ShiftBlock block = sheets.draws(2000 / kFewer, kSeed + 18);
+  const ShiftBlock block = sheets.draws(400 / kFewer, kSeed + 18);
   for (const BumpRule bumps : {BumpRule::ignored, BumpRule::by_cubic, BumpRule::exact}) {
     const Model model(sheets.base, sheets.shifted_vertices, {1}, 150, {bumps, 0, 0, true});
     std::vector<Verdict> first;
