@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <string>
+
 #include "schema/campaign/goal.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "tests/bench/share_intervals.hpp"
@@ -44,43 +47,49 @@ inline Shares shares_to_look(const StoppedOptions& options, const std::function<
   return shares;
 }
 
-/// Prints what campaigns whose populations `draw` gives end with, of a law with this mean.
-inline void print_goal(const std::string& law, double mean, const StoppedOptions& options,
-                       std::uint64_t samples, const std::function<double()>& draw) {
-  const bool as_program = options.look_every == schema::kGoalPopulations && options.least == 0;
+using Draw = std::function<double()>;
+
+/// Prints what such campaigns end with, whose shares have this mean; returns their mean number of
+/// populations.
+inline double print_ends(const std::string& what, double mean, std::uint64_t samples,
+                         const std::function<Shares()>& campaign) {
   Shares means;
-  double below = 0, above = 0, populations = 0, unmet = 0, first = 0;
+  double below = 0, above = 0, populations = 0;
   for (std::uint64_t k = 0; k < samples; ++k) {
-    const Shares shares =
-        as_program ? shares_to_goal(options, draw) : shares_to_look(options, draw);
-    const schema::SplitRate rate = schema::split_rate(shares);
+    const schema::SplitRate rate = schema::split_rate(campaign());
     means.push_back(rate.mean / mean);
     populations += static_cast<double>(rate.populations);
-    unmet += rate.populations == options.most;
-    first += rate.populations == schema::kGoalPopulations;
-    if (!rate.interval) continue;
-    below += rate.interval->high < mean;
-    above += rate.interval->low > mean;
+    below += rate.interval && rate.interval->high < mean;
+    above += rate.interval && rate.interval->low > mean;
   }
   const SampleMoments of = sample_moments(means);
-  const double percent = 100.0 / static_cast<double>(samples);
+  const auto n = static_cast<double>(samples);
   fmt::print(
-      "{:15} error {:.2f} every {:2} least {:3}: bias {:+6.2f} +- {:.2f} %, holds {:5.1f} %, below "
-      "{:4.1f}, above {:4.1f}, after {:6.1f} populations, {:5.1f} % after 20, {:.1f} % unmet\n",
-      law, options.relative_error, options.look_every, options.least, 100 * (of.mean - 1),
-      100 * of.error, 100 - percent * (below + above), percent * below, percent * above,
-      populations / static_cast<double>(samples), percent * first, percent * unmet);
+      "{}: bias {:+.2f} +- {:.2f} %, holds {:.1f} %, below {:.1f}, above {:.1f}, after {:.1f} "
+      "populations\n",
+      what, 100 * (of.mean - 1), 100 * of.error, 100 - 100 * (below + above) / n, 100 * below / n,
+      100 * above / n, populations / n);
+  return populations / n;
 }
 
-/// Of a law: the program's looks, one after every population, and a later first one.
-inline void print_goals(const std::string& law, double mean, std::uint64_t samples,
-                        const std::function<double()>& draw) {
-  for (const double error : {0.5, 0.3, 0.2, 0.1}) {
-    print_goal(law, mean, {error}, samples, draw);
-    print_goal(law, mean, {error, 1}, samples, draw);
-    for (const std::size_t least : {40, 100}) {
-      print_goal(law, mean, {error, schema::kGoalPopulations, least}, samples, draw);
-    }
+/// Of a law: with the program's looks, with one after every population, with a later first one; and
+/// with as many populations as the first have on average, whatever they give.
+inline void print_goals(const std::string& law, double mean, const std::vector<double>& errors,
+                        std::uint64_t samples, const Draw& draw) {
+  for (const double error : errors) {
+    const auto print = [&](const char* looks, const std::function<Shares()>& campaign) {
+      return print_ends(fmt::format("{}, error {}, {}", law, error, looks), mean, samples,
+                        campaign);
+    };
+    const double populations = print("every 20", [&] { return shares_to_goal({error}, draw); });
+    print("every one", [&] { return shares_to_look({error, 1}, draw); });
+    print("every 20 from 40", [&] { return shares_to_look({error, 20, 40}, draw); });
+    print("every 20 from 100", [&] { return shares_to_look({error, 20, 100}, draw); });
+    print("no look", [&] {
+      Shares shares(static_cast<std::size_t>(std::lround(populations)));
+      std::ranges::generate(shares, draw);
+      return shares;
+    });
   }
 }
 
@@ -90,10 +99,10 @@ inline void compare_goals(const Shares& all, double sigma, std::uint64_t samples
   std::mt19937_64 words(2);
   if (sigma > 0) {
     std::normal_distribution<double> normal(0, sigma);
-    print_goals(fmt::format("log-normal, {}", sigma), 1e-6 * std::exp(sigma * sigma / 2), samples,
-                [&] { return 1e-6 * std::exp(normal(words)); });
+    print_goals(fmt::format("log-normal, {}", sigma), 1e-6 * std::exp(sigma * sigma / 2),
+                {0.5, 0.3, 0.2}, samples, [&] { return 1e-6 * std::exp(normal(words)); });
   } else {
-    print_goals("these", sample_moments(all).mean, samples,
+    print_goals("these", sample_moments(all).mean, {0.5, 0.3, 0.2, 0.1}, samples,
                 [&] { return all[words() % all.size()]; });
   }
 }
