@@ -1,6 +1,7 @@
 // Whether estimates of splitting are right on average, and their intervals as often right as they
 // say: many small campaigns, each with a seed of its own, against plain draws; and what other
-// intervals would have been (results/splitting/unbiased.md).
+// intervals would have been (results/splitting/unbiased.md), or campaigns that stop once theirs are
+// narrow (results/splitting/stopping.md).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,41 +12,23 @@
 #include "schema/campaign/split_rate.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"
+#include "tests/bench/climbed_to_top.hpp"
 #include "tests/bench/share_intervals.hpp"
+#include "tests/bench/stopped_campaigns.hpp"
 
 namespace misalign::search {
 namespace {
 
 struct StudyOptions {
   std::string campaign, shares;
-  double threshold_deg = 170;
+  double threshold_deg = 170, sigma = 0;
   schema::Splitting splitting{.levels_deg = {}, .particles = 60, .sweeps = 3, .first_draws = 1000};
-  std::uint64_t campaigns = 400, plain_draws = 1000000, plain_accepted = 0, samples = 0;
+  std::uint64_t campaigns = 400, plain_draws = 1000000, plain_accepted = 0, samples = 0,
+                stopped = 0;
   std::uint32_t populations = 20;
 };
 
 using Shares = std::vector<std::vector<double>>;  // of each campaign's populations
-
-// As climbed(), but nothing moves at the last level: what that finds enters no estimate.
-double share_of_population(const Ladder& ladder, std::uint32_t number, Climber& climber) {
-  Population population(ladder, number);
-  while (!population.is_done()) {
-    PieceOrder order = *population.take(kBeyondAll);
-    const std::uint32_t level = order.level, lo = order.lo, end = order.hi;
-    PieceResult result;
-    if (level < ladder.top()) {
-      PieceWork work = climber.start(std::move(order));
-      while (!work.finished()) work.run_next_block();
-      result = work.take();
-    } else {
-      result.level = level;
-      result.lo = lo;
-      result.hi = end;
-    }
-    population.add(end, std::move(result));
-  }
-  return population.record().share(ladder.top());
-}
 
 schema::Campaign campaign_of(const StudyOptions& options, std::uint64_t seed) {
   schema::Campaign campaign = schema::read_campaign_file(options.campaign);
@@ -64,7 +47,7 @@ Shares climbed_shares(const StudyOptions& options, std::ostream& file) {
     const Ladder ladder = ladder_of(campaign, climber);
     std::vector<double>& own = shares.emplace_back();
     for (std::uint32_t number = 0; number < options.populations; ++number) {
-      own.push_back(share_of_population(ladder, number, climber));
+      own.push_back(bench::climbed_to_top(ladder, number, climber).share(ladder.top()));
       file << fmt::format("{}{}", number > 0 ? "," : "", own.back());
     }
     file << std::endl;
@@ -166,10 +149,11 @@ void run(const StudyOptions& options) {
   std::ofstream file;
   if (!made) file.open(options.shares);
   const Shares shares = made ? read_shares(made) : climbed_shares(options, file);
-  if (options.samples > 0) {
+  if (options.samples > 0 || options.stopped > 0) {
     std::vector<double> all;
     for (const std::vector<double>& own : shares) all.insert(all.end(), own.begin(), own.end());
-    bench::compare_intervals(all, options.populations, options.samples);
+    if (options.samples > 0) bench::compare_intervals(all, options.populations, options.samples);
+    if (options.stopped > 0) bench::compare_goals(all, options.sigma, options.stopped);
     return;
   }
   const auto draws = static_cast<double>(options.plain_draws);
@@ -199,6 +183,9 @@ int main(int count, char** arguments) {
       ->required();
   app.add_option("--samples", options.samples,
                  "compare intervals instead, of so many samples of --populations from all shares");
+  app.add_option("--stopped", options.stopped,
+                 "the same of so many campaigns that go on until a relative error is met");
+  app.add_option("--sigma", options.sigma, "with --stopped: of log-normal shares instead");
   CLI11_PARSE(app, count, arguments);
   misalign::search::run(options);
 }
