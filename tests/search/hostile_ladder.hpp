@@ -6,29 +6,17 @@
 #include <limits>
 
 #include "../schema/catalogue_fixture.hpp"
+#include "climb_on.hpp"
 #include "search/checks/campaign_sheet.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
-#include "search/ranks/climb_task.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/verbs/choice.hpp"
-#include "splitting_campaigns.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {
-
-/// Short paths, of which a third deploys; levels at 20 and 27 degrees.
-inline schema::Campaign quick_climb() {
-  return schema::read_campaign(
-      schema::Json::parse(
-          R"({"name": "quick", "pattern": {"family": "miura", "rows": 4, "columns": 4},
-              "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 27},
-              "search": {"method": "splitting", "levels_deg": [20, 27], "particles": 20,
-                         "sweeps": 2, "first_draws": 60}})"),
-      "a test");
-}
 
 class HostileLadder : public testing::Test {
  protected:
@@ -50,24 +38,10 @@ class HostileLadder : public testing::Test {
     return schema::read_state(*schema::open_for_reading(path)).digest;
   }
 
-  // As `misalign search`: so many populations are wanted, and at most so many blocks done.
+  // So many populations are wanted, and at most so many blocks done.
   void climb(const std::string& path, std::uint64_t populations,
              int blocks = std::numeric_limits<int>::max()) {
-    schema::Catalogue catalogue(path, campaign_, evaluator_.mechanism());
-    schema::Goal goal;
-    goal.of_populations = true;
-    goal.range = schema::numbers_of({0, populations});
-    catalogue.begin_run(schema::kRun, goal);
-    {
-      ClimbTask task(climber_, evaluator_.mechanism(), catalogue, goal, 1);
-      while (!task.complete() && blocks-- > 0) {
-        ASSERT_TRUE(task.compute_one_block());
-        task.commit();
-      }
-      task.hand_in_own();
-      task.commit_all();
-    }
-    catalogue.end_run("stopped");
+    climb_on(path, climber_, evaluator_.mechanism(), schema::kRun, populations, blocks);
   }
 
   // The good one with these statements done to it, past keys and checks.
