@@ -6,7 +6,7 @@
 
 namespace misalign::search {
 
-/// Short paths, of which a third deploys; levels at 20 and 27 degrees.
+/// Short paths, nearly all of which deploy; levels at 20 and 27 degrees.
 inline schema::Campaign quick_climb() {
   return schema::read_campaign(
       schema::Json::parse(
