@@ -15,7 +15,7 @@ std::uint64_t Goal::planned_end() const {
 
 GoalEnd::GoalEnd(const Goal& goal)
     : goal_(goal), end_(goal.planned_end()), reached_(goal.range.lo) {
-  if (goal.accepted == 0) {  // met before anything is done
+  if (goal.accepted == 0 && !goal.of_populations) {  // met before anything is done
     met_ = true;
     end_ = goal.range.lo;
   }

@@ -31,7 +31,7 @@ struct Goal {
   /// Where the goal ends if the results do not end it before.
   std::uint64_t planned_end() const;
   /// Whether the results can end it.
-  bool looks_at_results() const { return accepted || relative_error; }
+  bool looks_at_results() const { return relative_error || (accepted && !of_populations); }
   friend bool operator==(const Goal&, const Goal&) = default;
 };
 

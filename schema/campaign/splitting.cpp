@@ -13,8 +13,8 @@ namespace {
 constexpr const char* kFormsOfLevels =
     "write \"auto\", or angles in ascending order like [150, 165, 175]";
 
-void read_levels(ObjectReader& reader, double threshold_deg, double sample_deg,
-                 std::vector<double>& levels_deg) {
+void read_named_levels(ObjectReader& reader, double threshold_deg, double sample_deg,
+                       std::vector<double>& levels_deg) {
   const Json* value = reader.find("levels_deg");
   if (!value || *value == "auto") return;
   InputFaults& faults = reader.faults();
@@ -43,6 +43,12 @@ void read_levels(ObjectReader& reader, double threshold_deg, double sample_deg,
     levels_deg.push_back(level_deg);
   }
   if (last_deg < threshold_deg) levels_deg.push_back(threshold_deg);
+  if (levels_deg.size() > kMostLevels) {
+    faults.add(
+        reader.shown("levels_deg"),
+        "is, with the threshold, no list of up to " + std::to_string(kMostLevels) + " angles",
+        kFormsOfLevels);
+  }
 }
 
 void read_count(ObjectReader& reader, const char* key, std::uint32_t& into, std::uint64_t least,
@@ -59,6 +65,15 @@ void read_count(ObjectReader& reader, const char* key, std::uint32_t& into, std:
 
 }  // namespace
 
+std::vector<int> named_scores(const Splitting& splitting, double sample_deg) {
+  std::vector<int> scores;
+  const double scores_per_deg = solver::kScoresPerSample / sample_deg;
+  for (const double level_deg : splitting.levels_deg) {
+    scores.push_back(static_cast<int>(std::lround(level_deg * scores_per_deg)));
+  }
+  return scores;
+}
+
 std::optional<Splitting> read_search(ObjectReader reader, double threshold_deg, double sample_deg) {
   InputFaults& faults = reader.faults();
   const std::size_t before = faults.count();
@@ -68,7 +83,7 @@ std::optional<Splitting> read_search(ObjectReader reader, double threshold_deg, 
   if (method != "plain" && method != "splitting") {
     faults.add(reader.shown("method"), "is no way to search", "write \"plain\" or \"splitting\"");
   }
-  read_levels(reader, threshold_deg, sample_deg, splitting.levels_deg);
+  read_named_levels(reader, threshold_deg, sample_deg, splitting.levels_deg);
   read_count(reader, "particles", splitting.particles, 2, kMostParticles);
   read_count(reader, "sweeps", splitting.sweeps, 1, kMostSweeps);
   read_count(reader, "first_draws", splitting.first_draws, 2, kMostFirstDraws);

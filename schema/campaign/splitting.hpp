@@ -37,6 +37,9 @@ inline DrawRange numbers_of(const DrawRange& populations) {
   return {populations.lo * kNumbersOfPopulation, populations.hi * kNumbersOfPopulation};
 }
 
+/// The scores of the levels that it names; none if a pilot is to find them.
+std::vector<int> named_scores(const Splitting& splitting, double sample_deg);
+
 /// Reads the part "search" of a campaign whose threshold and samples are known; nothing for a plain
 /// search.
 std::optional<Splitting> read_search(ObjectReader reader, double threshold_deg, double sample_deg);

@@ -125,6 +125,12 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
 // What the table's checks promise, too.
 bool is_goal(const Goal& goal, std::uint64_t goal_end) {
   const DrawRange& range = goal.range;
+  const auto is_whole = [](std::uint64_t number) {
+    return number % kNumbersOfPopulation == 0 || number == kEndOfDraws;
+  };
+  if (goal.of_populations && !(is_whole(range.lo) && is_whole(goal_end) && !goal.accepted)) {
+    return false;
+  }
   return range.lo < range.hi && range.hi <= kEndOfDraws && goal_end >= range.lo &&
          goal_end <= range.hi && goal.draws.value_or(0) <= kEndOfDraws &&
          goal.accepted.value_or(0) <= kEndOfDraws && goal.relative_error.value_or(1) > 0;
@@ -229,14 +235,14 @@ int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   return reading(database, [&] {
     GoalEnd end(goal);
-    if (!goal.looks_at_results()) return end;
-    if (goal.of_populations) {
+    if (goal.of_populations) {  // whoever goes on with them relies on all
       const auto top = static_cast<std::uint32_t>(read_levels(database).size());
-      for (const DrawRange& unit : units_done(database)) {
-        end.add_population(unit, share_reaching(top, read_population(database, unit.lo)));
-      }
+      each_population(database, [&](const DrawRange& unit, const std::vector<LevelCount>& levels) {
+        end.add_population(unit, share_reaching(top, levels));
+      });
       return end;
     }
+    if (!goal.looks_at_results()) return end;
     const auto draws_of = [&](const char* sql) {
       std::vector<std::uint64_t> draws;
       SQLite::Statement rows(database, sql);

@@ -55,7 +55,8 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 /// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
 
-/// Where a goal ends by what the rows say, see GoalEnd.
+/// Where a goal ends by what the rows say, see GoalEnd. UserError (3) if populations contradict
+/// themselves.
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
 
 /// Accepted draws below the goal's end that deploy from `sample` or more.

@@ -10,6 +10,7 @@ namespace {
 // The levels with their angles, nothing counted yet.
 LadderState empty_ladder(SQLite::Database& database) {
   LadderState ladder;
+  if (read_levels(database).empty()) return ladder;
   SQLite::Statement rows(database, "SELECT deploys_from_deg FROM level ORDER BY number");
   while (rows.executeStep()) {
     if (ladder.levels.empty()) ladder.levels.emplace_back();
@@ -38,16 +39,14 @@ LadderState read_ladder(SQLite::Database& database, std::uint64_t end) {
     if (version_of(database) < kSplittingSince) return ladder;
     ladder = empty_ladder(database);
     std::vector<std::vector<double>> shares(ladder.levels.size());
-    SQLite::Statement units(database, "SELECT lo FROM unit WHERE lo < ? ORDER BY lo");
-    units.bind(1, stored(end));
-    while (units.executeStep()) {
+    each_population(database, [&](const DrawRange& numbers, const std::vector<LevelCount>& counts) {
+      if (numbers.lo >= end) return;
       ++ladder.populations;
-      const auto counts = read_population(database, draw_of(units.getColumn(0)));
       for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
         shares[k].push_back(share_reaching(static_cast<std::uint32_t>(k), counts));
         if (k < counts.size()) add(counts[k], ladder.levels[k]);
       }
-    }
+    });
     for (std::size_t k = 0; k < shares.size(); ++k) ladder.levels[k].rate = split_rate(shares[k]);
     return ladder;
   });

@@ -1,5 +1,6 @@
 #include "schema/catalogue/ledger_check.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -29,6 +30,7 @@ class LedgerCheck {
     read_units();
     sum_candidates();
     sum_levels();
+    check_sheets_once();
     count_undecided();
     count_fault_sample();
     check_units();
@@ -186,10 +188,33 @@ class LedgerCheck {
   // What became of each population.
   void sum_levels() {
     if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
+    const Splitting& splitting = *campaign_.splitting;
+    const std::vector<int> scores = read_levels(database_);
+    const std::vector<int> named = named_scores(splitting, campaign_.sample_deg);
+    if (!scores.empty() && !named.empty() && scores != named) {
+      add("catalogue", "level.score", Json(scores), Json(named));
+    }
     for (auto& [lo, unit] : units_) {
-      const CandidateSum levels = sum_of_levels(lo, read_population(database_, lo));
-      unit.summed.add(levels);
-      if (state_ && lo < state_->goal_end) counted_.sum.add(levels);
+      const std::vector<LevelCount> levels = read_population(database_, lo);
+      for (const LevelCount& level : levels) {
+        const std::uint32_t there = level.level == 0 ? splitting.first_draws : splitting.particles;
+        if (level.particles == there) continue;
+        add(name(lo), fmt::format("level {}, particles", level.level), level.particles, there);
+      }
+      const CandidateSum sum = sum_of_levels(lo, levels);
+      unit.summed.add(sum);
+      if (state_ && lo < state_->goal_end) counted_.sum.add(sum);
+    }
+  }
+
+  // Each sheet has one number.
+  void check_sheets_once() {
+    if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
+    SQLite::Statement row(
+        database_, "SELECT max(draw), min(draw) FROM sheet GROUP BY hash HAVING count(*) > 1");
+    while (row.executeStep()) {
+      add("draw " + std::to_string(draw_of(row.getColumn(0))), "sheet.hash",
+          "that of draw " + std::to_string(draw_of(row.getColumn(1))), "its own");
     }
   }
 

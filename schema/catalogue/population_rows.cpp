@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/since.hpp"
@@ -10,6 +11,30 @@
 
 namespace misalign::schema {
 namespace {
+
+// A level's angle is stored rounded.
+constexpr double kAngleRounding = 1e-12;
+
+double angle_of(double score, double sample_deg) {
+  return score * sample_deg / solver::kScoresPerSample;
+}
+
+// Whether a row of a population can follow those before it: the table's checks, at which SQLite
+// looks only when it writes, and what a population's way is. Columns as in read_population.
+bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
+  const auto number = [&](int column) { return row.getColumn(column).getInt64(); };
+  const std::int64_t particles = number(1), survivors = number(2), ancestors = number(3);
+  const std::int64_t tried = number(4), taken = number(5), undecided = number(6);
+  const std::int64_t most = std::max(kMostFirstDraws, kMostParticles);
+  const std::int64_t most_ancestors = before.empty() ? survivors : before.back().ancestors;
+  const double seconds = row.getColumn(8).getDouble();
+  return number(0) == stored(before.size()) && (before.empty() || before.back().survivors > 0) &&
+         particles > 0 && particles <= most && survivors >= 0 && survivors <= particles &&
+         ancestors >= 0 && ancestors <= std::min(survivors, most_ancestors) &&
+         (ancestors > 0) == (survivors > 0) && tried >= 0 && taken >= 0 && taken <= tried &&
+         undecided >= 0 && undecided <= tried - taken && number(7) >= 0 && seconds >= 0 &&
+         std::isfinite(seconds);
+}
 
 // Takes the rows of candidates away that `statement` selects, with their yields.
 void drop(SQLite::Database& database, SQLite::Statement statement) {
@@ -68,8 +93,30 @@ std::vector<int> read_levels(SQLite::Database& database) {
   return reading(database, [&] {
     std::vector<int> scores;
     if (version_of(database) < kSplittingSince) return scores;
-    SQLite::Statement rows(database, "SELECT score FROM level ORDER BY number");
-    while (rows.executeStep()) scores.push_back(rows.getColumn(0).getInt());
+    SQLite::Statement rows(
+        database,
+        "SELECT number, score, deploys_from_deg, sample_deg, round(threshold_deg / sample_deg) "
+        "FROM level, (SELECT json_extract(configuration, '$.path.sample_deg') AS sample_deg, "
+        "json_extract(configuration, '$.accept.deploys_from_deg') AS threshold_deg FROM campaign) "
+        "ORDER BY number");
+    std::int64_t last = 0;
+    while (rows.executeStep()) {
+      const std::int64_t number = rows.getColumn(0).getInt64(),
+                         score = rows.getColumn(1).getInt64();
+      const double angle_deg = rows.getColumn(2).getDouble();
+      const double expected_deg =
+          angle_of(static_cast<double>(score), rows.getColumn(3).getDouble());
+      last = static_cast<std::int64_t>(rows.getColumn(4).getInt()) * solver::kScoresPerSample;
+      const bool is_next = number == stored(scores.size() + 1) && scores.size() < kMostLevels &&
+                           score > (scores.empty() ? 0 : scores.back()) && score <= last &&
+                           std::abs(angle_deg - expected_deg) <= kAngleRounding * expected_deg;
+      if (!is_next)
+        throw damaged(database, fmt::format("level {} is none of its campaign", number));
+      scores.push_back(static_cast<int>(score));
+    }
+    if (!scores.empty() && scores.back() != last) {
+      throw damaged(database, "its last level is not its campaign's criterion");
+    }
     return scores;
   });
 }
@@ -81,25 +128,56 @@ void write_levels(SQLite::Database& database, const std::vector<int>& scores, do
     insert.reset();
     insert.bind(1, stored(k + 1));
     insert.bind(2, scores[k]);
-    insert.bind(3, scores[k] * sample_deg / solver::kScoresPerSample);
+    insert.bind(3, angle_of(scores[k], sample_deg));
     insert.exec();
   }
 }
 
-std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit) {
+std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit,
+                                        std::size_t most_levels) {
   std::vector<LevelCount> levels;
   SQLite::Statement rows(database,
                          "SELECT level, particles, survivors, ancestors, tried, taken, undecided, "
                          "met, seconds FROM population WHERE unit = ? ORDER BY level");
   rows.bind(1, stored(unit));
+  const std::uint64_t number = unit / kNumbersOfPopulation;
   while (rows.executeStep()) {
+    if (levels.size() > most_levels || !adds_up(rows, levels)) {
+      throw damaged(database, fmt::format("population {} does not add up at level {}", number,
+                                          rows.getColumn(0).getInt64()));
+    }
     const auto count = [&](int column) { return rows.getColumn(column).getUInt(); };
-    levels.push_back({count(0), std::max(count(1), 1u), count(2), count(3),
-                      draw_of(rows.getColumn(4)), draw_of(rows.getColumn(5)),
-                      draw_of(rows.getColumn(6)), draw_of(rows.getColumn(7)),
-                      rows.getColumn(8).getDouble()});
+    levels.push_back({count(0), count(1), count(2), count(3), draw_of(rows.getColumn(4)),
+                      draw_of(rows.getColumn(5)), draw_of(rows.getColumn(6)),
+                      draw_of(rows.getColumn(7)), rows.getColumn(8).getDouble()});
+  }
+  if (levels.empty() || levels.back().survivors > 0) {
+    throw damaged(database, fmt::format("population {} has not come to its end", number));
   }
   return levels;
+}
+
+void each_population(
+    SQLite::Database& database,
+    const std::function<void(const DrawRange& numbers, const std::vector<LevelCount>&)>& see) {
+  const std::size_t top = read_levels(database).size();
+  SQLite::Statement lost(database,
+                         "SELECT unit FROM population WHERE unit NOT IN (SELECT lo FROM unit)");
+  if (lost.executeStep()) {
+    throw damaged(database,
+                  fmt::format("population {} is in no unit",
+                              lost.getColumn(0).getInt64() / stored(kNumbersOfPopulation)));
+  }
+  SQLite::Statement units(database, "SELECT lo, hi FROM unit ORDER BY lo");
+  while (units.executeStep()) {
+    const DrawRange range{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))};
+    const std::uint64_t population = range.lo / kNumbersOfPopulation;
+    if (range != numbers_of({population, population + 1})) {
+      throw damaged(database, fmt::format("unit {} is no population", range.lo));
+    }
+    see(range, read_population(database, range.lo, top));
+    if (top == 0) throw damaged(database, "it has populations without levels");
+  }
 }
 
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout) {
@@ -158,10 +236,10 @@ void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
                           const std::optional<std::uint64_t>& most) {
   SQLite::Statement again(
       database,
-      "SELECT DISTINCT more.draw, unit, deploys_from_sample, more.hash FROM sheet AS one "
-      "JOIN sheet AS least ON least.hash = one.hash "
-      "JOIN sheet AS more ON more.hash = one.hash AND more.draw > least.draw "
-      "JOIN candidate ON candidate.draw = more.draw WHERE one.draw >= ? AND one.draw < ?");
+      "SELECT draw, unit, deploys_from_sample, hash FROM sheet AS more JOIN candidate USING (draw) "
+      "WHERE hash IN (SELECT hash FROM sheet WHERE draw >= ? AND draw < ?) "
+      "AND EXISTS (SELECT 1 FROM sheet AS least WHERE least.hash = more.hash AND least.draw < "
+      "more.draw)");
   again.bind(1, stored(added.lo));
   again.bind(2, stored(added.hi));
   drop(database, std::move(again));

@@ -17,21 +17,22 @@ void Standing::add(const UnitRecord& unit) {
 }
 
 Standing read_standing(SQLite::Database& database) {
-  Standing standing;
-  SQLite::Statement sums(database,
-                         "SELECT coalesce(sum(hi - lo), 0), coalesce(sum(accepted), 0) FROM unit");
-  sums.executeStep();
-  standing.draws = static_cast<std::uint64_t>(sums.getColumn(0).getInt64());
-  standing.accepted = static_cast<std::uint64_t>(sums.getColumn(1).getInt64());
-  SQLite::Statement best(database,
-                         "SELECT deploys_from_deg, min(draw) FROM candidate WHERE "
-                         "deploys_from_deg = (SELECT max(deploys_from_deg) FROM candidate) "
-                         "GROUP BY deploys_from_deg");
-  if (best.executeStep()) {
-    standing.best = {best.getColumn(0).getDouble(),
-                     static_cast<std::uint64_t>(best.getColumn(1).getInt64())};
-  }
-  return standing;
+  return reading(database, [&] {
+    Standing standing;
+    SQLite::Statement sums(
+        database, "SELECT coalesce(sum(hi - lo), 0), coalesce(sum(accepted), 0) FROM unit");
+    sums.executeStep();
+    standing.draws = draw_of(sums.getColumn(0));
+    standing.accepted = draw_of(sums.getColumn(1));
+    SQLite::Statement best(database,
+                           "SELECT deploys_from_deg, min(draw) FROM candidate WHERE "
+                           "deploys_from_deg = (SELECT max(deploys_from_deg) FROM candidate) "
+                           "GROUP BY deploys_from_deg");
+    if (best.executeStep()) {
+      standing.best = {best.getColumn(0).getDouble(), draw_of(best.getColumn(1))};
+    }
+    return standing;
+  });
 }
 
 }  // namespace misalign::schema

@@ -18,7 +18,7 @@ struct Standing {
   void add(const UnitRecord& unit);
 };
 
-/// Of a catalogue. Throws SQLite::Exception.
+/// Of a catalogue. UserError (3) if it is damaged.
 Standing read_standing(SQLite::Database& database);
 
 }  // namespace misalign::schema

@@ -36,8 +36,9 @@ Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Camp
   }
   const auto shifts_mm = read_shifts(row.value("displacements_mm", schema::Json()),
                                      campaign.pattern.base.sheet.vertex_count());
-  if (!shifts_mm) {
-    throw schema::damaged(database, fmt::format("candidate {} has no displacements", number));
+  if (!shifts_mm || !can_be_drawn(campaign, *shifts_mm)) {
+    throw schema::damaged(database,
+                          fmt::format("candidate {} has no displacements of its campaign", number));
   }
   return *shifts_mm;
 }

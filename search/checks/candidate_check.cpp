@@ -38,7 +38,9 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   const solver::PerforatedSheet& base = campaign_.pattern.base;
   const auto shifts_mm = read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
   if (campaign_.splitting) {  // its population would have to be made again: see --units
-    if (!shifts_mm) differs("displacements_mm", cell("displacements_mm"), "displacements");
+    if (!shifts_mm || !can_be_drawn(campaign_, *shifts_mm)) {
+      differs("displacements_mm", cell("displacements_mm"), "shifts of the campaign");
+    }
   } else if (const Eigen::Matrix2Xd drawn_mm = shifts_of_draw(campaign_, draw);
              !shifts_mm || *shifts_mm != drawn_mm) {
     differs("displacements_mm", cell("displacements_mm"),
@@ -46,7 +48,10 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   }
   if (!shifts_mm) return report;
   const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + *shifts_mm;
-  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) return report;
+  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) {
+    if (report.findings.empty()) differs("displacements_mm", "a sheet", "no facets");
+    return report;
+  }
 
   const FollowedSheet sheet = sheets_.follow(vertices_mm);
   const solver::FoldingHistory& history = sheet.history;

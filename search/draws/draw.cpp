@@ -3,6 +3,7 @@
 #include <Random123/philox.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace misalign::search {
 namespace {
@@ -12,6 +13,19 @@ double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
     return ternary_level(word) * misalignment.amplitude_mm;
   }
   return uniform_share(word) * misalignment.amplitude_mm;
+}
+
+// A level, or a share whose word gives it again.
+bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
+  const double share = shift_mm / misalignment.amplitude_mm;
+  if (misalignment.levels == schema::Levels::ternary) {
+    return share == 0 || shift_mm == misalignment.amplitude_mm ||
+           shift_mm == -misalignment.amplitude_mm;
+  }
+  constexpr double kMostShare = 1 - 1e-10;  // the words end 2^-32 before 1
+  if (!(std::abs(share) <= kMostShare)) return false;
+  const auto word = static_cast<std::uint32_t>((share + 1) * 2147483648.0);
+  return uniform_share(word) * misalignment.amplitude_mm == shift_mm;
 }
 
 }  // namespace
@@ -58,6 +72,18 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
       Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count());
   draw_shifts(campaign.misalignment, campaign.seed, draw, shifts_mm);
   return shifts_mm;
+}
+
+bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
+  if (shifts_mm.cols() != campaign.pattern.base.sheet.vertex_count()) return false;
+  Eigen::Matrix2Xd others_mm = shifts_mm;
+  for (const int vertex : campaign.misalignment.vertices) {
+    for (const double shift_mm : shifts_mm.col(vertex)) {
+      if (!can_be_drawn(campaign.misalignment, shift_mm)) return false;
+    }
+    others_mm.col(vertex).setZero();
+  }
+  return (others_mm.array() == 0).all();
 }
 
 solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k) {

@@ -35,6 +35,9 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
 /// Shifts of draw d of a campaign, one column per vertex of its sheet.
 Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t draw);
 
+/// Whether a draw of the campaign can have these shifts, one column per vertex of its sheet.
+bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm);
+
 /// The k-th point of trial t, uniform in the unit ball: the first in the ball of points of the cube
 /// round it, whose coordinates are uniform ones as above from words 0 to 2 of blocks 64 k,
 /// 64 k + 1, ... (One in two lies in it.)

@@ -43,7 +43,7 @@ ClimbTask::~ClimbTask() = default;
 // Pieces of populations that are in the ledger, or that another build made, are of no use.
 void ClimbTask::restore() {
   for (const schema::PieceRow& row : catalogue_.pieces(piece_layout())) {
-    auto result = unpack_kept(row.result, climber_.moves().code(), mechanism_);
+    auto result = unpack_kept(row.result, climber_.campaign(), climber_.moves().code(), mechanism_);
     const bool is_row = result && result->population == row.population &&
                         result->level == row.level && result->lo == row.lo && result->hi == row.hi;
     if (is_row) dispatcher_.restore(std::move(*result));

@@ -1,8 +1,11 @@
 #include "search/ranks/piece_messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <set>
 
+#include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
 
 namespace misalign::search {
@@ -95,30 +98,63 @@ bool are_sheets(const ScoredSheets& sheets, const ShiftCode& code) {
   });
 }
 
-bool is_sound(const PieceResult& result, const ShiftCode& code,
+bool are_metrics(const solver::Metrics& metrics, const schema::Campaign& campaign) {
+  bool are_finite = true;
+  schema::each_metric(metrics, [&](const auto&, const auto& value) {
+    if constexpr (requires { value.has_value(); }) {
+      are_finite = are_finite && (!value || std::isfinite(*value));
+    } else {
+      are_finite = are_finite && std::isfinite(static_cast<double>(value));
+    }
+  });
+  return are_finite &&
+         std::ranges::all_of(metrics.elongation, [](double e) { return std::isfinite(e); }) &&
+         metrics.deploys_from_sample >= campaign.threshold_sample();
+}
+
+// Each met in another place, from which its number is made.
+bool are_met(const PieceResult& result, const schema::Campaign& campaign,
+             const solver::Mechanism& mechanism) {
+  const std::uint32_t first = result.level == 0 ? 0 : 1;
+  const std::uint32_t last = result.level == 0 ? 0 : campaign.splitting->sweeps;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> places;
+  return std::ranges::all_of(result.met, [&](const MetCandidate& met) {
+    const schema::Candidate& candidate = met.candidate;
+    return met.particle >= result.lo && met.particle < result.hi && met.step >= first &&
+           met.step <= last && places.emplace(met.step, met.particle).second &&
+           candidate.metrics.elongation.size() == mechanism.diagonals.size() &&
+           are_metrics(candidate.metrics, campaign) && can_be_drawn(campaign, candidate.shifts_mm);
+  });
+}
+
+// Draws or moves of its particles, each once at least.
+bool are_counts(const PieceResult& result, const schema::Campaign& campaign) {
+  const std::uint64_t particles = result.hi - result.lo;
+  return result.tried >= particles && result.tried <= particles * campaign.splitting->sweeps &&
+         result.taken <= result.tried && result.undecided <= result.tried - result.taken &&
+         result.seconds >= 0 && std::isfinite(result.seconds);
+}
+
+bool is_sound(const PieceResult& result, const schema::Campaign& campaign, const ShiftCode& code,
               const solver::Mechanism& mechanism) {
   const auto is_particle = [&](std::uint32_t k) { return k >= result.lo && k < result.hi; };
-  return result.lo < result.hi && are_sheets(result.there, code) &&
+  return result.lo < result.hi && are_counts(result, campaign) && are_sheets(result.there, code) &&
+         std::ranges::all_of(result.there.scores, [](int score) { return score >= 0; }) &&
          result.survivors.size() == result.there.count() &&
          std::ranges::is_sorted(result.survivors, std::less_equal()) &&
-         std::ranges::all_of(result.survivors, is_particle) &&
-         std::ranges::all_of(result.met, [&](const MetCandidate& met) {
-           const schema::Candidate& candidate = met.candidate;
-           return is_particle(met.particle) && candidate.shifts_mm.cols() == mechanism.vertices &&
-                  candidate.metrics.elongation.size() == mechanism.diagonals.size();
-         });
+         std::ranges::all_of(result.survivors, is_particle) && are_met(result, campaign, mechanism);
 }
 
 }  // namespace
 
-std::optional<PieceResult> unpack_kept(const std::string& bytes, const ShiftCode& code,
-                                       const solver::Mechanism& mechanism) {
+std::optional<PieceResult> unpack_kept(const std::string& bytes, const schema::Campaign& campaign,
+                                       const ShiftCode& code, const solver::Mechanism& mechanism) {
   const Bytes copy(bytes.begin(), bytes.end());
   Reader wire(copy);
   SentPiece sent;
   wire.field(sent.was_stopped);
   result_fields(wire, sent.result);
-  if (!wire.is_whole() || !is_sound(sent.result, code, mechanism)) return std::nullopt;
+  if (!wire.is_whole() || !is_sound(sent.result, campaign, code, mechanism)) return std::nullopt;
   return std::move(sent.result);
 }
 

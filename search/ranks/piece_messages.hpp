@@ -23,8 +23,8 @@ Bytes pack(const SentPiece& sent);
 SentPiece unpack_piece(const Bytes& bytes);
 
 /// A result that was kept in a file, which may say anything; nothing if it is none of a piece of
-/// this campaign's sheets.
-std::optional<PieceResult> unpack_kept(const std::string& bytes, const ShiftCode& code,
-                                       const solver::Mechanism& mechanism);
+/// this campaign's sheets. What it says of them may still be wrong.
+std::optional<PieceResult> unpack_kept(const std::string& bytes, const schema::Campaign& campaign,
+                                       const ShiftCode& code, const solver::Mechanism& mechanism);
 
 }  // namespace misalign::search

@@ -62,8 +62,14 @@ template <class T, class Each>
 void list(Reader& wire, std::vector<T>& items, Each&& each) {
   std::size_t size = 0;
   wire.field(size);
-  items.resize(wire.has(size, 1) ? size : 0);
-  for (T& item : items) each(item);
+  items.clear();
+  if constexpr (std::is_arithmetic_v<T>) {
+    items.resize(wire.has(size, sizeof(T)) ? size : 0);
+    for (T& item : items) each(item);
+  } else {  // one after another, so that memory is taken for what is there alone
+    while (items.size() < size && wire.has(1, 1)) each(items.emplace_back());
+    if (!wire.has(0, 1)) items.clear();
+  }
 }
 
 template <class Wire, class Metrics>

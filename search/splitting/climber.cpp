@@ -1,7 +1,6 @@
 #include "search/splitting/climber.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "search/splitting/pilot.hpp"
@@ -28,12 +27,8 @@ Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
 
 Ladder named_ladder(const schema::Campaign& campaign) {
   const schema::Splitting& splitting = *campaign.splitting;
-  Ladder ladder{campaign.seed, {}, splitting.particles, splitting.first_draws};
-  const double scores_per_deg = solver::kScoresPerSample / campaign.sample_deg;
-  for (const double level_deg : splitting.levels_deg) {
-    ladder.scores.push_back(static_cast<int>(std::lround(level_deg * scores_per_deg)));
-  }
-  return ladder;
+  return {campaign.seed, schema::named_scores(splitting, campaign.sample_deg), splitting.particles,
+          splitting.first_draws};
 }
 
 Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored) {

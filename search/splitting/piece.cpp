@@ -26,6 +26,10 @@ void PieceResult::append(PieceResult next) {
   std::ranges::move(next.met, std::back_inserter(met));
 }
 
+bool PieceResult::are_all_from(int score) const {
+  return std::ranges::all_of(there.scores, [&](int one) { return one >= score; });
+}
+
 PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelJudges& judges,
                      PieceOrder order)
     : moves_(moves),

@@ -45,6 +45,8 @@ struct PieceResult {
 
   /// Those that come next.
   void append(PieceResult next);
+  /// Whether all survivors have this score, or a higher one.
+  bool are_all_from(int score) const;
 };
 
 /// Orders being worked off, a block of particles and a step at a time.

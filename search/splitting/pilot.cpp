@@ -33,14 +33,16 @@ std::optional<PieceOrder> Pilot::take(std::uint32_t most) {
   const auto particles = pieces_.take(most);
   if (!particles) return std::nullopt;
   // The scores of all are wanted.
-  const Bounds bounds{reached(), here_.count() == 0 ? from_ : reached()};
+  const Bounds bounds{reached(), least_score()};
   PieceOrder order = order_of(kNumber, level_, *particles, bounds, here_);
   order.is_catalogued = false;
   return order;
 }
 
 bool Pilot::restore(PieceResult result) {
-  if (is_done_ || result.level != level_ || !pieces_.take({result.lo, result.hi})) return false;
+  const bool is_of_level =
+      !is_done_ && result.level == level_ && result.are_all_from(least_score());
+  if (!is_of_level || !pieces_.take({result.lo, result.hi})) return false;
   const std::uint32_t end = result.hi;
   add(end, std::move(result));
   return true;
@@ -87,6 +89,10 @@ void Pilot::go_on_from(int score, const PieceResult& all) {
       return;
     }
     if (!is_there) score = reached;
+  }
+  if (score < last_ && ladder_.scores.size() + 1 >= schema::kMostLevels) {
+    end(false);
+    return;
   }
   if (score > reached) {
     ladder_.scores.push_back(score);

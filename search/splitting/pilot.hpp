@@ -36,6 +36,8 @@ class Pilot {
   void end_level(PieceResult all);
   void go_on_from(int score, const PieceResult& all);
   void end(bool is_whole);
+  // That of the particles which are looked at.
+  int least_score() const { return here_.count() == 0 ? from_ : reached(); }
   int reached() const { return ladder_.scores.empty() ? 0 : ladder_.scores.back(); }
 
   Ladder ladder_;

@@ -27,7 +27,10 @@ bool Population::add(std::uint32_t end_of_order, PieceResult result) {
 }
 
 bool Population::restore(PieceResult result) {
-  if (is_done_ || result.level != level_ || !pieces_.take({result.lo, result.hi})) return false;
+  const bool is_of_level = !is_done_ && result.level == level_ &&
+                           (level_ < ladder_.top() ? result.are_all_from(ladder_.next(level_))
+                                                   : result.survivors.empty());
+  if (!is_of_level || !pieces_.take({result.lo, result.hi})) return false;
   const std::uint32_t end = result.hi;
   add(end, std::move(result));
   return true;

@@ -39,7 +39,8 @@ class Population {
   /// What has come back of an order that ended at this particle; what it leaves of that is open
   /// again. True if it ended the level.
   bool add(std::uint32_t end_of_order, PieceResult result);
-  /// What an earlier run has done. False if it does not belong to the level that this one is at.
+  /// What an earlier run has done. False if it does not belong to the level that this one is at, or
+  /// says of particles that they survived that cannot have.
   bool restore(PieceResult result);
   bool is_at_first() const { return level_ == 0; }
   bool is_done() const { return is_done_; }

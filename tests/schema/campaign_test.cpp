@@ -114,6 +114,20 @@ TEST(Identity, ChangesWithWhatChangesAnAnswer) {
   }
 }
 
+// With the threshold there are 256 at most.
+TEST(Search, LevelsAreCountedWithTheThreshold) {
+  std::vector<double> levels_deg;
+  for (int k = 0; k < 256; ++k) levels_deg.push_back(100 + 0.25 * k);  // the last at 163.75
+  const auto of = [&] {
+    Json value = with("{}");
+    value["search"] = {{"method", "splitting"}, {"levels_deg", levels_deg}};
+    return read(value);
+  };
+  EXPECT_THROW(of(), UserError);
+  levels_deg.pop_back();
+  EXPECT_EQ(of().splitting->levels_deg.size(), 256u);
+}
+
 // All faults of a splitting search at once.
 TEST(Search, WhatCannotBeIsSaid) {
   constexpr std::pair<const char*, const char*> kSaid[] = {

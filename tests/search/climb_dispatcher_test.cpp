@@ -235,7 +235,8 @@ TEST(PieceMessages, KeptPiecesAreWholeOrNone) {
   ASSERT_FALSE(result.met.empty());
   const solver::Model model = scoring_model_of(campaign, 160);
   const auto kept = [&](const Bytes& bytes) {
-    return unpack_kept({bytes.begin(), bytes.end()}, climber.moves().code(), model.mechanism());
+    return unpack_kept({bytes.begin(), bytes.end()}, campaign, climber.moves().code(),
+                       model.mechanism());
   };
   const Bytes bytes = pack(SentPiece{result, false});
   const auto whole = kept(bytes);
