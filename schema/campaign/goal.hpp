@@ -13,9 +13,8 @@ namespace misalign::schema {
 
 /// A goal that depends on what the draws give ends at a multiple of this many draws.
 inline constexpr std::uint64_t kGoalGranule = 4096;
-/// And one that depends on what populations give at a multiple of this many of them: rates are
-/// looked at so rarely that stopping at one that happens to look good biases them little
-/// (results/splitting/stopping.md).
+/// And one that depends on what populations give at a multiple of this many of them, as many as an
+/// interval needs. What stopping there does to rate and interval: results/splitting/stopping.md.
 inline constexpr std::size_t kGoalPopulations = 20;
 
 /// What a run wants; draws count from the range's start.

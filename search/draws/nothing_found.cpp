@@ -8,6 +8,7 @@
 
 #include "schema/campaign/climb_cost.hpp"
 #include "schema/campaign/split_rate.hpp"
+#include "search/terminal/count_text.hpp"
 #include "search/terminal/duration.hpp"
 
 namespace misalign::search {
@@ -53,9 +54,9 @@ std::optional<schema::SurvivalGuess> guess(const Survival& survival,
 
 std::string how_rare(const schema::CatalogueState& state) {
   const double most = most_possible(state);
-  const std::string draws = std::to_string(state.draws) + (state.draws == 1 ? " draw" : " draws");
-  const std::string head = "nothing was accepted in " + draws + ": the share that deploys from " +
-                           shown_number(state.threshold_deg) + " deg is below " + two_digits(most);
+  const std::string head = "nothing was accepted in " + count_text(state.draws, "draw") +
+                           ": the share that deploys from " + shown_number(state.threshold_deg) +
+                           " deg is below " + two_digits(most);
   if (state.undecided > 0) {
     return head + " (95 %, should the " + std::to_string(state.undecided) +
            " undecided all be accepted ones), and more than " + some_draws(1 / most) +
@@ -77,9 +78,9 @@ std::string who_survives(const Survival& survival) {
   }
   if (shares.empty()) {
     return fmt::format(
-        "how deep the draws fold is not known yet: the fault sample has {} {}, one in 1024 or "
+        "how deep the draws fold is not known yet: the fault sample has {}, one in 1024 or "
         "fewer; more draws will tell",
-        rows, rows == 1 ? "draw" : "draws");
+        count_text(rows, "draw"));
   }
   return fmt::format("{}, the deepest seen {:.10g} deg ({} draws judged to the end of their paths)",
                      fmt::join(shares, ", "), survival.deg(survival.deepest()), rows);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "schema/files/text_table.hpp"
+#include "search/terminal/count_text.hpp"
 
 namespace misalign::search {
 namespace {
@@ -93,13 +94,13 @@ std::string ladder_text(const schema::CatalogueState& state) {
   const std::uint64_t top = ladder.levels.size() - 2;  // whose survivors have come to the last one
   std::uint64_t undecided = 0;
   for (const LadderLevel& level : ladder.levels) undecided += level.undecided;
-  text += fmt::format(
-      "\n{} populations, {} at the last level, from {} first draws; {} candidates are kept, each "
-      "once\n",
-      ladder.populations, ladder.rate()->reached, ladder.levels[top].ancestors, state.accepted);
+  text += fmt::format("\n{}, {} at the last level, from {}; {} kept, each once\n",
+                      count_text(ladder.populations, "population"), ladder.rate()->reached,
+                      count_text(ladder.levels[top].ancestors, "first draw"),
+                      count_text(state.accepted, "candidate"));
   if (undecided > 0) {
-    text +=
-        fmt::format("{} moves were undecided (numerical failures) and were not taken\n", undecided);
+    text += fmt::format("{} undecided (numerical failures) and not taken\n",
+                        count_text(undecided, "move"));
   }
   const std::string why = why_not_converged(*ladder.rate());
   return why.empty() ? text : text + why + "\n";
@@ -108,7 +109,7 @@ std::string ladder_text(const schema::CatalogueState& state) {
 std::string ladder_summary(const schema::CatalogueState& state) {
   const schema::LadderState& ladder = *state.ladder;
   std::string text =
-      fmt::format("{} populations, {} candidates", ladder.populations, state.accepted);
+      count_text(ladder.populations, "population") + ", " + count_text(state.accepted, "candidate");
   if (!ladder.rate() || ladder.populations == 0) return text;
   text += fmt::format(", {} of draws deploy from {:.10g} deg", rate_text(ladder.rate()->mean),
                       state.threshold_deg);
@@ -119,6 +120,10 @@ std::string ladder_summary(const schema::CatalogueState& state) {
 
 std::string ladder_sql(const schema::LadderState& ladder) {
   std::vector<std::string> rows;
+  if (ladder.levels.empty()) {  // VALUES needs a row
+    rows.emplace_back(
+        "(NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL)");
+  }
   for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
     const LadderLevel& level = ladder.levels[k];
     const auto number = [](std::optional<double> value) {
@@ -135,7 +140,7 @@ std::string ladder_sql(const schema::LadderState& ladder) {
   return fmt::format(
       "WITH ladder (level, deploys_from_deg, rate, rate_low, rate_high, populations_here, "
       "particles, survivors, ancestors, tried, taken, met, worker_seconds) AS (VALUES {}) "
-      "SELECT * FROM ladder",
+      "SELECT * FROM ladder WHERE level IS NOT NULL",
       fmt::join(rows, ", "));
 }
 
