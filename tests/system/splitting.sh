@@ -4,10 +4,11 @@
 . "$(dirname "$0")/lib.sh"
 kills_wanted=${3:-6}
 RANDOM=${4:-1}
-populations=24
-cat > rare.json << 'END'
+populations=$((4 * kills_wanted))
+cat > rare.json << END
 {"name": "rare", "pattern": {"family": "miura", "rows": 4, "columns": 4}, "accept": {"deploys_from_deg": 175},
- "search": {"method": "splitting", "particles": 70, "sweeps": 3, "first_draws": 700}, "stop": {"populations": 24}}
+ "search": {"method": "splitting", "particles": 70, "sweeps": 3, "first_draws": 700},
+ "stop": {"populations": $populations}}
 END
 search() { "$program" search rare.json --progress none "$@" > out 2> err; }
 
@@ -25,14 +26,17 @@ expected=$(digest_of calm.db)
 # Ranks, registers, halves, and kills at any moment.
 "${ranks[@]}" 3 "$program" search rare.json --progress none --catalogue three.db > /dev/null 2>&1
 search --catalogue baseline.db --instruction-set baseline
-search --catalogue a.db --range 0:14
-search --catalogue b.db --range 11:24
+search --catalogue a.db --range 0:$((populations / 2 + 2))
+search --catalogue b.db --range $((populations / 2 - 1)):$populations
 "$program" merge joined.db b.db a.db > out || { fail "merge"; cat out; }
+hit=0
 for kill in $(seq "$kills_wanted"); do
   "$program" search rare.json --progress none --catalogue killed.db > /dev/null 2>&1 &
-  sleep 0.$((RANDOM % 9 + 1))
-  { kill -KILL $! && wait $!; } 2> /dev/null
+  sleep 0.$((RANDOM % 3 + 1))
+  { kill -KILL $! && hit=$((hit + 1)); wait $!; } 2> /dev/null
 done
+echo "$hit of $kills_wanted kills met a search under way"
+[ "$hit" -gt $((kills_wanted / 3)) ] || fail "too few kills"
 search --catalogue killed.db
 for file in three baseline joined killed; do
   sound $file.db ${populations}0000000000
@@ -57,9 +61,9 @@ cmp -s stored.json again.json || fail "made again: another sheet"
 "$program" verify "$(find found -name '*.json' | head -n 1)" > /dev/null || fail "verify of an exported one"
 
 # Only so many are kept: those with the least numbers, whatever the order.
-sed 's/"populations": 24/"populations": 24, "accepted": 40/' rare.json > few.json
+sed 's/"populations": [0-9]*/&, "accepted": 40/' rare.json > few.json
 "$program" search few.json --progress none --catalogue few.db > /dev/null 2>&1
-"$program" search few.json --progress none --catalogue few-b.db --range 9:24 > /dev/null 2>&1
+"$program" search few.json --progress none --catalogue few-b.db --range 9:$populations > /dev/null 2>&1
 "$program" search few.json --progress none --catalogue few-b.db > /dev/null 2>&1
 [ "$(sql few.db 'SELECT count(*) FROM candidate')" = 40 ] || fail "more are kept, or fewer"
 [ "$(sql few.db 'SELECT max(draw) FROM candidate')" = \
