@@ -200,9 +200,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
     transact([&] {
       end = *goal_end_;  // it may be the second time
       writer_->write(units, run_);
-      for (const UnitRecord& unit : units) {
-        add_to_goal(unit, end);
-      }
+      for (const UnitRecord& unit : units) add_to_goal(unit, end);
       if (end.value() != goal_end_->value()) store_goal_end(end);
     });
     goal_end_ = std::move(end);
@@ -214,7 +212,9 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   cost_.longest_s = std::max(cost_.longest_s, seconds);
 }
 
-std::vector<int> Catalogue::levels() const { return read_levels(*database_); }
+std::string Catalogue::result_of(const PieceRow& piece) const {
+  return reading(*database_, [&] { return read_result(*database_, piece); });
+}
 
 std::vector<PieceRow> Catalogue::pieces(const std::string& layout) const {
   return reading(*database_, [&] { return read_pieces(*database_, layout); });

@@ -55,10 +55,11 @@ class Catalogue {
   /// One transaction: the units, their candidates and what else belongs to them, and the goal's
   /// end. UserError: 1 if the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
-  /// Of a splitting search: the scores of its levels, none where they are not known yet; and what
-  /// is done of populations under way, of a layout.
-  std::vector<int> levels() const;
+  /// Of a splitting search: the scores of its levels, none where they are not known yet; what is
+  /// done of populations under way, of a layout, without the results; and the result of one.
+  std::vector<int> levels() const { return read_levels(*database_); }
   std::vector<PieceRow> pieces(const std::string& layout) const;
+  std::string result_of(const PieceRow& piece) const;
   /// One transaction each: the levels, instead of what is done of finding them by this population;
   /// more pieces.
   void keep_levels(const std::vector<int>& scores, std::uint32_t pilot);

@@ -183,15 +183,23 @@ void each_population(
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout) {
   std::vector<PieceRow> pieces;
   SQLite::Statement rows(database,
-                         "SELECT population, level, lo, hi, result FROM piece WHERE layout = ? "
+                         "SELECT population, level, lo, hi FROM piece WHERE layout = ? "
                          "ORDER BY population, level, lo");
   rows.bind(1, layout);
   while (rows.executeStep()) {
     const auto number = [&](int column) { return rows.getColumn(column).getUInt(); };
-    pieces.push_back(
-        {number(0), number(1), number(2), number(3), layout, rows.getColumn(4).getString()});
+    pieces.push_back({number(0), number(1), number(2), number(3), layout, {}});
   }
   return pieces;
+}
+
+std::string read_result(SQLite::Database& database, const PieceRow& piece) {
+  SQLite::Statement row(database,
+                        "SELECT result FROM piece WHERE population = ? AND level = ? AND lo = ?");
+  row.bind(1, piece.population);
+  row.bind(2, piece.level);
+  row.bind(3, piece.lo);
+  return row.executeStep() ? row.getColumn(0).getString() : "";
 }
 
 void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces) {

@@ -49,8 +49,10 @@ std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_
 void each_population(
     SQLite::Database& database,
     const std::function<void(const DrawRange& numbers, const std::vector<LevelCount>&)>& see);
-/// All whose result has this layout, in the order in which they were done.
+/// All whose result has this layout, in the order in which they were done, without these results,
+/// which may be large; and the result of one.
 std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout);
+std::string read_result(SQLite::Database& database, const PieceRow& piece);
 void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces);
 void drop_pieces(SQLite::Database& database, std::uint32_t population);
 

@@ -19,8 +19,11 @@ constexpr double kPiece_s = 2;
 }  // namespace
 
 ClimbDispatcher::ClimbDispatcher(const Ladder& ladder, int last_score, Ledger populations,
-                                 int workers)
-    : ladder_(ladder), populations_(std::move(populations)), workers_(workers) {
+                                 int workers, std::uint64_t most_found)
+    : ladder_(ladder),
+      populations_(std::move(populations)),
+      workers_(workers),
+      most_found_(most_found) {
   if (ladder.scores.empty() && populations_.open_draws() > 0) {
     pilot_.emplace(ladder.seed, ladder.particles, ladder.first_draws, last_score);
   }
@@ -43,7 +46,7 @@ bool ClimbDispatcher::restore(PieceResult result) {
 // Nothing if it is done, or not wanted.
 Population* ClimbDispatcher::begin(std::uint32_t number) {
   if (!populations_.take({number, std::uint64_t{number} + 1})) return nullptr;
-  return &climbing_.try_emplace(number, ladder_, number).first->second;
+  return &climbing_.try_emplace(number, ladder_, number, most_found_).first->second;
 }
 
 std::optional<PieceOrder> ClimbDispatcher::assign(int worker) {
@@ -57,7 +60,7 @@ std::optional<PieceOrder> ClimbDispatcher::assign(int worker) {
   const auto next = populations_.take(1);
   if (!next) return std::nullopt;
   const auto number = static_cast<std::uint32_t>(next->lo);
-  return take(climbing_.try_emplace(number, ladder_, number).first->second, w);
+  return take(climbing_.try_emplace(number, ladder_, number, most_found_).first->second, w);
 }
 
 template <class Climb>

@@ -17,7 +17,8 @@ namespace misalign::search {
 class ClimbDispatcher {
  public:
   /// `ladder` without scores: a pilot finds them first.
-  ClimbDispatcher(const Ladder& ladder, int last_score, Ledger populations, int workers);
+  ClimbDispatcher(const Ladder& ladder, int last_score, Ledger populations, int workers,
+                  std::uint64_t most_found = kAllSheets);
 
   ClimbDispatcher(const ClimbDispatcher&) = delete;
   ClimbDispatcher& operator=(const ClimbDispatcher&) = delete;
@@ -68,6 +69,7 @@ class ClimbDispatcher {
   std::map<std::uint32_t, Population> climbing_;
   std::vector<PopulationRecord> done_;
   std::vector<Worker> workers_;
+  std::uint64_t most_found_;  // of each population
 };
 
 }  // namespace misalign::search

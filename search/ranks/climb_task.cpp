@@ -32,7 +32,8 @@ ClimbTask::ClimbTask(Climber& climber, const solver::Mechanism& mechanism,
       splitting_(*climber.campaign().splitting),
       limited_(goal.planned_end() < schema::kEndOfDraws),
       dispatcher_(stored_ladder(climber.campaign(), catalogue.levels()),
-                  last_level(climber.campaign()), ledger_of(catalogue, goal), ranks),
+                  last_level(climber.campaign()), ledger_of(catalogue, goal), ranks,
+                  climber.campaign().stop.accepted.value_or(kAllSheets)),
       standing_(catalogue.standing()) {
   if (catalogue.levels().empty() && !dispatcher_.ladder().scores.empty()) write_levels();
   restore();
@@ -43,7 +44,8 @@ ClimbTask::~ClimbTask() = default;
 // Pieces of populations that are in the ledger, or that another build made, are of no use.
 void ClimbTask::restore() {
   for (const schema::PieceRow& row : catalogue_.pieces(piece_layout())) {
-    auto result = unpack_kept(row.result, climber_.campaign(), climber_.moves().code(), mechanism_);
+    auto result = unpack_kept(catalogue_.result_of(row), climber_.campaign(),
+                              climber_.moves().code(), mechanism_);
     const bool is_row = result && result->population == row.population &&
                         result->level == row.level && result->lo == row.lo && result->hi == row.hi;
     if (is_row) dispatcher_.restore(std::move(*result));

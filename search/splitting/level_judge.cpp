@@ -50,9 +50,14 @@ const std::vector<int>& LevelJudge::judge(const solver::ShiftBlock& block) {
 
 LevelJudge& LevelJudges::from(int score) {
   const int sample = score / solver::kScoresPerSample;
-  std::unique_ptr<LevelJudge>& judge = of_sample_[sample];
-  if (!judge) judge = std::make_unique<LevelJudge>(campaign_, sample, set_);
-  return *judge;
+  const auto at = std::ranges::find(judges_, sample, &OfSample::sample);
+  if (at != judges_.end()) {
+    judges_.splice(judges_.begin(), judges_, at);
+  } else {
+    if (judges_.size() == kMostJudges) judges_.pop_back();
+    judges_.push_front({sample, std::make_unique<LevelJudge>(campaign_, sample, set_)});
+  }
+  return *judges_.front().judge;
 }
 
 std::vector<schema::Candidate> LevelJudges::measured(const solver::ShiftBlock& shifts) {

@@ -1,7 +1,7 @@
 // What score sheets have, of those that may reach a level.
 #pragma once
 
-#include <map>
+#include <list>
 #include <memory>
 
 #include "schema/campaign/campaign.hpp"
@@ -36,9 +36,12 @@ class LevelJudge {
   std::vector<int> scores_;
 };
 
-/// The judges of all levels, and what measures candidates, each made when first needed.
+/// The judges of levels, and what measures candidates, each made when first needed. Judges are
+/// large, but soon made: only those that were used last are kept.
 class LevelJudges {
  public:
+  static constexpr std::size_t kMostJudges = 2;
+
   LevelJudges(const schema::Campaign& campaign, solver::InstructionSet set)
       : campaign_(campaign), set_(set) {}
   /// Of the sheets whose score may be `score`, or more.
@@ -50,7 +53,11 @@ class LevelJudges {
  private:
   const schema::Campaign& campaign_;
   const solver::InstructionSet set_;
-  std::map<int, std::unique_ptr<LevelJudge>> of_sample_;
+  struct OfSample {
+    int sample;
+    std::unique_ptr<LevelJudge> judge;
+  };
+  std::list<OfSample> judges_;  // the one that was used last is the first
   std::unique_ptr<const solver::Model> model_;
   std::unique_ptr<solver::Batch> batch_;
 };

@@ -13,7 +13,15 @@ bool LevelPieces::add(const DrawRange& taken, PieceResult result) {
 
 PieceResult LevelPieces::all() {
   assert(ledger_.complete());
+  std::size_t survivors = 0, bytes = 0;
+  for (const auto& [lo, result] : done_) {
+    survivors += result.survivors.size();
+    bytes += result.there.sheets.bytes.size();
+  }
   PieceResult all;
+  all.survivors.reserve(survivors);
+  all.there.scores.reserve(survivors);
+  all.there.sheets.bytes.reserve(bytes);
   for (auto& [lo, result] : done_) all.append(std::move(result));
   return all;
 }

@@ -26,6 +26,7 @@ int score_of_rank(std::vector<int> scores, std::size_t rank) {
 Pilot::Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last)
     : ladder_{seed, {}, particles, first_draws},
       last_(last),
+      size_(std::min(particles, kMostParticles)),
       looked_at_(std::min(particles, first_draws)),
       pieces_(std::min(particles, first_draws)) {}
 
@@ -67,9 +68,9 @@ void Pilot::end_level(PieceResult all) {
     ++level_;
     pieces_ = LevelPieces(static_cast<std::uint32_t>(looked_at_));
   } else {
-    const std::size_t rank =
-        here_.count() == 0 ? ladder_.particles / 2
-                           : static_cast<std::size_t>(schema::kShareOfLevel * ladder_.particles);
+    const std::size_t rank = here_.count() == 0
+                                 ? ladder_.particles / 2
+                                 : static_cast<std::size_t>(schema::kShareOfLevel * size_);
     go_on_from(std::min(last_, score_of_rank(all.there.scores, rank)), all);
   }
 }
@@ -108,12 +109,11 @@ void Pilot::go_on_from(int score, const PieceResult& all) {
   }
   ++level_;
   here_.clear();
-  for (const std::uint32_t k :
-       copies_of_survivors(ladder_.seed, kNumber, level_, static_cast<std::uint32_t>(above.count()),
-                           ladder_.particles)) {
+  for (const std::uint32_t k : copies_of_survivors(
+           ladder_.seed, kNumber, level_, static_cast<std::uint32_t>(above.count()), size_)) {
     here_.add(above, k);
   }
-  pieces_ = LevelPieces(ladder_.particles);
+  pieces_ = LevelPieces(size_);
 }
 
 void Pilot::end(bool is_whole) {

@@ -14,6 +14,8 @@ namespace misalign::search {
 class Pilot {
  public:
   static constexpr std::uint32_t kNumber = 0xFFFFFFFF;
+  /// More say little more of where levels are to lie.
+  static constexpr std::uint32_t kMostParticles = 10000;
 
   /// `last`: the score of the last level.
   Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last);
@@ -27,7 +29,7 @@ class Pilot {
   bool is_at_first() const { return here_.count() == 0; }
   /// Whether the last level is reached, or none higher is.
   bool is_done() const { return is_done_; }
-  /// Once it is done: ascending, the last one `last` whether it was reached or not.
+  /// Once it is done, of populations: ascending, the last one `last` whether it was reached or not.
   const Ladder& ladder() const { return ladder_; }
   /// Whether it came to the last level: otherwise few populations will, or none.
   bool is_whole() const { return is_whole_; }
@@ -42,10 +44,11 @@ class Pilot {
 
   Ladder ladder_;
   const int last_;
-  std::uint32_t level_ = 0;  // at first ever more of the first draws
-  int from_ = 0;             // the score from which on first draws are looked at
-  std::uint64_t looked_at_;  // of the first draws
-  std::uint32_t tries_ = 0;  // steps of this level without a higher one
+  const std::uint32_t size_;  // its particles
+  std::uint32_t level_ = 0;   // at first ever more of the first draws
+  int from_ = 0;              // the score from which on first draws are looked at
+  std::uint64_t looked_at_;   // of the first draws
+  std::uint32_t tries_ = 0;   // steps of this level without a higher one
   bool is_done_ = false, is_whole_ = false;
   LevelPieces pieces_;
   ScoredSheets here_;

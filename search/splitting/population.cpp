@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <set>
+#include <utility>
 
 namespace misalign::search {
 
-Population::Population(const Ladder& ladder, std::uint32_t number)
-    : ladder_(ladder), number_(number), pieces_(ladder.first_draws) {
+Population::Population(const Ladder& ladder, std::uint32_t number, std::uint64_t most_found)
+    : ladder_(ladder), number_(number), pieces_(ladder.first_draws), found_(most_found) {
   record_.population = number;
 }
 
@@ -20,6 +21,9 @@ std::optional<PieceOrder> Population::take(std::uint32_t most) {
 
 bool Population::add(std::uint32_t end_of_order, PieceResult result) {
   assert(result.level == level_);
+  for (MetCandidate& met : std::exchange(result.met, {})) {
+    found_.add({number_, level_, met.step, met.particle}, std::move(met.candidate));
+  }
   const DrawRange taken{result.lo, end_of_order};
   if (!pieces_.add(taken, std::move(result))) return false;
   end_level(pieces_.all());
@@ -38,13 +42,8 @@ bool Population::restore(PieceResult result) {
 
 PopulationRecord Population::record() {
   assert(is_done_);
-  std::ranges::sort(record_.found, {}, &FoundSheet::origin);
-  std::set<std::vector<double>> seen;
-  std::erase_if(record_.found, [&](const FoundSheet& found) {
-    const Eigen::Matrix2Xd& shifts_mm = found.candidate.shifts_mm;
-    return !seen.insert({shifts_mm.data(), shifts_mm.data() + shifts_mm.size()}).second;
-  });
-  for (const FoundSheet& found : record_.found) ++record_.levels[found.origin.level].met;
+  found_.count(record_.levels);
+  record_.found = found_.take();
   return std::move(record_);
 }
 
@@ -58,9 +57,6 @@ void Population::end_level(PieceResult all) {
   record_.levels.push_back({level_, ladder_.size(level_), survivors,
                             static_cast<std::uint32_t>(different.size()), all.tried, all.taken,
                             all.undecided, 0, all.seconds});
-  for (MetCandidate& met : all.met) {
-    record_.found.push_back({{number_, level_, met.step, met.particle}, std::move(met.candidate)});
-  }
   is_done_ = survivors == 0;  // it died, or there is nowhere to go on to
   if (is_done_) return;
   ++level_;

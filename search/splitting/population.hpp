@@ -2,35 +2,26 @@
 // goes on from there. A pure state machine, without clock, file or message.
 #pragma once
 
+#include "search/splitting/found_sheets.hpp"
 #include "search/splitting/ladder.hpp"
 #include "search/splitting/level_pieces.hpp"
 
 namespace misalign::search {
 
-/// Where a sheet was met.
-struct Origin {
-  std::uint32_t population, level, step, particle;
-  friend auto operator<=>(const Origin&, const Origin&) = default;
-};
-
-struct FoundSheet {
-  Origin origin;
-  schema::Candidate candidate;
-};
-
 struct PopulationRecord {
   std::uint32_t population;
   std::vector<schema::LevelCount>
       levels;                     ///< from 0 on, as far as it came; the last level's has none after
-  std::vector<FoundSheet> found;  ///< by their origins, each sheet once
+  std::vector<FoundSheet> found;  ///< by their origins, each sheet once; not all if so wanted
 
   double share(std::uint32_t level) const { return schema::share_reaching(level, levels); }
 };
 
 class Population {
  public:
-  /// `ladder` must outlive this object.
-  Population(const Ladder& ladder, std::uint32_t number);
+  /// `ladder` must outlive this object. `most_found`: so many sheets are kept, those with the least
+  /// origins; all are counted.
+  Population(const Ladder& ladder, std::uint32_t number, std::uint64_t most_found = kAllSheets);
 
   std::uint32_t number() const { return number_; }
   std::uint32_t level() const { return level_; }
@@ -59,6 +50,7 @@ class Population {
   LevelPieces pieces_;
   ScoredSheets here_;  // at its level
   std::vector<std::uint32_t> ancestors_;
+  FoundSheets found_;
   PopulationRecord record_;
 };
 

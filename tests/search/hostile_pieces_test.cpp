@@ -91,7 +91,8 @@ TEST_F(HostilePieces, PiecesThatLieAreMadeAgain) {
       std::vector<schema::PieceRow> pieces = schema::read_pieces(database, piece_layout());
       ASSERT_EQ(pieces.size(), 2u);
       for (schema::PieceRow& row : pieces) {
-        PieceResult result = unpack_piece({row.result.begin(), row.result.end()}).result;
+        const std::string kept = schema::read_result(database, row);
+        PieceResult result = unpack_piece({kept.begin(), kept.end()}).result;
         ASSERT_GE(result.met.size(), 2u);
         ASSERT_GE(result.survivors.size(), 2u);
         lie(result);
