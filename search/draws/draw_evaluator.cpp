@@ -13,7 +13,7 @@ namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones are slower
-constexpr std::size_t kRecordsAtOnce = 128;      // of 40 kB each on 6 x 6
+constexpr std::size_t kRecordsAtOnce = 64;       // of 40 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
 void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {

@@ -290,7 +290,8 @@ Action report_verb(CLI::App& verb) {
   auto call = std::make_shared<ReportCall>();
   add_catalogue_or_pattern(verb, call->path);
   verb.add_option("--output", call->output, "HTML file to write")->required()->type_name("FILE");
-  add_draws(verb, call->draws, "also this draw, accepted or not");
+  add_draws(verb, call->draws,
+            "also this draw, accepted or not; of a splitting search only a stored one");
   verb.add_option("--rows", call->rows, "how many candidates the table may hold [10000]")
       ->check(counted(0, 1000000))
       ->type_name("N");
