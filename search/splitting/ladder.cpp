@@ -15,6 +15,7 @@ PieceOrder order_of(std::uint32_t population, std::uint32_t level,
                    true,
                    {}};
   if (order.is_first) return order;
+  order.here.reserve(particles.size(), here.sheets.bytes_each);
   for (std::uint64_t k = particles.lo; k < particles.hi; ++k) order.here.add(here, k);
   return order;
 }

@@ -1,5 +1,6 @@
 #include "search/splitting/level_pieces.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace misalign::search {
@@ -13,15 +14,14 @@ bool LevelPieces::add(const DrawRange& taken, PieceResult result) {
 
 PieceResult LevelPieces::all() {
   assert(ledger_.complete());
-  std::size_t survivors = 0, bytes = 0;
+  std::size_t survivors = 0, bytes_each = 0;
   for (const auto& [lo, result] : done_) {
     survivors += result.survivors.size();
-    bytes += result.there.sheets.bytes.size();
+    bytes_each = std::max(bytes_each, result.there.sheets.bytes_each);
   }
   PieceResult all;
   all.survivors.reserve(survivors);
-  all.there.scores.reserve(survivors);
-  all.there.sheets.bytes.reserve(bytes);
+  all.there.reserve(survivors, bytes_each);
   for (auto& [lo, result] : done_) all.append(std::move(result));
   return all;
 }

@@ -71,6 +71,11 @@ struct ScoredSheets {
   std::vector<int> scores;
 
   std::size_t count() const { return scores.size(); }
+  /// Room for so many, and no more.
+  void reserve(std::size_t sheets_count, std::size_t bytes_each) {
+    sheets.bytes.reserve(sheets_count * bytes_each);
+    scores.reserve(sheets_count);
+  }
   void add(const ScoredSheets& others, std::size_t k) {
     sheets.add(others.sheets[k]);
     scores.push_back(others.scores[k]);

@@ -61,7 +61,9 @@ void Population::end_level(PieceResult all) {
   if (is_done_) return;
   ++level_;
   here_.clear();
+  here_.reserve(ladder_.particles, all.there.sheets.bytes_each);
   ancestors_.clear();
+  ancestors_.reserve(ladder_.particles);
   for (const std::uint32_t k :
        copies_of_survivors(ladder_.seed, number_, level_, survivors, ladder_.particles)) {
     here_.add(all.there, k);
