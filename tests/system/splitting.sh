@@ -7,7 +7,7 @@ RANDOM=${4:-1}
 populations=$((4 * kills_wanted))
 cat > rare.json << END
 {"name": "rare", "pattern": {"family": "miura", "rows": 4, "columns": 4}, "accept": {"deploys_from_deg": 175},
- "search": {"method": "splitting", "particles": 70, "sweeps": 3, "first_draws": 700},
+ "search": {"method": "splitting", "particles": 50, "sweeps": 3, "first_draws": 500},
  "stop": {"populations": $populations}}
 END
 search() { "$program" search rare.json --progress none "$@" > out 2> err; }
@@ -21,7 +21,7 @@ expected=$(digest_of calm.db)
 [ "$(sql calm.db 'SELECT count(DISTINCT hash) = count(*) FROM sheet')" = 1 ] || fail "a sheet twice"
 [ "$(sql calm.db 'SELECT count(*) FROM sheet')" = "$(sql calm.db 'SELECT count(*) FROM candidate')" ] ||
   fail "candidates without a hash"
-"$program" verify calm.db --sample 60 --units $populations > out || { fail "verify"; cat out; }
+"$program" verify calm.db --sample 30 --units $populations > out || { fail "verify"; cat out; }
 
 # Ranks, registers, halves, and kills at any moment.
 "${ranks[@]}" 3 "$program" search rare.json --progress none --catalogue three.db > /dev/null 2>&1
