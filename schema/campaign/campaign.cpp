@@ -144,34 +144,6 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   }
 }
 
-// A key that may be null for "no limit".
-void read_stop(ObjectReader reader, StopRule& stop) {
-  const auto limit = [&](const char* key, auto& into, auto read) {
-    const Json* value = reader.find(key);
-    if (!value) return;
-    into.reset();
-    if (!value->is_null()) into = read(key);
-  };
-  const auto whole = [&](const char* key) {
-    std::uint64_t n = 0;
-    reader.whole(key, n, kEndOfDraws, "write a count, or null for no limit");
-    return n;
-  };
-  limit("draws", stop.draws, whole);
-  limit("accepted", stop.accepted, whole);
-  limit("relative_error", stop.relative_error, [&](const char* key) {
-    double error = 0;
-    reader.number(key, error, 1e-6, 1, "write a share of the rate like 0.05, or null for no limit");
-    return error;
-  });
-  limit("wall_s", stop.wall_s, [&](const char* key) {
-    double seconds = 0;
-    reader.number(key, seconds, 0, 1e9, "write seconds, or null for no limit");
-    return seconds;
-  });
-  reader.refuse_unknown_keys();
-}
-
 void read_actuators(ObjectReader reader, solver::Actuators& actuators) {
   reader.number("stiffness_n_per_mm", actuators.stiffness_n_per_mm, kLeastStiffness_n_per_mm,
                 kMostStiffness_n_per_mm, "try 50, the paper's springs");
@@ -246,6 +218,8 @@ Campaign read_campaign(const Json& value, const std::string& source,
   // A sheet that is refused for other reasons is not held against its path.
   const double base_end_deg = campaign.pattern.base.folding.end_deg();
   read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
+  campaign.splitting = read_search(ObjectReader(part("search"), "search", faults),
+                                   campaign.threshold_deg, campaign.sample_deg);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   read_actuators(ObjectReader(part("actuators"), "actuators", faults), campaign.actuators);
@@ -294,12 +268,9 @@ Json campaign_json(const Campaign& campaign) {
             {"between_samples", between_samples_json(campaign.between_samples)},
             {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
             {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
+          {"search", search_json(campaign.splitting)},
           {"seed", campaign.seed},
-          {"stop",
-           {{"draws", or_null(campaign.stop.draws)},
-            {"accepted", or_null(campaign.stop.accepted)},
-            {"relative_error", or_null(campaign.stop.relative_error)},
-            {"wall_s", or_null(campaign.stop.wall_s)}}},
+          {"stop", stop_json(campaign.stop)},
           {"actuators",
            {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
             {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}}};
@@ -309,6 +280,11 @@ Json stored_configuration(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json configuration = campaign_json(campaign);
   if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  if (!campaign.splitting) {
+    configuration.erase("search");
+    if (configuration["stop"]["populations"] == defaults["stop"]["populations"])
+      configuration["stop"].erase("populations");
+  }
   if (!campaign.wished_stop) {
     configuration["accept"].erase("stops_at_deg");
     configuration["accept"].erase("stop_stiffness_mm2_per_rad2");

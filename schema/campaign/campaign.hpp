@@ -9,6 +9,8 @@
 
 #include "schema/campaign/draw_range.hpp"
 #include "schema/campaign/pattern_file.hpp"
+#include "schema/campaign/splitting.hpp"
+#include "schema/campaign/stop_rule.hpp"
 #include "solver/design/actuation.hpp"
 
 namespace misalign::schema {
@@ -33,14 +35,6 @@ struct WishedStop {
   bool operator==(const WishedStop&) const = default;
 };
 
-/// When a campaign or a run is over; what is absent does not limit.
-struct StopRule {
-  std::optional<std::uint64_t> draws = 1000000;
-  std::optional<std::uint64_t> accepted;
-  std::optional<double> relative_error;  ///< of the acceptance rate, see Goal
-  std::optional<double> wall_s;
-};
-
 /// The member initializers are the released defaults: they never change (identity leaves them out).
 struct Campaign {
   std::string name = "miura-6x6";
@@ -51,6 +45,7 @@ struct Campaign {
   double threshold_deg = 170;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
   std::optional<WishedStop> wished_stop;  ///< not beyond the threshold
+  std::optional<Splitting> splitting;     ///< nothing: plain draws
   std::uint64_t seed = 1;
   StopRule stop;
   solver::Actuators actuators;  ///< outside the identity: what is shown of candidates

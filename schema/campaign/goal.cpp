@@ -1,8 +1,10 @@
 #include "schema/campaign/goal.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "schema/campaign/share_interval.hpp"
+#include "schema/campaign/split_rate.hpp"
 
 namespace misalign::schema {
 
@@ -13,7 +15,7 @@ std::uint64_t Goal::planned_end() const {
 
 GoalEnd::GoalEnd(const Goal& goal)
     : goal_(goal), end_(goal.planned_end()), reached_(goal.range.lo) {
-  if (goal.accepted == 0) {  // met before anything is done
+  if (goal.accepted == 0 && !goal.of_populations) {  // met before anything is done
     met_ = true;
     end_ = goal.range.lo;
   }
@@ -21,12 +23,30 @@ GoalEnd::GoalEnd(const Goal& goal)
 
 void GoalEnd::add(const DrawRange& done, const std::vector<std::uint64_t>& accepted,
                   const std::vector<std::uint64_t>& undecided) {
-  if (met_ || !goal_.looks_at_results() || done.hi <= reached_) return;
-  ahead_.emplace(done.lo, Part{done.hi, accepted, undecided});
+  add(done.lo, {done.hi, accepted, undecided});
+}
+
+void GoalEnd::add_population(const DrawRange& numbers, double share) {
+  add(numbers.lo, {numbers.hi, {}, {}, share});
+}
+
+void GoalEnd::add(std::uint64_t lo, Part part) {
+  if (met_ || !goal_.looks_at_results() || part.hi <= reached_) return;
+  ahead_.emplace(lo, std::move(part));
   while (!met_ && !ahead_.empty() && ahead_.begin()->first <= reached_) {
-    follow(ahead_.extract(ahead_.begin()).mapped());
+    const Part next = ahead_.extract(ahead_.begin()).mapped();
+    goal_.of_populations ? follow_population(next) : follow(next);
   }
   if (met_) ahead_.clear();
+}
+
+void GoalEnd::follow_population(const Part& part) {
+  reached_ = part.hi;
+  shares_.push_back(part.share);
+  if (shares_.size() % kGoalPopulations != 0) return;
+  const SplitRate rate = split_rate(shares_);
+  met_ = has_converged(rate) && *rate.relative_half_width() <= *goal_.relative_error;
+  if (met_) end_ = std::min(end_, part.hi);
 }
 
 // Counts the accepted draws of the next part of the prefix, and closes granules on the way.

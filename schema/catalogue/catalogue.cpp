@@ -29,18 +29,6 @@ void bind_or_null(SQLite::Statement& statement, const char* name,
 
 }  // namespace
 
-void Standing::add(const UnitRecord& unit) {
-  draws += unit.range.size();
-  accepted += unit.accepted;
-  for (const Candidate& candidate : unit.candidates) {
-    const double deg = candidate.metrics.deploys_from_deg;
-    if (!best || deg > best->deploys_from_deg ||
-        (deg == best->deploys_from_deg && candidate.draw < best->draw)) {
-      best = {deg, candidate.draw};
-    }
-  }
-}
-
 Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
                      const solver::Mechanism& mechanism, std::optional<Storage> storage,
                      Missing missing)
@@ -70,7 +58,8 @@ Catalogue::Catalogue(const std::string& path, const Campaign& campaign,
 Catalogue::~Catalogue() = default;
 
 void Catalogue::open(Missing missing) {
-  database_ = open_for_writing(path_, storage_);
+  database_ =
+      open_for_writing(path_, storage_, campaign_.splitting ? kSplittingCache_kb : kCache_kb);
   log_.emplace(*database_, path_, storage_);
   const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
   if (is_new && missing == Missing::refused) throw damaged(*database_, "it is empty");
@@ -139,23 +128,7 @@ void Catalogue::create() {
 
 std::vector<DrawRange> Catalogue::done() const { return units_done(*database_); }
 
-Standing Catalogue::standing() const {
-  Standing standing;
-  SQLite::Statement sums(*database_,
-                         "SELECT coalesce(sum(hi - lo), 0), coalesce(sum(accepted), 0) FROM unit");
-  sums.executeStep();
-  standing.draws = static_cast<std::uint64_t>(sums.getColumn(0).getInt64());
-  standing.accepted = static_cast<std::uint64_t>(sums.getColumn(1).getInt64());
-  SQLite::Statement best(*database_,
-                         "SELECT deploys_from_deg, min(draw) FROM candidate WHERE "
-                         "deploys_from_deg = (SELECT max(deploys_from_deg) FROM candidate) "
-                         "GROUP BY deploys_from_deg");
-  if (best.executeStep()) {
-    standing.best = {best.getColumn(0).getDouble(),
-                     static_cast<std::uint64_t>(best.getColumn(1).getInt64())};
-  }
-  return standing;
-}
+Standing Catalogue::standing() const { return read_standing(*database_); }
 
 std::vector<std::uint64_t> Catalogue::undecided() const {
   return draws_of(*database_, "undecided", {0, kEndOfDraws});
@@ -228,9 +201,7 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
     transact([&] {
       end = *goal_end_;  // it may be the second time
       writer_->write(units, run_);
-      for (const UnitRecord& unit : units) {
-        end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
-      }
+      for (const UnitRecord& unit : units) add_to_goal(unit, end);
       if (end.value() != goal_end_->value()) store_goal_end(end);
     });
     goal_end_ = std::move(end);
@@ -242,14 +213,61 @@ void Catalogue::commit(const std::vector<UnitRecord>& units) {
   cost_.longest_s = std::max(cost_.longest_s, seconds);
 }
 
+std::string Catalogue::result_of(const PieceRow& piece) const {
+  return reading(*database_, [&] { return read_result(*database_, piece); });
+}
+
+std::vector<PieceRow> Catalogue::pieces(const std::string& layout) const {
+  return reading(*database_, [&] { return read_pieces(*database_, layout); });
+}
+
+void Catalogue::keep_levels(const std::vector<int>& scores, std::uint32_t pilot) {
+  guarded(path_, [&] {
+    transact([&] {
+      write_levels(*database_, scores, campaign_.sample_deg);
+      drop_pieces(*database_, pilot);
+    });
+  });
+}
+
+void Catalogue::keep_pieces(const std::vector<PieceRow>& pieces) {
+  guarded(path_, [&] { transact([&] { write_pieces(*database_, pieces); }); });
+}
+
+void Catalogue::add_to_goal(const UnitRecord& unit, GoalEnd& end) const {
+  if (!campaign_.splitting) {
+    end.add(unit.range, unit.accepted_draws(), unit.undecided_draws());
+  } else if (goal_.looks_at_results()) {
+    const auto top = static_cast<std::uint32_t>(levels().size());
+    end.add_population(unit.range, share_reaching(top, unit.levels));
+  }
+}
+
 void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>& units) {
   guarded(path_, [&] {
     transact([&] {
-      UnitCopier copier(other, *database_);
+      UnitCopier copier(other, *database_, campaign_.splitting.has_value());
       copier.copy_runs();
       for (const DrawRange& unit : units) copier.copy(unit);
+      if (!campaign_.splitting) return;
+      take_over_levels(other);
+      keep_each_sheet_once(*database_, {0, kEndOfDraws}, campaign_.stop.accepted);
     });
   });
+}
+
+// They are a function of the campaign: where they differ, one of two builds is broken.
+void Catalogue::take_over_levels(SQLite::Database& other) {
+  const std::vector<int> ours = levels(), theirs = read_levels(other);
+  if (ours.empty()) {
+    write_levels(*database_, theirs, campaign_.sample_deg);
+  } else if (!theirs.empty() && theirs != ours) {
+    throw UserError(kExitOtherCampaign,
+                    other.getFilename() +
+                        ": its levels are others than those of the catalogues before it (another "
+                        "build's pilot found them); join what one build has made, or name the "
+                        "levels in the campaign");
+  }
 }
 
 std::vector<std::uint64_t> Catalogue::keep(const std::vector<Yield>& yields,

@@ -8,6 +8,7 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/standing.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/write_ahead_log.hpp"
 #include "schema/catalogue/writer_lock.hpp"
@@ -24,18 +25,6 @@ struct RunInfo {
 enum class Builds {
   same,  ///< all runs of a catalogue must give the same golden verdicts
   mixed
-};
-
-/// What a campaign has found so far.
-struct Standing {
-  struct Best {
-    double deploys_from_deg;
-    std::uint64_t draw;
-  };
-  std::uint64_t draws = 0, accepted = 0;  ///< in the whole ledger
-  std::optional<Best> best{};             ///< the first of those that deploy from the deepest fold
-
-  void add(const UnitRecord& unit);
 };
 
 /// What committing has cost this run.
@@ -66,6 +55,15 @@ class Catalogue {
   /// One transaction: the units, their candidates and what else belongs to them, and the goal's
   /// end. UserError: 1 if the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
+  /// Of a splitting search: the scores of its levels, none where they are not known yet; what is
+  /// done of populations under way, of a layout, without the results; and the result of one.
+  std::vector<int> levels() const { return read_levels(*database_); }
+  std::vector<PieceRow> pieces(const std::string& layout) const;
+  std::string result_of(const PieceRow& piece) const;
+  /// One transaction each: the levels, instead of what is done of finding them by this population;
+  /// more pieces.
+  void keep_levels(const std::vector<int>& scores, std::uint32_t pilot);
+  void keep_pieces(const std::vector<PieceRow>& pieces);
   /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
   /// begin_run. UserError (3) if the other one holds rows that no catalogue may.
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
@@ -94,7 +92,9 @@ class Catalogue {
   void check_same_builds(const RunInfo& run) const;
   void migrate();
   void create();
+  void add_to_goal(const UnitRecord& unit, GoalEnd& end) const;
   void store_goal_end(const GoalEnd& end);
+  void take_over_levels(SQLite::Database& other);
   template <class Work>
   void transact(const Work& work);
 

@@ -125,6 +125,12 @@ void add_units(SQLite::Database& database, CatalogueState& state) {
 // What the table's checks promise, too.
 bool is_goal(const Goal& goal, std::uint64_t goal_end) {
   const DrawRange& range = goal.range;
+  const auto is_whole = [](std::uint64_t number) {
+    return number % kNumbersOfPopulation == 0 || number == kEndOfDraws;
+  };
+  if (goal.of_populations && !(is_whole(range.lo) && is_whole(goal_end) && !goal.accepted)) {
+    return false;
+  }
   return range.lo < range.hi && range.hi <= kEndOfDraws && goal_end >= range.lo &&
          goal_end <= range.hi && goal.draws.value_or(0) <= kEndOfDraws &&
          goal.accepted.value_or(0) <= kEndOfDraws && goal.relative_error.value_or(1) > 0;
@@ -140,7 +146,8 @@ CatalogueState state_of(SQLite::Database& database) {
                     column_sql("campaign", "goal_relative_error", version_of(database)) +
                     ", json_extract(configuration, '$.seed'), json_extract(configuration, "
                     "'$.accept.deploys_from_deg'), json_extract(configuration, "
-                    "'$.accept.stops_at_deg') FROM campaign");
+                    "'$.accept.stops_at_deg'), json_extract(configuration, '$.search.method') "
+                    "FROM campaign");
   if (!campaign.executeStep()) throw damaged(database, "it names no campaign");
   const auto optional_draw = [&](const SQLite::Column& column) {
     return column.isNull() ? std::nullopt : std::optional(draw_of(column));
@@ -156,9 +163,11 @@ CatalogueState state_of(SQLite::Database& database) {
   state.seed = draw_of(campaign.getColumn(8));
   state.threshold_deg = campaign.getColumn(9).getDouble();
   if (!campaign.getColumn(10).isNull()) state.stops_at_deg = campaign.getColumn(10).getDouble();
+  state.goal.of_populations = text_of(campaign.getColumn(11)) == "splitting";
   if (!is_goal(state.goal, state.goal_end))
     throw damaged(database, "its goal is no range of draws");
   add_units(database, state);
+  if (state.goal.of_populations) state.ladder = read_ladder(database, state.goal_end);
 
   // Those of no candidate, by what makes one: to look for each of them would take ten times as
   // long.
@@ -226,6 +235,13 @@ int metrics_version_of(SQLite::Database& database, std::uint64_t draw) {
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal) {
   return reading(database, [&] {
     GoalEnd end(goal);
+    if (goal.of_populations) {  // whoever goes on with them relies on all
+      const auto top = static_cast<std::uint32_t>(read_levels(database).size());
+      each_population(database, [&](const DrawRange& unit, const std::vector<LevelCount>& levels) {
+        end.add_population(unit, share_reaching(top, levels));
+      });
+      return end;
+    }
     if (!goal.looks_at_results()) return end;
     const auto draws_of = [&](const char* sql) {
       std::vector<std::uint64_t> draws;

@@ -8,6 +8,7 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/ladder_state.hpp"
 #include "schema/catalogue/weighted_count.hpp"
 
 namespace misalign::schema {
@@ -25,7 +26,8 @@ struct CatalogueState {
   std::vector<DrawRange> gaps;
   std::string digest;
   std::map<std::string, WeightedCount>
-      faults;          ///< first faults of the rejected draws in the sample
+      faults;                         ///< first faults of the rejected draws in the sample
+  std::optional<LadderState> ladder;  ///< of a splitting search
   double draws_per_s;  ///< of the last run that committed something, all ranks together
 };
 
@@ -53,7 +55,8 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 /// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
 
-/// Where a goal ends by what the rows say, see GoalEnd.
+/// Where a goal ends by what the rows say, see GoalEnd. UserError (3) if populations contradict
+/// themselves.
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
 
 /// Accepted draws below the goal's end that deploy from `sample` or more.

@@ -11,10 +11,9 @@
 namespace misalign::schema {
 namespace {
 
-// The writer's. Its indexes are touched everywhere at once: pages that stay in memory, and are
-// copied from the log to the file after many commits instead of after each, make a candidate of a
-// large catalogue several times cheaper.
-constexpr int kCache_kb = 64 << 10, kCheckpoint_pages = 8000;
+// The writer's: pages that stay in memory, and are copied from the log to the file after many
+// commits instead of after each, make a candidate of a large catalogue several times cheaper.
+constexpr int kCheckpoint_pages = 8000;
 
 UserError not_a_catalogue(const std::string& path) {
   return UserError(kExitBadInput, path +
@@ -79,7 +78,8 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
   }
 }
 
-std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage) {
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage,
+                                                   int cache_kb) {
   return guarded(path, [&] {
     auto database = connect(path, Access::write);
     // Before the first look at the file: a log that was left behind needs no shared memory then.
@@ -87,7 +87,7 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Stor
     check_kind(*database, path);
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA foreign_keys = ON");
-    database->exec("PRAGMA cache_size = -" + std::to_string(kCache_kb));
+    database->exec("PRAGMA cache_size = -" + std::to_string(cache_kb));
     database->exec("PRAGMA wal_autocheckpoint = " + std::to_string(kCheckpoint_pages));
     return database;
   });

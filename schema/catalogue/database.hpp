@@ -12,7 +12,7 @@
 namespace misalign::schema {
 
 inline constexpr int kApplicationId = 0x4D53414C;
-inline constexpr int kSchemaVersion = 5;
+inline constexpr int kSchemaVersion = 6;
 
 /// Draws and counts as SQLite keeps them: below 2^63, so that the sign is never used.
 inline std::int64_t stored(std::uint64_t draw) { return static_cast<std::int64_t>(draw); }
@@ -43,7 +43,11 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 /// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
 /// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
 /// UserError: 3 no catalogue, or not laid out as one; 5 a newer schema; see storage_failure.
-std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage);
+/// `cache_kb`: of pages that stay in memory. Indexes of candidates are touched everywhere at once;
+/// pieces of populations only pass through, beside particles that need the memory.
+inline constexpr int kCache_kb = 64 << 10, kSplittingCache_kb = 8 << 10;
+std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage,
+                                                   int cache_kb = kCache_kb);
 
 /// A statement that reads; UserError as from reading().
 SQLite::Statement prepared(SQLite::Database& from, const std::string& sql);

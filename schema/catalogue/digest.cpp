@@ -12,11 +12,15 @@ void append_little_endian(std::string& bytes, Integer value) {
 
 }  // namespace
 
-void CandidateSum::add(std::uint64_t draw, int deploys_from_sample) {
+void CandidateSum::add(std::uint64_t draw, int deploys_from_sample, const std::string& sheet) {
   std::string bytes;
   append_little_endian(bytes, draw);
   append_little_endian(bytes, static_cast<std::uint32_t>(deploys_from_sample));
-  const XXH128_hash_t hash = hash_of(bytes);
+  add_text(bytes + sheet);
+}
+
+void CandidateSum::add_text(const std::string& text) {
+  const XXH128_hash_t hash = hash_of(text);
   CandidateSum one;
   one.low_ = hash.low64;
   one.high_ = hash.high64;
@@ -26,6 +30,11 @@ void CandidateSum::add(std::uint64_t draw, int deploys_from_sample) {
 void CandidateSum::add(const CandidateSum& other) {
   low_ += other.low_;
   high_ += other.high_ + (low_ < other.low_ ? 1 : 0);
+}
+
+void CandidateSum::subtract(const CandidateSum& other) {
+  high_ -= other.high_ + (low_ < other.low_ ? 1 : 0);
+  low_ -= other.low_;
 }
 
 std::array<unsigned char, 16> CandidateSum::bytes() const {

@@ -11,11 +11,15 @@
 
 namespace misalign::schema {
 
-/// Sum modulo 2^128 of XXH3-128(draw as u64, D as u32, little-endian): the same for any order.
+/// Sum modulo 2^128 of XXH3-128(draw as u64, D as u32, little-endian; of a splitting search then
+/// the sheet's own hash): the same for any order.
 class CandidateSum {
  public:
-  void add(std::uint64_t draw, int deploys_from_sample);
+  void add(std::uint64_t draw, int deploys_from_sample, const std::string& sheet = {});
   void add(const CandidateSum& other);
+  void subtract(const CandidateSum& other);
+  /// XXH3-128 of any text: of what became of a population.
+  void add_text(const std::string& text);
   /// Little-endian.
   std::array<unsigned char, 16> bytes() const;
   static CandidateSum from_bytes(const unsigned char* bytes);

@@ -1,5 +1,6 @@
 #include "schema/catalogue/ledger_check.hpp"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -28,6 +29,8 @@ class LedgerCheck {
     look_at_state();
     read_units();
     sum_candidates();
+    sum_levels();
+    check_sheets_once();
     count_undecided();
     count_fault_sample();
     check_units();
@@ -121,7 +124,7 @@ class LedgerCheck {
                 {},
                 {},
                 FaultSampleRule(row.getColumn(6).getInt())};
-      unit.fault_sample.stored = unit.rule.rows_in(range);
+      unit.fault_sample.stored = campaign_.splitting ? 0 : unit.rule.rows_in(range);
       if (row.getColumn(5).getBytes() == 16) {
         unit.stored =
             CandidateSum::from_bytes(static_cast<const unsigned char*>(row.getColumn(5).getBlob()));
@@ -147,7 +150,7 @@ class LedgerCheck {
   void sum_candidates() {
     const int first = campaign_.threshold_sample();
     const int last = static_cast<int>(std::lround(campaign_.end_deg / campaign_.sample_deg));
-    SQLite::Statement row(database_, "SELECT draw, unit, deploys_from_sample FROM candidate");
+    SQLite::Statement row(database_, candidates_sql());
     while (row.executeStep()) {
       const std::uint64_t draw = draw_of(row.getColumn(0));
       const int sample = row.getColumn(2).getInt();  // of 64 bits, the lower ones
@@ -155,14 +158,63 @@ class LedgerCheck {
         add("draw " + std::to_string(draw), "deploys_from_sample", row.getColumn(2).getInt64(),
             "one of the campaign's " + std::to_string(first) + " to " + std::to_string(last));
       }
+      const std::string sheet = campaign_.splitting ? checked_sheet(draw, row) : "";
       if (state_ && draw < state_->goal_end) {
         ++counted_.accepted;
-        counted_.sum.add(draw, sample);
+        counted_.sum.add(draw, sample, sheet);
       }
       if (Unit* unit = unit_of("candidate", draw, draw_of(row.getColumn(1)))) {
         ++unit->accepted.counted;
-        unit->summed.add(draw, sample);
+        unit->summed.add(draw, sample, sheet);
       }
+    }
+  }
+
+  std::string candidates_sql() const {
+    return campaign_.splitting ? "SELECT draw, unit, deploys_from_sample, hash, displacements_mm "
+                                 "FROM candidate LEFT JOIN sheet USING (draw)"
+                               : "SELECT draw, unit, deploys_from_sample FROM candidate";
+  }
+
+  // The hash by which a sheet is known again, by its displacements.
+  std::string checked_sheet(std::uint64_t draw, SQLite::Statement& row) {
+    const std::string hash = sheet_hash(text_of(row.getColumn(4)));
+    if (row.getColumn(3).getString() != hash) {
+      add("draw " + std::to_string(draw), "sheet.hash", "another", "of its displacements");
+    }
+    return hash;
+  }
+
+  // What became of each population.
+  void sum_levels() {
+    if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
+    const Splitting& splitting = *campaign_.splitting;
+    const std::vector<int> scores = read_levels(database_);
+    const std::vector<int> named = named_scores(splitting, campaign_.sample_deg);
+    if (!scores.empty() && !named.empty() && scores != named) {
+      add("catalogue", "level.score", Json(scores), Json(named));
+    }
+    for (auto& [lo, unit] : units_) {
+      const std::vector<LevelCount> levels = read_population(database_, lo);
+      for (const LevelCount& level : levels) {
+        const std::uint32_t there = level.level == 0 ? splitting.first_draws : splitting.particles;
+        if (level.particles == there) continue;
+        add(name(lo), fmt::format("level {}, particles", level.level), level.particles, there);
+      }
+      const CandidateSum sum = sum_of_levels(lo, levels);
+      unit.summed.add(sum);
+      if (state_ && lo < state_->goal_end) counted_.sum.add(sum);
+    }
+  }
+
+  // Each sheet has one number.
+  void check_sheets_once() {
+    if (!campaign_.splitting || version_of(database_) < kSplittingSince) return;
+    SQLite::Statement row(
+        database_, "SELECT max(draw), min(draw) FROM sheet GROUP BY hash HAVING count(*) > 1");
+    while (row.executeStep()) {
+      add("draw " + std::to_string(draw_of(row.getColumn(0))), "sheet.hash",
+          "that of draw " + std::to_string(draw_of(row.getColumn(1))), "its own");
     }
   }
 

@@ -78,14 +78,18 @@ class UnitCopier::Table {
   SQLite::Statement select_, insert_;
 };
 
-UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into)
+UnitCopier::UnitCopier(SQLite::Database& from, SQLite::Database& into, bool splits)
     : from_(from),
       into_(into),
       run_shift_(draw_of(into.execAndGet("SELECT coalesce(max(id), 0) FROM run"))),
       unit_(table("unit", "WHERE lo = ? AND hi = ?")),
       candidate_(table("candidate", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
       undecided_(table("undecided", "WHERE draw >= ? AND draw < ? ORDER BY draw")),
-      fault_sample_(table("fault_sample", "WHERE draw >= ? AND draw < ? ORDER BY draw")) {}
+      fault_sample_(table("fault_sample", "WHERE draw >= ? AND draw < ? ORDER BY draw")) {
+  if (!splits) return;
+  population_ = table("population", "WHERE unit >= ? AND unit < ? ORDER BY unit, level");
+  sheet_ = table("sheet", "WHERE draw >= ? AND draw < ? ORDER BY draw");
+}
 
 UnitCopier::~UnitCopier() = default;
 
@@ -105,7 +109,10 @@ void UnitCopier::copy_runs() {
 }
 
 void UnitCopier::copy(const DrawRange& unit) {
-  for (const auto& rows : {&unit_, &candidate_, &undecided_, &fault_sample_}) (*rows)->copy(unit);
+  for (const auto& rows :
+       {&unit_, &candidate_, &undecided_, &fault_sample_, &population_, &sheet_}) {
+    if (*rows) (*rows)->copy(unit);
+  }
 }
 
 }  // namespace misalign::schema

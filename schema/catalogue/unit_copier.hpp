@@ -16,7 +16,8 @@ namespace misalign::schema {
 /// (3) if `from` is damaged.
 class UnitCopier {
  public:
-  UnitCopier(SQLite::Database& from, SQLite::Database& into);
+  /// `splits`: units are populations, with rows of their own.
+  UnitCopier(SQLite::Database& from, SQLite::Database& into, bool splits);
   ~UnitCopier();
   UnitCopier(const UnitCopier&) = delete;
   UnitCopier& operator=(const UnitCopier&) = delete;
@@ -34,6 +35,7 @@ class UnitCopier {
   SQLite::Database& into_;
   const std::uint64_t run_shift_;
   std::unique_ptr<Table> unit_, candidate_, undecided_, fault_sample_;
+  std::unique_ptr<Table> population_, sheet_;  // where units are populations
 };
 
 }  // namespace misalign::schema

@@ -17,12 +17,6 @@ Json elongations_json(const std::vector<double>& elongation) {
   return list;
 }
 
-CandidateSum sum_of(const std::vector<Candidate>& candidates) {
-  CandidateSum sum;
-  for (const Candidate& c : candidates) sum.add(c.draw, c.metrics.deploys_from_sample);
-  return sum;
-}
-
 void bind_sum(SQLite::Statement& statement, int column, const CandidateSum& sum) {
   const auto bytes = sum.bytes();
   statement.bind(column, bytes.data(), static_cast<int>(bytes.size()));
@@ -71,7 +65,11 @@ UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
       fault_sample_(database,
                     "INSERT INTO fault_sample (draw, unit, deploys_from_sample, first_fault, "
                     "fault_deg, \"where\", stands_for) VALUES (?,?,?,?,?,?,?)"),
-      screened_(database, kAddScreened) {}
+      screened_(database, kAddScreened),
+      level_(database,
+             "INSERT INTO population (unit, level, particles, survivors, ancestors, tried, taken, "
+             "undecided, met, seconds) VALUES (?,?,?,?,?,?,?,?,?,?)"),
+      sheet_(database, "INSERT INTO sheet (draw, hash) VALUES (?,?)") {}
 
 // What was screened is summed up first: a unit alone touches some two hundred rows of it.
 void UnitWriter::write(const std::vector<UnitRecord>& units, std::int64_t run) {
@@ -94,13 +92,39 @@ void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
   unit_.bind(6, stored(unit.rejected));
   unit_.bind(7, stored(unit.undecided.size()));
   unit_.bind(8, unit.seconds);
-  bind_sum(unit_, 9, sum_of(unit.candidates));
+  bind_sum(unit_, 9, sum_of(unit));
   insert(unit_);
   for (const Candidate& candidate : unit.candidates) write_candidate(candidate, lo);
   for (const DrawVerdict& draw : unit.undecided) write_undecided(draw, lo, run);
   for (const DrawVerdict& sampled : unit.fault_sample) {
     write_fault_sample(sampled, lo, stored(FaultSampleRule().spacing(sampled.draw)));
   }
+  for (const LevelCount& level : unit.levels) write_level(level, lo);
+  if (!campaign_.splitting) return;
+  keep_each_sheet_once(database_, unit.range, campaign_.stop.accepted);
+  drop_pieces(database_, static_cast<std::uint32_t>(unit.range.lo / kNumbersOfPopulation));
+}
+
+CandidateSum UnitWriter::sum_of(const UnitRecord& unit) const {
+  CandidateSum sum = sum_of_levels(unit.range.lo, unit.levels);
+  for (const Candidate& c : unit.candidates) {
+    sum.add(c.draw, c.metrics.deploys_from_sample,
+            campaign_.splitting ? sheet_hash(displacements_json(c.shifts_mm).dump()) : "");
+  }
+  return sum;
+}
+
+void UnitWriter::write_level(const LevelCount& level, std::int64_t unit) {
+  level_.tryReset();
+  int column = 0;
+  level_.bind(++column, unit);
+  for (const std::uint64_t count :
+       {std::uint64_t{level.level}, std::uint64_t{level.particles}, std::uint64_t{level.survivors},
+        std::uint64_t{level.ancestors}, level.tried, level.taken, level.undecided, level.met}) {
+    level_.bind(++column, stored(count));
+  }
+  level_.bind(++column, level.seconds);
+  insert(level_);
 }
 
 void UnitWriter::settle(const UnitRecord& decided) {
@@ -116,7 +140,7 @@ void UnitWriter::settle(const UnitRecord& decided) {
   const std::int64_t lo = held.getColumn(0).getInt64();
   CandidateSum sum =
       CandidateSum::from_bytes(static_cast<const unsigned char*>(held.getColumn(1).getBlob()));
-  sum.add(sum_of(decided.candidates));
+  sum.add(sum_of(decided));
   SQLite::Statement row(database_, "SELECT stands_for FROM fault_sample WHERE draw = ?");
   row.bind(1, draw);
   std::optional<std::int64_t> stands_for;
@@ -146,7 +170,8 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
   int column = 0;
   candidate_.bind(++column, stored(candidate.draw));
   candidate_.bind(++column, unit);
-  candidate_.bind(++column, displacements_json(candidate.shifts_mm).dump());
+  const std::string displacements_mm = displacements_json(candidate.shifts_mm).dump();
+  candidate_.bind(++column, displacements_mm);
   candidate_.bind(++column, elongations_json(candidate.metrics.elongation).dump());
   each_metric(candidate.metrics, [&](const MetricEntry&, const auto& value) {
     if constexpr (requires { value.has_value(); }) {
@@ -156,6 +181,12 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
     }
   });
   insert(candidate_);
+  if (!campaign_.splitting) return;
+  const std::string hash = sheet_hash(displacements_mm);
+  sheet_.tryReset();
+  sheet_.bind(1, stored(candidate.draw));
+  sheet_.bind(2, hash.data(), static_cast<int>(hash.size()));
+  insert(sheet_);
 }
 
 void UnitWriter::write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run) {

@@ -8,6 +8,7 @@
 
 #include "schema/campaign/campaign.hpp"
 #include "schema/catalogue/fault_sample.hpp"
+#include "schema/catalogue/population_rows.hpp"
 #include "solver/verdict/metrics.hpp"
 
 namespace misalign::schema {
@@ -34,6 +35,7 @@ struct UnitRecord {
   std::vector<DrawVerdict> undecided;                     ///< ascending
   std::vector<DrawVerdict> fault_sample;                  ///< ascending; see FaultSampleRule
   std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
+  std::vector<LevelCount> levels;                         ///< of a population, from 0 on
 
   std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
 };
@@ -61,6 +63,8 @@ class UnitWriter {
   using Screened = std::map<std::pair<int, int>, std::uint64_t>;
   void write_unit(const UnitRecord& unit, std::int64_t run);
   void write_candidate(const Candidate& candidate, std::int64_t unit);
+  CandidateSum sum_of(const UnitRecord& unit) const;
+  void write_level(const LevelCount& level, std::int64_t unit);
   void write_undecided(const DrawVerdict& draw, std::int64_t unit, std::int64_t run);
   void write_fault_sample(const DrawVerdict& draw, std::int64_t unit, std::int64_t stands_for);
   void add_screened(const Screened& screened);
@@ -68,7 +72,7 @@ class UnitWriter {
   SQLite::Database& database_;
   const Campaign& campaign_;
   const solver::Mechanism& mechanism_;
-  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_;
+  SQLite::Statement unit_, candidate_, undecided_, fault_sample_, screened_, level_, sheet_;
 };
 
 }  // namespace misalign::schema

@@ -110,6 +110,9 @@ UserError storage_failure(const std::string& path, const SQLite::Exception& erro
     case SQLITE_ERROR:  // our statements are right for a catalogue that is
       return {kExitBadInput, path + ": does not hold what a catalogue must" + what +
                                  "; put a backup in its place"};
+    case SQLITE_CONSTRAINT:  // nor do they write what others of ours have written
+      return {kExitBadInput, path + ": holds rows that contradict what is to be written" + what +
+                                 "; see what `misalign verify` says, or put a backup in its place"};
     default:
       return {kExitFailure, path + ": the database failed" + what + kKept +
                                 "if it happens again, " +

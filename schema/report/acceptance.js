@@ -1,74 +1,19 @@
-// The overview: the campaign in words, its acceptance, and the charts of where draws fail.
-import { count, degrees, h, number, percent, plural } from "./format.js";
+// The overview of a plain search: its acceptance, and the charts of where draws fail.
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart } from "./faults.js";
+import { beyond_tiles, how_far, shown_tiles, tile } from "./figures.js";
+import { count, degrees, h, percent, plural } from "./format.js";
 import { add_saving, single } from "./save.js";
 import { effective, sum, survival_points } from "./shares.js";
 import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
-
-const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
-
-/** What the campaign asked, in words. */
-function asked(configuration, actuators) {
-  const { pattern, misalignment, path, accept } = configuration;
-  const sheet =
-    pattern.family === "miura"
-      ? `${pattern.rows} × ${pattern.columns} Miura-ori (panels ${values_of(pattern.panel_width_mm)} × ${values_of(pattern.panel_height_mm)} mm, ` +
-        `zigzag offset ${values_of(pattern.zigzag_offset_mm)} mm)`
-      : `quadrilateral mesh${pattern.file ? ` of ${pattern.file}` : ""}`;
-  const holes =
-    typeof pattern.holes === "string"
-      ? `holes: ${pattern.holes}`
-      : Array.isArray(pattern.holes)
-        ? plural(pattern.holes.length, "hole")
-        : "with holes";
-  const which =
-    misalignment.vertices === "interior"
-      ? "all interior vertices"
-      : misalignment.vertices === "ring"
-        ? "the outer ring of interior vertices"
-        : plural(misalignment.vertices.length, "vertex", "vertices");
-  const levels =
-    misalignment.levels === "ternary"
-      ? `−${misalignment.amplitude_mm}, 0 or +${misalignment.amplitude_mm} mm`
-      : `${misalignment.levels} up to ±${misalignment.amplitude_mm} mm`;
-  const exactly = accept.between_samples === "exact" ? "exactly " : "";
-  return (
-    `${sheet}; ${holes}. Each draw shifts x and y of ${which} by ${levels}. A draw is accepted when every diagonal ` +
-    `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${accept.between_samples ? `, ${exactly}between the samples too` : ""}${stop_words(accept, actuators)} (samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).`
-  );
-}
-
-function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
-  if (!stops_at_deg) return "";
-  return (
-    `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there ` +
-    `with at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
-  );
-}
-
-function tile(term, value, more, title) {
-  return h(
-    "div",
-    { title },
-    h("dt", {}, term),
-    h("dd", {}, h("strong", {}, value), more ? h("span", { class: "note" }, more) : null),
-  );
-}
 
 function show_figures({ state, campaign, candidates }) {
   const { rate, rate_low, rate_high } = state.acceptance ?? {};
   const known = rate !== null && rate !== undefined;
   const box = document.getElementById("figures");
-  const done = state.complete
-    ? "complete"
-    : state.missing
-      ? `${count(state.missing)} of those asked for are missing`
-      : "the campaign may go on";
   box.append(
-    tile("Draws", count(state.draws), done),
+    tile("Draws", count(state.draws), how_far(state.complete, state.missing)),
     tile(
       "Accepted",
       count(state.accepted),
@@ -86,23 +31,12 @@ function show_figures({ state, campaign, candidates }) {
       rate > 0 ? "draws is accepted" : "no draw accepted yet",
     ),
     tile("Undecided", count(state.undecided), "numerical failures, counted apart"),
+    ...beyond_tiles(
+      state.draws_in_ledger - state.draws,
+      "draws that the figures before do not count, but table and charts do",
+    ),
+    ...shown_tiles(candidates),
   );
-  if (state.draws_in_ledger > state.draws)
-    box.append(
-      tile(
-        "Beyond the goal",
-        count(state.draws_in_ledger - state.draws),
-        "draws that the figures before do not count, but table and charts do",
-      ),
-    );
-  if (candidates.shown < candidates.total)
-    box.append(
-      tile(
-        "In this report",
-        count(candidates.shown),
-        `best of ${plural(candidates.total, "candidate")}`,
-      ),
-    );
 }
 
 function legend(faults) {
@@ -181,13 +115,11 @@ function save_chart(id, name, csv) {
   add_saving(box.closest(".card"), { name, csv, svg: () => box.querySelector("svg") });
 }
 
+/** Figures and charts. */
 export function show_acceptance(report) {
   const { campaign, faults } = report,
     total = sum(faults.rows),
     note = document.getElementById("sample-note");
-  document.title = `${campaign.name} · misalign report`;
-  document.getElementById("campaign-name").textContent = campaign.name;
-  document.getElementById("asked").textContent = asked(campaign.configuration, report.actuators);
   show_figures(report);
   if (total === 0) {
     note.textContent = `First faults are known exactly for one draw in ${count(faults.every)}; there is none in this catalogue yet.`;

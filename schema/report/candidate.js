@@ -3,7 +3,7 @@ import { ends_of } from "./data.js";
 import { count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { save_text } from "./save.js";
-import { is_pattern, kExports, pattern_commands } from "./whose.js";
+import { is_pattern, kExports, noun, pattern_commands } from "./whose.js";
 import { fault_words } from "./words.js";
 
 async function copy(text) {
@@ -70,7 +70,7 @@ export function show_commands(box, report, draw, state) {
   box.replaceChildren(
     ...[
       command(
-        "The path of this draw again, degree by degree:",
+        `The path of this ${noun(report)} again, degree by degree:`,
         `${misalign} replay ${catalogue} ${draw}`,
         state,
         "command-replay",
@@ -78,7 +78,7 @@ export function show_commands(box, report, draw, state) {
       ...Object.entries(accepted ? kExports : {}).map(([format, about]) =>
         command(
           about,
-          `${misalign} export ${catalogue} --draw ${draw} --format ${format}${springs} --output draw-${draw}`,
+          `${misalign} export ${catalogue} --draw ${draw} --format ${format}${springs} --output ${noun(report)}-${draw}`,
           state,
           `command-${format}`,
         ),
@@ -100,7 +100,7 @@ export function show_commands(box, report, draw, state) {
           ]
         : []),
       command(
-        "This report with this draw first:",
+        `This report with this ${noun(report)} first:`,
         report_command(report, draw),
         state,
         "command-again",
@@ -114,7 +114,7 @@ export function show_no_details(box, report, draw, state) {
     h(
       "p",
       {},
-      "This report has the metrics of this draw, but not its folding. To see its crease pattern, folding, histories and actuation, write the report again with it:",
+      `This report has the metrics of this ${noun(report)}, but not its folding. To see its crease pattern, folding, histories and actuation, write the report again with it:`,
     ),
     h(
       "div",
@@ -202,7 +202,7 @@ export function show_metrics(box, values, candidates, report) {
       ? h(
           "p",
           { class: "note" },
-          "The small scale shows where this draw lies among the candidates in the table, least to the left.",
+          `The small scale shows where this ${noun(report)} lies among the candidates in the table, least to the left.`,
         )
       : "",
   );

@@ -19,7 +19,7 @@ function help(insert) {
     " ",
   ];
   const entries = [
-    ["draw", "", "Number of the draw."],
+    ["draw", "", "Number of the draw or sheet."],
     ...metrics.map(({ name, label, about }) => [name, label, about]),
   ];
   return [

@@ -20,7 +20,7 @@ import { metric_of, with_unit } from "./metrics.js";
 import { make_let_go } from "./let_go.js";
 import { make_pilot } from "./pilot.js";
 import { make_stress } from "./stress.js";
-import { end_of_path, heading } from "./whose.js";
+import { end_of_path, heading, population_words } from "./whose.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
 
@@ -53,9 +53,11 @@ export class Inspector {
       values = detail ? detail.metrics : this.#row_values(row);
     by_id("picked-title").textContent =
       heading(report, draw) + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
-    by_id("picked-words").textContent = detail
-      ? verdict_words(detail)
-      : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${margin_words(values)}.`;
+    by_id("picked-words").textContent =
+      (detail
+        ? verdict_words(detail)
+        : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${margin_words(values)}.`) +
+      population_words(report, draw);
     by_id("views").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
     by_id("shifts-card").hidden = !detail;

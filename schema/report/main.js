@@ -1,22 +1,23 @@
 // The page of `misalign report`: sets up overview, choice of a candidate, and the selected draw.
-import { show_acceptance } from "./acceptance.js";
 import { follow_address } from "./address.js";
 import { read_candidates, read_report } from "./data.js";
 import { make_filter_field } from "./filter_field.js";
 import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { Inspector } from "./inspector.js";
+import { show_overview } from "./overview.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
 import { make_state } from "./state.js";
 import { make_table, save_rows } from "./table.js";
 import { is_order } from "./table_columns.js";
 import { set_up_theme } from "./theme.js";
-import { is_pattern, show_pattern } from "./whose.js";
+import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./whose.js";
 
 /** Whose folding the page carries, in words. */
-function chosen_words({ chosen, details }) {
-  const { best, diverse, where, by, draws } = chosen;
+function chosen_words(report) {
+  const { chosen, details } = report,
+    { best, diverse, where, by, draws } = chosen;
   if (!details.length || !(draws || best || diverse || where)) return "";
-  const asked = draws ? `${plural(draws, "draw")} asked for` : "";
+  const asked = draws ? `${plural(draws, noun(report))} asked for` : "";
   const of_those = where ? ` of those for which ${where}` : "";
   const sorted = by === "deploys_from_deg" ? "" : ` by ${by}`;
   const rest = diverse
@@ -32,17 +33,31 @@ const order_words = ({ columns }) =>
   (columns.goes_back ? "those that go back nowhere before those that do, " : "") +
   `the deepest D, then the largest ${columns.miscut_margin_mm ? "margin against miscuts" : "margin"}`;
 
+/** What was found instead of candidates, and what can be done. */
+function nothing_words(report) {
+  const { state, campaign } = report,
+    { deploys_from_deg } = campaign.configuration.accept,
+    lower =
+      "it goes on where it ended. Or choose a lower accept.deploys_from_deg, which is another campaign.";
+  if (is_splitting(report)) {
+    const met = state.ladder.populations
+      ? `none of ${plural(state.ladder.populations, "population")} met one that deploys from ${degrees(deploys_from_deg)} or more`
+      : "no population has been searched";
+    return `No sheet has been accepted yet: ${met}. Run the same search again${state.complete ? " with more populations" : ""}; ${lower}`;
+  }
+  const drawn = state.draws
+    ? `none of ${count(state.draws)} deploys from ${degrees(deploys_from_deg)} or more`
+    : "nothing has been drawn";
+  return `No draw has been accepted yet: ${drawn}. Run the same search again with more draws; ${lower} Any draw, accepted or not, can be looked at with --draw.`;
+}
+
 /** Answers the table, if there is one. */
 function show_candidates(report, candidates, state) {
-  const { total, shown } = report.candidates,
-    { deploys_from_deg } = report.campaign.configuration.accept;
+  const { total, shown } = report.candidates;
   const note = by_id("candidates-note");
   if (candidates.count === 0) {
     by_id("chooser").hidden = true;
-    note.textContent =
-      `No draw has been accepted yet: ${report.state.draws ? `none of ${count(report.state.draws)} deploys from ${degrees(deploys_from_deg)} or more` : "nothing has been drawn"}. ` +
-      "Run the same search again with more draws; it goes on where it ended. Or choose a lower accept.deploys_from_deg, which is another campaign. " +
-      "Any draw, accepted or not, can be looked at with --draw.";
+    note.textContent = nothing_words(report);
     return null;
   }
   note.textContent =
@@ -50,7 +65,7 @@ function show_candidates(report, candidates, state) {
       ? `The best ${count(shown)} of ${plural(total, "candidate")}`
       : plural(total, "candidate")) +
     `, best first: ${order_words(candidates)}. ` +
-    `● marks ${plural(candidates.detailed.size, "draw")} with all details in this report${chosen_words(report)}. The one that is picked is shown below.`;
+    `● marks ${plural(candidates.detailed.size, noun(report))} with all details in this report${chosen_words(report)}. The one that is picked is shown below.`;
   const { name } = report.campaign;
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state, name);
@@ -67,12 +82,12 @@ function show_detailed(report, candidates, state) {
   if (draws.length === 0) return;
   const words = ({ draw, verdict }) => {
     const row = candidates.row_of.get(draw);
-    return `draw ${draw}: D ${degrees(verdict.deploys_from_deg)}${row === undefined ? ", asked for" : `, rank ${count(row + 1)}`}`;
+    return `${noun(report)} ${draw}: D ${degrees(verdict.deploys_from_deg)}${row === undefined ? ", asked for" : `, rank ${count(row + 1)}`}`;
   };
   const other = h("option", { value: "", disabled: true }, "without details");
   const select = h(
     "select",
-    { "aria-label": "Draws with details", "data-testid": "detailed" },
+    { "aria-label": `${noun_first(report)}s with details`, "data-testid": "detailed" },
     other,
     ...report.details.map((detail) => h("option", { value: detail.draw }, words(detail))),
   );
@@ -84,7 +99,7 @@ function show_detailed(report, candidates, state) {
   ];
   select.addEventListener("change", () => state.set("picked", select.value));
   by_id("detailed").append(
-    h("span", { class: "note" }, `${plural(draws.length, "draw")} with details`),
+    h("span", { class: "note" }, `${plural(draws.length, noun(report))} with details`),
     previous,
     select,
     next,
@@ -133,11 +148,12 @@ function show_foot({ program, written_at, catalogue, campaign }) {
   );
 }
 
-function show_nothing_to_inspect({ commands }) {
-  const { misalign, catalogue, choice, output } = commands;
-  by_id("picked-title").textContent = "No draw to inspect";
-  by_id("picked-words").textContent =
-    `“${misalign} report ${catalogue} --draw N${choice} --output ${output}” shows any draw, accepted or not.`;
+function show_nothing_to_inspect(report) {
+  const { misalign, catalogue, choice, output } = report.commands;
+  by_id("picked-title").textContent = `No ${noun(report)} to inspect`;
+  by_id("picked-words").textContent = is_splitting(report)
+    ? "Of a splitting search only candidates are kept."
+    : `“${misalign} report ${catalogue} --draw N${choice} --output ${output}” shows any draw, accepted or not.`;
   for (const id of ["no-details", "facts"]) by_id(id).hidden = true;
 }
 
@@ -181,7 +197,7 @@ function main() {
   let table = null;
   if (is_pattern(report)) show_pattern(report);
   else {
-    show_acceptance(report);
+    show_overview(report);
     table = show_candidates(report, candidates, state);
     show_detailed(report, candidates, state);
   }

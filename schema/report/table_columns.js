@@ -12,7 +12,7 @@ const kOwn = [
     name: "draw",
     label: "draw",
     unit: "",
-    about: "Number of the draw. A dot marks draws with all details in this report.",
+    about: "Number of the draw, or of the sheet that a population met. A dot marks those with all details in this report.",
   },
 ];
 const columns = [...kOwn.map((column) => ({ ...column, better: "less" })), ...metrics];

@@ -1,13 +1,26 @@
-// What differs between a campaign's page and that of a single pattern file: names, headings, the
-// overview.
+// What differs between the pages of a plain search, of a splitting one, and of a single pattern
+// file: names, headings, the overview.
 import { by_id, degrees, plural } from "./format.js";
 
 /** Whether the page is about a pattern file: no campaign, nothing to choose. */
 export const is_pattern = (report) => Boolean(report.pattern);
 
-/** "Draw 7", or the pattern's name. */
+/** Whether populations were searched: their sheets have numbers, and are no draws. */
+export const is_splitting = (report) => Boolean(report.state?.ladder);
+
+/** What one is that has a number. */
+export const noun = (report) => (is_splitting(report) ? "sheet" : "draw");
+export const noun_first = (report) => (is_splitting(report) ? "Sheet" : "Draw");
+
+/** "Draw 7", "Sheet 30000049626", or the pattern's name. */
 export const heading = (report, draw) =>
-  is_pattern(report) ? report.pattern.name : `Draw ${draw}`;
+  is_pattern(report) ? report.pattern.name : `${noun_first(report)} ${draw}`;
+
+/** Of which population a sheet is; nothing of draws. */
+export const population_words = (report, draw) =>
+  is_splitting(report)
+    ? ` Met by population ${BigInt(draw) / BigInt(report.state.ladder.numbers_of_population)}.`
+    : "";
 
 /** What names of saved files begin with. */
 export const file_stem = (report, draw) =>

@@ -4,31 +4,12 @@
 #include <cmath>
 
 #include "schema/exchange/folding_json.hpp"
+#include "search/checks/campaign_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::search {
-namespace {
-
 using schema::Json;
-
-// The displacements of a row; nothing if they are no displacements of this sheet.
-std::optional<Eigen::Matrix2Xd> read_shifts(const Json& text, int vertices) {
-  const Json json = schema::json_of(text);
-  if (!json.is_object()) return {};
-  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
-  for (const auto& [label, shift] : json.items()) {
-    const int vertex = schema::vertex_of_label(label, vertices);
-    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
-        !shift[1].is_number()) {
-      return {};
-    }
-    shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
-  }
-  return shifts_mm;
-}
-
-}  // namespace
 
 CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
     : campaign_(campaign), sheets_(campaign) {}
@@ -55,15 +36,22 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
     report.findings.push_back(schema::differs(where, column, stored, recomputed));
   };
   const solver::PerforatedSheet& base = campaign_.pattern.base;
-  const Eigen::Matrix2Xd drawn_mm = shifts_of_draw(campaign_, draw);
   const auto shifts_mm = read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
-  if (!shifts_mm || *shifts_mm != drawn_mm) {
+  if (campaign_.splitting) {  // its population would have to be made again: see --units
+    if (!shifts_mm || !can_be_drawn(campaign_, *shifts_mm)) {
+      differs("displacements_mm", cell("displacements_mm"), "shifts of the campaign");
+    }
+  } else if (const Eigen::Matrix2Xd drawn_mm = shifts_of_draw(campaign_, draw);
+             !shifts_mm || *shifts_mm != drawn_mm) {
     differs("displacements_mm", cell("displacements_mm"),
             schema::displacements_json(drawn_mm).dump());
   }
   if (!shifts_mm) return report;
   const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + *shifts_mm;
-  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) return report;
+  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) {
+    if (report.findings.empty()) differs("displacements_mm", "a sheet", "no facets");
+    return report;
+  }
 
   const FollowedSheet sheet = sheets_.follow(vertices_mm);
   const solver::FoldingHistory& history = sheet.history;

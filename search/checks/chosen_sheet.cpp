@@ -5,7 +5,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/hash.hpp"
-#include "search/draws/draw.hpp"
+#include "search/checks/campaign_sheet.hpp"
 
 namespace misalign::search {
 
@@ -65,7 +65,7 @@ ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> d
                                 "candidate that `misalign query` shows");
   }
   schema::Campaign campaign = schema::read_campaign_of(*database, path);
-  Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, *draw);
+  Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database, campaign, *draw);
   return {campaign.pattern,
           campaign.sampling(),
           campaign.actuators,

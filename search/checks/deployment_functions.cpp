@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "search/checks/campaign_sheet.hpp"
 #include "search/checks/deployer.hpp"
-#include "search/draws/draw.hpp"
 
 namespace misalign::search {
 namespace {
@@ -34,7 +34,7 @@ class LetGo {
     }
     if (draw_ == draw) return study_;
     draw_ = draw;
-    const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(*campaign_, draw);
+    const Eigen::Matrix2Xd shifts_mm = shifts_of_number(database_, *campaign_, draw);
     // A candidate's is not less than the threshold: mostly that is known to be enough.
     const bool is_enough = campaign_->threshold_deg >= kDeployFrom_deg && is_candidate(draw);
     const double deploys_from_deg =

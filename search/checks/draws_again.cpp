@@ -4,6 +4,7 @@
 #include <map>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "search/splitting/origin.hpp"
 
 namespace misalign::search {
 namespace {
@@ -138,6 +139,70 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
             findings);
   }
   return in_one_only;
+}
+
+namespace {
+
+// The number under which a sheet is kept; none if it is not.
+std::optional<std::uint64_t> kept_number(SQLite::Database& database, const std::string& hash) {
+  SQLite::Statement row(database, "SELECT draw FROM sheet WHERE hash = ?");
+  row.bind(1, hash.data(), static_cast<int>(hash.size()));
+  return row.executeStep() ? std::optional(schema::draw_of(row.getColumn(0))) : std::nullopt;
+}
+
+// Above the last one that is kept, where only so many are: above all.
+std::uint64_t end_of_kept(SQLite::Database& database, const schema::Campaign& campaign) {
+  SQLite::Statement row(database, "SELECT count(*), coalesce(max(draw), 0) FROM sheet");
+  row.executeStep();
+  const auto& most = campaign.stop.accepted;
+  return most && schema::draw_of(row.getColumn(0)) >= *most ? schema::draw_of(row.getColumn(1))
+                                                            : schema::kEndOfDraws;
+}
+
+}  // namespace
+
+void make_population_again(SQLite::Database& database, Climber& climber, std::uint64_t unit,
+                           std::vector<schema::Finding>& findings) {
+  const schema::Campaign& campaign = climber.campaign();
+  const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
+  const auto number = static_cast<std::uint32_t>(unit / schema::kNumbersOfPopulation);
+  const PopulationRecord again = climbed(ladder, number, climber);
+  schema::reading(database, [&] {
+    const std::string where = "population " + std::to_string(number);
+    Json stored_survivors = Json::array(), survivors = Json::array();
+    for (const auto& level : schema::read_population(database, unit)) {
+      stored_survivors.push_back(level.survivors);
+    }
+    for (const auto& level : again.levels) survivors.push_back(level.survivors);
+    if (stored_survivors != survivors) {
+      findings.push_back(schema::differs(where, "survivors", stored_survivors, survivors));
+    }
+    const std::uint64_t end = end_of_kept(database, campaign);
+    Accepted stored = stored_accepted(database, {unit, unit + schema::kNumbersOfPopulation});
+    for (const FoundSheet& found : again.found) {
+      const std::uint64_t draw = number_of(found.origin, *campaign.splitting);
+      const auto kept = kept_number(
+          database,
+          schema::sheet_hash(schema::displacements_json(found.candidate.shifts_mm).dump()));
+      const bool is_right = kept ? *kept <= draw : draw > end;
+      if (!is_right) {
+        findings.push_back(schema::differs("draw " + std::to_string(draw), "kept as",
+                                           kept ? Json(*kept) : Json(), draw));
+      }
+      if (const auto at = stored.find(draw); at != stored.end()) {
+        const int sample = found.candidate.metrics.deploys_from_sample;
+        if (at->second != sample) {
+          findings.push_back(schema::differs("draw " + std::to_string(draw), "deploys_from_sample",
+                                             at->second, sample));
+        }
+        stored.erase(at);
+      }
+    }
+    for (const auto& [draw, sample] : stored) {
+      findings.push_back(
+          schema::differs("draw " + std::to_string(draw), "verdict", "accepted", "not met"));
+    }
+  });
 }
 
 }  // namespace misalign::search

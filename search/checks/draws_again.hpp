@@ -3,6 +3,7 @@
 
 #include "search/checks/candidate_check.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/splitting/climber.hpp"
 
 namespace misalign::search {
 
@@ -34,5 +35,10 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
 std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluator,
                               const schema::DrawRange& unit,
                               std::vector<schema::Finding>& findings);
+
+/// The same of a population: how many survived at each level, and that every sheet it meets is
+/// kept, under its number or a lesser one, or lies beyond the last that is. UserError (3).
+void make_population_again(SQLite::Database& database, Climber& climber, std::uint64_t unit,
+                           std::vector<schema::Finding>& findings);
 
 }  // namespace misalign::search

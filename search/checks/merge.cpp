@@ -5,6 +5,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/merge_plan.hpp"
+#include "schema/catalogue/population_rows.hpp"
 #include "schema/files/output_file.hpp"
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/draws_again.hpp"
@@ -76,6 +77,7 @@ class Merge {
     input.state = std::move(*checked.state);  // or there was a finding
     input.units = schema::units_done(*input.database);
     if (!evaluator_) {
+      if (campaign.splitting) campaign.stop.accepted = least_kept();
       evaluator_.emplace(std::move(campaign));
     } else if (input.state.identity != inputs_.front().state.identity) {
       throw schema::UserError(schema::kExitOtherCampaign,
@@ -107,8 +109,12 @@ class Merge {
     auto merged = schema::open_for_reading(path);
     for (std::size_t k = 0; k < inputs_.size(); ++k) {
       for (const DrawRange& range : plan_.compared[k]) {
-        decide(catalogue, *merged, inputs_[k], range);
-        compare(*merged, inputs_[k], range);
+        if (evaluator_->campaign().splitting) {
+          compare_populations(*merged, inputs_[k], range);
+        } else {
+          decide(catalogue, *merged, inputs_[k], range);
+          compare(*merged, inputs_[k], range);
+        }
         report_.compared += range.size();
       }
     }
@@ -159,6 +165,34 @@ class Merge {
       }
     }
     compare_fault_samples(merged, input, range, is_open);
+  }
+
+  // Which of its sheets a population has depends on the others: another has them if it met them
+  // first. How many survived is its own.
+  void compare_populations(SQLite::Database& merged, const Input& input, const DrawRange& range) {
+    const auto survivors = [&](SQLite::Database& database) {
+      return schema::reading(database, [&] {
+        Json all = Json::array();
+        for (const schema::LevelCount& level : schema::read_population(database, range.lo)) {
+          all.push_back(level.survivors);
+        }
+        return all;
+      });
+    };
+    const Json mine = survivors(merged), theirs = survivors(*input.database);
+    if (mine != theirs) differ(input, range.lo, "survivors", theirs, mine);
+  }
+
+  // Of what a splitting campaign keeps at most, the least that was asked for in any of them: of
+  // more than that not all are there.
+  std::optional<std::uint64_t> least_kept() const {
+    std::optional<std::uint64_t> least;
+    for (const std::string& path : options_.inputs) {
+      const auto database = schema::open_for_reading(path);
+      const auto most = schema::read_campaign_of(*database, path).stop.accepted;
+      if (most) least = std::min(*most, least.value_or(*most));
+    }
+    return least;
   }
 
   void compare_candidates(SQLite::Database& merged, const Input& input, std::uint64_t draw) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "search/checks/draws_again.hpp"
+#include "search/terminal/count_text.hpp"
 
 namespace misalign::search {
 namespace {
@@ -70,6 +71,15 @@ class Verifier {
       }
     }
     if (units_.empty()) return;
+    if (campaign_.splitting) {
+      Climber climber(campaign_, solver::available_instruction_sets().back());
+      for (const schema::DrawRange& unit : units_) {
+        make_population_again(database_, climber, unit.lo, v_.findings);
+        ++v_.units.checked;
+        ++v_.draws_again;
+      }
+      return;
+    }
     DrawEvaluator evaluator(campaign_);
     for (const schema::DrawRange& unit : units_) {
       v_.decided_now += make_unit_again(database_, evaluator, unit, v_.findings);
@@ -116,9 +126,9 @@ std::string units_text(const Verification& v) {
   if (v.decided_now == 0) return line;
   return line +
          fmt::format(
-             "not compared {} {} of them: undecided in the catalogue or here, and decided in the "
+             "not compared {} of them: undecided in the catalogue or here, and decided in the "
              "other (no fault; `misalign search --retry-undecided` settles what can be)\n",
-             v.decided_now, v.decided_now == 1 ? "draw" : "draws");
+             count_text(v.decided_now, "draw"));
 }
 
 std::string other_definitions_text(const Verification& v) {

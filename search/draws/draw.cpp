@@ -3,19 +3,29 @@
 #include <Random123/philox.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace misalign::search {
 namespace {
 
-// On (-1, 1).
-double uniform(std::uint32_t word) { return (word + 0.5) / 2147483648.0 - 1.0; }
-
 double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
   if (misalignment.levels == schema::Levels::ternary) {
-    const int level = static_cast<int>((3 * static_cast<std::uint64_t>(word)) >> 32) - 1;
-    return level * misalignment.amplitude_mm;
+    return ternary_level(word) * misalignment.amplitude_mm;
   }
-  return uniform(word) * misalignment.amplitude_mm;
+  return uniform_share(word) * misalignment.amplitude_mm;
+}
+
+// A level, or a share whose word gives it again.
+bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
+  const double share = shift_mm / misalignment.amplitude_mm;
+  if (misalignment.levels == schema::Levels::ternary) {
+    return share == 0 || shift_mm == misalignment.amplitude_mm ||
+           shift_mm == -misalignment.amplitude_mm;
+  }
+  constexpr double kMostShare = 1 - 1e-10;  // the words end 2^-32 before 1
+  if (!(std::abs(share) <= kMostShare)) return false;
+  const auto word = static_cast<std::uint32_t>((share + 1) * 2147483648.0);
+  return uniform_share(word) * misalignment.amplitude_mm == shift_mm;
 }
 
 }  // namespace
@@ -29,6 +39,12 @@ std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw
   const auto words = r123::Philox4x32{}(counter, key);
   return {words[0], words[1], words[2], words[3]};
 }
+
+int ternary_level(std::uint32_t word) {
+  return static_cast<int>((3 * static_cast<std::uint64_t>(word)) >> 32) - 1;
+}
+
+double uniform_share(std::uint32_t word) { return (word + 0.5) / 2147483648.0 - 1.0; }
 
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream) {
@@ -58,10 +74,23 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
   return shifts_mm;
 }
 
+bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
+  if (shifts_mm.cols() != campaign.pattern.base.sheet.vertex_count()) return false;
+  Eigen::Matrix2Xd others_mm = shifts_mm;
+  for (const int vertex : campaign.misalignment.vertices) {
+    for (const double shift_mm : shifts_mm.col(vertex)) {
+      if (!can_be_drawn(campaign.misalignment, shift_mm)) return false;
+    }
+    others_mm.col(vertex).setZero();
+  }
+  return (others_mm.array() == 0).all();
+}
+
 solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k) {
   for (std::uint32_t block = 64 * k;; ++block) {
     const auto words = philox_block(seed, trial, block, kBacklashStream);
-    const solver::Vec3<double> point = {uniform(words[0]), uniform(words[1]), uniform(words[2])};
+    const solver::Vec3<double> point = {uniform_share(words[0]), uniform_share(words[1]),
+                                        uniform_share(words[2])};
     if (dot(point, point) <= 1) return point;
   }
 }

@@ -11,14 +11,19 @@ namespace misalign::search {
 
 /// Philox4x32-10 (Random123), key = (low, high half of the seed), counter = (low, high half of the
 /// draw, block, stream). Stream 0 is draws; 1 is miscut copies and 2 loose joints, with the trial
-/// in the draw's place; the rest is reserved.
-inline constexpr std::uint32_t kDrawStream = 0, kToleranceStream = 1, kBacklashStream = 2;
+/// in the draw's place; 3 is splitting, see StepWords; the rest is reserved.
+inline constexpr std::uint32_t kDrawStream = 0, kToleranceStream = 1, kBacklashStream = 2,
+                               kSplittingStream = 3;
 std::array<std::uint32_t, 4> philox_block(std::uint64_t seed, std::uint64_t draw,
                                           std::uint32_t block, std::uint32_t stream);
 
+/// floor(3 w / 2^32) - 1.
+int ternary_level(std::uint32_t word);
+/// (w + 0.5) / 2^31 - 1, on (-1, 1).
+double uniform_share(std::uint32_t word);
+
 /// Shifts of draw d, mm: x and y of each vertex that the misalignment names, in its order. The k-th
-/// vertex takes words 2k (x) and 2k + 1 (y); a ternary level is floor(3 w / 2^32) - 1, a uniform
-/// one (w + 0.5) / 2^31 - 1, times the amplitude.
+/// vertex takes words 2k (x) and 2k + 1 (y), ternary or uniform, times the amplitude.
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream = kDrawStream);
 
@@ -29,6 +34,9 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
 
 /// Shifts of draw d of a campaign, one column per vertex of its sheet.
 Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t draw);
+
+/// Whether a draw of the campaign can have these shifts, one column per vertex of its sheet.
+bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm);
 
 /// The k-th point of trial t, uniform in the unit ball: the first in the ball of points of the cube
 /// round it, whose coordinates are uniform ones as above from words 0 to 2 of blocks 64 k,

@@ -13,7 +13,7 @@ namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones are slower
-constexpr std::size_t kRecordsAtOnce = 256;      // of 40 kB each on 6 x 6
+constexpr std::size_t kRecordsAtOnce = 64;       // of 40 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
 void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {
@@ -29,7 +29,50 @@ void turn_down(std::uint64_t draw, const solver::Verdict& verdict, schema::UnitR
   }
 }
 
+Eigen::Matrix2Xd per_vertex(const solver::Model& model, const double* shifts_mm) {
+  Eigen::Matrix2Xd columns_mm = Eigen::Matrix2Xd::Zero(2, model.mechanism().vertices);
+  for (const int vertex : model.shifted()) {
+    columns_mm.col(vertex) << shifts_mm[0], shifts_mm[1];
+    shifts_mm += 2;
+  }
+  return columns_mm;
+}
+
+// Path -> metrics: `each` gets the place of a sheet of the block, and its record.
+template <class Each>
+void for_each_record(solver::Batch& batch, const solver::ShiftBlock& shifts, const Each& each) {
+  solver::ShiftBlock some;
+  const auto all = static_cast<std::size_t>(shifts.sheets);
+  for (std::size_t first = 0; first < all; first += kRecordsAtOnce) {
+    const std::size_t last = std::min(first + kRecordsAtOnce, all);
+    const std::size_t per_sheet = shifts.shifts_mm.size() / all;
+    const double* const numbers = shifts.of(static_cast<int>(first));
+    some.shifts_mm.assign(numbers, numbers + (last - first) * per_sheet);
+    some.sheets = static_cast<int>(last - first);
+    const std::vector<solver::PathRecord>& records = batch.measure(some);
+    for (std::size_t k = first; k < last; ++k) each(k, records[k - first]);
+  }
+}
+
+schema::Candidate candidate_of(const solver::Model& model, std::uint64_t draw,
+                               const double* shifts_mm, const solver::PathRecord& record) {
+  solver::FlatVertices vertices_mm;
+  model.displace(shifts_mm, vertices_mm);
+  return {draw, solver::measure(model.base(), vertices_mm, record, model.sample_deg()),
+          per_vertex(model, shifts_mm)};
+}
+
 }  // namespace
+
+std::vector<schema::Candidate> measured(const solver::Model& model, solver::Batch& batch,
+                                        const solver::ShiftBlock& shifts) {
+  std::vector<schema::Candidate> candidates;
+  for_each_record(batch, shifts, [&](std::size_t k, const solver::PathRecord& record) {
+    const double* const shifts_mm = shifts.of(static_cast<int>(k));
+    candidates.push_back(candidate_of(model, k, shifts_mm, record));
+  });
+  return candidates;
+}
 
 void Draws::clear() {
   numbers.clear();
@@ -124,37 +167,16 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
 
 // Most of those that no test rejects are accepted.
 void DrawEvaluator::record(schema::UnitRecord& unit) {
-  solver::FlatVertices vertices_mm;
-  Draws some;
-  for (std::size_t first = 0; first < open_.size(); first += kRecordsAtOnce) {
-    some.clear();
-    const std::size_t last = std::min(first + kRecordsAtOnce, open_.size());
-    for (std::size_t k = first; k < last; ++k) some.add(open_, k);
-    const std::vector<solver::PathRecord>& records = batch_->measure(some.shifts);
-    for (std::size_t k = 0; k < some.size(); ++k) {
-      if (!campaign_.accepts(records[k].verdict)) {
-        turn_down(some.numbers[k], records[k].verdict, unit);
-        continue;
-      }
-      model_.displace(some.shifts_mm(k).data(), vertices_mm);
-      unit.candidates.push_back(
-          {some.numbers[k],
-           solver::measure(model_.base(), vertices_mm, records[k], campaign_.sample_deg),
-           per_vertex(some.shifts_mm(k))});
-      ++unit.accepted;
+  for_each_record(*batch_, open_.shifts, [&](std::size_t k, const solver::PathRecord& record) {
+    if (!campaign_.accepts(record.verdict)) {
+      turn_down(open_.numbers[k], record.verdict, unit);
+      return;
     }
-  }
+    unit.candidates.push_back(
+        candidate_of(model_, open_.numbers[k], open_.shifts_mm(k).data(), record));
+    ++unit.accepted;
+  });
   open_.clear();
-}
-
-Eigen::Matrix2Xd DrawEvaluator::per_vertex(std::span<const double> shifts_mm) const {
-  Eigen::Matrix2Xd columns_mm = Eigen::Matrix2Xd::Zero(2, mechanism().vertices);
-  std::size_t k = 0;
-  for (const int vertex : model_.shifted()) {
-    columns_mm.col(vertex) << shifts_mm[k], shifts_mm[k + 1];
-    k += 2;
-  }
-  return columns_mm;
 }
 
 const std::vector<solver::Verdict>& DrawEvaluator::judge(const schema::DrawRange& block) {

@@ -24,6 +24,11 @@ struct Draws {
   std::span<const double> shifts_mm(std::size_t k) const;
 };
 
+/// Metrics of sheets that the campaign accepts, with their shifts, in their order; draws number
+/// themselves from 0 on.
+std::vector<schema::Candidate> measured(const solver::Model& model, solver::Batch& batch,
+                                        const solver::ShiftBlock& shifts);
+
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class DrawEvaluator {
  public:
@@ -60,7 +65,6 @@ class DrawEvaluator {
  private:
   void make(const schema::DrawRange& range);
   void record(schema::UnitRecord& unit);
-  Eigen::Matrix2Xd per_vertex(std::span<const double> shifts_mm) const;
 
   const schema::Campaign campaign_;
   const solver::Model model_;

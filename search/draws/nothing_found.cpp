@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "schema/campaign/climb_cost.hpp"
+#include "schema/campaign/split_rate.hpp"
+#include "search/terminal/count_text.hpp"
 #include "search/terminal/duration.hpp"
 
 namespace misalign::search {
@@ -51,9 +54,9 @@ std::optional<schema::SurvivalGuess> guess(const Survival& survival,
 
 std::string how_rare(const schema::CatalogueState& state) {
   const double most = most_possible(state);
-  const std::string draws = std::to_string(state.draws) + (state.draws == 1 ? " draw" : " draws");
-  const std::string head = "nothing was accepted in " + draws + ": the share that deploys from " +
-                           shown_number(state.threshold_deg) + " deg is below " + two_digits(most);
+  const std::string head = "nothing was accepted in " + count_text(state.draws, "draw") +
+                           ": the share that deploys from " + shown_number(state.threshold_deg) +
+                           " deg is below " + two_digits(most);
   if (state.undecided > 0) {
     return head + " (95 %, should the " + std::to_string(state.undecided) +
            " undecided all be accepted ones), and more than " + some_draws(1 / most) +
@@ -75,9 +78,9 @@ std::string who_survives(const Survival& survival) {
   }
   if (shares.empty()) {
     return fmt::format(
-        "how deep the draws fold is not known yet: the fault sample has {} {}, one in 1024 or "
+        "how deep the draws fold is not known yet: the fault sample has {}, one in 1024 or "
         "fewer; more draws will tell",
-        rows, rows == 1 ? "draw" : "draws");
+        count_text(rows, "draw"));
   }
   return fmt::format("{}, the deepest seen {:.10g} deg ({} draws judged to the end of their paths)",
                      fmt::join(shares, ", "), survival.deg(survival.deepest()), rows);
@@ -93,6 +96,23 @@ std::string guess_words(const schema::SurvivalGuess& guess, const schema::Catalo
     text += ", " + duration(1 / (guess.rate * state.draws_per_s)) + " at the last run's speed";
   }
   return text;
+}
+
+// Of a splitting search with the defaults of its keys, where plain draws would take longer than a
+// population of it.
+std::optional<schema::ClimbCost> worthwhile_climb(const schema::SurvivalGuess& guess) {
+  const schema::ClimbCost cost = schema::climb_cost({}, guess.rate);
+  return 1 / guess.rate > cost.draws ? std::optional(cost) : std::nullopt;
+}
+
+std::string climb_words(const schema::ClimbCost& cost, const schema::CatalogueState& state) {
+  std::string text = fmt::format(
+      "splitting climbs to such sheets by levels: \"search\": {{\"method\": \"splitting\"}} in a "
+      "copy of the campaign; a population of it takes as long as about {} draws",
+      two_digits(cost.draws));
+  if (state.draws_per_s > 0) text += ", " + duration(cost.draws / state.draws_per_s) + ",";
+  return text +
+         fmt::format(" and {} of them say how rare the sheets are", schema::kLeastPopulations);
 }
 
 std::string what_to_try(const Survival& survival, const schema::CatalogueState& state) {
@@ -133,9 +153,12 @@ Json survival_json(const Survival& survival, const schema::CatalogueState& state
                       {"share_high", high},
                       {"deploys_from_deg", survival.deg(*sample)}});
   }
-  Json guessed;
+  Json guessed, climb;
   if (const auto share = guess(survival, state)) {
     guessed = {{"rate", share->rate}, {"rate_low", share->low}, {"rate_high", share->high}};
+    if (const auto cost = worthwhile_climb(*share)) {
+      climb = {{"levels", cost->levels}, {"moves", cost->moves}, {"worth_draws", cost->draws}};
+    }
   }
   const bool any = survival.all().rows > 0;
   return {{"sampled", survival.all().rows},
@@ -143,21 +166,25 @@ Json survival_json(const Survival& survival, const schema::CatalogueState& state
           {"shares", shares},
           {"deepest_deg", any ? Json(survival.deg(survival.deepest())) : Json()},
           {"guess_at_threshold", guessed},
+          {"splitting_population", climb},
           {"one_in_a_thousand_deg", deg(survival.sample_to_try(kShareToTry))}};
 }
 
 std::vector<std::string> nothing_found(const Survival& survival,
                                        const schema::CatalogueState& state) {
-  if (state.accepted > 0 || state.draws == 0) return {};
+  if (state.accepted > 0 || state.draws == 0 || state.ladder) return {};
   std::vector<std::string> sentences = {how_rare(state), who_survives(survival)};
-  if (const auto share = guess(survival, state)) sentences.push_back(guess_words(*share, state));
+  if (const auto share = guess(survival, state)) {
+    sentences.push_back(guess_words(*share, state));
+    if (const auto cost = worthwhile_climb(*share)) sentences.push_back(climb_words(*cost, state));
+  }
   sentences.push_back(what_to_try(survival, state));
   return sentences;
 }
 
 std::vector<std::string> nothing_found(SQLite::Database& database,
                                        const schema::CatalogueState& state) {
-  if (state.accepted > 0 || state.draws == 0) return {};
+  if (state.accepted > 0 || state.draws == 0 || state.ladder) return {};
   return nothing_found(schema::read_survival(database), state);
 }
 

@@ -13,7 +13,8 @@ namespace misalign::search {
 /// Angles from which these shares of the draws deploy, as the fault sample has it: 0.5, 0.1, 0.01
 /// and 0.001, those that enough draws were seen of; the deepest angle seen; a guess of the share at
 /// the campaign's threshold where none was seen there; the angle that one draw in a thousand
-/// survives. Null for what is not known.
+/// survives; what a population of a splitting search would take, where that is less than plain
+/// draws are likely to. Null for what is not known.
 schema::Json survival_json(const schema::Survival& survival, const schema::CatalogueState& state);
 
 /// Plain sentences, empty if something was accepted or nothing was drawn.

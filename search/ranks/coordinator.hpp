@@ -1,27 +1,23 @@
-// Rank 0: hands out ranges of draws, alone writes the catalogue, and computes too if ranks are few.
+// Rank 0: hands out jobs, alone writes the catalogue, and computes too if ranks are few.
 #pragma once
 
 #include <optional>
 
-#include "schema/catalogue/catalogue.hpp"
-#include "search/draws/draw_evaluator.hpp"
-#include "search/ranks/dispatcher.hpp"
 #include "search/ranks/heartbeat.hpp"
+#include "search/ranks/rank_task.hpp"
 #include "search/terminal/progress.hpp"
 
 namespace misalign::search {
 
-/// With more ranks than this rank 0 makes no draws of its own: while it does, others wait for their
-/// next range for longer than its draws are worth.
-inline constexpr int kMostRanksWithOwnDraws = 64;
+/// With more ranks than this rank 0 does no jobs of its own: while it does, others wait for their
+/// next one for longer than its own are worth.
+inline constexpr int kMostRanksWithOwnJobs = 64;
 
 /// Of one transaction, roughly; what more has arrived waits for the next. So its memory is bounded,
 /// and a signal is seen within seconds.
 inline constexpr std::size_t kMostRows = 20000;
 
 struct CoordinatorOptions {
-  UnitSize unit_size;
-  std::size_t unit_bytes = kMostUnit_bytes;  ///< at which a unit ends early
   std::optional<double> max_time_s;
   ProgressStyle progress = ProgressStyle::plain;
 };
@@ -35,10 +31,9 @@ enum class RunEnd {
 
 const char* run_end_name(RunEnd end);
 
-/// Runs the campaign until its goal or a stop; every unit that was begun is committed as far as it
-/// was done, but for those of lost ranks. Ends the workers. The catalogue's run has begun already.
-RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, DrawEvaluator& evaluator,
-                       schema::Catalogue& catalogue, const schema::Goal& goal,
+/// Runs the task until its goal or a stop; every job that was begun is committed as far as it was
+/// done, but for those of lost ranks. Ends the workers.
+RunEnd run_coordinator(const MpiSession& mpi, const Heartbeat& heartbeat, RankTask& task,
                        const CoordinatorOptions& options);
 
 }  // namespace misalign::search

@@ -1,7 +1,7 @@
 // Which rank computes which draws: a pure state machine, without clock, file or message.
 #pragma once
 
-#include "search/ranks/ledger.hpp"
+#include "search/draws/ledger.hpp"
 
 namespace misalign::search {
 

@@ -1,76 +1,9 @@
 #include "search/ranks/messages.hpp"
 
-#include <cassert>
-#include <cstring>
-#include <type_traits>
-
-#include "schema/catalogue/metric_table.hpp"
+#include "search/ranks/wire.hpp"
 
 namespace misalign::search {
 namespace {
-
-// The same list of fields, written or read: `Wire` is Writer or Reader.
-class Writer {
- public:
-  template <class T>
-  void field(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const char* bytes = reinterpret_cast<const char*>(&value);
-    bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
-  }
-  Bytes take() { return std::move(bytes_); }
-
- private:
-  Bytes bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(const Bytes& bytes) : bytes_(bytes) {}
-  template <class T>
-  void field(T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    assert(at_ + sizeof value <= bytes_.size());
-    std::memcpy(&value, bytes_.data() + at_, sizeof value);
-    at_ += sizeof value;
-  }
-
- private:
-  const Bytes& bytes_;
-  std::size_t at_ = 0;
-};
-
-template <class T, class Each>
-void list(Writer& wire, const std::vector<T>& items, Each&& each) {
-  wire.field(items.size());
-  for (const T& item : items) each(item);
-}
-
-template <class T, class Each>
-void list(Reader& wire, std::vector<T>& items, Each&& each) {
-  std::size_t size = 0;
-  wire.field(size);
-  items.resize(size);
-  for (T& item : items) each(item);
-}
-
-template <class Wire, class Metrics>
-void metrics_fields(Wire& wire, Metrics& metrics) {
-  schema::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });
-  list(wire, metrics.elongation, [&](auto& e) { wire.field(e); });
-}
-
-void shifts_fields(Writer& wire, const Eigen::Matrix2Xd& shifts) {
-  wire.field(shifts.cols());
-  for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
-}
-
-void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
-  Eigen::Index columns = 0;
-  wire.field(columns);
-  shifts.resize(2, columns);
-  for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
-}
 
 template <class Wire, class Unit>
 void unit_fields(Wire& wire, Unit& unit) {
@@ -79,11 +12,7 @@ void unit_fields(Wire& wire, Unit& unit) {
   wire.field(unit.accepted);
   wire.field(unit.rejected);
   wire.field(unit.seconds);
-  list(wire, unit.candidates, [&](auto& candidate) {
-    wire.field(candidate.draw);
-    metrics_fields(wire, candidate.metrics);
-    shifts_fields(wire, candidate.shifts_mm);
-  });
+  list(wire, unit.candidates, [&](auto& candidate) { candidate_fields(wire, candidate); });
   list(wire, unit.undecided, [&](auto& draw) { wire.field(draw); });
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
 }
@@ -113,6 +42,19 @@ Bytes pack(const SentUnit& sent) {
     wire.field(seen.second);
   });
   return wire.take();
+}
+
+Bytes pack(const schema::DrawRange& range) {
+  Writer wire;
+  wire.field(range);
+  return wire.take();
+}
+
+schema::DrawRange unpack_range(const Bytes& bytes) {
+  Reader wire(bytes);
+  schema::DrawRange range{};
+  wire.field(range);
+  return range;
 }
 
 SentUnit unpack_unit(const Bytes& bytes) {

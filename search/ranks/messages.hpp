@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "schema/catalogue/unit_writer.hpp"
+#include "search/ranks/wire.hpp"
 
 namespace misalign::search {
-
-using Bytes = std::vector<char>;
 
 /// What a worker sends back of its range.
 struct SentUnit {
   schema::UnitRecord unit;
   bool was_stopped = false;  ///< by a signal, before the range was done
 };
+
+/// What a worker is to do.
+Bytes pack(const schema::DrawRange& range);
+schema::DrawRange unpack_range(const Bytes& bytes);
 
 /// Which metrics a packed unit holds, in their order, and how large its parts are: ranks of two
 /// builds understand each other where this is the same.

@@ -11,7 +11,7 @@
 namespace misalign::search {
 namespace {
 
-constexpr int kUnitTag = 1, kRangeTag = 2, kBeatTag = 3;
+constexpr int kResultTag = 1, kJobTag = 2, kBeatTag = 3;
 
 }  // namespace
 
@@ -76,43 +76,49 @@ void MpiSession::meet() const {
   for (int met = 0; MPI_Test(&request, &met, MPI_STATUS_IGNORE), !met;) backoff.wait();
 }
 
-void MpiSession::send_unit(const SentUnit& sent) const {
-  const Bytes bytes = pack(sent);
-  MPI_Send(bytes.data(), message_length(bytes.size()), MPI_BYTE, 0, kUnitTag, MPI_COMM_WORLD);
+void MpiSession::send_result(const Bytes& result) const {
+  MPI_Send(result.data(), message_length(result.size()), MPI_BYTE, 0, kResultTag, MPI_COMM_WORLD);
 }
 
-std::optional<SentUnit> MpiSession::receive_unit() const {
-  if (ranks_ == 1) return std::nullopt;
-  int arrived = 0, size = 0;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, kUnitTag, MPI_COMM_WORLD, &arrived, &status);
-  if (!arrived) return std::nullopt;
+namespace {
+
+// A message that has arrived.
+Bytes received(int from, int tag, const MPI_Status& status) {
+  int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);
   Bytes bytes(static_cast<std::size_t>(size));
-  MPI_Recv(bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, kUnitTag, MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  SentUnit sent = unpack_unit(bytes);
-  sent.unit.worker = status.MPI_SOURCE;
-  return sent;
+  MPI_Recv(bytes.data(), size, MPI_BYTE, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return bytes;
 }
 
-void MpiSession::send_range(int to, const schema::DrawRange& range) const {
-  const std::uint64_t ends[2] = {range.lo, range.hi};
-  MPI_Send(ends, 2, MPI_UINT64_T, to, kRangeTag, MPI_COMM_WORLD);
-}
+}  // namespace
 
-bool MpiSession::range_waiting() const {
+std::optional<MpiSession::Arrived> MpiSession::receive_result() const {
+  if (ranks_ == 1) return std::nullopt;
   int arrived = 0;
-  MPI_Iprobe(0, kRangeTag, MPI_COMM_WORLD, &arrived, MPI_STATUS_IGNORE);
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, kResultTag, MPI_COMM_WORLD, &arrived, &status);
+  if (!arrived) return std::nullopt;
+  const int from = status.MPI_SOURCE;
+  return Arrived{from, received(from, kResultTag, status)};
+}
+
+void MpiSession::send_job(int to, const Bytes& job) const {
+  MPI_Send(job.data(), message_length(job.size()), MPI_BYTE, to, kJobTag, MPI_COMM_WORLD);
+}
+
+bool MpiSession::job_waiting() const {
+  int arrived = 0;
+  MPI_Iprobe(0, kJobTag, MPI_COMM_WORLD, &arrived, MPI_STATUS_IGNORE);
   return arrived != 0;
 }
 
-schema::DrawRange MpiSession::receive_range() const {
+Bytes MpiSession::receive_job() const {
   Backoff backoff;
-  while (!range_waiting()) backoff.wait();
-  std::uint64_t ends[2];
-  MPI_Recv(ends, 2, MPI_UINT64_T, 0, kRangeTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return {ends[0], ends[1]};
+  while (!job_waiting()) backoff.wait();
+  MPI_Status status;
+  MPI_Probe(0, kJobTag, MPI_COMM_WORLD, &status);
+  return received(0, kJobTag, status);
 }
 
 void MpiSession::send_beat(int to) const {

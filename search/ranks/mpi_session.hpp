@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "schema/campaign/draw_range.hpp"
 #include "search/ranks/messages.hpp"
 
 namespace misalign::search {
@@ -32,16 +31,20 @@ class MpiSession {
   /// Returns once every rank has called it; sleeps meanwhile.
   void meet() const;
 
-  /// To rank 0: a unit that was worked off. UserError: see message_length.
-  void send_unit(const SentUnit& sent) const;
-  /// On rank 0: the next unit that has arrived; none if there is none.
-  std::optional<SentUnit> receive_unit() const;
+  /// To rank 0: what was done of a job. UserError: see message_length.
+  void send_result(const Bytes& result) const;
+  /// On rank 0: the next result that has arrived; none if there is none.
+  struct Arrived {
+    int from;
+    Bytes result;
+  };
+  std::optional<Arrived> receive_result() const;
 
-  /// From rank 0: a range to work off; an empty one ends the worker.
-  void send_range(int to, const schema::DrawRange& range) const;
-  bool range_waiting() const;
+  /// From rank 0: a job to work off; an empty one ends the worker.
+  void send_job(int to, const Bytes& job) const;
+  bool job_waiting() const;
   /// Sleeps until there is one.
-  schema::DrawRange receive_range() const;
+  Bytes receive_job() const;
 
   /// Whether this MPI can carry signs of life, which want a thread of their own.
   bool has_beats() const { return beats_ != nullptr; }

@@ -11,16 +11,39 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/nothing_found.hpp"
+#include "search/ranks/climb_task.hpp"
+#include "search/ranks/draw_task.hpp"
+#include "search/ranks/piece_messages.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/terminal/failure.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
 namespace {
+
+// UserError (2) where what was typed counts something else than the campaign is made of.
+void check_counts(const SearchOptions& options, const schema::Campaign& campaign) {
+  const auto refuse = [](const std::string& option, const char* why, const char* instead) {
+    throw schema::UserError(schema::kExitUsage, option + ": " + why + "; " + instead);
+  };
+  if (campaign.splitting && options.draws) {
+    refuse("--draws", "this campaign splits, and is made of populations", "give --populations N");
+  }
+  if (campaign.splitting && options.unit_draws) {
+    refuse("--unit-draws", "this campaign splits, and cuts its work by time", "take it out");
+  }
+  if (!campaign.splitting && options.populations) {
+    refuse("--populations", "this campaign is one of plain draws", "give --draws N");
+  }
+  if (campaign.splitting && options.range && options.range->hi > schema::kEndOfPopulations) {
+    refuse("--range", "populations are numbered below 922337203", "try 0:100");
+  }
+}
 
 schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (!random_numbers_as_published()) {
@@ -35,12 +58,23 @@ schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (options.max_time_s) campaign.stop.wall_s = options.max_time_s;
   // A range asked for by hand is meant as a whole, unless --draws says otherwise.
   if (options.range || options.draws) campaign.stop.draws = options.draws;
+  if (options.range || options.populations) campaign.stop.populations = options.populations;
+  check_counts(options, campaign);
   return campaign;
 }
 
 schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campaign) {
   schema::Goal goal;
   if (options.range) goal.range = *options.range;
+  if (campaign.splitting) {
+    goal.range =
+        schema::numbers_of(options.range.value_or(schema::DrawRange{0, schema::kEndOfPopulations}));
+    if (campaign.stop.populations)
+      goal.draws = *campaign.stop.populations * schema::kNumbersOfPopulation;
+    goal.relative_error = campaign.stop.relative_error;
+    goal.of_populations = true;
+    return goal;
+  }
   goal.draws = campaign.stop.draws;
   goal.accepted = campaign.stop.accepted;
   goal.relative_error = campaign.stop.relative_error;
@@ -152,11 +186,10 @@ class RankZero {
   // Returns the exit code.
   int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
     CoordinatorOptions settings;
-    settings.unit_size.draws = options_.unit_draws;
-    settings.unit_bytes = options_.unit_bytes;
     settings.max_time_s = campaign().stop.wall_s;
     settings.progress = options_.progress;
-    const RunEnd end = run_coordinator(mpi, heartbeat, evaluator_, catalogue_, goal_, settings);
+    const std::unique_ptr<RankTask> task = make_task(mpi.ranks());
+    const RunEnd end = run_coordinator(mpi, heartbeat, *task, settings);
     catalogue_.end_run(run_end_name(end));
     const schema::CommitCost& cost = catalogue_.cost();
     spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
@@ -166,18 +199,38 @@ class RankZero {
   }
 
  private:
+  std::unique_ptr<RankTask> make_task(int ranks) {
+    if (campaign().splitting) {
+      climber_.emplace(campaign(), options_.instruction_set);
+      return std::make_unique<ClimbTask>(*climber_, evaluator_.mechanism(), catalogue_, goal_,
+                                         ranks);
+    }
+    const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
+    return std::make_unique<DrawTask>(evaluator_, catalogue_, goal_, ranks, units);
+  }
+
   void print_summary(RunEnd end) const {
     const auto database = schema::open_for_reading(catalogue_.path());
     const schema::CatalogueState state = schema::read_state(*database);
     const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
                                               static_cast<double>(state.draws)
                                         : 0.0;
+    if (state.ladder) {
+      put("{}: {}, {}, digest {}\n", schema::printable(catalogue_.path()), run_end_name(end),
+          ladder_summary(state), state.digest);
+      std::fflush(stdout);
+      if (is_talkative()) say_what_next(*database, state);
+      return;
+    }
     put("{}: {}, {} draws, {} accepted ({:.4g} %), {} undecided, digest {}\n",
         schema::printable(catalogue_.path()), run_end_name(end), state.draws, state.accepted, rate,
         state.undecided, state.digest);
     std::fflush(stdout);
-    if (!is_talkative()) return;
-    for (const std::string& sentence : nothing_found(*database, state)) {
+    if (is_talkative()) say_what_next(*database, state);
+  }
+
+  void say_what_next(SQLite::Database& database, const schema::CatalogueState& state) const {
+    for (const std::string& sentence : nothing_found(database, state)) {
       spdlog::info("{}", sentence);
     }
     spdlog::info("next: {}", next_step(state, catalogue_.path(), options_.campaign_path));
@@ -191,6 +244,7 @@ class RankZero {
   DrawEvaluator evaluator_;
   schema::Catalogue catalogue_;
   schema::Goal goal_;
+  std::optional<Climber> climber_;  // of a splitting search
 };
 
 // The exit code of `work`, 0 if it throws nothing; what it throws is said.
@@ -222,6 +276,25 @@ int run_rank_zero(const SearchOptions& options, MpiSession& mpi) {
   return failure ? failure : exit_code;
 }
 
+void work_on_draws(const MpiSession& mpi, DrawEvaluator& evaluator, std::size_t most_bytes) {
+  run_worker(
+      mpi,
+      [&](const Bytes& job) {
+        return UnitWork(evaluator, unpack_range(job), schema::FaultSampleRule(), most_bytes);
+      },
+      [](UnitWork& work, bool was_stopped) {
+        return pack(SentUnit{work.take(), was_stopped});
+      });
+}
+
+void work_on_pieces(const MpiSession& mpi, Climber& climber) {
+  run_worker(
+      mpi, [&](const Bytes& job) { return climber.start(unpack_order(job)); },
+      [](PieceWork& work, bool was_stopped) {
+        return pack(SentPiece{work.take(), was_stopped});
+      });
+}
+
 int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
   Heartbeat heartbeat(mpi);
   if (const int code = mpi.broadcast(0)) return code;
@@ -233,7 +306,13 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
         options.instruction_set);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
-    if (!refused) run_worker(mpi, evaluator, options.unit_bytes);
+    if (refused) return;
+    if (evaluator.campaign().splitting) {
+      Climber climber(evaluator.campaign(), options.instruction_set);
+      work_on_pieces(mpi, climber);
+    } else {
+      work_on_draws(mpi, evaluator, options.unit_bytes);
+    }
   });
   if (failure) mpi.abort(failure);  // rank 0 would wait for ever
   if (!refused) mpi.meet();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/coordinator.hpp"
 
 namespace misalign::search {
@@ -11,7 +12,7 @@ namespace misalign::search {
 struct SearchOptions {
   std::string campaign_path;
   std::string catalogue_path;  ///< empty: results/NAME-<8 hex digits>.db
-  std::optional<std::uint64_t> draws, accepted, seed;
+  std::optional<std::uint64_t> draws, populations, accepted, seed;
   std::optional<double> max_time_s, relative_error;
   std::optional<schema::DrawRange> range;
   std::optional<std::uint64_t> unit_draws;

@@ -41,6 +41,8 @@ std::optional<double> draws_left_s(const ProgressReport& report) {
   return static_cast<double>(report.counts.draws_left) / report.draws_per_s;
 }
 
+bool is_of_draws(const ProgressCounts& counts) { return counts.of == std::string_view("draws"); }
+
 // Until the draws are done or the run's time is over, whichever comes first.
 std::optional<double> left_s(const ProgressReport& report) {
   const auto draws_s = draws_left_s(report);
@@ -60,9 +62,14 @@ std::string plain_line(const ProgressReport& report) {
   const ProgressCounts& counts = report.counts;
   std::string line = fmt::format("{}: {}", duration(report.elapsed_s), counts.standing.draws);
   if (counts.limited) line += fmt::format(" of {}", wanted(counts));
-  line += fmt::format(" draws, {:.4g} draws/s, {} accepted ({:.4g} %)",
-                      report.last ? report.draws_per_s_mean : report.draws_per_s,
-                      counts.standing.accepted, 100 * rate(counts));
+  if (is_of_draws(counts)) {
+    line += fmt::format(" draws, {:.4g} draws/s, {} accepted ({:.4g} %)",
+                        report.last ? report.draws_per_s_mean : report.draws_per_s,
+                        counts.standing.accepted, 100 * rate(counts));
+  } else {
+    line += fmt::format(" {}, {} accepted", counts.of, counts.standing.accepted);
+    if (!counts.under_way.empty()) line += ", " + counts.under_way;
+  }
   if (const auto& best = counts.standing.best) {
     line += fmt::format(", best {:.10g} deg (draw {})", best->deploys_from_deg, best->draw);
   }
@@ -79,18 +86,22 @@ std::string bar_line(const ProgressReport& report, int width) {
     const auto all = static_cast<double>(wanted(counts));
     // Rounded down: 100 % is when nothing is left.
     const double percent = all > 0 ? std::floor(100 * draws / all) : 100;
-    done += fmt::format(" of {} draws ({:.0f} %)", short_number(all), percent);
+    done += fmt::format(" of {} {} ({:.0f} %)", short_number(all), counts.of, percent);
   } else {
-    done += " draws";
+    done += std::string(" ") + counts.of;
   }
   const auto left = left_s(report);
   const std::string time =
       !report.last && left ? duration(*left) + " left" : duration(report.elapsed_s);
   const std::string speed =
-      short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s";
+      is_of_draws(counts)
+          ? short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s"
+      : counts.under_way.empty() ? "between populations"
+                                 : counts.under_way;
   const std::string accepted =
       short_number(static_cast<double>(counts.standing.accepted)) + " accepted";
-  const std::string share = fmt::format(" ({:.3g} %)", 100 * rate(counts));
+  const std::string share =
+      is_of_draws(counts) ? fmt::format(" ({:.3g} %)", 100 * rate(counts)) : "";
   std::string best, best_draw;
   if (counts.standing.best) {
     best = fmt::format(", best {:.10g} deg", counts.standing.best->deploys_from_deg);
@@ -119,19 +130,23 @@ std::string json_line(const ProgressReport& report) {
     best = {{"deploys_from_deg", found->deploys_from_deg}, {"draw", found->draw}};
   }
   if (const auto seconds = left_s(report)) left = *seconds;
-  const schema::Json draws_left = counts.limited ? schema::Json(counts.draws_left) : schema::Json();
-  return schema::Json{
+  const std::string of = counts.of;
+  schema::Json line{
       {"elapsed_s", report.elapsed_s},
-      {"draws", counts.standing.draws},
-      {"draws_left", draws_left},
-      {"draws_per_s", report.draws_per_s},
-      {"draws_per_s_mean", report.draws_per_s_mean},
+      {of, counts.standing.draws},
+      {of + "_left", counts.limited ? schema::Json(counts.draws_left) : schema::Json()},
+      {of + "_per_s", report.draws_per_s},
+      {of + "_per_s_mean", report.draws_per_s_mean},
       {"accepted", counts.standing.accepted},
-      {"rate", counts.standing.draws > 0 ? schema::Json(rate(counts)) : schema::Json()},
       {"best", best},
       {"left_s", left},
-      {"last", report.last}}
-      .dump();
+      {"last", report.last}};
+  if (is_of_draws(counts)) {
+    line["rate"] = counts.standing.draws > 0 ? schema::Json(rate(counts)) : schema::Json();
+  } else {
+    line["under_way"] = counts.under_way;
+  }
+  return line.dump();
 }
 
 void RecentSpeed::see(double elapsed_s, std::uint64_t draws) {

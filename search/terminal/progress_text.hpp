@@ -22,6 +22,8 @@ struct ProgressCounts {
   std::uint64_t draws_left = 0;
   bool limited = false;                ///< whether draws_left means anything
   std::optional<double> max_time_s{};  ///< that this run may take
+  const char* of = "draws";            ///< what is counted: draws, or populations
+  std::string under_way{};             ///< what is done of the next, in words
 };
 
 /// What one line says.

@@ -8,6 +8,7 @@
 
 #include "schema/campaign/share_interval.hpp"
 #include "schema/files/text_table.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/shell_word.hpp"
 
 namespace misalign::search {
@@ -60,11 +61,9 @@ std::uint64_t missing(const schema::CatalogueState& state) {
   return draws;
 }
 
-}  // namespace
-
-std::string status_text(const schema::CatalogueState& state,
-                        const std::optional<DeployingFrom>& deploying, const Paint& paint) {
-  const bool complete = state.gaps.empty();
+// Of plain draws: what became of them.
+std::string draws_text(const schema::CatalogueState& state,
+                       const std::optional<DeployingFrom>& deploying) {
   const auto row = [&](const std::string& name, std::uint64_t draws, std::uint64_t of) {
     return schema::Row{name, std::to_string(draws), of > 0 ? percent(share(draws, of)) : "", ""};
   };
@@ -98,6 +97,11 @@ std::string status_text(const schema::CatalogueState& state,
                     percent(schema::share(draws, sampled)), percent(low) + " to " + percent(high)});
   }
 
+  return schema::aligned(rows, {false, true, true, false});
+}
+
+std::string goal_text(const schema::CatalogueState& state) {
+  if (state.ladder) return population_goal(state);
   std::string goal =
       "draws from " + std::to_string(state.goal.range.lo) +
       (endless(state.goal_end) ? " on, without end" : " to " + std::to_string(state.goal_end));
@@ -105,18 +109,25 @@ std::string status_text(const schema::CatalogueState& state,
   if (state.goal.relative_error) {
     goal += ", or a rate known to " + schema::shown_number(100 * *state.goal.relative_error) + " %";
   }
-  std::string table = schema::aligned(rows, {false, true, true, false});
+  return goal;
+}
+
+}  // namespace
+
+std::string status_text(const schema::CatalogueState& state,
+                        const std::optional<DeployingFrom>& deploying, const Paint& paint) {
+  const bool complete = state.gaps.empty();
+  const double draws_per_s = std::round(state.draws_per_s * 10) / 10;
+  std::vector<schema::Row> rows = {{"goal", goal_text(state)}};
+  if (!state.ladder) rows.push_back({"speed", schema::shown_number(draws_per_s) + " draws/s"});
+  rows.push_back({"digest", state.digest});
+  std::string table = state.ladder ? ladder_text(state) : draws_text(state, deploying);
   const std::size_t header = table.find('\n');
   table = paint.bold(table.substr(0, header)) + table.substr(header);
   return paint.bold(schema::printable(state.name)) + " (" +
          schema::printable(state.identity.substr(0, 8)) +
          "): " + (complete ? paint.good("complete") : paint.bold("work remains")) + "\n" +
-         schema::aligned(
-             {{"goal", goal},
-              {"speed", schema::shown_number(std::round(state.draws_per_s * 10) / 10) + " draws/s"},
-              {"digest", state.digest}},
-             {false, false}) +
-         "\n" + table;
+         schema::aligned(rows, {false, false}) + "\n" + table;
 }
 
 std::string next_step(const schema::CatalogueState& state, const std::string& path,
@@ -125,13 +136,16 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
   if (!state.gaps.empty()) {
     const schema::DrawRange& range = state.goal.range;
     std::string limit;
-    if (state.goal.draws) limit += " --draws " + std::to_string(*state.goal.draws);
+    const std::uint64_t each = state.ladder ? schema::kNumbersOfPopulation : 1;
+    const std::string count = state.ladder ? " --populations " : " --draws ";
+    if (state.goal.draws) limit += count + std::to_string(*state.goal.draws / each);
     if (state.goal.accepted) limit += " --accepted " + std::to_string(*state.goal.accepted);
     if (state.goal.relative_error) {
       limit += " --relative-error " + schema::shown_number(*state.goal.relative_error);
     }
-    if (range.lo > 0 || !endless(range.hi)) {
-      limit += " --range " + std::to_string(range.lo) + ":" + std::to_string(range.hi);
+    const std::uint64_t end = state.ladder ? schema::kEndOfPopulations : schema::kEndOfDraws;
+    if (range.lo > 0 || range.hi / each < end) {
+      limit += fmt::format(" --range {}:{}", range.lo / each, range.hi / each);
     }
     if (state.seed != 1) limit += " --seed " + std::to_string(state.seed);
     return "misalign search " +
@@ -175,6 +189,7 @@ schema::Json status_json(const schema::CatalogueState& state) {
                        {"draws_per_s", state.draws_per_s},
                        {"gaps", gaps},
                        {"digest", state.digest}};
+  if (state.ladder) json["ladder"] = ladder_json(state);
   return json;
 }
 

@@ -6,10 +6,10 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/plain_export.hpp"
+#include "search/checks/campaign_sheet.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/deployment_functions.hpp"
 #include "search/checks/sheet_files.hpp"
-#include "search/draws/draw.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/options.hpp"
@@ -49,7 +49,7 @@ void export_candidates(const ExportCall& call) {
   }
   for (const std::uint64_t draw : draws) {
     const std::string number = std::to_string(draw);
-    const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
+    const FoldedSheet folded = folder.fold(shifts_of_number(*database, campaign, draw));
     if (!campaign.accepts(folded.path.history.verdict)) {
       throw schema::damaged(*database, "draw " + number + " is among the candidates, but is none");
     }

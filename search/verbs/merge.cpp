@@ -7,6 +7,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/run_info.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -25,6 +26,12 @@ int merge_catalogues(MergeOptions options) {
   }
   const auto merged = schema::open_for_reading(options.output);
   const schema::CatalogueState state = schema::read_state(*merged);
+  if (state.ladder) {
+    put("{}: {} catalogues, {} populations taken, {} compared; {}, digest {}\n",
+        schema::printable(options.output), options.inputs.size(), report.units,
+        report.compared / schema::kNumbersOfPopulation, ladder_summary(state), state.digest);
+    return 0;
+  }
   put("{}: {} catalogues, {} units taken, {} draws compared, {} computed again, {} decided; {} "
       "draws, {} accepted, digest {}\n",
       schema::printable(options.output), options.inputs.size(), report.units, report.compared,

@@ -8,6 +8,7 @@
 #include "schema/catalogue/result_table.hpp"
 #include "search/checks/deployment_functions.hpp"
 #include "search/draws/nothing_found.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
@@ -75,10 +76,19 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   }
 }
 
+// The SQL of a name; of a splitting search the acceptance is that of each level, with its interval.
+std::string named_query(SQLite::Database& database, const std::string& name) {
+  if (name == "acceptance") {
+    const schema::CatalogueState state = schema::read_state(database);
+    if (state.ladder) return ladder_sql(*state.ladder);
+  }
+  return schema::named_query(name);
+}
+
 void query(const QueryCall& call) {
   const auto database = schema::open_for_reading(call.path);
   add_deployment_functions(*database, call.path);
-  const std::string named = schema::named_query(call.sql);
+  const std::string named = named_query(*database, call.sql);
   const std::string& text = named.empty() ? call.sql : named;
   if (named.empty() && is_one_word(call.sql)) throw no_such_query(call.sql);
   if (!call.json && !call.csv) {

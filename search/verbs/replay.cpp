@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/draws/draw_evaluator.hpp"
+#include "search/checks/campaign_sheet.hpp"
+#include "search/draws/models.hpp"
+#include "search/splitting/climber.hpp"
+#include "search/splitting/origin.hpp"
 #include "search/terminal/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -14,16 +17,35 @@ namespace {
 struct ReplayCall {
   std::string catalogue_path;
   std::uint64_t draw = 0;
-  bool json = false, table = false;
+  bool again = false, json = false, table = false;
 };
+
+// Of a splitting campaign as stored, or from its population made again.
+Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& campaign,
+                           const ReplayCall& call) {
+  if (!call.again || !campaign.splitting) return shifts_of_number(database, campaign, call.draw);
+  Climber climber(campaign, solver::available_instruction_sets().back());
+  const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
+  const Origin origin = origin_of(call.draw, *campaign.splitting);
+  for (const FoundSheet& found : climbed(ladder, origin.population, climber).found) {
+    if (found.origin == origin) return found.candidate.shifts_mm;
+  }
+  throw schema::UserError(
+      schema::kExitUsage,
+      fmt::format("population {} meets no candidate for the first time at level {}, step {}, by "
+                  "particle {}, which is what the number {} means; take one that `misalign query` "
+                  "shows",
+                  origin.population, origin.level, origin.step, origin.particle, call.draw));
+}
 
 void replay(const ReplayCall& call) {
   const auto database = schema::open_for_reading(call.catalogue_path);
-  DrawEvaluator evaluator(schema::read_campaign_of(*database, call.catalogue_path));
-  const schema::Campaign& campaign = evaluator.campaign();
-  const auto history = evaluator.history(call.draw);
-  const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(call.draw);
-  const schema::FoldingView view{campaign.pattern, shifts_mm, evaluator.mechanism(), history,
+  const schema::Campaign campaign = schema::read_campaign_of(*database, call.catalogue_path);
+  const Eigen::Matrix2Xd shifts_mm = shifts_of(*database, campaign, call);
+  const solver::Model model = model_of(campaign);
+  const auto history =
+      solver::record_history(model, campaign.pattern.base.sheet.vertices_mm + shifts_mm);
+  const schema::FoldingView view{campaign.pattern, shifts_mm, model.mechanism(), history,
                                  campaign.sample_deg};
   const bool accepted = campaign.accepts(history.verdict);
   if (!call.json) {
@@ -53,6 +75,9 @@ Action replay_verb(CLI::App& verb) {
   verb.add_option("DRAW", call->draw, "number of the draw")->required()->check(a_draw());
   verb.add_flag("--table", call->table,
                 "print the lengths every 10 degrees even where they are too wide for the terminal");
+  verb.add_flag("--again", call->again,
+                "of a splitting campaign: make its population again, instead of showing what is "
+                "stored");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     replay(*call);

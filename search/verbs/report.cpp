@@ -10,11 +10,12 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/text_file.hpp"
+#include "search/checks/campaign_sheet.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/deployment_functions.hpp"
 #include "search/checks/report_details.hpp"
-#include "search/draws/draw.hpp"
 #include "search/ranks/build_info.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
@@ -88,14 +89,14 @@ DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidate
   return look;
 }
 
-Json details_json(const schema::Campaign& campaign, const SheetFolder& folder,
-                  const DrawsToLookAt& look, ReportDetails& details) {
+Json details_json(SQLite::Database& database, const schema::Campaign& campaign,
+                  const SheetFolder& folder, const DrawsToLookAt& look, ReportDetails& details) {
   Json json = Json::array();
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < look.draws.size(); ++k) {
     if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
     const std::uint64_t draw = look.draws[k];
-    const FoldedSheet folded = folder.fold(shifts_of_draw(campaign, draw));
+    const FoldedSheet folded = folder.fold(shifts_of_number(database, campaign, draw));
     const bool accepted = campaign.accepts(folded.path.history.verdict);
     json.push_back(details.of_draw(folded, draw, accepted));
     bytes += json.back().dump().size();
@@ -152,12 +153,25 @@ Json commands_json(const ReportCall& call) {
           {"output", shell_word(call.output)}};
 }
 
+// The state as `status --json` has it; of a splitting search also why its rate is not to be
+// believed yet, in the words of `status`, and what its numbers are made of.
+Json state_json(const schema::CatalogueState& state) {
+  Json json = status_json(state);
+  if (!state.ladder) return json;
+  const schema::SplitRate* const rate = state.ladder->rate();
+  json["ladder"].update(
+      {{"why_not_converged", rate ? why_not_converged(*rate) : ""},
+       {"without_end", state.goal_end / schema::kNumbersOfPopulation >= schema::kEndOfPopulations},
+       {"numbers_of_population", schema::kNumbersOfPopulation}});
+  return json;
+}
+
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     const ReportCall& call, DrawsToLookAt& look) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    Json json = {{"state", status_json(schema::read_state(database))},
+    Json json = {{"state", state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
                  {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
     look = draws_to_look_at(database, json["candidates"], call);
@@ -240,7 +254,7 @@ void write_report(const ReportCall& call) {
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
   data.update(folding_json(folder));
-  data["details"] = details_json(campaign, folder, look, details);
+  data["details"] = details_json(*database, campaign, folder, look, details);
   write_page(call, data);
 }
 
@@ -276,7 +290,8 @@ Action report_verb(CLI::App& verb) {
   auto call = std::make_shared<ReportCall>();
   add_catalogue_or_pattern(verb, call->path);
   verb.add_option("--output", call->output, "HTML file to write")->required()->type_name("FILE");
-  add_draws(verb, call->draws, "also this draw, accepted or not");
+  add_draws(verb, call->draws,
+            "also this draw, accepted or not; of a splitting search only a stored one");
   verb.add_option("--rows", call->rows, "how many candidates the table may hold [10000]")
       ->check(counted(0, 1000000))
       ->type_name("N");

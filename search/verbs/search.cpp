@@ -57,8 +57,14 @@ void add_goals(CLI::App& verb, SearchOptions& options) {
           "end after the first N draws (of --range, if given), those of earlier runs among them")
       ->check(draw_count)
       ->type_name("N");
-  verb.add_option("--accepted", options.accepted,
-                  "end when so many of them are accepted, those of earlier runs too")
+  verb.add_option("--populations", options.populations,
+                  "of a splitting search: end after the first N populations (of --range, if given)")
+      ->check(counted(0, schema::kEndOfPopulations))
+      ->type_name("N");
+  verb.add_option(
+          "--accepted", options.accepted,
+          "end when so many of them are accepted, those of earlier runs too; of a splitting "
+          "search: how many are kept at most")
       ->check(draw_count)
       ->type_name("K");
   verb.add_option("--relative-error", options.relative_error,
@@ -130,7 +136,12 @@ Action search_verb(CLI::App& verb, const Words& typed) {
       "(json) with the keys elapsed_s, draws, draws_left, draws_per_s,\n"
       "draws_per_s_mean, accepted, rate, best (deploys_from_deg and draw), left_s and\n"
       "last; what is not known is null. Counts are those of the whole catalogue; left_s\n"
-      "is to the last draw or to the end of --max-time, whichever comes first.\n\n"
+      "is to the last draw or to the end of --max-time, whichever comes first. Of a\n"
+      "splitting search they count populations, not draws, and under_way says at which\n"
+      "level it is; there is no rate.\n\n"
+      "A splitting search (search.method in the campaign) counts populations instead of\n"
+      "draws, with --populations and in --range. Its levels are found once, at the first\n"
+      "start; a kill costs some seconds, not the population that was under way.\n\n"
       "Signals, to mpirun or to the program alone: SIGINT and SIGTERM end it within\n"
       "half a second, a second one at once; SIGUSR1 ends it once all that is under\n"
       "way is committed; SIGUSR2 prints a status line.\n\n"
@@ -139,6 +150,7 @@ Action search_verb(CLI::App& verb, const Words& typed) {
       "Examples:\n"
       "  misalign search search/campaigns/miura-4x4.json --draws 2000\n"
       "  misalign search search/campaigns/miura-6x6.json --ranks all --max-time 3600\n"
+      "  misalign search search/campaigns/miura-6x6-flat.json --ranks all --populations 5\n"
       "  mpirun -n 8 misalign search search/campaigns/miura-6x6.json --max-time 3600");
   auto call = std::make_shared<SearchCall>();
   SearchOptions& options = call->options;
@@ -147,7 +159,8 @@ Action search_verb(CLI::App& verb, const Words& typed) {
                   "catalogue file [results/NAME-<8 hex digits>.db]")
       ->type_name("CATALOGUE");
   add_goals(verb, options);
-  verb.add_option("--range", call->range, "only the draws from LO to HI - 1")->type_name("LO:HI");
+  verb.add_option("--range", call->range, "only the draws, or populations, from LO to HI - 1")
+      ->type_name("LO:HI");
   verb.add_option("--ranks", call->ranks,
                   "how many ranks to start, one core each; all: one for every core [1]")
       ->check(rank_count())

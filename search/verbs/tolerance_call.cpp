@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/draws/draw.hpp"
+#include "search/checks/campaign_sheet.hpp"
 #include "search/draws/tolerance_text.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/shell_word.hpp"
@@ -26,7 +26,7 @@ ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
   ChosenSheets sheets{schema::read_campaign_of(*database, call.path), {}, {}, ""};
   sheets.draws = chosen_draws(*database, call.choice);
   for (const std::uint64_t draw : sheets.draws) {
-    sheets.shifts_mm.push_back(shifts_of_draw(sheets.campaign, draw));
+    sheets.shifts_mm.push_back(shifts_of_number(*database, sheets.campaign, draw));
   }
   return sheets;
 }

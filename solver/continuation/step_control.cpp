@@ -166,12 +166,22 @@ PathStep StepControl::found_on_arc(const NewtonReport& report) {
     ds_ = std::clamp(before / bend_, 0.1 * ds_, 0.9 * ds_);
     return go_along(report.last_pilot);
   }
+  ds_ = next_along_arc(tangent_pilot);
   tangent_pilot_[0] = tangent_pilot;
-  ds_ = bend_ > 0 ? tangent_pilot / bend_ : std::min(1.5 * ds_, options_.arc.longest_step_rad);
   PathStep move = go_along(report.pilot);
   move.believe = true;
   move.tangent_sign = sign;
   return move;
+}
+
+// Towards a limit point that was seen. Elsewhere no farther than to where the pilot's rate would
+// vanish if it went on falling: two limit points close together might be stepped over.
+double StepControl::next_along_arc(double tangent_pilot) const {
+  if (bend_ > 0) return tangent_pilot / bend_;
+  const double longest = std::min(1.5 * ds_, options_.arc.longest_step_rad);
+  const double falls_by = (tangent_pilot_[0] - tangent_pilot) / ds_;
+  if (!(falls_by > 0)) return longest;
+  return std::min(longest, std::max(tangent_pilot / falls_by, options_.arc.least_step_by_fall_rad));
 }
 
 // Between the last point believed and the one that rises by at most `rise_rad` more.

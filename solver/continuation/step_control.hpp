@@ -13,7 +13,9 @@ namespace misalign::solver {
 /// to Numerical Continuation Methods, ch. 6). Lengths are Euclidean, over all unknowns.
 struct ArcOptions {
   double longest_step_rad = 0.1;
-  double shortest_step_rad = 1e-9;      ///< below it the path has stalled
+  double shortest_step_rad = 1e-9;  ///< below it the path has stalled
+  /// Where the pilot's rate falls, steps get no shorter than this before a limit point was seen.
+  double least_step_by_fall_rad = 0.005;
   double least_tangent_cosine = 0.966;  ///< 15 degrees between the tangents of neighbouring points
   int most_steps = 5000;                ///< from one station to the next
   /// How well the pilot's largest value is known: 6e-8 degrees; 0.001 is asked for.
@@ -105,6 +107,7 @@ class StepControl {
   PathStep not_there(const NewtonReport& report);
   PathStep begin_arc(const NewtonReport& report);
   PathStep go_along(const HalfAngle<double>& last_pilot);
+  double next_along_arc(double tangent_pilot) const;
   PathStep at_limit_point(double rise_rad, const HalfAngle<double>& last_pilot);
   PathStep no_way_on(PathEnd why, const HalfAngle<double>& last_pilot);
   PathStep end(PathEnd end);

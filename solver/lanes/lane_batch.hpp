@@ -23,8 +23,6 @@ class LaneBatch final : public Batch {
         node_follower_(model.mechanism(), model.elimination()),
         follower_(model.mechanism(), model.elimination()),
         approach_follower_(model.mechanism(), model.elimination(), approach_options()),
-        function_recorder_(model, node_follower_, follower_),
-        recorder_(model, follower_),
         single_test_(model, model.tests()),
         double_test_(model, model.tests()),
         beyond_test_(model, model.beyond()) {}
@@ -61,11 +59,12 @@ class LaneBatch final : public Batch {
   }
 
   const std::vector<PathRecord>& measure(const ShiftBlock& block) override {
-    return measure_paths(SheetBlock(model_, block), function_recorder_, recorder_);
+    Recorders& to = recorders();
+    return measure_paths(SheetBlock(model_, block), to.of_functions, to.of_samples);
   }
 
   std::vector<FoldingHistory>& record(const ShiftBlock& block) override {
-    return recorder_.record(SheetBlock(model_, block));
+    return recorders().of_samples.record(SheetBlock(model_, block));
   }
 
   Effort rejection_effort() const override {
@@ -78,13 +77,28 @@ class LaneBatch final : public Batch {
   Effort path_effort() const override {
     Effort effort = judging_.effort();
     effort.add(functions_.effort());
-    effort.add(function_recorder_.effort());
-    effort.add(recorder_.effort());
+    if (recorders_) {
+      effort.add(recorders_->of_functions.effort());
+      effort.add(recorders_->of_samples.effort());
+    }
     return effort;
   }
 
  private:
   static constexpr int kFar = 0, kNear = 1;  // of the model's tests
+
+  // Large, and not needed by those who ask for verdicts alone.
+  struct Recorders {
+    explicit Recorders(LaneBatch& batch)
+        : of_functions(batch.model_, batch.node_follower_, batch.follower_),
+          of_samples(batch.model_, batch.follower_) {}
+    FunctionRecorder<T> of_functions;
+    Recorder<T> of_samples;
+  };
+  Recorders& recorders() {
+    if (!recorders_) recorders_.emplace(*this);
+    return *recorders_;
+  }
 
   // In single precision first, twice as many sheets at once. What a test leaves is packed into full
   // registers for the next.
@@ -144,8 +158,7 @@ class LaneBatch final : public Batch {
   ApproachObserver approach_;
   NodeFollower<T> node_follower_;
   PathFollower<T> follower_, approach_follower_;
-  FunctionRecorder<T> function_recorder_;
-  Recorder<T> recorder_;
+  std::optional<Recorders> recorders_;                      // made when first needed
   std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed
   LaneTest<Single> single_test_;
   LaneTest<T> double_test_, beyond_test_;

@@ -22,13 +22,18 @@ struct Criterion {
   /// widths^2 per radian^2); sample 0: nowhere.
   int stop_sample = 0;
   double least_stop_stiffness = 0;
+  /// Whether verdicts say besides how near the first fault was to not being one, see score.hpp.
+  bool scores = false;
 
   bool asks_for_stop() const { return stop_sample > 0; }
   /// Whether this sample is where the sheet is to stop, and with these slopes would do so too
   /// softly.
   bool finds_soft_stop(int sample, const std::vector<double>& slopes) const {
-    return asks_for_stop() && sample == stop_sample &&
-           stop_stiffness(slopes) < least_stop_stiffness;
+    return asks_for_stop() && sample == stop_sample && stop_part(slopes) < 1;
+  }
+  /// The stop's stiffness as a share of the least.
+  double stop_part(const std::vector<double>& slopes) const {
+    return stop_stiffness(slopes) / least_stop_stiffness;
   }
 };
 

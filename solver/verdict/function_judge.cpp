@@ -21,11 +21,12 @@ constexpr double kStiffnessError = 0.05;
 FunctionJudge::FunctionJudge(const Mechanism& mechanism, const Criterion& criterion)
     : mechanism_(mechanism),
       criterion_(criterion),
-      judge_(mechanism),
+      judge_(mechanism, criterion),
       here_(mechanism),
       again_(mechanism),
       last_(mechanism.diagonals.size()),
       last_errors_(last_),
+      before_last_errors_(last_),
       state_(flat_state<double>(mechanism)) {
   if (criterion.bumps == BumpRule::exact) bumps_.emplace(mechanism);
 }
@@ -43,6 +44,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
   fault_known_ = false;
   last_ = flat_lengths;
   std::fill(last_errors_.begin(), last_errors_.end(), 0.0);
+  std::fill(before_last_errors_.begin(), before_last_errors_.end(), 0.0);
   judge_.begin(flat_lengths);
   if (bumps_) bumps_->begin(flat_lengths);
 }
@@ -52,6 +54,7 @@ Answer FunctionJudge::see(const PathFunction& function) {
   const bool turns = function.turns();
   const double end = function.end(), end_rad = function.pilot(end);
   const double end_error = turns ? function.pilot_error(end) + kLimitError_rad : 0;
+  limit_error_rad_ = end_error;
   const bool clear = function.creases_are_clear();
   if (bumps_) {
     is_sure_ = FunctionBumps::can_look(function);  // otherwise the next piece looks at this one too
@@ -72,6 +75,7 @@ Answer FunctionJudge::see(const PathFunction& function) {
     const Answer answer = judge(station, x, *in_order, function);
     if (answer != Answer::go_on) return answer;
     std::swap(last_, here_.lengths);
+    std::swap(before_last_errors_, last_errors_);
     std::swap(last_errors_, here_.length_errors);
     last_rad_ = pilot_rad;
     rows_.insert(rows_.end(), last_.begin(), last_.end());
@@ -105,6 +109,11 @@ Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_or
     if (!is_decisive()) return unsure();
   }
   fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, here_.lengths);
+  if (fault_known_ && !score_is_certain(x, function)) {
+    judge_.reconsider();
+    fault_known_ = false;
+    return unsure();
+  }
   if (fault_known_) return Answer::enough;
   if (bumps_) {
     const FunctionBumps::Seen seen = bumps_->look_at_sample(x, judge_, function);
@@ -121,7 +130,7 @@ Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_or
     if (!is_stiff) return unsure();
     fault_known_ = !*is_stiff;
     if (fault_known_) {
-      judge_.end(Fault::soft_stop, -1);
+      judge_.end(Fault::soft_stop, -1, criterion_.stop_part(again_.slopes));
       return Answer::enough;
     }
   }
@@ -129,12 +138,30 @@ Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_or
   return Answer::go_on;
 }
 
+// Whether the part by which the sample missed is known well enough for the score, where one is
+// asked for.
+bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
+  if (!criterion_.scores) return true;
+  const bool by_crease =
+      judge_.fault() == Fault::over_folded || judge_.fault() == Fault::assignment_flipped;
+  const double crease_error = by_crease ? function.find_creases(x, state_.creases) : 0;
+  for (std::size_t d = 0; d < last_.size(); ++d) {
+    again_.length_errors[d] =
+        last_errors_[d] + std::max(before_last_errors_[d], here_.length_errors[d]);
+  }
+  return judge_.missed_part(&state_, here_.lengths, &again_.length_errors, crease_error)
+      .is_certain();
+}
+
 // Whether the stop that is asked for is as stiff, if that is certain.
 std::optional<bool> FunctionJudge::find_stop_stiff(double x, const PathFunction& function) {
   function.look(x, again_);
-  const double stiffness = stop_stiffness(again_.slopes), least = criterion_.least_stop_stiffness;
-  if (std::abs(stiffness - least) <= kStiffnessError * least) return std::nullopt;
-  return stiffness > least;
+  const double part = criterion_.stop_part(again_.slopes);
+  if (std::abs(part - 1) <= kStiffnessError) return std::nullopt;
+  LeastPart missed;
+  missed.add(part, kStiffnessError);
+  if (criterion_.scores && part < 1 && !missed.is_certain()) return std::nullopt;
+  return part > 1;
 }
 
 // The last sample again, by polynomials through nodes that came after it.
@@ -175,6 +202,10 @@ bool FunctionJudge::is_decisive() {
 std::optional<Verdict> FunctionJudge::conclude(const PathResult& path) const {
   if (!is_sure_ || (path.lost() && !fault_known_)) return std::nullopt;
   if (std::abs(judge_.least_span() - kInactiveBand_widths) <= kInactiveError_widths) {
+    return std::nullopt;
+  }
+  if (criterion_.scores && judge_.fault() == Fault::none &&
+      !judge_.limit_part(path, limit_error_rad_).is_certain()) {
     return std::nullopt;
   }
   return judge_.conclude(path);

@@ -38,6 +38,7 @@ class FunctionJudge {
                const PathFunction& function);
   std::optional<bool> find_creases(double x, const PathFunction& function);
   bool is_decisive();
+  bool score_is_certain(double x, const PathFunction& function);
   std::optional<bool> find_stop_stiff(double x, const PathFunction& function);
   void know_last_better(const PathFunction& function);
   Answer lost() {
@@ -55,10 +56,10 @@ class FunctionJudge {
   const PathPlan* plan_ = nullptr;
   std::size_t next_ = 0;
   bool is_sure_ = true, fault_known_ = false;
-  double last_rad_ = 0;
+  double last_rad_ = 0, limit_error_rad_ = 0;
   PathEstimate here_, again_;
   int samples_ = 0;
-  std::vector<double> last_, last_errors_, rows_;
+  std::vector<double> last_, last_errors_, before_last_errors_, rows_;
   FoldState<double> state_;
   std::optional<FunctionBumps> bumps_;  // where they are looked for
 };

@@ -14,7 +14,8 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
   last_pilot_rate_ = 0;  // flat: all branches meet there
   fault_ = Fault::none;
   where_ = -1;
-  last_ = least_ = most_ = flat_lengths;
+  missed_part_ = 0;
+  last_ = before_last_ = least_ = most_ = flat_lengths;
   direction_.assign(flat_lengths.size(), 0);
   back_since_deg_.assign(flat_lengths.size(), 0);
   last_slopes_.assign(flat_lengths.size(), 0);  // lengths begin like the square of the angle
@@ -32,7 +33,7 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
       return false;
     }
     if (criterion_.finds_soft_stop(station.sample, *slopes)) {
-      end(Fault::soft_stop, -1);
+      end(Fault::soft_stop, -1, criterion_.stop_part(*slopes));
       return false;
     }
     between_ = between;
@@ -46,8 +47,11 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
 }
 
 bool Judge::is_in_order(const FoldState<double>* state, const std::vector<double>& lengths) {
-  if (fault_ == Fault::none) fault_ = fault_in(state, lengths, where_);
-  return fault_ == Fault::none;
+  if (fault_ != Fault::none) return false;
+  fault_ = fault_in(state, lengths, where_);
+  if (fault_ == Fault::none) return true;
+  if (criterion_.scores) missed_part_ = missed_part(state, lengths).value();
+  return false;
 }
 
 void Judge::take(const Station& station, const std::vector<double>& lengths) {
@@ -55,6 +59,7 @@ void Judge::take(const Station& station, const std::vector<double>& lengths) {
     least_[i] = std::min(least_[i], lengths[i]);
     most_[i] = std::max(most_[i], lengths[i]);
   }
+  std::swap(last_, before_last_);
   last_ = lengths;
   ++samples_in_order_;
   last_pilot_deg_ = station.pilot_deg;
@@ -87,6 +92,55 @@ Fault Judge::fault_in(const FoldState<double>* state, const std::vector<double>&
     }
   }
   return largest_step_back > 0 ? Fault::not_monotone : Fault::none;
+}
+
+LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<double>& lengths,
+                             const std::vector<double>* step_errors, double crease_error) const {
+  LeastPart part;
+  if (samples_in_order_ == 0) {
+    part.add(0);
+    return part;
+  }
+  if (fault_ == Fault::over_folded || fault_ == Fault::assignment_flipped) {
+    for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
+      const HalfAngle<double>& rho = state->creases[i];
+      const double excess = fault_ == Fault::over_folded
+                                ? kLeastCosine - rho.c
+                                : -rho.s * mechanism_.creases[i].assignment;
+      if (excess < 0) continue;
+      part.add(excess_part(excess, sample_rad()), crease_error / std::sin(sample_rad() / 2));
+    }
+    return part;
+  }
+  for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
+    const double step = lengths[i] - last_[i];
+    if (std::abs(step) < kStepBand_widths || !goes_back(i, step)) continue;
+    const double forward = (last_[i] - before_last_[i]) * direction_[i], back = std::abs(step);
+    part.add(turning_part(forward, back),
+             step_errors ? turning_part_error(forward, back, (*step_errors)[i]) : 0);
+  }
+  return part;
+}
+
+// Samples are multiples of it.
+double Judge::sample_rad() const {
+  return last_pilot_deg_ * kRadPerDeg / std::max(samples_in_order_, 1);
+}
+
+int Judge::score(const PathResult& path) const {
+  const double part = fault_ == Fault::none ? limit_part(path).value() : missed_part_;
+  return kScoresPerSample * samples_in_order_ + scores_of(part);
+}
+
+LeastPart Judge::limit_part(const PathResult& path, double error_rad) const {
+  LeastPart part;
+  if (path.end != PathEnd::fold_limit || samples_in_order_ == 0) {
+    part.add(0);
+  } else {
+    part.add((path.fold_limit_deg - last_pilot_deg_) * kRadPerDeg / sample_rad(),
+             error_rad / sample_rad());
+  }
+  return part;
 }
 
 Between Judge::seen_between(const Station& station, const std::vector<double>& lengths,
@@ -141,6 +195,7 @@ Verdict Judge::conclude(const PathResult& path) const {
     }
     if (path.end == PathEnd::fold_limit) verdict.first_fault = Fault::fold_limit;
   }
+  if (criterion_.scores) verdict.score = score(path);
   if (last_pilot_deg_ < kInactiveFrom_deg) return verdict;
   for (int i = 0; i < mechanism_.diagonal_count(); ++i) {
     if (most_[i] - least_[i] < kInactiveBand_widths) {

@@ -7,6 +7,7 @@
 #include "solver/continuation/path.hpp"
 #include "solver/verdict/criterion.hpp"
 #include "solver/verdict/fault.hpp"
+#include "solver/verdict/score.hpp"
 
 namespace misalign::solver {
 
@@ -29,6 +30,9 @@ struct Verdict {
   Fault first_fault = Fault::none;
   int where = -1;  ///< crease (over_folded, assignment_flipped) or diagonal (the others)
   PathEnd path_end = PathEnd::end_reached;  ///< the cause, when undecided
+  /// Where scores are asked for: kScoresPerSample times the samples in order, whether or not a
+  /// diagonal is inactive, and the part by which the fault was missed.
+  int score = kNoScore;
 
   /// The sample that shows the fault; 0 when there is none.
   int fault_sample() const { return first_fault == Fault::none ? 0 : deploys_from_sample + 1; }
@@ -70,15 +74,27 @@ class Judge {
   bool is_in_order(const FoldState<double>* state, const std::vector<double>& lengths);
   void take(const Station& station, const std::vector<double>& lengths);
   /// What was seen before the next sample: a bump, or that it cannot be known; or a soft stop.
-  void end(Fault fault, int where) {
+  void end(Fault fault, int where, double missed_part = 0) {
     fault_ = fault;
     where_ = where;
+    missed_part_ = missed_part;
   }
+  /// The next sample is to be looked at again, better known.
+  void reconsider() { end(Fault::none, -1); }
+  /// The part of a sample by which the next one, which is not in order, missed it (see score.hpp),
+  /// where each diagonal's steps to it and before it, and the creases' sines and cosines are known
+  /// to within these errors.
+  LeastPart missed_part(const FoldState<double>* state, const std::vector<double>& lengths,
+                        const std::vector<double>* step_errors = nullptr,
+                        double crease_error = 0) const;
+  /// The same where the path ends in a fold limit before the next sample; 0 where it does not.
+  LeastPart limit_part(const PathResult& path, double error_rad = 0) const;
   /// The verdict, once the path has ended or `see` has said false.
   Verdict conclude(const PathResult& path) const;
   const Between& between() const { return between_; }
   /// The lengths at the last sample, better known.
   void correct_last(const std::vector<double>& lengths) { last_ = lengths; }
+  Fault fault() const { return fault_; }
   /// Whether this step is against the direction that the diagonal has set.
   bool goes_back(int diagonal, double step) const { return direction_[diagonal] * step < 0; }
   int direction(int diagonal) const { return direction_[diagonal]; }
@@ -87,6 +103,8 @@ class Judge {
 
  private:
   Fault fault_in(const FoldState<double>* state, const std::vector<double>& lengths, int& where);
+  int score(const PathResult& path) const;
+  double sample_rad() const;
   Between seen_between(const Station& station, const std::vector<double>& lengths,
                        const std::vector<double>& slopes, double pilot_rate);
 
@@ -96,7 +114,8 @@ class Judge {
   double last_pilot_deg_ = 0, last_pilot_rate_ = 0;
   Fault fault_ = Fault::none;
   int where_ = -1;
-  std::vector<double> last_, last_slopes_, least_, most_;
+  double missed_part_ = 0;
+  std::vector<double> last_, before_last_, last_slopes_, least_, most_;
   std::vector<double> back_since_deg_;  // of diagonals that go back at the last sample; else 0
   std::vector<int> direction_;
   Between between_;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "search/ranks/coordinator.hpp"
+#include "search/ranks/draw_task.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
@@ -32,9 +33,10 @@ Balance sleep_through_ranges(const MpiSession& mpi, const Speed& speed) {
   double waiting_s = 0;
   for (;;) {
     Stopwatch wait;
-    const schema::DrawRange range = mpi.receive_range();
+    const search::Bytes job = mpi.receive_job();
     waiting_s += wait.seconds();
-    if (range.size() == 0) return balance;
+    if (job.empty()) return balance;
+    const schema::DrawRange range = search::unpack_range(job);
     balance.idle_s += waiting_s;
     const Stopwatch work;
     const auto count = static_cast<double>(range.size());
@@ -45,7 +47,7 @@ Balance sleep_through_ranges(const MpiSession& mpi, const Speed& speed) {
     unit.seconds = work.seconds();
     balance.busy_s += work.seconds();
     const Stopwatch send;
-    mpi.send_unit({unit, false});
+    mpi.send_result(search::pack(search::SentUnit{unit, false}));
     waiting_s = send.seconds();
   }
 }
@@ -68,7 +70,8 @@ int run(const std::string& folder, const Speed& speed, double seconds) {
     const Stopwatch watch;
     search::CoordinatorOptions options;
     options.progress = search::ProgressStyle::none;
-    search::run_coordinator(mpi, heartbeat, evaluator, catalogue, goal, options);
+    search::DrawTask task(evaluator, catalogue, goal, mpi.ranks(), {});
+    search::run_coordinator(mpi, heartbeat, task, options);
     std::printf("%d,%g,%g,%.2f,%llu,%.4f,%.4f", mpi.ranks() - 1, speed.draws_per_s,
                 speed.acceptance, watch.seconds(),
                 static_cast<unsigned long long>(catalogue.cost().commits),

@@ -119,7 +119,8 @@ export async function faults_checks(page, data) {
 export async function carried_check(page, data) {
   await check("whose folding it carries is said", async () => {
     const note = await by(page, "candidates-note").textContent();
-    assert.match(note, new RegExp(` ${data.details.length} draws with all details`));
+    const noun = data.state.ladder ? "sheet" : "draw";
+    assert.match(note, new RegExp(` ${data.details.length} ${noun}s with all details`));
     const { where, diverse } = data.chosen;
     if (where) assert.ok(note.includes(where), note);
     if (diverse) assert.ok(note.includes(`a spread of ${diverse}`), note);

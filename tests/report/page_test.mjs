@@ -49,7 +49,7 @@ async function report_checks(browser, report) {
     colorScheme: "light",
   });
   say(`      loaded in ${load_ms.toFixed(0)} ms`);
-  await figures_check(page, data);
+  if (!data.state.ladder) await figures_check(page, data); // else ladder_test.mjs
   await faults_checks(page, data);
   await survival_check(page, data);
   if (shown > 0) await choosing_checks(page, data);

@@ -36,6 +36,10 @@ TEST(Identity, IsTheHashOfWhatIsNotDefault) {
       {R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
        R"({"accept":{"stop_stiffness_mm2_per_rad2":5.0,"stops_at_deg":60.0}})"},
       {R"({"accept": {"stops_at_deg": null, "stop_stiffness_mm2_per_rad2": null}})", "{}"},
+      {R"({"search": {"method": "plain", "levels_deg": "auto", "particles": 1000}})", "{}"},
+      {R"({"search": {"method": "splitting"}})", R"({"search":{"method":"splitting"}})"},
+      {R"({"search": {"method": "splitting", "levels_deg": [150, 165], "sweeps": 3}})",
+       R"({"search":{"levels_deg":[150.0,165.0,170.0],"method":"splitting","sweeps":3}})"},
       {R"({"seed": 0, "misalignment": {"vertices": "ring", "levels": "uniform"}})",
        R"({"misalignment":{"levels":"uniform","vertices":"ring"},"seed":0})"},
       {R"({"pattern": {"rows": 4, "zigzag_offset_mm": 30}})",
@@ -90,6 +94,11 @@ TEST(Identity, ChangesWithWhatChangesAnAnswer) {
       R"({"accept": {"between_samples": "exact"}})",
       R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
       R"({"path": {"sample_deg": 2}})",
+      R"({"search": {"method": "splitting"}})",
+      R"({"search": {"method": "splitting", "particles": 999}})",
+      R"({"search": {"method": "splitting", "sweeps": 9}})",
+      R"({"search": {"method": "splitting", "first_draws": 9}})",
+      R"({"search": {"method": "splitting", "levels_deg": [150]}})",
       R"({"path": {"end_deg": 175}})",
       R"({"pattern": {"holes": "checkerboard-even"}})",
       R"({"pattern": {"rows": 4}})",
@@ -105,6 +114,43 @@ TEST(Identity, ChangesWithWhatChangesAnAnswer) {
   }
 }
 
+// With the threshold there are 256 at most.
+TEST(Search, LevelsAreCountedWithTheThreshold) {
+  std::vector<double> levels_deg;
+  for (int k = 0; k < 256; ++k) levels_deg.push_back(100 + 0.25 * k);  // the last at 163.75
+  const auto of = [&] {
+    Json value = with("{}");
+    value["search"] = {{"method", "splitting"}, {"levels_deg", levels_deg}};
+    return read(value);
+  };
+  EXPECT_THROW(of(), UserError);
+  levels_deg.pop_back();
+  EXPECT_EQ(of().splitting->levels_deg.size(), 256u);
+}
+
+// All faults of a splitting search at once.
+TEST(Search, WhatCannotBeIsSaid) {
+  constexpr std::pair<const char*, const char*> kSaid[] = {
+      {R"({"levels_deg": [160, 160]})", "does not lie above 160"},
+      {R"({"levels_deg": [160, 150]})", "does not lie above 160"},
+      {R"({"levels_deg": [160, 160.0001]})", "does not lie above 160"},
+      {R"({"levels_deg": [160, 171]})", "lies above accept.deploys_from_deg = 170"},
+      {R"({"particles": 1})", "must be at least 2"},
+      {R"({"particles": 1000000, "sweeps": 100})", "more than a population has numbers for"},
+      {R"({"method": "plain"})", "has no levels, particles, sweeps or first draws"}};
+  for (const auto& [search, said] : kSaid) {
+    Json value = with("{}");
+    value["search"] = {{"method", "splitting"}, {"sweeps", 9u}};
+    value["search"].update(Json::parse(search));
+    try {
+      read(value);
+      ADD_FAILURE() << search;
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
   const char* const kCampaigns[] = {
       "{}",
@@ -114,6 +160,8 @@ TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
       R"({"misalignment": {"vertices": ["A41", "A1", "A17"], "levels": "uniform"}})",
       R"({"path": {"sample_deg": 0.3, "end_deg": 150}, "accept": {"deploys_from_deg": 120.3}})",
       R"({"stop": {"draws": null, "accepted": 3, "wall_s": 0.5}})",
+      R"({"search": {"method": "splitting", "levels_deg": [150.5, 165]},
+          "stop": {"populations": null}})",
       R"({"accept": {"between_samples": true}})",
       R"({"accept": {"between_samples": "exact"}})",
       R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",

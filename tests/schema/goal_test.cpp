@@ -1,13 +1,17 @@
-// Where a goal ends: the first granule that meets it, whatever the order in which units come.
+// Where a goal ends: the first granule that meets it, or the first twenty populations, whatever the
+// order in which units come.
 #include "schema/campaign/goal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
 #include "schema/campaign/share_interval.hpp"
+#include "schema/campaign/split_rate.hpp"
+#include "schema/campaign/splitting.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -100,6 +104,151 @@ TEST(GoalEnd, RelativeErrorNeedsAsManyAsThePoissonLawSays) {
   }
   EXPECT_NEAR(static_cast<double>(accepted), 1.96 * 1.96 / 0.01, 12);
   EXPECT_EQ(end.value(), accepted * kGoalGranule);
+}
+
+// ---- Of populations ----
+
+using Shares = std::vector<double>;
+
+constexpr std::uint64_t kPopulation = kNumbersOfPopulation;
+
+Goal goal_of_populations(double relative_error) {
+  Goal goal;
+  goal.of_populations = true;
+  goal.relative_error = relative_error;
+  return goal;
+}
+
+DrawRange numbers_of_one(std::uint64_t population) {
+  return numbers_of({population, population + 1});
+}
+
+void add_all(const Shares& shares, GoalEnd& end) {
+  for (std::size_t k = 0; k < shares.size(); ++k) end.add_population(numbers_of_one(k), shares[k]);
+}
+
+bool is_known(const Goal& goal, const Shares& all, std::size_t first, std::size_t count) {
+  const auto from = all.begin() + static_cast<std::ptrdiff_t>(first);
+  const SplitRate rate = split_rate({from, from + static_cast<std::ptrdiff_t>(count)});
+  return has_converged(rate) && *rate.relative_half_width() <= *goal.relative_error;
+}
+
+// The definition, looked up at every multiple: of populations `first` to `prefix_end` - 1 none is
+// missing.
+std::uint64_t end_of_populations(const Goal& goal, const Shares& all, std::size_t first,
+                                 std::size_t prefix_end) {
+  for (std::size_t n = 20; goal.relative_error && first + n <= prefix_end; n += 20) {
+    if (is_known(goal, all, first, n))
+      return std::min((first + n) * kPopulation, goal.planned_end());
+  }
+  return goal.planned_end();
+}
+
+TEST(GoalEnd, OfPopulationsIsTheFirstMultipleInAnyOrder) {
+  const unsigned seed = 12;
+  std::mt19937_64 random(seed);
+  int met = 0, later = 0;
+  for (int round = 0; round < 120; ++round) {
+    // Some die, the others' shares have a long tail.
+    std::bernoulli_distribution dies(0.1 * static_cast<double>(round % 8));
+    std::lognormal_distribution<double> share(-9, 0.1 + 0.1 * static_cast<double>(round % 10));
+    Shares all(130);
+    for (double& one : all) one = dies(random) ? 0 : std::min(1.0, share(random));
+    Goal goal = goal_of_populations(0.05 + 0.01 * static_cast<double>(random() % 60));
+    const std::size_t first = round % 2 ? random() % 9 : 0;
+    goal.range.lo = first * kPopulation;
+    if (round % 5 == 0) goal.draws = 50 * kPopulation;
+    std::vector<std::size_t> order(all.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::shuffle(order.begin(), order.end(), random);
+    GoalEnd end(goal);
+    std::set<std::size_t> done;
+    std::size_t prefix_end = first;
+    for (const std::size_t population : order) {
+      end.add_population(numbers_of_one(population), all[population]);
+      done.insert(population);
+      while (done.contains(prefix_end)) ++prefix_end;
+      ASSERT_EQ(end.value(), end_of_populations(goal, all, first, prefix_end))
+          << "seed " << seed << ", round " << round << ", prefix " << prefix_end;
+    }
+    met += end.value() < goal.planned_end();
+    later += end.value() < goal.planned_end() && end.value() > goal.range.lo + 20 * kPopulation;
+  }
+  EXPECT_GT(met, 40);
+  EXPECT_GT(later, 15);
+}
+
+// Twenty equal shares are an interval without width.
+TEST(GoalEnd, OnePopulationThatIsMissingHoldsItBack) {
+  GoalEnd end(goal_of_populations(0.1));
+  for (std::uint64_t population = 0; population < 45; ++population) {
+    if (population != 3) end.add_population(numbers_of_one(population), 0.25);
+    EXPECT_EQ(end.value(), kEndOfDraws) << population;
+  }
+  end.add_population(numbers_of_one(3), 0.25);
+  EXPECT_EQ(end.value(), 20 * kPopulation);
+  end.add_population(numbers_of_one(45), 0);
+  EXPECT_EQ(end.value(), 20 * kPopulation);
+}
+
+// A rate that one population makes up is none; three more such ones make it one, from 23
+// populations on, but nobody looks before there are 40.
+TEST(GoalEnd, PopulationsAreLookedAtByTwenties) {
+  const Goal goal = goal_of_populations(10);
+  Shares all(39, 0.01);
+  for (const std::size_t k : {0, 20, 21, 22}) all[k] = 0.9;
+  EXPECT_FALSE(is_known(goal, all, 0, 20));
+  for (std::size_t n = 23; n < 40; ++n) EXPECT_TRUE(is_known(goal, all, 0, n)) << n;
+  GoalEnd end(goal);
+  add_all(all, end);
+  EXPECT_EQ(end.value(), kEndOfDraws);
+  end.add_population(numbers_of_one(39), 0.01);
+  EXPECT_EQ(end.value(), 40 * kPopulation);
+}
+
+// Half the interval over the mean, on both sides of what was wanted. Where all but a few died the
+// rate is not believed, however wide a rate is wanted.
+TEST(GoalEnd, PopulationsEndWhereTheRateIsNarrowEnough) {
+  Shares all(20, 0.001);
+  for (std::size_t k = 0; k < 10; ++k) all[k] = 0.003;
+  const double width = *split_rate(all).relative_half_width();
+  EXPECT_NEAR(width, 2.093 * 0.5 / std::sqrt(19), 0.02);  // Student's of 19, no skewness
+  for (const double wanted : {width * 0.999, width * 1.001}) {
+    GoalEnd end(goal_of_populations(wanted));
+    add_all(all, end);
+    EXPECT_EQ(end.value(), wanted < width ? kEndOfDraws : 20 * kPopulation) << wanted;
+  }
+  Shares few(60, 0);
+  for (std::size_t k = 0; k < 9; ++k) few[k] = 0.001;
+  GoalEnd of_few(goal_of_populations(100));
+  add_all(few, of_few);
+  EXPECT_EQ(of_few.value(), kEndOfDraws);
+}
+
+// A goal of so many populations, with a rate or without; what populations met is no goal.
+TEST(GoalEnd, PopulationsAreCounted) {
+  const Shares all(60, 0.25);
+  Goal goal;
+  goal.of_populations = true;
+  goal.range = {5 * kPopulation, 900 * kPopulation};
+  goal.draws = 30 * kPopulation;
+  for (const std::optional<double> error : {std::optional<double>(), std::optional(0.1)}) {
+    for (const std::optional<std::uint64_t> accepted :
+         {std::optional<std::uint64_t>(), std::optional<std::uint64_t>(0)}) {
+      goal.relative_error = error;
+      goal.accepted = accepted;
+      GoalEnd end(goal);
+      EXPECT_EQ(end.value(), 35 * kPopulation);
+      add_all(all, end);
+      EXPECT_EQ(end.value(), (error ? 25 : 35) * kPopulation);
+    }
+  }
+  goal.relative_error.reset();
+  goal.accepted = 1;
+  goal.draws = 2000 * kPopulation;
+  GoalEnd end(goal);
+  add_all(all, end);
+  EXPECT_EQ(end.value(), 900 * kPopulation);
 }
 
 }  // namespace

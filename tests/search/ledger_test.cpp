@@ -1,4 +1,4 @@
-#include "search/ranks/ledger.hpp"
+#include "search/draws/ledger.hpp"
 
 #include <gtest/gtest.h>
 

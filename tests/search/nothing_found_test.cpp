@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "schema/campaign/climb_cost.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/duration.hpp"
 
@@ -49,6 +50,40 @@ TEST(NothingFound, SaysFromWhereDrawsSurviveAndHowRareTheOthersAre) {
   }
   EXPECT_EQ(text.find("one in a thousand from"), std::string::npos) << text;  // one row is too few
   for (const char* part : {"nan", "inf"}) EXPECT_EQ(text.find(part), std::string::npos) << text;
+}
+
+// One share in the middle of every step: 0.5 % of the first draws, then five times fewer a level.
+TEST(NothingFound, SplittingCostsALevelForEveryFactorOfFive) {
+  schema::Splitting keys;
+  keys.particles = 1000;
+  keys.sweeps = 10;
+  keys.first_draws = 100000;
+  for (const auto& [share, levels] :
+       {std::pair{0.9, 1.0}, {0.005, 1.0}, {0.0011, 2.0}, {0.00021, 3.0}, {0.005 / 3124, 6.0}}) {
+    const schema::ClimbCost cost = schema::climb_cost(keys, share);
+    EXPECT_EQ(cost.levels, levels) << share;
+    EXPECT_EQ(cost.moves, levels * 10000) << share;
+    EXPECT_EQ(cost.draws, 100000 + schema::kDrawsOfMove * cost.moves) << share;
+  }
+}
+
+// Splitting is advised where plain draws would take longer than a population, and only there.
+TEST(NothingFound, AdvisesSplittingWhereItIsCheaper) {
+  schema::CatalogueState state = nothing_in(1024000);
+  const auto at = [&](double threshold_deg) {
+    state.threshold_deg = threshold_deg;
+    const schema::Json json = survival_json(made_up(), state);
+    const std::string text = all_of(nothing_found(made_up(), state));
+    EXPECT_EQ(text.find("splitting") != std::string::npos, json["splitting_population"].is_object())
+        << text;
+    if (json["splitting_population"].is_object()) {
+      EXPECT_LT(json["splitting_population"]["worth_draws"],
+                1 / json["guess_at_threshold"]["rate"].get<double>());
+    }
+    return json["splitting_population"].is_object();
+  };
+  EXPECT_FALSE(at(132)) << survival_json(made_up(), state);
+  EXPECT_TRUE(at(180));
 }
 
 // A threshold below the stop that is asked for cannot be advised.

@@ -64,6 +64,29 @@ TEST(ProgressText, WhatIsNotKnownIsNotSaid) {
   EXPECT_TRUE(schema::Json::parse(json_line(none))["rate"].is_null());
 }
 
+// Of populations: their number, and what is under way; no share of accepted ones.
+TEST(ProgressText, CountsPopulations) {
+  ProgressReport climbing = report(3, 97);
+  climbing.counts.of = "populations";
+  climbing.counts.under_way = "population 3 at level 2 of 10";
+  climbing.counts.standing.accepted = 5463;
+  const std::string bar = bar_line(climbing, 200), plain = plain_line(climbing);
+  for (const char* part :
+       {"3 of 100 populations", "population 3 at level 2 of 10", "best 172 deg", "left"}) {
+    EXPECT_TRUE(holds(plain, part)) << part << " is not in: " << plain;
+    EXPECT_TRUE(holds(bar, part)) << part << " is not in: " << bar;
+  }
+  for (const std::string& line : {bar, plain}) {
+    EXPECT_FALSE(holds(line, "draws")) << line;
+    EXPECT_EQ(line.find("accepted ("), std::string::npos) << line;
+  }
+  const schema::Json json = schema::Json::parse(json_line(climbing));
+  EXPECT_EQ(json["populations"], 3);
+  EXPECT_EQ(json["populations_left"], 97);
+  EXPECT_EQ(json["under_way"], climbing.counts.under_way);
+  EXPECT_FALSE(json.contains("draws") || json.contains("rate"));
+}
+
 TEST(ProgressText, TheBarFitsAnyWidth) {
   const ProgressReport now = report(12345678, 87654322);
   std::size_t last = 0;

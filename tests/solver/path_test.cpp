@@ -133,6 +133,27 @@ TEST(Path, StaysOnItsBranchWhereAnotherPassesCloseBy) {
   EXPECT_EQ(history.path.end, PathEnd::fold_limit);
 }
 
+// The pilot turns at 176.836 and 176.591 degrees, and a little farther along the curve turns again
+// and goes on (draws 271361 and 370864 of miura-4x4, seed 1): steps of a degree must not leap over
+// both limit points. Short steps do not.
+TEST(Path, TurnsWhereItWouldSoonTurnAgain) {
+  const TestSheet sheet(4, 4);
+  for (const char* displacements_mm :
+       {R"({"A12": [0.4, 0.0], "A13": [0.0, -0.4], "A14": [-0.4, -0.4], "A17": [0.4, -0.4],
+            "A18": [0.0, -0.4], "A19": [-0.4, 0.0], "A7": [0.4, -0.4]})",
+        R"({"A12": [0.4, 0.0], "A13": [-0.4, 0.4], "A14": [0.4, 0.4], "A17": [0.4, 0.0],
+            "A18": [0.4, -0.4], "A19": [0.4, 0.0], "A7": [0.4, -0.4]})"}) {
+    const FlatVertices vertices = sheet.shifted(Json::parse(displacements_mm));
+    PathPlanOptions short_steps;
+    short_steps.sample_deg = 0.05;
+    const PathResult fine = sheet.history(vertices, short_steps).path;
+    const PathResult coarse = sheet.history(vertices).path;
+    EXPECT_EQ(fine.end, PathEnd::fold_limit);
+    EXPECT_EQ(coarse.end, PathEnd::fold_limit);
+    EXPECT_NEAR(coarse.fold_limit_deg, fine.fold_limit_deg, 1e-6);
+  }
+}
+
 TEST(Path, EndAskedForIsTheLimitReported) {
   const TestSheet sheet(6, 6);
   PathPlanOptions short_path;

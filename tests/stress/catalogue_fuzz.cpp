@@ -16,9 +16,11 @@
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/verbs/choice.hpp"
 #include "tests/folder.hpp"
+#include "tests/search/climb_on.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
 
 namespace misalign::stress {
@@ -31,6 +33,7 @@ enum Outcome { unreadable, contradictory, not_joined, joined };
 
 const RunInfo kRun{"host", "0", "none", "g++", "-O2", "golden", 1};
 constexpr DrawRange kUnitToAdd{5000, 5005};
+constexpr int kMostBlocks = 1000;  // of a climb: many more than there are
 
 /// One campaign: intact catalogues of it, of which the first is the one to join others with.
 struct Subject {
@@ -39,6 +42,9 @@ struct Subject {
   DrawEvaluator evaluator;
   std::vector<std::string> intact = {};  // bytes
   UnitRecord unit_to_add = search::work_off(evaluator, kUnitToAdd);
+  bool is_of(const Campaign& campaign) const {
+    return identity(campaign) == identity(evaluator.campaign());
+  }
 };
 
 // Short paths, of which a third deploys.
@@ -71,6 +77,16 @@ std::string new_catalogue(DrawEvaluator& evaluator, const Folder& folder,
   return bytes;
 }
 
+// Of a splitting search: so many blocks of three populations, of five each.
+std::string new_climb(search::Climber& climber, const DrawEvaluator& evaluator,
+                      const Folder& folder, int blocks) {
+  const std::string path = folder.file("new.db");
+  search::climb_on(path, climber, evaluator.mechanism(), kRun, 3, blocks);
+  std::string bytes = bytes_of(path);
+  folder.clear();
+  return bytes;
+}
+
 class Reader {
  public:
   Reader() : old_(read_campaign_of(*open_for_reading(fixture(1)), "")), new_(quick_campaign()) {
@@ -80,18 +96,24 @@ class Reader {
     new_.intact.push_back(
         new_catalogue(new_.evaluator, folder_, {{0, 20}, {20, 50}, {1000, 1030}}));
     new_.intact.push_back(in_small_pages(new_.intact.back()));
+    for (const int blocks : {5, 13}) {
+      split_.intact.push_back(new_climb(climber_, split_.evaluator, folder_, blocks));
+    }
   }
 
   std::vector<std::string> corpus() const {
     std::vector<std::string> all = old_.intact;
-    all.insert(all.end(), new_.intact.begin(), new_.intact.end());
+    for (const Subject* subject : {&new_, &split_}) {
+      all.insert(all.end(), subject->intact.begin(), subject->intact.end());
+    }
     return all;
   }
 
   Outcome read(const std::string& bytes) {
     folder_.clear();
     const std::string path = folder_.file("a.db", bytes);
-    bool is_good = false, is_new = false;
+    bool is_good = false;
+    Subject* subject = &old_;
     const bool is_read = ends([&] {
       const auto database = open_for_reading(path);
       query(*database);
@@ -100,8 +122,14 @@ class Reader {
       if (is_plain != std::filesystem::exists(plain)) found("a plain export by halves");
       const CatalogueState state = read_state(*database);
       search::status_json(state).dump();
+      if (state.ladder && !state.ladder->levels.empty()) {
+        const std::string sql = search::ladder_sql(*state.ladder);
+        check_shown(query_table(*database, sql, TableStyle::aligned), std::string::npos);
+      }
       const Campaign campaign = read_campaign_of(*database, path);
-      is_new = identity(campaign) == identity(new_.evaluator.campaign());
+      for (Subject* one : {&new_, &split_}) {
+        if (one->is_of(campaign)) subject = one;
+      }
       const auto deploying =
           search::deploying_from(*database, state, campaign, campaign.threshold_deg);
       check_shown(search::status_text(state, deploying, search::Paint(false)));
@@ -115,10 +143,9 @@ class Reader {
       check_shown(search::verification_text(verification));
       search::verification_json(verification).dump();
     });
-    Subject& subject = is_new ? new_ : old_;
     const bool is_joined = join({path});
-    join({path, folder_.file("b.db", subject.intact.front())});
-    write_on(folder_.file("c.db", bytes), subject, is_good);
+    join({path, folder_.file("b.db", subject->intact.front())});
+    write_on(folder_.file("c.db", bytes), *subject, is_good);
     if (!is_read) return unreadable;
     return !is_good ? contradictory : is_joined ? joined : not_joined;
   }
@@ -155,9 +182,9 @@ class Reader {
   // Everything that people ask for, each on its own.
   static void query(SQLite::Database& database) {
     static const std::vector<std::string> kRelations = {
-        "campaign",   "run",       "unit",       "screened",      "fault_sample",
-        "undecided",  "candidate", "candidates", "displacements", "diagonals",
-        "acceptance", "faults",    "gaps"};
+        "campaign",  "run",        "unit",          "screened",  "fault_sample", "undecided",
+        "candidate", "candidates", "displacements", "diagonals", "acceptance",   "faults",
+        "gaps",      "level",      "population",    "sheet",     "piece",        "ladder"};
     const auto ask = [&](const std::string& sql) {
       for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
         ends([&] {
@@ -190,8 +217,12 @@ class Reader {
   }
 
   // A run that resumes: it settles what is undecided, adds a unit, and ends.
-  static void write_on(const std::string& path, Subject& subject, bool is_good) {
+  void write_on(const std::string& path, Subject& subject, bool is_good) {
     const bool is_written = ends([&] {
+      if (&subject == &split_) {
+        search::climb_on(path, climber_, split_.evaluator.mechanism(), kRun, 3, kMostBlocks);
+        return;
+      }
       Catalogue catalogue(path, subject.evaluator.campaign(), subject.evaluator.mechanism());
       catalogue.done();
       catalogue.begin_run(kRun, {{0, 6000}, {}, 100, 0.2}, Builds::mixed);
@@ -208,7 +239,8 @@ class Reader {
   }
 
   const Folder folder_{"catalogue_fuzz"};
-  Subject old_, new_;
+  Subject old_, new_, split_{search::quick_climb()};
+  search::Climber climber_{split_.evaluator.campaign(), search::widest_set()};
 };
 
 }  // namespace

@@ -262,14 +262,16 @@ class CatalogueMutator {
   }
 
   static std::string some_sql(MemoryDatabase& database, Dice& dice) {
-    static constexpr const char* kTables[] = {"campaign",     "run",       "unit",     "screened",
-                                              "fault_sample", "undecided", "candidate"};
+    static constexpr const char* kTables[] = {"campaign",     "run",       "unit",      "screened",
+                                              "fault_sample", "undecided", "candidate", "level",
+                                              "population",   "sheet",     "piece"};
     const std::string table = dice.one_of(kTables);
     const auto columns = database.texts("SELECT name FROM pragma_table_info('" + table + "')");
     const std::string column =
         columns.empty() ? "x" : "\"" + columns[dice.below(columns.size())] + "\"";
+    const std::string key = table == "population" || table == "piece" ? "level" : "rowid";
     const std::string some_rows =
-        dice.below(3) == 0 ? "" : " WHERE rowid % 3 = " + std::to_string(dice.below(3));
+        dice.below(3) == 0 ? "" : " WHERE " + key + " % 3 = " + std::to_string(dice.below(3));
     const std::string number = std::to_string(some_number(dice));
     switch (dice.below(11)) {
       case 0:

@@ -20,7 +20,7 @@ deepest="the deepest seen $(nth 1) deg"
 "$program" query ten.db best > best.txt 2> /dev/null || fail "query best"
 for file in err status.txt best.txt; do
   for words in "below 7.5e-05 (3/n, 95 %)" "more than 13333 draws" "$half" "$tenth" "$deepest" "a guess" \
-               "accept.deploys_from_deg = " "amplitude_mm"; do
+               "accept.deploys_from_deg = " "amplitude_mm" "splitting climbs"; do
     grep -qF "$words" "$file" || fail "$file does not say: $words"
   done
 done

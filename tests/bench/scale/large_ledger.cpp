@@ -11,7 +11,7 @@
 
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/ranks/ledger.hpp"
+#include "search/draws/ledger.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"
 

@@ -21,6 +21,8 @@ class Ledger {
 
   /// The lowest open draws, at most `most` (>= 1) of them, now given out; none if nothing is open.
   std::optional<DrawRange> take(std::uint64_t most);
+  /// These draws, now given out; false if they are not all open.
+  bool take(const DrawRange& range);
   /// A range that was given out has come back done up to `done_to`; the rest is open again.
   void finish(const DrawRange& taken, std::uint64_t done_to);
   /// The goal ends here now: draws from `end` on are wanted no more, open or given out.

@@ -1,4 +1,4 @@
-#include "search/ranks/ledger.hpp"
+#include "search/draws/ledger.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -28,6 +28,21 @@ std::optional<DrawRange> Ledger::take(std::uint64_t most) {
   draws_given_out_ += taken.size();
   given_out_.insert(taken.lo);
   return taken;
+}
+
+bool Ledger::take(const DrawRange& range) {
+  auto at = open_.upper_bound(range.lo);
+  if (at == open_.begin() || range.lo >= range.hi) return false;
+  --at;
+  const DrawRange whole{at->first, at->second};
+  if (range.hi > whole.hi) return false;
+  open_.erase(at);
+  open_draws_ -= whole.size();
+  open({whole.lo, range.lo});
+  open({range.hi, whole.hi});
+  draws_given_out_ += range.size();
+  given_out_.insert(range.lo);
+  return true;
 }
 
 void Ledger::finish(const DrawRange& taken, std::uint64_t done_to) {

@@ -1,0 +1,118 @@
+#include "schema/campaign/splitting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/verdict/score.hpp"
+
+namespace misalign::schema {
+namespace {
+
+constexpr const char* kFormsOfLevels =
+    "write \"auto\", or angles in ascending order like [150, 165, 175]";
+
+void read_named_levels(ObjectReader& reader, double threshold_deg, double sample_deg,
+                       std::vector<double>& levels_deg) {
+  const Json* value = reader.find("levels_deg");
+  if (!value || *value == "auto") return;
+  InputFaults& faults = reader.faults();
+  const bool is_list =
+      value->is_array() && !value->empty() && value->size() <= kMostLevels &&
+      std::ranges::all_of(*value, [](const Json& level) { return level.is_number(); });
+  if (!is_list) {
+    faults.add(reader.shown("levels_deg"),
+               "is no list of up to " + std::to_string(kMostLevels) + " angles", kFormsOfLevels);
+    return;
+  }
+  double last_deg = 0;
+  for (const Json& level : *value) {
+    const double level_deg = level.get<double>();
+    // Whole scores, of which there are many in a sample.
+    const double least_deg = last_deg + sample_deg / solver::kScoresPerSample;
+    if (!(level_deg >= least_deg) || level_deg > threshold_deg) {
+      faults.add(reader.name("levels_deg") + " has " + level.dump(),
+                 level_deg > threshold_deg
+                     ? "lies above accept.deploys_from_deg = " + shown_number(threshold_deg)
+                     : "does not lie above " + shown_number(last_deg),
+                 kFormsOfLevels);
+      return;
+    }
+    last_deg = level_deg;
+    levels_deg.push_back(level_deg);
+  }
+  if (last_deg < threshold_deg) levels_deg.push_back(threshold_deg);
+  if (levels_deg.size() > kMostLevels) {
+    faults.add(
+        reader.shown("levels_deg"),
+        "is, with the threshold, no list of up to " + std::to_string(kMostLevels) + " angles",
+        kFormsOfLevels);
+  }
+}
+
+void read_count(ObjectReader& reader, const char* key, std::uint32_t& into, std::uint64_t least,
+                std::uint64_t most) {
+  std::uint64_t count = into;
+  const std::size_t before = reader.faults().count();
+  reader.whole(key, count, most, "try " + std::to_string(into));
+  if (reader.faults().count() == before && count < least) {
+    reader.faults().add(reader.shown(key), "must be at least " + std::to_string(least),
+                        "try " + std::to_string(into));
+  }
+  into = static_cast<std::uint32_t>(count);
+}
+
+}  // namespace
+
+std::vector<int> named_scores(const Splitting& splitting, double sample_deg) {
+  std::vector<int> scores;
+  const double scores_per_deg = solver::kScoresPerSample / sample_deg;
+  for (const double level_deg : splitting.levels_deg) {
+    scores.push_back(static_cast<int>(std::lround(level_deg * scores_per_deg)));
+  }
+  return scores;
+}
+
+std::optional<Splitting> read_search(ObjectReader reader, double threshold_deg, double sample_deg) {
+  InputFaults& faults = reader.faults();
+  const std::size_t before = faults.count();
+  std::string method = "plain";
+  Splitting splitting;
+  reader.text("method", method, "write \"plain\" or \"splitting\"");
+  if (method != "plain" && method != "splitting") {
+    faults.add(reader.shown("method"), "is no way to search", "write \"plain\" or \"splitting\"");
+  }
+  read_named_levels(reader, threshold_deg, sample_deg, splitting.levels_deg);
+  read_count(reader, "particles", splitting.particles, 2, kMostParticles);
+  read_count(reader, "sweeps", splitting.sweeps, 1, kMostSweeps);
+  read_count(reader, "first_draws", splitting.first_draws, 2, kMostFirstDraws);
+  reader.refuse_unknown_keys();
+  if (faults.count() > before) return std::nullopt;
+  const std::uint64_t numbers =
+      splitting.first_draws + kMostLevels * splitting.sweeps * std::uint64_t{splitting.particles};
+  if (numbers > kNumbersOfPopulation) {
+    faults.add(fmt::format("{} times {}", reader.shown("particles"), reader.shown("sweeps")),
+               fmt::format("is more than a population has numbers for, {}",
+                           (kNumbersOfPopulation - splitting.first_draws) / kMostLevels),
+               "take more populations of fewer particles");
+  }
+  if (method == "splitting") return splitting;
+  if (splitting != Splitting{}) {
+    faults.add(reader.name("method") + " = \"plain\"",
+               "has no levels, particles, sweeps or first draws",
+               "write \"splitting\", or take those out");
+  }
+  return std::nullopt;
+}
+
+Json search_json(const std::optional<Splitting>& splitting) {
+  const Splitting shown = splitting.value_or(Splitting{});
+  return {{"method", splitting ? "splitting" : "plain"},
+          {"levels_deg", shown.levels_deg.empty() ? Json("auto") : Json(shown.levels_deg)},
+          {"particles", shown.particles},
+          {"sweeps", shown.sweeps},
+          {"first_draws", shown.first_draws}};
+}
+
+}  // namespace misalign::schema

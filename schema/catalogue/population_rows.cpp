@@ -1,0 +1,263 @@
+#include "schema/catalogue/population_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/since.hpp"
+#include "solver/verdict/score.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// A level's angle is stored rounded.
+constexpr double kAngleRounding = 1e-12;
+
+double angle_of(double score, double sample_deg) {
+  return score * sample_deg / solver::kScoresPerSample;
+}
+
+// Whether a row of a population can follow those before it: the table's checks, at which SQLite
+// looks only when it writes, and what a population's way is. Columns as in read_population.
+bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
+  const auto number = [&](int column) { return row.getColumn(column).getInt64(); };
+  const std::int64_t particles = number(1), survivors = number(2), ancestors = number(3);
+  const std::int64_t tried = number(4), taken = number(5), undecided = number(6);
+  const std::int64_t most = std::max(kMostFirstDraws, kMostParticles);
+  const std::int64_t most_ancestors = before.empty() ? survivors : before.back().ancestors;
+  const double seconds = row.getColumn(8).getDouble();
+  return number(0) == stored(before.size()) && (before.empty() || before.back().survivors > 0) &&
+         particles > 0 && particles <= most && survivors >= 0 && survivors <= particles &&
+         ancestors >= 0 && ancestors <= std::min(survivors, most_ancestors) &&
+         (ancestors > 0) == (survivors > 0) && tried >= 0 && taken >= 0 && taken <= tried &&
+         undecided >= 0 && undecided <= tried - taken && number(7) >= 0 && seconds >= 0 &&
+         std::isfinite(seconds);
+}
+
+// Takes the rows of candidates away that `statement` selects, with their yields.
+void drop(SQLite::Database& database, SQLite::Statement statement) {
+  struct Row {
+    std::int64_t draw, unit;
+    int sample;
+    std::string sheet;
+  };
+  std::vector<Row> rows;
+  while (statement.executeStep()) {
+    rows.push_back({statement.getColumn(0).getInt64(), statement.getColumn(1).getInt64(),
+                    statement.getColumn(2).getInt(), statement.getColumn(3).getString()});
+  }
+  statement.reset();
+  SQLite::Statement part(database, "SELECT digest_part FROM unit WHERE lo = ?");
+  SQLite::Statement update(database,
+                           "UPDATE unit SET accepted = accepted - 1, rejected = rejected + 1, "
+                           "digest_part = ? WHERE lo = ?");
+  SQLite::Statement yields(database, "DELETE FROM yield WHERE draw = ?");
+  SQLite::Statement sheet(database, "DELETE FROM sheet WHERE draw = ?");
+  SQLite::Statement candidate(database, "DELETE FROM candidate WHERE draw = ?");
+  for (const Row& row : rows) {
+    part.reset();
+    part.bind(1, row.unit);
+    if (!part.executeStep() || part.getColumn(0).getBytes() != 16) continue;  // a damaged file
+    CandidateSum sum =
+        CandidateSum::from_bytes(static_cast<const unsigned char*>(part.getColumn(0).getBlob()));
+    CandidateSum one;
+    one.add(static_cast<std::uint64_t>(row.draw), row.sample, row.sheet);
+    sum.subtract(one);
+    update.reset();
+    const auto bytes = sum.bytes();
+    update.bind(1, bytes.data(), static_cast<int>(bytes.size()));
+    update.bind(2, row.unit);
+    update.exec();
+    for (SQLite::Statement* remove : {&yields, &sheet, &candidate}) {
+      remove->reset();
+      remove->bind(1, row.draw);
+      remove->exec();
+    }
+  }
+}
+
+}  // namespace
+
+double share_reaching(std::uint32_t level, const std::vector<LevelCount>& levels) {
+  double share = 1;
+  for (std::uint32_t k = 0; k < level; ++k) {
+    if (k >= levels.size()) return 0;
+    share *= static_cast<double>(levels[k].survivors) / levels[k].particles;
+  }
+  return share;
+}
+
+std::vector<int> read_levels(SQLite::Database& database) {
+  return reading(database, [&] {
+    std::vector<int> scores;
+    if (version_of(database) < kSplittingSince) return scores;
+    SQLite::Statement rows(
+        database,
+        "SELECT number, score, deploys_from_deg, sample_deg, round(threshold_deg / sample_deg) "
+        "FROM level, (SELECT json_extract(configuration, '$.path.sample_deg') AS sample_deg, "
+        "json_extract(configuration, '$.accept.deploys_from_deg') AS threshold_deg FROM campaign) "
+        "ORDER BY number");
+    std::int64_t last = 0;
+    while (rows.executeStep()) {
+      const std::int64_t number = rows.getColumn(0).getInt64(),
+                         score = rows.getColumn(1).getInt64();
+      const double angle_deg = rows.getColumn(2).getDouble();
+      const double expected_deg =
+          angle_of(static_cast<double>(score), rows.getColumn(3).getDouble());
+      last = static_cast<std::int64_t>(rows.getColumn(4).getInt()) * solver::kScoresPerSample;
+      const bool is_next = number == stored(scores.size() + 1) && scores.size() < kMostLevels &&
+                           score > (scores.empty() ? 0 : scores.back()) && score <= last &&
+                           std::abs(angle_deg - expected_deg) <= kAngleRounding * expected_deg;
+      if (!is_next)
+        throw damaged(database, fmt::format("level {} is none of its campaign", number));
+      scores.push_back(static_cast<int>(score));
+    }
+    if (!scores.empty() && scores.back() != last) {
+      throw damaged(database, "its last level is not its campaign's criterion");
+    }
+    return scores;
+  });
+}
+
+void write_levels(SQLite::Database& database, const std::vector<int>& scores, double sample_deg) {
+  SQLite::Statement insert(database,
+                           "INSERT INTO level (number, score, deploys_from_deg) VALUES (?,?,?)");
+  for (std::size_t k = 0; k < scores.size(); ++k) {
+    insert.reset();
+    insert.bind(1, stored(k + 1));
+    insert.bind(2, scores[k]);
+    insert.bind(3, angle_of(scores[k], sample_deg));
+    insert.exec();
+  }
+}
+
+std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit,
+                                        std::size_t most_levels) {
+  std::vector<LevelCount> levels;
+  SQLite::Statement rows(database,
+                         "SELECT level, particles, survivors, ancestors, tried, taken, undecided, "
+                         "met, seconds FROM population WHERE unit = ? ORDER BY level");
+  rows.bind(1, stored(unit));
+  const std::uint64_t number = unit / kNumbersOfPopulation;
+  while (rows.executeStep()) {
+    if (levels.size() > most_levels || !adds_up(rows, levels)) {
+      throw damaged(database, fmt::format("population {} does not add up at level {}", number,
+                                          rows.getColumn(0).getInt64()));
+    }
+    const auto count = [&](int column) { return rows.getColumn(column).getUInt(); };
+    levels.push_back({count(0), count(1), count(2), count(3), draw_of(rows.getColumn(4)),
+                      draw_of(rows.getColumn(5)), draw_of(rows.getColumn(6)),
+                      draw_of(rows.getColumn(7)), rows.getColumn(8).getDouble()});
+  }
+  if (levels.empty() || levels.back().survivors > 0) {
+    throw damaged(database, fmt::format("population {} has not come to its end", number));
+  }
+  return levels;
+}
+
+void each_population(
+    SQLite::Database& database,
+    const std::function<void(const DrawRange& numbers, const std::vector<LevelCount>&)>& see) {
+  const std::size_t top = read_levels(database).size();
+  SQLite::Statement lost(database,
+                         "SELECT unit FROM population WHERE unit NOT IN (SELECT lo FROM unit)");
+  if (lost.executeStep()) {
+    throw damaged(database,
+                  fmt::format("population {} is in no unit",
+                              lost.getColumn(0).getInt64() / stored(kNumbersOfPopulation)));
+  }
+  SQLite::Statement units(database, "SELECT lo, hi FROM unit ORDER BY lo");
+  while (units.executeStep()) {
+    const DrawRange range{draw_of(units.getColumn(0)), draw_of(units.getColumn(1))};
+    const std::uint64_t population = range.lo / kNumbersOfPopulation;
+    if (range != numbers_of({population, population + 1})) {
+      throw damaged(database, fmt::format("unit {} is no population", range.lo));
+    }
+    see(range, read_population(database, range.lo, top));
+    if (top == 0) throw damaged(database, "it has populations without levels");
+  }
+}
+
+std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout) {
+  std::vector<PieceRow> pieces;
+  SQLite::Statement rows(database,
+                         "SELECT population, level, lo, hi FROM piece WHERE layout = ? "
+                         "ORDER BY population, level, lo");
+  rows.bind(1, layout);
+  while (rows.executeStep()) {
+    const auto number = [&](int column) { return rows.getColumn(column).getUInt(); };
+    pieces.push_back({number(0), number(1), number(2), number(3), layout, {}});
+  }
+  return pieces;
+}
+
+std::string read_result(SQLite::Database& database, const PieceRow& piece) {
+  SQLite::Statement row(database,
+                        "SELECT result FROM piece WHERE population = ? AND level = ? AND lo = ?");
+  row.bind(1, piece.population);
+  row.bind(2, piece.level);
+  row.bind(3, piece.lo);
+  return row.executeStep() ? row.getColumn(0).getString() : "";
+}
+
+void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces) {
+  // Another build's result is replaced.
+  SQLite::Statement insert(database,
+                           "INSERT OR REPLACE INTO piece (population, level, lo, hi, layout, "
+                           "result) VALUES (?,?,?,?,?,?)");
+  for (const PieceRow& piece : pieces) {
+    insert.reset();
+    insert.bind(1, piece.population);
+    insert.bind(2, piece.level);
+    insert.bind(3, piece.lo);
+    insert.bind(4, piece.hi);
+    insert.bind(5, piece.layout);
+    insert.bind(6, piece.result.data(), static_cast<int>(piece.result.size()));
+    insert.exec();
+  }
+}
+
+void drop_pieces(SQLite::Database& database, std::uint32_t population) {
+  SQLite::Statement remove(database, "DELETE FROM piece WHERE population = ?");
+  remove.bind(1, population);
+  remove.exec();
+}
+
+std::string sheet_hash(const std::string& displacements_mm) {
+  XXH128_canonical_t bytes;
+  XXH128_canonicalFromHash(&bytes, hash_of(displacements_mm));
+  return {reinterpret_cast<const char*>(bytes.digest), sizeof bytes.digest};
+}
+
+CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& levels) {
+  CandidateSum sum;
+  for (const LevelCount& level : levels) {
+    sum.add_text(fmt::format("unit {} level {}: {} of {}", unit, level.level, level.survivors,
+                             level.particles));
+  }
+  return sum;
+}
+
+void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
+                          const std::optional<std::uint64_t>& most) {
+  SQLite::Statement again(
+      database,
+      "SELECT draw, unit, deploys_from_sample, hash FROM sheet AS more JOIN candidate USING (draw) "
+      "WHERE hash IN (SELECT hash FROM sheet WHERE draw >= ? AND draw < ?) "
+      "AND EXISTS (SELECT 1 FROM sheet AS least WHERE least.hash = more.hash AND least.draw < "
+      "more.draw)");
+  again.bind(1, stored(added.lo));
+  again.bind(2, stored(added.hi));
+  drop(database, std::move(again));
+  if (!most) return;
+  SQLite::Statement beyond(
+      database,
+      "SELECT draw, unit, deploys_from_sample, hash FROM candidate JOIN sheet USING (draw) "
+      "ORDER BY draw LIMIT -1 OFFSET ?");
+  beyond.bind(1, stored(*most));
+  drop(database, std::move(beyond));
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,71 @@
+// What a catalogue keeps of a splitting search: levels, what became of populations, and each sheet
+// once.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/campaign/splitting.hpp"
+#include "schema/catalogue/digest.hpp"
+
+namespace misalign::schema {
+
+/// What became of a population at one level; at level 0 of its first draws.
+struct LevelCount {
+  std::uint32_t level;
+  std::uint32_t particles;
+  std::uint32_t survivors;                ///< that have reached the next level
+  std::uint32_t ancestors;                ///< first draws from which these descend
+  std::uint64_t tried, taken, undecided;  ///< draws or moves; those that stayed within the level
+  std::uint64_t met;                      ///< different sheets that meet the criterion
+  double seconds;
+};
+
+/// Its estimate of the share of draws that reach this level: the product of what survived before. 0
+/// if it died on the way. Unbiased.
+double share_reaching(std::uint32_t level, const std::vector<LevelCount>& levels);
+
+/// What is done of a population that is under way: particles lo to hi - 1 at a level.
+struct PieceRow {
+  std::uint32_t population, level, lo, hi;
+  std::string layout;  ///< of the result's bytes
+  std::string result;
+};
+
+/// The scores of levels 1, 2, ..., as stored; none where they are not known yet. UserError (3) if
+/// they can be none of the catalogue's campaign.
+std::vector<int> read_levels(SQLite::Database& database);
+void write_levels(SQLite::Database& database, const std::vector<int>& scores, double sample_deg);
+/// What became of a population, from level 0 on, at most so many levels above. UserError (3) if
+/// nothing did, or it does not add up.
+std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit,
+                                        std::size_t most_levels = kMostLevels);
+/// Calls `see` for each population of the ledger, in turn. UserError (3) if a unit is none, or a
+/// population is in no unit.
+void each_population(
+    SQLite::Database& database,
+    const std::function<void(const DrawRange& numbers, const std::vector<LevelCount>&)>& see);
+/// All whose result has this layout, in the order in which they were done, without these results,
+/// which may be large; and the result of one.
+std::vector<PieceRow> read_pieces(SQLite::Database& database, const std::string& layout);
+std::string read_result(SQLite::Database& database, const PieceRow& piece);
+void write_pieces(SQLite::Database& database, const std::vector<PieceRow>& pieces);
+void drop_pieces(SQLite::Database& database, std::uint32_t population);
+
+/// By which the same sheet is known again: XXH3-128 of its displacements_mm.
+std::string sheet_hash(const std::string& displacements_mm);
+
+/// The part of the digest that a population's survivors make.
+CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& levels);
+
+/// Of candidates that are the same sheet only the one with the least number stays, and of all no
+/// more than `most`, those with the least numbers. Looks at sheets of which one lies in `added`.
+/// Their units' counts and digests follow. Within a transaction; throws SQLite::Exception.
+void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
+                          const std::optional<std::uint64_t>& most);
+
+}  // namespace misalign::schema

@@ -1,0 +1,24 @@
+// What a campaign has found so far, for who watches a search.
+#pragma once
+
+#include <optional>
+
+#include "schema/catalogue/unit_writer.hpp"
+
+namespace misalign::schema {
+
+struct Standing {
+  struct Best {
+    double deploys_from_deg;
+    std::uint64_t draw;
+  };
+  std::uint64_t draws = 0, accepted = 0;  ///< in the whole ledger
+  std::optional<Best> best{};             ///< the first of those that deploy from the deepest fold
+
+  void add(const UnitRecord& unit);
+};
+
+/// Of a catalogue. UserError (3) if it is damaged.
+Standing read_standing(SQLite::Database& database);
+
+}  // namespace misalign::schema

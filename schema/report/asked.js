@@ -1,0 +1,74 @@
+// What a campaign asked, in words.
+import { degrees, number, plural } from "./format.js";
+import { is_splitting } from "./whose.js";
+
+const kMostNamed = 12; // levels whose angles are all told
+
+const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
+
+function sheet_words(pattern) {
+  const sheet =
+    pattern.family === "miura"
+      ? `${pattern.rows} × ${pattern.columns} Miura-ori (panels ${values_of(pattern.panel_width_mm)} × ${values_of(pattern.panel_height_mm)} mm, ` +
+        `zigzag offset ${values_of(pattern.zigzag_offset_mm)} mm)`
+      : `quadrilateral mesh${pattern.file ? ` of ${pattern.file}` : ""}`;
+  const holes =
+    typeof pattern.holes === "string"
+      ? `holes: ${pattern.holes}`
+      : Array.isArray(pattern.holes)
+        ? plural(pattern.holes.length, "hole")
+        : "with holes";
+  return `${sheet}; ${holes}`;
+}
+
+function shift_words(misalignment) {
+  const which =
+    misalignment.vertices === "interior"
+      ? "all interior vertices"
+      : misalignment.vertices === "ring"
+        ? "the outer ring of interior vertices"
+        : plural(misalignment.vertices.length, "vertex", "vertices");
+  const levels =
+    misalignment.levels === "ternary"
+      ? `−${misalignment.amplitude_mm}, 0 or +${misalignment.amplitude_mm} mm`
+      : `${misalignment.levels} up to ±${misalignment.amplitude_mm} mm`;
+  return `${which} by ${levels}`;
+}
+
+function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
+  if (!stops_at_deg) return "";
+  return (
+    `, and springs of ${number(stiffness_n_per_mm)} N/mm that are relaxed at ${degrees(stops_at_deg)} hold it there ` +
+    `with at least ${number(stop_stiffness_mm2_per_rad2 * stiffness_n_per_mm)} N mm/rad`
+  );
+}
+
+/** Named levels, or those that a pilot has found (`known`: how many) or will find. */
+function level_words(levels_deg, known) {
+  if (!Array.isArray(levels_deg))
+    return known > 0
+      ? `${plural(known, "level")} that a pilot found`
+      : "levels that a pilot finds first";
+  const [first, last] = [levels_deg[0], levels_deg.at(-1)].map(degrees);
+  if (levels_deg.length > kMostNamed)
+    return `${plural(levels_deg.length, "named level")} from ${first} to ${last}`;
+  return `the named ${levels_deg.length === 1 ? "level" : "levels"} ${levels_deg.map(degrees).join(", ")}`;
+}
+
+const search_words = ({ levels_deg, particles, sweeps, first_draws }, known) =>
+  ` Searched by splitting: each population begins with ${plural(first_draws, "first draw")} and climbs ${level_words(levels_deg, known)}. ` +
+  `At each level the sheets that came there are copied until there are ${plural(particles, "particle")}, ` +
+  `and all of them are moved at random within the level, in ${plural(sweeps, "sweep")}.`;
+
+export function asked(report) {
+  const { pattern, misalignment, path, accept, search } = report.campaign.configuration,
+    { between_samples } = accept;
+  const exactly = between_samples === "exact" ? "exactly " : "";
+  return (
+    `${sheet_words(pattern)}. Each draw shifts x and y of ${shift_words(misalignment)}. A draw is accepted when every diagonal ` +
+    `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
+    `${between_samples ? `, ${exactly}between the samples too` : ""}${stop_words(accept, report.actuators)} ` +
+    `(samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).` +
+    (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "")
+  );
+}

@@ -1,0 +1,218 @@
+// The overview of a splitting search: its figures, and the ladder of levels as a chart and a table.
+import { show_when_wide } from "./chart.js";
+import { beyond_tiles, how_far, shown_tiles, tile } from "./figures.js";
+import { by_id, count, degrees, fixed, h, number, percent } from "./format.js";
+import { ladder_chart } from "./ladder_chart.js";
+import { add_saving, single } from "./save.js";
+
+const kWaits = "No level is known yet: the pilot has not come to its end.";
+
+const share_of = (some, all) => (all > 0 ? some / all : null);
+const interval_of = ({ rate_low, rate_high }) =>
+  rate_low === null ? null : `${number(rate_low)} – ${number(rate_high)}`;
+
+/** In the place of an interval where there is none. */
+const no_interval = ({ populations_here }, populations) =>
+  populations === 0
+    ? "nothing searched yet"
+    : populations_here === 0
+      ? "no population came to the last level"
+      : "no interval from so few populations";
+
+function rate_tiles({ levels, populations }, from) {
+  const last = levels.at(-1),
+    rate = last?.rate;
+  if (!last) return [tile("Share of draws", "–", "no level is known yet")];
+  const interval = interval_of(last),
+    ancestors = levels.at(-2).ancestors;
+  return [
+    tile(
+      "Share of draws",
+      number(rate),
+      interval ? `95 %: ${interval}` : no_interval(last, populations),
+      `Of all draws so many deploy from ${from} or more: the mean of the populations, with its 95 % interval`,
+    ),
+    tile(
+      "One in",
+      rate > 0 ? number(1 / rate) : "–",
+      rate > 0 ? `draws deploys from ${from}` : "no estimate yet",
+    ),
+    tile(
+      "Ancestors",
+      count(ancestors),
+      `of ${count(levels[0].tried)} first draws: those at the last level descend from them`,
+      "Sheets that descend from few first draws have much in common",
+    ),
+  ];
+}
+
+function show_figures({ state, campaign, candidates }, ladder) {
+  const from = degrees(campaign.configuration.accept.deploys_from_deg),
+    undecided = ladder.levels.reduce((total, level) => total + level.undecided, 0),
+    beyond = (state.draws_in_ledger - state.draws) / ladder.numbers_of_population;
+  by_id("figures").append(
+    tile(
+      "Populations",
+      count(ladder.populations),
+      how_far(state.complete, ladder.without_end ? 0 : ladder.missing),
+    ),
+    tile("Candidates kept", count(state.accepted), `deploy from ${from} or more, each once`),
+    ...rate_tiles(ladder, from),
+    ...(undecided > 0
+      ? [tile("Undecided", count(undecided), "numerical failures, and not taken")]
+      : []),
+    ...beyond_tiles(
+      Math.round(beyond),
+      "populations that figures and ladder do not count; the table of candidates has theirs",
+    ),
+    ...shown_tiles(candidates),
+  );
+}
+
+const angle_text = (deg) => (deg === null ? "" : String(Number(deg.toPrecision(6))));
+const share_text = (share) => (share === null ? "" : percent(share));
+
+// Heads of the table, what they mean, and what a row says of a level: of the first draws, which are
+// level 0, all of it is known, and from the last level nothing goes on.
+const kColumns = [
+  {
+    head: "level",
+    about: "Level 0 are the first draws",
+    text: ({ level }) => String(level),
+  },
+  {
+    head: "from deg",
+    about: "Sheets within the level deploy from there; a part of a degree says how near they came",
+    text: ({ deploys_from_deg }) => angle_text(deploys_from_deg),
+  },
+  {
+    head: "share of draws",
+    about: "That deploy from there: the mean of the populations",
+    text: ({ level, rate }) => (level > 0 ? number(rate) : ""),
+  },
+  {
+    head: "95 % interval",
+    about: "From how much the populations differ",
+    text: (level) => (level.level > 0 ? (interval_of(level) ?? "") : ""),
+  },
+  {
+    head: "reach next",
+    about: "Share of the particles (of the draws, at level 0) that came to the next level",
+    text: ({ reach_next }, is_last) => (is_last ? "" : share_text(reach_next)),
+  },
+  {
+    head: "moves taken",
+    about: "Share of the moves that stayed within the level",
+    text: ({ level, taken, tried }) => (level > 0 ? share_text(share_of(taken, tried)) : ""),
+  },
+  {
+    head: "met here",
+    about: "Candidates that populations met at this level first",
+    text: ({ met }) => count(met),
+  },
+  {
+    head: "core s",
+    about: "Seconds that cores spent at this level",
+    text: ({ core_s }) => fixed(core_s, 1),
+  },
+];
+
+function table_of(levels) {
+  const last = levels.at(-1);
+  const cells = (level) =>
+    kColumns.map(({ text }, k) =>
+      h(k === 0 ? "th" : "td", k === 0 ? { scope: "row" } : {}, text(level, level === last)),
+    );
+  return h(
+    "table",
+    { class: "levels" },
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        kColumns.map(({ head, about }) => h("th", { scope: "col", title: about }, head)),
+      ),
+    ),
+    h(
+      "tbody",
+      {},
+      levels.map((level) => h("tr", { "data-level": level.level }, cells(level))),
+    ),
+  );
+}
+
+const rows_of = (levels) => ({
+  heads: [
+    ...["level", "deploys_from_deg", "share", "low_95", "high_95", "populations_here"],
+    ...["reach_next", "ancestors", "tried", "taken", "undecided", "met", "core_s"],
+  ],
+  rows: levels.map((level) => [
+    ...[level.level, level.deploys_from_deg],
+    ...[level.rate, level.rate_low, level.rate_high].map(single),
+    ...[level.populations_here, single(level.reach_next), level.ancestors],
+    ...[level.tried, level.taken, level.undecided, level.met, single(level.core_s)],
+  ]),
+});
+
+const points_of = (levels) =>
+  levels
+    .filter(({ level, rate }) => level > 0 && rate > 0)
+    .map(({ level, deploys_from_deg, rate, rate_low, rate_high, populations_here }) => ({
+      ...{ level, from_deg: deploys_from_deg, share: rate, low: rate_low, high: rate_high },
+      reached: populations_here,
+    }));
+
+/** Nothing where no population has come to a level yet: the table says so. */
+function show_chart(points, { levels, populations }, name) {
+  const chart = by_id("ladder-chart"),
+    card = chart.closest(".card"),
+    ends = [levels[1], levels.at(-1)].map(({ deploys_from_deg }) => deploys_from_deg);
+  card.hidden = points.length === 0;
+  if (card.hidden) return;
+  by_id("ladder-caption").textContent = points.some(({ low }) => low !== null)
+    ? "Each with its 95 % interval."
+    : "There are no intervals yet.";
+  show_when_wide(chart, (width) => ladder_chart(points, ends, populations, width));
+  add_saving(card, {
+    name: `${name}-ladder`,
+    csv: () => rows_of(levels),
+    svg: () => chart.querySelector("svg"),
+  });
+}
+
+function show_levels(ladder, name) {
+  const { levels } = ladder,
+    missed = levels.find(({ rate }) => rate === 0);
+  show_chart(points_of(levels), ladder, name);
+  by_id("ladder-levels").append(table_of(levels));
+  by_id("ladder-words").textContent =
+    (missed ? `No population has come to ${degrees(missed.deploys_from_deg)} or beyond. ` : "") +
+    "Level 0 are the first draws. “Met here” counts each sheet in each population once; the catalogue keeps it once in all.";
+}
+
+/** No populations know no share, where the mean of theirs is written as 0. */
+const with_known_shares = (ladder) =>
+  ladder.populations > 0
+    ? ladder
+    : { ...ladder, levels: ladder.levels.map((level) => ({ ...level, rate: null })) };
+
+/** Figures, chart and table. */
+export function show_ladder(report) {
+  const ladder = with_known_shares(report.state.ladder),
+    [note, says] = [by_id("ladder-note"), by_id("ladder-says")],
+    words = ladder.why_not_converged;
+  show_figures(report, ladder);
+  by_id("where-draws-fail").hidden = true;
+  by_id("ladder").hidden = false;
+  says.hidden = words === "";
+  says.textContent = words === "" ? "" : `${words[0].toUpperCase()}${words.slice(1)}.`;
+  const waits = ladder.levels.length === 0;
+  by_id("ladder-cards").hidden = waits;
+  note.textContent = waits
+    ? kWaits
+    : "How rare draws are that deploy from each level: the product of the shares of particles that reached the next one, " +
+      "in the mean of all populations. That mean is unbiased however few particles and moves there are; its interval comes from how much populations differ.";
+  if (!waits) show_levels(ladder, report.campaign.name);
+}

@@ -1,0 +1,103 @@
+// The share of draws that deploy from each level of a splitting search, on a logarithmic scale.
+import * as Plot from "@observablehq/plot";
+import { plot_with_room } from "./chart.js";
+import { clamp, count, degrees, number, plural, power, powers } from "./format.js";
+
+const kMostTicks = 9,
+  kRow_px = 28, // of the table beside it, which it is to be about as high as
+  kHeight_px = [320, 560];
+
+/** Decades round all that is shown, and marks at them: not more than fit. */
+function decades(points) {
+  const values = points.flatMap(({ share, low, high }) => [share, low, high]).filter((x) => x > 0);
+  const first = Math.floor(Math.log10(Math.min(...values, 0.1)) + 1e-9),
+    last = Math.min(0, Math.ceil(Math.log10(Math.max(...values, 0.1)) - 1e-9));
+  const domain = [10 ** first, 10 ** Math.max(last, first + 1)];
+  const all = powers(...domain),
+    step = Math.ceil(all.length / kMostTicks);
+  return { domain, ticks: all.filter((_, k) => (all.length - 1 - k) % step === 0) };
+}
+
+// Wider than the points: where little is left in doubt an interval is shorter than they are.
+const interval_mark = (points, least) =>
+  Plot.ruleX(
+    points.filter(({ low }) => low !== null),
+    {
+      x: "from_deg",
+      y1: ({ low }) => Math.max(low, least),
+      y2: "high",
+      stroke: "var(--accent)",
+      strokeOpacity: 0.4,
+      strokeWidth: 9,
+    },
+  );
+
+const interval_words = ({ low, high }) =>
+  low === null ? "" : ` (95 %: ${number(low)} – ${number(high)})`;
+
+const tip = (points, populations) =>
+  Plot.tip(
+    points,
+    Plot.pointerX({
+      x: "from_deg",
+      y: "share",
+      title: (point) =>
+        `level ${point.level}, from ${degrees(point.from_deg)}\n` +
+        `${number(point.share)} of draws${interval_words(point)}\n` +
+        `${count(point.reached)} of ${plural(populations, "population")} came there`,
+    }),
+  );
+
+/** The chart in words, for those who do not see it. */
+function description(points) {
+  const words = (point) =>
+    `${number(point.share)} of draws deploy from ${degrees(point.from_deg)}${interval_words(point)}`;
+  const [first, last] = [points[0], points.at(-1)];
+  return `${words(first)}${last === first ? "" : `, ${words(last)}`}. The table of levels has all numbers.`;
+}
+
+/**
+ * `points`: of the levels that were reached, { level, from_deg, share, low, high, reached };
+ * then the angles of the first level and of the last one, reached or not.
+ */
+export function ladder_chart(points, [least_deg, most_deg], populations, width) {
+  const { domain, ticks } = decades(points),
+    spare_deg = 0.06 * (most_deg - least_deg) || 1;
+  return plot_with_room({
+    width,
+    height: clamp(kRow_px * (points.length + 2), ...kHeight_px),
+    marginTop: 30, // the uppermost tick is at the very top, the title above it
+    marginLeft: 62,
+    marginBottom: 42,
+    className: "plot",
+    ariaLabel: "Share of draws that deploy from each level",
+    ariaDescription: description(points),
+    x: {
+      label: "the level: deploys from (deg)",
+      domain: [least_deg - spare_deg, most_deg + spare_deg],
+      labelAnchor: "center",
+      labelArrow: "none",
+    },
+    y: {
+      type: "log",
+      label: "share of draws (log scale)",
+      grid: true,
+      labelArrow: "none",
+      domain,
+      ticks,
+      tickFormat: power,
+    },
+    marks: [
+      Plot.lineY(points, {
+        x: "from_deg",
+        y: "share",
+        stroke: "var(--accent)",
+        strokeOpacity: 0.5,
+        strokeWidth: 1.5,
+      }),
+      interval_mark(points, domain[0]),
+      Plot.dot(points, { x: "from_deg", y: "share", fill: "var(--accent)", r: 3 }),
+      tip(points, populations),
+    ],
+  });
+}

@@ -1,0 +1,46 @@
+#include "search/checks/campaign_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "search/draws/draw.hpp"
+
+namespace misalign::search {
+
+std::optional<Eigen::Matrix2Xd> read_shifts(const schema::Json& displacements_mm, int vertices) {
+  const schema::Json json = schema::json_of(displacements_mm);
+  if (!json.is_object()) return {};
+  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
+  for (const auto& [label, shift] : json.items()) {
+    const int vertex = schema::vertex_of_label(label, vertices);
+    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+        !shift[1].is_number()) {
+      return {};
+    }
+    shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
+  }
+  return shifts_mm;
+}
+
+Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Campaign& campaign,
+                                  std::uint64_t number) {
+  if (!campaign.splitting) return shifts_of_draw(campaign, number);
+  const schema::Json row = schema::read_candidate(database, number);
+  if (!row.is_object()) {
+    throw schema::UserError(
+        schema::kExitUsage,
+        fmt::format("{} is no candidate of this catalogue (of a splitting campaign only those are "
+                    "kept); take one that `misalign query` shows, or make its population again "
+                    "with `misalign replay --again`",
+                    number));
+  }
+  const auto shifts_mm = read_shifts(row.value("displacements_mm", schema::Json()),
+                                     campaign.pattern.base.sheet.vertex_count());
+  if (!shifts_mm || !can_be_drawn(campaign, *shifts_mm)) {
+    throw schema::damaged(database,
+                          fmt::format("candidate {} has no displacements of its campaign", number));
+  }
+  return *shifts_mm;
+}
+
+}  // namespace misalign::search

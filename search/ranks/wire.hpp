@@ -1,0 +1,102 @@
+// Fields of messages as bytes: the same list of them is written or read.
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "schema/catalogue/metric_table.hpp"
+#include "schema/catalogue/unit_writer.hpp"
+
+namespace misalign::search {
+
+using Bytes = std::vector<char>;
+
+/// `Wire`, below, is one of these two.
+class Writer {
+ public:
+  template <class T>
+  void field(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const char* bytes = reinterpret_cast<const char*>(&value);
+    bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
+  }
+  Bytes take() { return std::move(bytes_); }
+
+ private:
+  Bytes bytes_;
+};
+
+/// Bytes that end too early leave fields as they are, and lists empty.
+class Reader {
+ public:
+  explicit Reader(const Bytes& bytes) : bytes_(bytes) {}
+  template <class T>
+  void field(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (!has(1, sizeof value)) return;
+    std::memcpy(&value, bytes_.data() + at_, sizeof value);
+    at_ += sizeof value;
+  }
+  /// Whether there are so many items of at least so many bytes.
+  bool has(std::size_t items, std::size_t bytes_each) {
+    if (items > (bytes_.size() - at_) / bytes_each) is_whole_ = false;
+    return is_whole_;
+  }
+  /// Whether every byte was read, and none was missing.
+  bool is_whole() const { return is_whole_ && at_ == bytes_.size(); }
+
+ private:
+  const Bytes& bytes_;
+  std::size_t at_ = 0;
+  bool is_whole_ = true;
+};
+
+template <class T, class Each>
+void list(Writer& wire, const std::vector<T>& items, Each&& each) {
+  wire.field(items.size());
+  for (const T& item : items) each(item);
+}
+
+template <class T, class Each>
+void list(Reader& wire, std::vector<T>& items, Each&& each) {
+  std::size_t size = 0;
+  wire.field(size);
+  items.clear();
+  if constexpr (std::is_arithmetic_v<T>) {
+    items.resize(wire.has(size, sizeof(T)) ? size : 0);
+    for (T& item : items) each(item);
+  } else {  // one after another, so that memory is taken for what is there alone
+    while (items.size() < size && wire.has(1, 1)) each(items.emplace_back());
+    if (!wire.has(0, 1)) items.clear();
+  }
+}
+
+template <class Wire, class Metrics>
+void metrics_fields(Wire& wire, Metrics& metrics) {
+  schema::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });
+  list(wire, metrics.elongation, [&](auto& e) { wire.field(e); });
+}
+
+inline void shifts_fields(Writer& wire, const Eigen::Matrix2Xd& shifts) {
+  wire.field(shifts.cols());
+  for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
+}
+
+inline void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
+  Eigen::Index columns = 0;
+  wire.field(columns);
+  const bool is_there =
+      columns >= 0 && wire.has(static_cast<std::size_t>(columns), 2 * sizeof(double));
+  shifts.resize(2, is_there ? columns : 0);
+  for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
+}
+
+template <class Wire, class Candidate>
+void candidate_fields(Wire& wire, Candidate& candidate) {
+  wire.field(candidate.draw);
+  metrics_fields(wire, candidate.metrics);
+  shifts_fields(wire, candidate.shifts_mm);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,64 @@
+#include "search/splitting/climber.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "search/splitting/pilot.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Of a Population or a Pilot, all its levels.
+template <class Climb>
+void climb_alone(Climb& climb, Climber& climber) {
+  while (!climb.is_done()) {
+    PieceOrder order = *climb.take(kBeyondAll);
+    const std::uint32_t end = order.hi;
+    PieceWork work = climber.start(std::move(order));
+    while (!work.finished()) work.run_next_block();
+    climb.add(end, work.take());
+  }
+}
+
+}  // namespace
+
+Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
+    : moves_(campaign), sweeps_(campaign.splitting->sweeps), judges_(campaign, set) {}
+
+Ladder named_ladder(const schema::Campaign& campaign) {
+  const schema::Splitting& splitting = *campaign.splitting;
+  return {campaign.seed, schema::named_scores(splitting, campaign.sample_deg), splitting.particles,
+          splitting.first_draws};
+}
+
+Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored) {
+  Ladder ladder = named_ladder(campaign);
+  if (stored.empty() || stored == ladder.scores) return ladder;
+  const bool is_possible = ladder.scores.empty() && stored.size() <= schema::kMostLevels &&
+                           stored.front() > 0 && stored.back() == last_level(campaign) &&
+                           std::ranges::is_sorted(stored, std::less_equal());
+  if (!is_possible) {
+    throw schema::UserError(schema::kExitBadInput,
+                            "the levels in the catalogue of " + campaign.name +
+                                " are not those of its campaign (the file is damaged, or another "
+                                "program changed it); put a backup in its place");
+  }
+  ladder.scores = stored;
+  return ladder;
+}
+
+Ladder ladder_of(const schema::Campaign& campaign, Climber& climber) {
+  const Ladder named = named_ladder(campaign);
+  if (!named.scores.empty()) return named;
+  Pilot pilot(named.seed, named.particles, named.first_draws, last_level(campaign));
+  climb_alone(pilot, climber);
+  return pilot.ladder();
+}
+
+PopulationRecord climbed(const Ladder& ladder, std::uint32_t number, Climber& climber) {
+  Population population(ladder, number);
+  climb_alone(population, climber);
+  return population.record();
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,41 @@
+// What all populations of a campaign have in common: its levels, and how many particles climb them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "search/splitting/piece.hpp"
+
+namespace misalign::search {
+
+struct Ladder {
+  std::uint64_t seed;
+  std::vector<int> scores;  ///< of levels 1, 2, ...; the last is the campaign's criterion
+  std::uint32_t particles, first_draws;
+
+  std::uint32_t top() const { return static_cast<std::uint32_t>(scores.size()); }
+  /// How many there are at a level; at 0 the first draws.
+  std::uint32_t size(std::uint32_t level) const { return level == 0 ? first_draws : particles; }
+  int score(std::uint32_t level) const { return level == 0 ? 0 : scores[level - 1]; }
+  /// The score that ends this level; above every score at the last.
+  int next(std::uint32_t level) const { return level < top() ? scores[level] : kBeyondAll; }
+};
+
+/// The levels that particles are confined to, and on the watch for.
+struct Bounds {
+  int within, next;
+};
+
+/// Of a population's particles at a level, those of `here`; at its beginning none.
+PieceOrder order_of(std::uint32_t population, std::uint32_t level,
+                    const schema::DrawRange& particles, const Bounds& bounds,
+                    const ScoredSheets& here);
+
+/// Who is copied where so few have survived: each of them as often as any other, and some once
+/// more, chosen by chance without replacement. So each has `particles` / `survivors` copies on
+/// average, which keeps estimates unbiased. Numbers of survivors, ascending.
+std::vector<std::uint32_t> copies_of_survivors(std::uint64_t seed, std::uint32_t population,
+                                               std::uint32_t level, std::uint32_t survivors,
+                                               std::uint32_t particles);
+
+}  // namespace misalign::search

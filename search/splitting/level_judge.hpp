@@ -1,0 +1,65 @@
+// What score sheets have, of those that may reach a level.
+#pragma once
+
+#include <list>
+#include <memory>
+
+#include "schema/campaign/campaign.hpp"
+#include "schema/catalogue/unit_writer.hpp"
+#include "solver/lanes/batch.hpp"
+
+namespace misalign::search {
+
+/// Instead of a score: below the level that was asked for, for certain; or a numerical failure.
+inline constexpr int kBelow = -1, kUndecided = -2;
+
+/// The score of a campaign's last level: its criterion.
+int last_level(const schema::Campaign& campaign);
+/// A verdict's score in this campaign: kScoresPerSample a sample, see solver::score. A sheet that
+/// is not accepted, for an inactive diagonal, lies just below the last level.
+int score_of(const solver::Verdict& verdict, const schema::Campaign& campaign);
+
+/// Rejection tests at a level's own sample, and full paths of those that they leave.
+class LevelJudge {
+ public:
+  /// `campaign` must outlive this object.
+  LevelJudge(const schema::Campaign& campaign, int sample, solver::InstructionSet set);
+
+  /// The scores of all sheets that lie above the level's sample; of others perhaps kBelow.
+  const std::vector<int>& judge(const solver::ShiftBlock& block);
+
+ private:
+  const schema::Campaign& campaign_;
+  const solver::Model model_;
+  std::unique_ptr<solver::Batch> batch_;
+  solver::ShiftBlock open_;
+  std::vector<int> scores_;
+};
+
+/// The judges of levels, and what measures candidates, each made when first needed. Judges are
+/// large, but soon made: only those that were used last are kept.
+class LevelJudges {
+ public:
+  static constexpr std::size_t kMostJudges = 2;
+
+  LevelJudges(const schema::Campaign& campaign, solver::InstructionSet set)
+      : campaign_(campaign), set_(set) {}
+  /// Of the sheets whose score may be `score`, or more.
+  LevelJudge& from(int score);
+  /// Of sheets that meet the criterion, as of plain draws.
+  std::vector<schema::Candidate> measured(const solver::ShiftBlock& shifts);
+  const schema::Campaign& campaign() const { return campaign_; }
+
+ private:
+  const schema::Campaign& campaign_;
+  const solver::InstructionSet set_;
+  struct OfSample {
+    int sample;
+    std::unique_ptr<LevelJudge> judge;
+  };
+  std::list<OfSample> judges_;  // the one that was used last is the first
+  std::unique_ptr<const solver::Model> model_;
+  std::unique_ptr<solver::Batch> batch_;
+};
+
+}  // namespace misalign::search

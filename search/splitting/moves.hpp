@@ -1,0 +1,52 @@
+// The Markov kernel's proposals: which sheet is tried next to a particle's. Each is as likely as
+// the way back, so that a particle which takes those of its level, and stays where it is otherwise,
+// keeps the plain distribution on that level (Metropolis et al., J. Chem. Phys. 21, 1953).
+#pragma once
+
+#include <array>
+
+#include "search/splitting/particles.hpp"
+#include "solver/pattern/symmetry.hpp"
+
+namespace misalign::search {
+
+/// The random words of one particle of a population at one step of one level; step 0 makes it, the
+/// others move it. Philox stream 3: counter = (population, particle, step and block, level and
+/// stream), sixteen bits each of step and block, and eight of the stream.
+class StepWords {
+ public:
+  static constexpr std::uint32_t kMostSteps = 0xFFFF, kMostLevels = 0xFFFFFF;
+
+  StepWords(std::uint64_t seed, std::uint32_t population, std::uint32_t level, std::uint32_t step,
+            std::uint32_t particle);
+  std::uint32_t next();
+  /// Below `count`, all as likely up to one part in 2^32 / count.
+  std::size_t next_below(std::size_t count);
+
+ private:
+  std::uint64_t seed_, counter_low_;
+  std::uint32_t step_, stream_;
+  std::uint32_t used_ = 0;
+  std::array<std::uint32_t, 4> block_{};
+};
+
+class Moves {
+ public:
+  Moves(const schema::Campaign& campaign);
+
+  /// A plain draw.
+  void draw(StepWords words, ShiftCode::Sheet sheet) const;
+  /// Instead of `sheet`: one in sixteen a mirror image, if the sheet has symmetries; otherwise one
+  /// shift is redrawn, two half as often, and so forth.
+  void propose(StepWords words, ShiftCode::Sheet sheet) const;
+
+  const ShiftCode& code() const { return code_; }
+
+ private:
+  void mirror(const solver::ShiftSymmetry& symmetry, ShiftCode::Sheet sheet) const;
+
+  ShiftCode code_;
+  std::vector<solver::ShiftSymmetry> symmetries_;
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,53 @@
+#include "search/splitting/particles.hpp"
+
+#include <cstring>
+
+#include "search/draws/draw.hpp"
+
+namespace misalign::search {
+
+ShiftCode::ShiftCode(const schema::Misalignment& misalignment)
+    : levels_(misalignment.levels),
+      amplitude_mm_(misalignment.amplitude_mm),
+      shifts_(2 * misalignment.vertices.size()),
+      width_(misalignment.levels == schema::Levels::ternary ? 1 : sizeof(std::uint32_t)) {}
+
+std::uint32_t ShiftCode::code(ConstSheet sheet, std::size_t k) const {
+  if (is_ternary()) return sheet[k];
+  std::uint32_t word;
+  std::memcpy(&word, sheet.data() + k * width_, width_);
+  return word;
+}
+
+void ShiftCode::set(Sheet sheet, std::size_t k, std::uint32_t code) const {
+  if (is_ternary()) {
+    sheet[k] = static_cast<std::uint8_t>(code);
+  } else {
+    std::memcpy(sheet.data() + k * width_, &code, width_);
+  }
+}
+
+void ShiftCode::draw(Sheet sheet, std::size_t k, std::uint32_t word) const {
+  set(sheet, k, is_ternary() ? static_cast<std::uint32_t>(ternary_level(word) + 1) : word);
+}
+
+void ShiftCode::redraw(Sheet sheet, std::size_t k, std::uint32_t word) const {
+  set(sheet, k, is_ternary() ? (code(sheet, k) + 1 + (word & 1)) % 3 : word);
+}
+
+void ShiftCode::copy(Sheet sheet, std::size_t k, ConstSheet source, std::size_t from,
+                     bool negated) const {
+  const std::uint32_t value = code(source, from);
+  const std::uint32_t opposite = is_ternary() ? 2 - value : ~value;
+  set(sheet, k, negated ? opposite : value);
+}
+
+void ShiftCode::write_mm(ConstSheet sheet, double* shifts_mm) const {
+  for (std::size_t k = 0; k < shifts_; ++k) {
+    const std::uint32_t value = code(sheet, k);
+    shifts_mm[k] =
+        amplitude_mm_ * (is_ternary() ? static_cast<int>(value) - 1.0 : uniform_share(value));
+  }
+}
+
+}  // namespace misalign::search

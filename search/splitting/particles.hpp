@@ -1,0 +1,93 @@
+// Sheets as whole numbers: what particles are, and what travels between ranks.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "schema/campaign/campaign.hpp"
+
+namespace misalign::search {
+
+/// How a campaign's shifts are written as whole numbers: a ternary level is 0, 1 or 2, one byte; a
+/// uniform one its random word, four.
+class ShiftCode {
+ public:
+  explicit ShiftCode(const schema::Misalignment& misalignment);
+
+  /// Shifts of a sheet: x and y of each shifted vertex.
+  std::size_t shifts() const { return shifts_; }
+  std::size_t bytes() const { return shifts_ * width_; }
+  bool is_ternary() const { return width_ == 1; }
+
+  using Sheet = std::span<std::uint8_t>;
+  using ConstSheet = std::span<const std::uint8_t>;
+  /// The k-th shift as a plain draw has it from this random word.
+  void draw(Sheet sheet, std::size_t k, std::uint32_t word) const;
+  /// Another value for the k-th, from a random word, every other one as likely (of a uniform shift:
+  /// any).
+  void redraw(Sheet sheet, std::size_t k, std::uint32_t word) const;
+  /// The k-th becomes the source's `from`-th, or its opposite.
+  void copy(Sheet sheet, std::size_t k, ConstSheet source, std::size_t from, bool negated) const;
+  /// All shifts in mm.
+  void write_mm(ConstSheet sheet, double* shifts_mm) const;
+
+ private:
+  std::uint32_t code(ConstSheet sheet, std::size_t k) const;
+  void set(Sheet sheet, std::size_t k, std::uint32_t code) const;
+
+  schema::Levels levels_;
+  double amplitude_mm_;
+  std::size_t shifts_, width_;
+};
+
+/// Sheets one after another, in one piece of memory.
+struct Particles {
+  std::size_t bytes_each = 0;
+  std::vector<std::uint8_t> bytes;
+
+  static Particles of(std::size_t bytes_each, std::size_t count) {
+    return {bytes_each, std::vector<std::uint8_t>(bytes_each * count)};
+  }
+  std::size_t count() const { return bytes_each > 0 ? bytes.size() / bytes_each : 0; }
+  ShiftCode::Sheet operator[](std::size_t k) { return {bytes.data() + k * bytes_each, bytes_each}; }
+  ShiftCode::ConstSheet operator[](std::size_t k) const {
+    return {bytes.data() + k * bytes_each, bytes_each};
+  }
+  void add(ShiftCode::ConstSheet sheet) {
+    bytes_each = sheet.size();
+    bytes.insert(bytes.end(), sheet.begin(), sheet.end());
+  }
+  void add(const Particles& others) {
+    if (others.count() > 0) bytes_each = others.bytes_each;
+    bytes.insert(bytes.end(), others.bytes.begin(), others.bytes.end());
+  }
+  void clear() { bytes.clear(); }
+};
+
+/// Sheets with their scores.
+struct ScoredSheets {
+  Particles sheets;
+  std::vector<int> scores;
+
+  std::size_t count() const { return scores.size(); }
+  /// Room for so many, and no more.
+  void reserve(std::size_t sheets_count, std::size_t bytes_each) {
+    sheets.bytes.reserve(sheets_count * bytes_each);
+    scores.reserve(sheets_count);
+  }
+  void add(const ScoredSheets& others, std::size_t k) {
+    sheets.add(others.sheets[k]);
+    scores.push_back(others.scores[k]);
+  }
+  void add(const ScoredSheets& others) {
+    sheets.add(others.sheets);
+    scores.insert(scores.end(), others.scores.begin(), others.scores.end());
+  }
+  void clear() {
+    sheets.clear();
+    scores.clear();
+  }
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,75 @@
+#include "search/splitting/population.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+#include <utility>
+
+namespace misalign::search {
+
+Population::Population(const Ladder& ladder, std::uint32_t number, std::uint64_t most_found)
+    : ladder_(ladder), number_(number), pieces_(ladder.first_draws), found_(most_found) {
+  record_.population = number;
+}
+
+std::optional<PieceOrder> Population::take(std::uint32_t most) {
+  const auto particles = pieces_.take(most);
+  if (!particles) return std::nullopt;
+  return order_of(number_, level_, *particles, {ladder_.score(level_), ladder_.next(level_)},
+                  here_);
+}
+
+bool Population::add(std::uint32_t end_of_order, PieceResult result) {
+  assert(result.level == level_);
+  for (MetCandidate& met : std::exchange(result.met, {})) {
+    found_.add({number_, level_, met.step, met.particle}, std::move(met.candidate));
+  }
+  const DrawRange taken{result.lo, end_of_order};
+  if (!pieces_.add(taken, std::move(result))) return false;
+  end_level(pieces_.all());
+  return true;
+}
+
+bool Population::restore(PieceResult result) {
+  const bool is_of_level = !is_done_ && result.level == level_ &&
+                           (level_ < ladder_.top() ? result.are_all_from(ladder_.next(level_))
+                                                   : result.survivors.empty());
+  if (!is_of_level || !pieces_.take({result.lo, result.hi})) return false;
+  const std::uint32_t end = result.hi;
+  add(end, std::move(result));
+  return true;
+}
+
+PopulationRecord Population::record() {
+  assert(is_done_);
+  found_.count(record_.levels);
+  record_.found = found_.take();
+  return std::move(record_);
+}
+
+void Population::end_level(PieceResult all) {
+  std::vector<std::uint32_t> ancestors;
+  for (const std::uint32_t particle : all.survivors) {
+    ancestors.push_back(level_ == 0 ? particle : ancestors_[particle]);
+  }
+  const auto survivors = static_cast<std::uint32_t>(all.survivors.size());
+  const std::set<std::uint32_t> different(ancestors.begin(), ancestors.end());
+  record_.levels.push_back({level_, ladder_.size(level_), survivors,
+                            static_cast<std::uint32_t>(different.size()), all.tried, all.taken,
+                            all.undecided, 0, all.seconds});
+  is_done_ = survivors == 0;  // it died, or there is nowhere to go on to
+  if (is_done_) return;
+  ++level_;
+  here_.clear();
+  here_.reserve(ladder_.particles, all.there.sheets.bytes_each);
+  ancestors_.clear();
+  ancestors_.reserve(ladder_.particles);
+  for (const std::uint32_t k :
+       copies_of_survivors(ladder_.seed, number_, level_, survivors, ladder_.particles)) {
+    here_.add(all.there, k);
+    ancestors_.push_back(ancestors[k]);
+  }
+  pieces_ = LevelPieces(ladder_.particles);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,57 @@
+// One population on its way up: which particles are done, given out and open at its level, and who
+// goes on from there. A pure state machine, without clock, file or message.
+#pragma once
+
+#include "search/splitting/found_sheets.hpp"
+#include "search/splitting/ladder.hpp"
+#include "search/splitting/level_pieces.hpp"
+
+namespace misalign::search {
+
+struct PopulationRecord {
+  std::uint32_t population;
+  std::vector<schema::LevelCount>
+      levels;                     ///< from 0 on, as far as it came; the last level's has none after
+  std::vector<FoundSheet> found;  ///< by their origins, each sheet once; not all if so wanted
+
+  double share(std::uint32_t level) const { return schema::share_reaching(level, levels); }
+};
+
+class Population {
+ public:
+  /// `ladder` must outlive this object. `most_found`: so many sheets are kept, those with the least
+  /// origins; all are counted.
+  Population(const Ladder& ladder, std::uint32_t number, std::uint64_t most_found = kAllSheets);
+
+  std::uint32_t number() const { return number_; }
+  std::uint32_t level() const { return level_; }
+  /// The next particles of its level that are open, at most so many, now given out.
+  std::optional<PieceOrder> take(std::uint32_t most);
+  /// What has come back of an order that ended at this particle; what it leaves of that is open
+  /// again. True if it ended the level.
+  bool add(std::uint32_t end_of_order, PieceResult result);
+  /// What an earlier run has done. False if it does not belong to the level that this one is at, or
+  /// says of particles that they survived that cannot have.
+  bool restore(PieceResult result);
+  bool is_at_first() const { return level_ == 0; }
+  bool is_done() const { return is_done_; }
+  /// Particles of its level that nobody has.
+  std::uint64_t open() const { return pieces_.open(); }
+  /// Once it is done.
+  PopulationRecord record();
+
+ private:
+  void end_level(PieceResult all);
+
+  const Ladder& ladder_;
+  const std::uint32_t number_;
+  std::uint32_t level_ = 0;
+  bool is_done_ = false;
+  LevelPieces pieces_;
+  ScoredSheets here_;  // at its level
+  std::vector<std::uint32_t> ancestors_;
+  FoundSheets found_;
+  PopulationRecord record_;
+};
+
+}  // namespace misalign::search

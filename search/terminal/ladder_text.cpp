@@ -1,0 +1,174 @@
+#include "search/terminal/ladder_text.hpp"
+
+#include <fmt/format.h>
+
+#include "schema/files/text_table.hpp"
+#include "search/terminal/count_text.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+using schema::LadderLevel;
+
+std::uint64_t populations_in(const schema::DrawRange& numbers) {
+  return numbers.size() / schema::kNumbersOfPopulation;
+}
+
+std::uint64_t missing_populations(const schema::CatalogueState& state) {
+  std::uint64_t count = 0;
+  for (const schema::DrawRange& gap : state.gaps) count += populations_in(gap);
+  return count;
+}
+
+std::string rate_text(double rate) { return fmt::format("{:.3g}", rate); }
+
+std::string interval_text(const schema::SplitRate& rate) {
+  if (!rate.interval) return "";
+  return rate_text(rate.interval->low) + " to " + rate_text(rate.interval->high);
+}
+
+std::string share_text(std::uint64_t some, std::uint64_t all) {
+  return all > 0
+             ? fmt::format("{:.3g} %", 100.0 * static_cast<double>(some) / static_cast<double>(all))
+             : "";
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json share_json(std::uint64_t some, std::uint64_t all) {
+  return all > 0 ? Json(static_cast<double>(some) / static_cast<double>(all)) : Json();
+}
+
+}  // namespace
+
+std::string why_not_converged(const schema::SplitRate& rate) {
+  if (rate.populations < schema::kLeastPopulations) {
+    return fmt::format("an interval is shown from {} populations on", schema::kLeastPopulations);
+  }
+  if (schema::has_converged(rate)) return "";
+  if (rate.reached < schema::kLeastReached) {
+    return fmt::format(
+        "the rate is not to be believed yet: {} of {} populations came to the last level, where "
+        "{} at least should; more populations help, or more particles and sweeps",
+        rate.reached, rate.populations, schema::kLeastReached);
+  }
+  return fmt::format(
+      "the rate is not to be believed yet: one population makes up {:.0f} % of it; more "
+      "populations "
+      "help, or more particles and sweeps",
+      100 * rate.largest_part);
+}
+
+std::string population_goal(const schema::CatalogueState& state) {
+  const std::uint64_t lo = state.goal.range.lo / schema::kNumbersOfPopulation;
+  const std::uint64_t end = state.goal_end / schema::kNumbersOfPopulation;
+  std::string text = fmt::format("populations from {}", lo);
+  text += end >= schema::kEndOfPopulations ? " on, without end" : fmt::format(" to {}", end);
+  if (state.goal.relative_error) {
+    text += fmt::format(", or a rate known to {} %",
+                        schema::shown_number(100 * *state.goal.relative_error));
+  }
+  const std::uint64_t missing = missing_populations(state);
+  if (missing > 0 && end < schema::kEndOfPopulations) {
+    text += fmt::format(", {} of them missing", missing);
+  }
+  return text;
+}
+
+std::string ladder_text(const schema::CatalogueState& state) {
+  const schema::LadderState& ladder = *state.ladder;
+  if (ladder.levels.empty()) return "no level is known yet: the pilot has not come to its end\n";
+  std::vector<schema::Row> rows = {{"level", "from deg", "share of draws", "95 % interval",
+                                    "reach next", "moves taken", "met", "core s"}};
+  for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+    const LadderLevel& level = ladder.levels[k];
+    const bool is_last = k + 1 == ladder.levels.size();
+    rows.push_back({std::to_string(k), k > 0 ? fmt::format("{:.6g}", level.deploys_from_deg) : "",
+                    k > 0 ? rate_text(level.rate.mean) : "", k > 0 ? interval_text(level.rate) : "",
+                    is_last ? "" : share_text(level.survivors, level.particles),
+                    k > 0 ? share_text(level.taken, level.tried) : "", std::to_string(level.met),
+                    fmt::format("{:.1f}", level.seconds)});
+  }
+  std::string text = schema::aligned(rows, {true, true, true, true, true, true, true, true});
+  const std::uint64_t top = ladder.levels.size() - 2;  // whose survivors have come to the last one
+  std::uint64_t undecided = 0;
+  for (const LadderLevel& level : ladder.levels) undecided += level.undecided;
+  text += fmt::format("\n{}, {} at the last level, from {}; {} kept, each once\n",
+                      count_text(ladder.populations, "population"), ladder.rate()->reached,
+                      count_text(ladder.levels[top].ancestors, "first draw"),
+                      count_text(state.accepted, "candidate"));
+  if (undecided > 0) {
+    text += fmt::format("{} undecided (numerical failures) and not taken\n",
+                        count_text(undecided, "move"));
+  }
+  const std::string why = why_not_converged(*ladder.rate());
+  return why.empty() ? text : text + why + "\n";
+}
+
+std::string ladder_summary(const schema::CatalogueState& state) {
+  const schema::LadderState& ladder = *state.ladder;
+  std::string text =
+      count_text(ladder.populations, "population") + ", " + count_text(state.accepted, "candidate");
+  if (!ladder.rate() || ladder.populations == 0) return text;
+  text += fmt::format(", {} of draws deploy from {:.10g} deg", rate_text(ladder.rate()->mean),
+                      state.threshold_deg);
+  const std::string interval = interval_text(*ladder.rate());
+  if (!interval.empty()) text += fmt::format(" (95 %: {})", interval);
+  return text;
+}
+
+std::string ladder_sql(const schema::LadderState& ladder) {
+  std::vector<std::string> rows;
+  if (ladder.levels.empty()) {  // VALUES needs a row
+    rows.emplace_back(
+        "(NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL)");
+  }
+  for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+    const LadderLevel& level = ladder.levels[k];
+    const auto number = [](std::optional<double> value) {
+      return value ? fmt::format("{:.17g}", *value) : std::string("NULL");
+    };
+    const auto& interval = level.rate.interval;
+    rows.push_back(fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {})", k,
+                               k > 0 ? number(level.deploys_from_deg) : "NULL",
+                               number(level.rate.mean), interval ? number(interval->low) : "NULL",
+                               interval ? number(interval->high) : "NULL", level.rate.reached,
+                               level.particles, level.survivors, level.ancestors, level.tried,
+                               level.taken, level.met, number(level.seconds)));
+  }
+  return fmt::format(
+      "WITH ladder (level, deploys_from_deg, rate, rate_low, rate_high, populations_here, "
+      "particles, survivors, ancestors, tried, taken, met, worker_seconds) AS (VALUES {}) "
+      "SELECT * FROM ladder WHERE level IS NOT NULL",
+      fmt::join(rows, ", "));
+}
+
+Json ladder_json(const schema::CatalogueState& state) {
+  Json levels = Json::array();
+  for (const LadderLevel& level : state.ladder->levels) {
+    const schema::SplitRate& rate = level.rate;
+    levels.push_back({{"level", levels.size()},
+                      {"deploys_from_deg", levels.empty() ? Json() : Json(level.deploys_from_deg)},
+                      {"rate", rate.mean},
+                      {"rate_low", rate.interval ? Json(rate.interval->low) : Json()},
+                      {"rate_high", rate.interval ? Json(rate.interval->high) : Json()},
+                      {"relative_error", or_null(rate.relative_half_width())},
+                      {"populations_here", rate.reached},
+                      {"largest_part", rate.largest_part},
+                      {"reach_next", share_json(level.survivors, level.particles)},
+                      {"ancestors", level.ancestors},
+                      {"tried", level.tried},
+                      {"taken", level.taken},
+                      {"undecided", level.undecided},
+                      {"met", level.met},
+                      {"core_s", level.seconds}});
+  }
+  const schema::SplitRate* const rate = state.ladder->rate();
+  return {{"populations", state.ladder->populations},
+          {"missing", missing_populations(state)},
+          {"converged", rate && schema::has_converged(*rate)},
+          {"levels", levels}};
+}
+
+}  // namespace misalign::search

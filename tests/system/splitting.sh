@@ -1,0 +1,85 @@
+# A splitting search: one digest whatever the ranks, kills, order, registers and files; sheets once each, all of
+# them what they are said to be; and what does not fit a splitting search is refused.
+# The long form: splitting.sh PROGRAM SOURCE_DIR KILLS [SEED].
+. "$(dirname "$0")/lib.sh"
+kills_wanted=${3:-6}
+RANDOM=${4:-1}
+populations=$((4 * kills_wanted))
+cat > rare.json << END
+{"name": "rare", "pattern": {"family": "miura", "rows": 4, "columns": 4}, "accept": {"deploys_from_deg": 175},
+ "search": {"method": "splitting", "particles": 50, "sweeps": 3, "first_draws": 500},
+ "stop": {"populations": $populations}}
+END
+search() { "$program" search rare.json --progress none "$@" > out 2> err; }
+
+search --catalogue calm.db || fail "search"
+cat out
+sound calm.db ${populations}0000000000
+expected=$(digest_of calm.db)
+[ "$(sql calm.db 'SELECT count(*) > 1 FROM level')" = 1 ] || fail "no ladder of levels"
+[ "$(sql calm.db 'SELECT count(*) FROM piece')" = 0 ] || fail "pieces are left"
+[ "$(sql calm.db 'SELECT count(DISTINCT hash) = count(*) FROM sheet')" = 1 ] || fail "a sheet twice"
+[ "$(sql calm.db 'SELECT count(*) FROM sheet')" = "$(sql calm.db 'SELECT count(*) FROM candidate')" ] ||
+  fail "candidates without a hash"
+"$program" verify calm.db --sample 30 --units $populations > out || { fail "verify"; cat out; }
+
+# Ranks, registers, halves, and kills at any moment.
+"${ranks[@]}" 3 "$program" search rare.json --progress none --catalogue three.db > /dev/null 2>&1
+search --catalogue baseline.db --instruction-set baseline
+search --catalogue a.db --range 0:$((populations / 2 + 2))
+search --catalogue b.db --range $((populations / 2 - 1)):$populations
+"$program" merge joined.db b.db a.db > out || { fail "merge"; cat out; }
+hit=0
+for kill in $(seq "$kills_wanted"); do
+  "$program" search rare.json --progress none --catalogue killed.db > /dev/null 2>&1 &
+  sleep 0.$((RANDOM % 3 + 1))
+  { kill -KILL $! && hit=$((hit + 1)); wait $!; } 2> /dev/null
+done
+echo "$hit of $kills_wanted kills met a search under way"
+[ "$hit" -gt $((kills_wanted / 3)) ] || fail "too few kills"
+search --catalogue killed.db
+for file in three baseline joined killed; do
+  sound $file.db ${populations}0000000000
+  [ "$(digest_of $file.db)" = "$expected" ] || fail "$file: another digest"
+done
+
+# The rate, which plain draws know: 8773 of 1,000,000. The interval is some 15 % wide either way.
+"$program" status calm.db --json > status.json
+"$program" status calm.db 2> /dev/null
+[ "$(field status.json ladder.populations)" = $populations ] || fail "populations"
+sqlite3 :memory: "SELECT rate > 0.0055 AND rate < 0.013 AND low < rate AND rate < high FROM (SELECT
+  value ->> 'rate' AS rate, value ->> 'rate_low' AS low, value ->> 'rate_high' AS high
+  FROM json_each(readfile('status.json'), '\$.ladder.levels') ORDER BY key DESC LIMIT 1)" | grep -q 1 ||
+  fail "the rate"
+
+# A sheet as it is stored, and from its population made again.
+draw=$(sql calm.db 'SELECT max(draw) FROM candidate')
+"$program" replay calm.db "$draw" --json > stored.json || fail "replay"
+"$program" replay calm.db "$draw" --again --json > again.json || fail "replay --again"
+cmp -s stored.json again.json || fail "made again: another sheet"
+"$program" export calm.db --best 2 --output found > /dev/null || fail "export"
+"$program" verify "$(find found -name '*.json' | head -n 1)" > /dev/null || fail "verify of an exported one"
+
+# Only so many are kept: those with the least numbers, whatever the order.
+sed 's/"populations": [0-9]*/&, "accepted": 40/' rare.json > few.json
+"$program" search few.json --progress none --catalogue few.db > /dev/null 2>&1
+"$program" search few.json --progress none --catalogue few-b.db --range 9:$populations > /dev/null 2>&1
+"$program" search few.json --progress none --catalogue few-b.db > /dev/null 2>&1
+[ "$(sql few.db 'SELECT count(*) FROM candidate')" = 40 ] || fail "more are kept, or fewer"
+[ "$(sql few.db 'SELECT max(draw) FROM candidate')" = \
+  "$(sql calm.db 'SELECT draw FROM candidate ORDER BY draw LIMIT 1 OFFSET 39')" ] || fail "not the first ones"
+[ "$(digest_of few.db)" = "$(digest_of few-b.db)" ] || fail "few: another digest"
+"$program" verify few.db --units $populations > out || { fail "verify of few"; cat out; }
+
+# refused WORDS ARGUMENTS...: usage, a sentence with these words.
+refused() {
+  local words=$1
+  shift
+  "$program" "$@" > /dev/null 2> err
+  [ $? = 2 ] || fail "not refused: $*"
+  grep -q -- "$words" err || { fail "no '$words': $*"; cat err; }
+}
+refused "populations" search rare.json --draws 100
+refused "plain draws" search "$source_dir/search/campaigns/miura-4x4.json" --populations 5
+refused "no candidate" replay calm.db 1
+finish
