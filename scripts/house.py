@@ -8,7 +8,7 @@ import statistics
 import sys
 from pathlib import Path
 
-ROOMS = {"solver": "pattern kinematics linear continuation verdict lanes design reference",
+ROOMS = {"solver": "pattern kinematics linear continuation verdict lanes design certificate reference",
          "schema": "files campaign catalogue exchange report",
          "search": "terminal draws splitting ranks checks verbs"}  # in the order of dependence
 PLACES = [(top, room) for top, rooms in ROOMS.items() for room in rooms.split()]

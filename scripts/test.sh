@@ -26,8 +26,8 @@ sanitized() {
   many_paths='*IsometryOnEverySample*:*StepsOfTheSolver*:*SamplesDoNotMove*:*LargeShifts*:DrawEvaluator.Instr*:DrawEvaluator.TurnsNext*'
   many_paths+=':ToleranceTest.Instr*:ToleranceTest.Trials*:ToleranceTest.Most*:ToleranceTest.NoErr*:ToleranceTest.Threads*'
   many_paths+=':MergeTest.Pieces*:MergeTest.Overlaps*:MergeTest.Disagree*:MergeTest.Verdicts*:MergeTest.Undecided*'
-  many_paths+=':Splitting.EveryInstr*:Splitting.Pilots*:Splitting.PiecesKeep*:Splitting.Accepted*:Score.IsTheSame*:VerifyTest.AGood*:Splitting.PiecesDo*'
-  many_paths+=':SoftStop.IsTheSame*:*BatchTest.Failing*/baseline:Drawn/Acceptance*/3:DegreeFour.FoldsAs*:DrawEvaluator.Candidates*:CandidateRows.Good*'
+  many_paths+=':Splitting.EveryInstr*:Splitting.Pilots*:Splitting.PiecesKeep*:Splitting.Accepted*:Score.IsTheSame*:VerifyTest.AGood*'
+  many_paths+=':SoftStop.IsTheSame*:*BatchTest.Failing*/baseline:Drawn/Acceptance*/3:DegreeFour.FoldsAs*'
   many_paths+=':*BatchTest*/avx2:Golden.AllV*:FewDiagonals.OfMany*:LookBetween.Sees*:*ExactBumps.AreThose*'
   many_paths+=':*OlderCatalogues*/1:*OlderCatalogues*/2:*OlderCatalogues*/3:*OlderCatalogues*/4:SnapshotTest*:DrawEvaluator.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*'
   printf '%s\n' {search,solver,schema}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \

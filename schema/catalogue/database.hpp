@@ -40,12 +40,13 @@ auto reading(const SQLite::Database& database, const Work& work) {
 /// schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
+/// Of pages that stay in memory. Indexes of candidates are touched everywhere at once; pieces of
+/// populations only pass through, beside particles that need the memory.
+inline constexpr int kCache_kb = 64 << 10, kSplittingCache_kb = 8 << 10;
+
 /// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
 /// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
 /// UserError: 3 no catalogue, or not laid out as one; 5 a newer schema; see storage_failure.
-/// `cache_kb`: of pages that stay in memory. Indexes of candidates are touched everywhere at once;
-/// pieces of populations only pass through, beside particles that need the memory.
-inline constexpr int kCache_kb = 64 << 10, kSplittingCache_kb = 8 << 10;
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage,
                                                    int cache_kb = kCache_kb);
 

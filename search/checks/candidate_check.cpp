@@ -49,7 +49,9 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
   if (!shifts_mm) return report;
   const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + *shifts_mm;
   if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) {
-    if (report.findings.empty()) differs("displacements_mm", "a sheet", "no facets");
+    if (report.findings.empty()) {
+      differs("displacements_mm", cell("displacements_mm"), "shifts that leave every facet convex");
+    }
     return report;
   }
 

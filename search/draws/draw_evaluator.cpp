@@ -13,7 +13,6 @@ namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones are slower
-constexpr std::size_t kRecordsAtOnce = 64;       // of 40 kB each on 6 x 6
 constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
 
 void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {
@@ -38,13 +37,24 @@ Eigen::Matrix2Xd per_vertex(const solver::Model& model, const double* shifts_mm)
   return columns_mm;
 }
 
+// Many, since lanes are idle once a block has no sheet left to start; few enough for memory.
+std::size_t records_at_once(const solver::Model& model) {
+  constexpr std::size_t kBytes = 12 << 20, kFewest = 32, kMost = 256;
+  // Lengths at every sample, in vectors that grow to up to twice that: 46 kB on 6 x 6.
+  const std::size_t lengths = model.mechanism().diagonals.size() * model.path().stations.size();
+  const std::size_t bytes = sizeof(solver::PathRecord) + 2 * sizeof(double) * lengths;
+  return std::clamp(kBytes / bytes, kFewest, kMost);
+}
+
 // Path -> metrics: `each` gets the place of a sheet of the block, and its record.
 template <class Each>
-void for_each_record(solver::Batch& batch, const solver::ShiftBlock& shifts, const Each& each) {
+void for_each_record(const solver::Model& model, solver::Batch& batch,
+                     const solver::ShiftBlock& shifts, const Each& each) {
   solver::ShiftBlock some;
   const auto all = static_cast<std::size_t>(shifts.sheets);
-  for (std::size_t first = 0; first < all; first += kRecordsAtOnce) {
-    const std::size_t last = std::min(first + kRecordsAtOnce, all);
+  const std::size_t at_once = records_at_once(model);
+  for (std::size_t first = 0; first < all; first += at_once) {
+    const std::size_t last = std::min(first + at_once, all);
     const std::size_t per_sheet = shifts.shifts_mm.size() / all;
     const double* const numbers = shifts.of(static_cast<int>(first));
     some.shifts_mm.assign(numbers, numbers + (last - first) * per_sheet);
@@ -67,7 +77,7 @@ schema::Candidate candidate_of(const solver::Model& model, std::uint64_t draw,
 std::vector<schema::Candidate> measured(const solver::Model& model, solver::Batch& batch,
                                         const solver::ShiftBlock& shifts) {
   std::vector<schema::Candidate> candidates;
-  for_each_record(batch, shifts, [&](std::size_t k, const solver::PathRecord& record) {
+  for_each_record(model, batch, shifts, [&](std::size_t k, const solver::PathRecord& record) {
     const double* const shifts_mm = shifts.of(static_cast<int>(k));
     candidates.push_back(candidate_of(model, k, shifts_mm, record));
   });
@@ -167,7 +177,7 @@ void DrawEvaluator::make(const schema::DrawRange& range) {
 
 // Most of those that no test rejects are accepted.
 void DrawEvaluator::record(schema::UnitRecord& unit) {
-  for_each_record(*batch_, open_.shifts, [&](std::size_t k, const solver::PathRecord& record) {
+  const auto keep = [&](std::size_t k, const solver::PathRecord& record) {
     if (!campaign_.accepts(record.verdict)) {
       turn_down(open_.numbers[k], record.verdict, unit);
       return;
@@ -175,7 +185,8 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
     unit.candidates.push_back(
         candidate_of(model_, open_.numbers[k], open_.shifts_mm(k).data(), record));
     ++unit.accepted;
-  });
+  };
+  for_each_record(model_, *batch_, open_.shifts, keep);
   open_.clear();
 }
 

@@ -18,6 +18,7 @@
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
+#include "search/terminal/count_text.hpp"
 #include "search/terminal/failure.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
@@ -173,9 +174,9 @@ class RankZero {
     catalogue_.begin_run(
         run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
         options_.builds);
-    spdlog::info("campaign {} ({}), {} rank{}, catalogue {}", campaign().name,
-                 schema::identity(campaign()).substr(0, 8), ranks.size(),
-                 ranks.size() == 1 ? "" : "s", catalogue_.path());
+    spdlog::info("campaign {} ({}), {}, catalogue {}", campaign().name,
+                 schema::identity(campaign()).substr(0, 8), count_text(ranks.size(), "rank"),
+                 catalogue_.path());
     if (is_talkative() && !options_.command_for_all.empty()) {
       spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
                    options_.command_for_all);

@@ -51,6 +51,12 @@ std::optional<double> left_s(const ProgressReport& report) {
   return draws_s ? std::min(*draws_s, time_s) : time_s;
 }
 
+std::string speed_or_under_way(const ProgressReport& report) {
+  if (is_of_draws(report.counts))
+    return short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s";
+  return report.counts.under_way.empty() ? "between populations" : report.counts.under_way;
+}
+
 }  // namespace
 
 ProgressStyle resolved(ProgressStyle style, bool able_terminal, bool under_launcher) {
@@ -93,11 +99,7 @@ std::string bar_line(const ProgressReport& report, int width) {
   const auto left = left_s(report);
   const std::string time =
       !report.last && left ? duration(*left) + " left" : duration(report.elapsed_s);
-  const std::string speed =
-      is_of_draws(counts)
-          ? short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s"
-      : counts.under_way.empty() ? "between populations"
-                                 : counts.under_way;
+  const std::string speed = speed_or_under_way(report);
   const std::string accepted =
       short_number(static_cast<double>(counts.standing.accepted)) + " accepted";
   const std::string share =

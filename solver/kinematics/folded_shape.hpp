@@ -28,8 +28,17 @@ struct Twist {
 /// of closure shows as a changed length in the facets that did not place all of their corners.
 class FoldedShape {
  public:
+  /// A facet that is reached from another over a joint.
+  struct Branch {
+    Passage joint;
+    int parent, facet;
+  };
+
   FoldedShape(const CreasePattern& sheet, const std::vector<int>& holes,
               const Mechanism& mechanism);
+
+  /// Every kept facet but the first, parents before children.
+  const std::vector<Branch>& tree() const { return tree_; }
 
   template <class T>
   void place(const SheetGeometry<T>& geometry, const FoldState<T>& state,
@@ -96,10 +105,6 @@ class FoldedShape {
                               const FoldState<double>& state) const;
 
  private:
-  struct Branch {
-    Passage joint;
-    int parent, facet;
-  };
   Eigen::Vector3d seen_mm(const Vec3<double>& point) const;
 
   const Mechanism& mechanism_;

@@ -4,20 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <ctime>
 #include <set>
 
 #include "schema/campaign/campaign.hpp"
 #include "search/splitting/climber.hpp"
+#include "tests/bench/cpu_seconds.hpp"
 
 namespace misalign::search {
 namespace {
-
-double cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void run(int argc, char** argv) {
   schema::Campaign campaign = schema::read_campaign_file(argv[1]);
@@ -30,10 +24,10 @@ void run(int argc, char** argv) {
   if (argc > 6) splitting.first_draws = static_cast<std::uint32_t>(std::atoi(argv[6]));
   for (int i = 7; i < argc; ++i) splitting.levels_deg.push_back(std::atof(argv[i]));
   Climber climber(campaign, solver::available_instruction_sets().back());
-  double start_s = cpu_seconds();
+  double start_s = bench::cpu_seconds();
   const Ladder ladder = ladder_of(campaign, climber);
-  fmt::print("{} levels, pilot {:.2f} CPU s\n", ladder.top(), cpu_seconds() - start_s);
-  start_s = cpu_seconds();
+  fmt::print("{} levels, pilot {:.2f} CPU s\n", ladder.top(), bench::cpu_seconds() - start_s);
+  start_s = bench::cpu_seconds();
   std::vector<schema::LevelCount> sums(ladder.top() + 1);
   std::vector<double> means(ladder.top() + 1), squares(means);
   std::set<std::vector<double>> sheets;
@@ -61,7 +55,7 @@ void run(int argc, char** argv) {
       sheets.insert({s.data(), s.data() + s.size()});
     }
   }
-  const double seconds = cpu_seconds() - start_s, n = populations;
+  const double seconds = bench::cpu_seconds() - start_s, n = populations;
   for (std::uint32_t k = 0; k <= ladder.top(); ++k) {
     const schema::LevelCount& sum = sums[k];
     const double mean = k ? means[k] / n : 1;

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <ctime>
 #include <openturns/ComposedDistribution.hxx>
 #include <openturns/CompositeRandomVector.hxx>
 #include <openturns/EvaluationImplementation.hxx>
@@ -20,6 +19,8 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"
 #include "tests/bench/climbed_to_top.hpp"
+#include "tests/bench/cpu_seconds.hpp"
+#include "tests/bench/plain_draws.hpp"
 #include "tests/bench/share_intervals.hpp"
 
 namespace misalign::search {
@@ -33,12 +34,6 @@ struct StudyOptions {
   std::uint32_t populations = 400;
   std::uint64_t runs = 100, points = 1000, at_once = 100, plain_draws = 1000000;
 };
-
-double cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Effort {
   std::uint64_t evaluations = 0, undecided = 0;
@@ -114,7 +109,7 @@ void sample_subsets(const StudyOptions& options, const schema::Campaign& campaig
   const OT::ThresholdEvent event(score, OT::GreaterOrEqual(), last_level(campaign));
   std::vector<double> estimates, said;
   double steps = 0;
-  const double start_s = cpu_seconds();
+  const double start_s = bench::cpu_seconds();
   for (std::uint64_t seed = 1; seed <= options.runs; ++seed) {
     OT::RandomGenerator::SetSeed(seed);
     OT::SubsetSampling sampling(event);
@@ -133,7 +128,7 @@ void sample_subsets(const StudyOptions& options, const schema::Campaign& campaig
     estimates.push_back(sampling.getProbabilityEstimatePerStep()[sampling.getStepsNumber() - 1]);
     steps += static_cast<double>(sampling.getStepsNumber());
   }
-  print_estimates("OpenTURNS", estimates, effort.evaluations, cpu_seconds() - start_s);
+  print_estimates("OpenTURNS", estimates, effort.evaluations, bench::cpu_seconds() - start_s);
   fmt::print("  {:.2f} steps, {} undecided; {} runs without a variance, the others say {:.3f}\n",
              steps / static_cast<double>(options.runs), effort.undecided,
              options.runs - said.size(), bench::sample_moments(said).mean);
@@ -144,13 +139,13 @@ void split(const StudyOptions& options, const schema::Campaign& campaign) {
   const Ladder ladder = ladder_of(campaign, climber);
   std::vector<double> shares;
   std::uint64_t evaluations = 0;
-  const double start_s = cpu_seconds();
+  const double start_s = bench::cpu_seconds();
   for (std::uint32_t number = 0; number < options.populations; ++number) {
     const PopulationRecord record = bench::climbed_to_top(ladder, number, climber);
     shares.push_back(record.share(ladder.top()));
     for (const schema::LevelCount& level : record.levels) evaluations += level.tried;
   }
-  print_estimates("splitting", shares, evaluations, cpu_seconds() - start_s);
+  print_estimates("splitting", shares, evaluations, bench::cpu_seconds() - start_s);
   const schema::SplitRate rate = schema::split_rate(shares);
   fmt::print("  {} levels, {} populations reach the top", ladder.top(), rate.reached);
   if (rate.interval) fmt::print(", {:.4e} to {:.4e}", rate.interval->low, rate.interval->high);
@@ -158,19 +153,13 @@ void split(const StudyOptions& options, const schema::Campaign& campaign) {
 }
 
 void draw_plainly(const StudyOptions& options, const schema::Campaign& campaign) {
-  constexpr std::uint64_t kAtOnce = 1 << 18;
   schema::Campaign plain = campaign;
   plain.seed = 0;
   DrawEvaluator evaluator(plain, solver::available_instruction_sets().back());
-  std::uint64_t accepted = 0, undecided = 0;
-  const double start_s = cpu_seconds();
-  for (std::uint64_t lo = 0; lo < options.plain_draws; lo += kAtOnce) {
-    const schema::UnitRecord unit =
-        work_off(evaluator, {lo, std::min(lo + kAtOnce, options.plain_draws)});
-    accepted += unit.accepted;
-    undecided += unit.undecided.size();
-  }
-  const double seconds = cpu_seconds() - start_s;
+  const double start_s = bench::cpu_seconds();
+  const auto [accepted, undecided] =
+      bench::count_plain_draws(evaluator, options.plain_draws, [](const schema::UnitRecord&) {});
+  const double seconds = bench::cpu_seconds() - start_s;
   const auto draws = static_cast<double>(options.plain_draws), hits = static_cast<double>(accepted);
   const double share = hits / draws, for_ten = 100 * (1 - share) / share;
   fmt::print(

@@ -13,6 +13,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"
 #include "tests/bench/climbed_to_top.hpp"
+#include "tests/bench/plain_draws.hpp"
 #include "tests/bench/share_intervals.hpp"
 #include "tests/bench/stopped_campaigns.hpp"
 
@@ -85,20 +86,17 @@ std::uint64_t count_lost(const std::vector<schema::Candidate>& accepted, const L
 }
 
 std::uint64_t count_accepted(const StudyOptions& options) {
-  constexpr std::uint64_t kAtOnce = 1 << 18, kSeed = 0;
+  constexpr std::uint64_t kSeed = 0;
   const auto set = solver::available_instruction_sets().back();
   const schema::Campaign campaign = campaign_of(options, kSeed);
   DrawEvaluator evaluator(campaign, set);
   Climber climber(campaign, set);
   const Ladder ladder = ladder_of(campaign, climber);
-  std::uint64_t accepted = 0, undecided = 0, lost = 0;
-  for (std::uint64_t lo = 0; lo < options.plain_draws; lo += kAtOnce) {
-    const schema::UnitRecord unit =
-        work_off(evaluator, {lo, std::min(lo + kAtOnce, options.plain_draws)});
-    accepted += unit.accepted;
-    undecided += unit.undecided.size();
-    lost += count_lost(unit.candidates, ladder, climber.judges());
-  }
+  std::uint64_t lost = 0;
+  const auto [accepted, undecided] =
+      bench::count_plain_draws(evaluator, options.plain_draws, [&](const schema::UnitRecord& unit) {
+        lost += count_lost(unit.candidates, ladder, climber.judges());
+      });
   fmt::print("{} plain draws: {} accepted, of which {} are below some level; {} undecided\n",
              options.plain_draws, accepted, lost, undecided);
   return accepted;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "schema/exchange/folding_json.hpp"
+#include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 
 namespace misalign::search {
@@ -84,6 +85,22 @@ TEST_F(CandidateRows, EveryAlteredColumnIsNamed) {
     }
     EXPECT_NE(findings.front().sentence.find("draw " + row.at("draw").dump()), std::string::npos);
   }
+}
+
+// What was drawn, of a campaign that no file can ask for: shifts nearly as long as a panel's edge.
+TEST_F(CandidateRows, ASheetWithoutConvexFacetsIsNamed) {
+  schema::Campaign wild = campaign();
+  wild.misalignment.amplitude_mm = 60;
+  const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(wild, 3);
+  const solver::CreasePattern& sheet = wild.pattern.base.sheet;
+  ASSERT_FALSE(solver::nonconvex_facets(sheet, sheet.vertices_mm + shifts_mm).empty());
+  Json row = rows().front();
+  row["draw"] = 3;
+  row["displacements_mm"] = schema::displacements_json(shifts_mm).dump();
+  const auto findings = CandidateCheck(wild).check(row).findings;
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings.front().details.at("stored"), row.at("displacements_mm"));
+  EXPECT_EQ(findings.front().details.at("recomputed"), "shifts that leave every facet convex");
 }
 
 // Its limit, 2e-12 of a panel's width, from both sides.

@@ -80,6 +80,8 @@ TEST(ProgressText, CountsPopulations) {
     EXPECT_FALSE(holds(line, "draws")) << line;
     EXPECT_EQ(line.find("accepted ("), std::string::npos) << line;
   }
+  climbing.counts.under_way.clear();
+  EXPECT_TRUE(holds(bar_line(climbing, 200), "between populations"));
   const schema::Json json = schema::Json::parse(json_line(climbing));
   EXPECT_EQ(json["populations"], 3);
   EXPECT_EQ(json["populations_left"], 97);

@@ -139,8 +139,8 @@ grep -q 'alert(1)' odd.html || fail "the text of the catalogue is missing"
 grep -q '</script><script>alert' odd.html && fail "a text of the catalogue becomes a program"
 
 # Splitting searches: enough populations for an interval; so few that there is none; with none that came to the last
-# level, without and with a candidate among the first draws; one without populations, and one whose pilot has not come
-# to its end.
+# level, without and with a candidate among the first draws, or to any level; one without populations, and one whose
+# pilot has not come to its end.
 split() {  # NAME THRESHOLD SEARCH OPTION...
   printf '{"name": "%s", "pattern": {"family": "miura", "rows": 4, "columns": 4},
     "accept": {"deploys_from_deg": %s}, "search": {"method": "splitting", %s}}\n' "$1" "$2" "$3" > "$1.json"
@@ -154,19 +154,22 @@ split never 180 '"levels_deg": [150, 180], "particles": 4, "sweeps": 1, "first_d
 split lucky 180 '"levels_deg": [150, 180], "particles": 4, "sweeps": 1, "first_draws": 40' --populations 21
 [ "$(sql never.db 'SELECT count(*) FROM candidate')" = 0 ] || fail "there are candidates in never.db"
 [ "$(sql lucky.db 'SELECT count(*) FROM candidate')" = 1 ] || fail "not one candidate in lucky.db"
+split steep 180 '"levels_deg": [178], "particles": 2, "sweeps": 1, "first_draws": 2' --populations 21 --seed 2
 split begun 175 '"levels_deg": [165], "particles": 1000, "sweeps": 20, "first_draws": 10000000' --populations 2 --max-time 0.1
 [ "$(sql begun.db 'SELECT count(*) FROM unit')" = 0 ] || fail "begun.db has a population"
 split waits 175 '"particles": 1000, "sweeps": 20, "first_draws": 10000000' --populations 2 --max-time 0.2
 [ "$(sql waits.db 'SELECT count(*) FROM level')" = 0 ] || fail "waits.db knows its levels"
-# A search without end.
+# One more population than is wanted now, and a search without end.
+cp three.db less.db
+"$program" search three.json --catalogue less.db --populations 2 --progress none > /dev/null 2>&1 || fail "search less"
 sed 's/"sweeps": 2, "first_draws": 300}/&, "stop": {"populations": null}/' three.json > endless.json
 "$program" search endless.json --catalogue endless.db --max-time 0.3 --progress none > /dev/null 2>&1 || fail "search endless"
-for name in ladder three never lucky begun waits endless; do
+for name in ladder three never lucky steep begun waits less endless; do
   "$program" report $name.db --output $name.html > /dev/null || fail "report $name"
   "$program" status $name.db > $name-status.txt 2> /dev/null || fail "status $name"
   "$program" query $name.db acceptance --json > $name-levels.json || fail "query $name acceptance"
 done
-node "$web/ladder_test.mjs" ladder three never lucky begun waits endless || fail "the pages of splitting searches in a browser"
+node "$web/ladder_test.mjs" ladder three never lucky steep begun waits less endless || fail "the pages of splitting searches in a browser"
 
 node "$web/page_test.mjs" few.html none.html many.html ladder.html --odd odd.html || fail "the pages in a browser"
 finish

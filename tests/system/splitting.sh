@@ -24,7 +24,9 @@ expected=$(digest_of calm.db)
 "$program" verify calm.db --sample 30 --units $populations > out || { fail "verify"; cat out; }
 
 # Ranks, registers, halves, and kills at any moment.
-"${ranks[@]}" 3 "$program" search rare.json --progress none --catalogue three.db > /dev/null 2>&1
+for n in 2 3; do
+  "${ranks[@]}" $n "$program" search rare.json --progress none --catalogue ranks$n.db > /dev/null 2>&1
+done
 search --catalogue baseline.db --instruction-set baseline
 search --catalogue a.db --range 0:$((populations / 2 + 2))
 search --catalogue b.db --range $((populations / 2 - 1)):$populations
@@ -38,7 +40,7 @@ done
 echo "$hit of $kills_wanted kills met a search under way"
 [ "$hit" -gt $((kills_wanted / 3)) ] || fail "too few kills"
 search --catalogue killed.db
-for file in three baseline joined killed; do
+for file in ranks2 ranks3 baseline joined killed; do
   sound $file.db ${populations}0000000000
   [ "$(digest_of $file.db)" = "$expected" ] || fail "$file: another digest"
 done

@@ -9,6 +9,7 @@
 
 #include "schema/catalogue/unit_writer.hpp"
 #include "search/ranks/coordinator.hpp"
+#include "search/ranks/dispatcher.hpp"
 
 namespace misalign::bench {
 namespace {
@@ -122,7 +123,7 @@ class Simulation {
   }
 
   bool compute_one_block() {
-    if (campaign_.workers + 1 > search::kMostRanksWithOwnDraws) return false;
+    if (campaign_.workers + 1 > search::kMostRanksWithOwnJobs) return false;
     if (!own_) {
       const auto range = dispatcher_.assign(0);
       if (!range) return false;

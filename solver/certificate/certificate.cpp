@@ -1,0 +1,158 @@
+#include "solver/certificate/certificate.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace misalign::solver {
+namespace {
+
+constexpr std::uint32_t kVersion = 1;
+constexpr std::array<const char*, kCertificateEnds> kNames = {
+    "to_the_end", "reversal",   "over_folded",   "sign_changed",
+    "contact",    "fold_limit", "unclear_slope", "flat_branch"};
+
+template <class Bits>
+void put_bits(std::string& bytes, Bits bits) {
+  for (std::size_t i = 0; i < sizeof bits; ++i) {
+    bytes.push_back(static_cast<char>((bits >> (8 * i)) & 0xff));
+  }
+}
+void put(std::string& bytes, double value) { put_bits(bytes, std::bit_cast<std::uint64_t>(value)); }
+void put(std::string& bytes, float value) { put_bits(bytes, std::bit_cast<std::uint32_t>(value)); }
+
+void put(std::string& bytes, const PathPiece& piece) {
+  put(bytes, piece.to_deg);
+  put(bytes, static_cast<float>(piece.box));
+  put_bits<std::uint32_t>(bytes, piece.graded ? 1 : 0);
+  for (const HalfAngle<double>& h : piece.middle.creases) {
+    put(bytes, static_cast<float>(angle_deg(h)));
+  }
+  for (const Quaternion<double>& q : piece.middle.balls) {
+    for (const double part : {q.w, q.x, q.y, q.z}) put(bytes, static_cast<float>(part));
+  }
+}
+
+// Takes numbers off the front; a sheet's certificate has a known length, so that none is missing.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class Bits>
+  Bits bits() {
+    Bits value = 0;
+    for (std::size_t i = 0; i < sizeof value; ++i) {
+      value |=
+          static_cast<Bits>(static_cast<Bits>(static_cast<unsigned char>(bytes_[i])) << (8 * i));
+    }
+    bytes_.remove_prefix(sizeof value);
+    return value;
+  }
+  double real() { return std::bit_cast<double>(bits<std::uint64_t>()); }
+  double single() { return std::bit_cast<float>(bits<std::uint32_t>()); }
+  std::size_t left() const { return bytes_.size(); }
+
+ private:
+  std::string_view bytes_;
+};
+
+constexpr std::size_t kHeadBytes = 4 * 4 + 4 + 4 + 8;
+
+std::size_t piece_bytes(const Mechanism& mechanism) {
+  return 8 + 4 + 4 + 4 * mechanism.creases.size() + 16 * mechanism.balls.size();
+}
+
+// Whether it is a piece from `from_deg` on.
+bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathPiece& piece) {
+  piece.from_deg = from_deg;
+  piece.to_deg = reader.real();
+  piece.box = reader.single();
+  const auto graded = reader.bits<std::uint32_t>();
+  piece.graded = graded == 1;
+  bool good = graded <= 1 && piece.to_deg > from_deg && piece.to_deg <= 180 && piece.box > 0 &&
+              piece.box < 1;
+  for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+    const double angle = reader.single();
+    good = good && std::abs(angle) <= 360;
+    piece.middle.creases.push_back(good ? half_angle_of_deg(angle) : HalfAngle<double>{1, 0});
+  }
+  for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
+    std::array<double, 4> q{};
+    double length = 0;
+    for (double& part : q) {
+      part = reader.single();
+      length += part * part;
+    }
+    good = good && std::abs(length - 1) < 1e-4;
+    piece.middle.balls.push_back({q[0], q[1], q[2], q[3]});
+  }
+  return good;
+}
+
+}  // namespace
+
+const char* name_of(CertificateEnd end) { return kNames[static_cast<std::size_t>(end)]; }
+
+std::optional<CertificateEnd> certificate_end(std::string_view name) {
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    if (name == kNames[k]) return static_cast<CertificateEnd>(k);
+  }
+  return std::nullopt;
+}
+
+std::string encode(const Mechanism& mechanism, const Certificate& certificate) {
+  std::string bytes;
+  put_bits(bytes, kVersion);
+  put_bits(bytes, static_cast<std::uint32_t>(mechanism.creases.size()));
+  put_bits(bytes, static_cast<std::uint32_t>(mechanism.balls.size()));
+  put_bits(bytes, static_cast<std::uint32_t>(certificate.pieces.size()));
+  put_bits(bytes, static_cast<std::uint8_t>(certificate.end));
+  put_bits<std::uint8_t>(bytes, certificate.contact ? 1 : 0);
+  put_bits<std::uint8_t>(bytes, certificate.closing ? 1 : 0);
+  put_bits<std::uint8_t>(bytes, 0);
+  put_bits(bytes, static_cast<std::uint32_t>(certificate.where));
+  put(bytes, certificate.asked_deg);
+  for (const PathPiece& piece : certificate.pieces) put(bytes, piece);
+  if (certificate.closing) put(bytes, *certificate.closing);
+  return bytes;
+}
+
+std::optional<Certificate> decode(const Mechanism& mechanism, std::string_view bytes) {
+  if (bytes.size() < kHeadBytes) return std::nullopt;
+  Reader reader(bytes);
+  if (reader.bits<std::uint32_t>() != kVersion) return std::nullopt;
+  if (reader.bits<std::uint32_t>() != mechanism.creases.size()) return std::nullopt;
+  if (reader.bits<std::uint32_t>() != mechanism.balls.size()) return std::nullopt;
+  const auto pieces = reader.bits<std::uint32_t>();
+  const auto end = reader.bits<std::uint8_t>(), contact = reader.bits<std::uint8_t>();
+  const auto closing = reader.bits<std::uint8_t>(), nothing = reader.bits<std::uint8_t>();
+  if (end >= kCertificateEnds || contact > 1 || closing > 1 || nothing != 0) return std::nullopt;
+  Certificate certificate;
+  certificate.end = static_cast<CertificateEnd>(end);
+  certificate.contact = contact == 1;
+  certificate.where = static_cast<std::int32_t>(reader.bits<std::uint32_t>());
+  certificate.asked_deg = reader.real();
+  const bool good = certificate.asked_deg >= 0 && certificate.asked_deg <= 180;
+  if (!good || reader.left() != (std::size_t{pieces} + closing) * piece_bytes(mechanism)) {
+    return std::nullopt;
+  }
+  for (std::uint32_t k = 0; k < pieces; ++k) {
+    PathPiece piece;
+    if (!read(mechanism, reader, certificate.certified_deg(), piece)) return std::nullopt;
+    certificate.pieces.push_back(std::move(piece));
+  }
+  if (closing == 1) {
+    certificate.closing.emplace();
+    if (!read(mechanism, reader, certificate.certified_deg(), *certificate.closing)) {
+      return std::nullopt;
+    }
+  }
+  return certificate;
+}
+
+Certificate as_kept(const Mechanism& mechanism, const Certificate& certificate) {
+  return *decode(mechanism, encode(mechanism, certificate));
+}
+
+}  // namespace misalign::solver

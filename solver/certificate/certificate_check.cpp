@@ -1,0 +1,249 @@
+#include "solver/certificate/certificate_check.hpp"
+
+#include <algorithm>
+
+#include "solver/certificate/proven_piece.hpp"
+
+namespace misalign::solver {
+namespace {
+
+Proof both(Proof a, Proof b) {
+  if (a == Proof::fails || b == Proof::fails) return Proof::fails;
+  return a == Proof::holds ? b : a;
+}
+
+CheckModel times(int sign, const CheckModel& f) { return sign > 0 ? f : -f; }
+
+bool is_event(CertificateEnd end) {
+  return end == CertificateEnd::reversal || end == CertificateEnd::over_folded ||
+         end == CertificateEnd::sign_changed;
+}
+
+// Whether `where` is a diagonal, a crease, or nothing, as the end has it. An unclear slope may name
+// what was unclear, which claims nothing.
+bool is_place(const Mechanism& mechanism, const Certificate& certificate) {
+  const auto diagonals = static_cast<int>(mechanism.diagonals.size());
+  const auto creases = static_cast<int>(mechanism.creases.size());
+  const int where = certificate.where;
+  if (certificate.end == CertificateEnd::reversal) return where >= 0 && where < diagonals;
+  if (is_event(certificate.end)) return where >= 0 && where < creases && where != mechanism.pilot;
+  if (certificate.end == CertificateEnd::unclear_slope) {
+    return where >= -1 && where < std::max(diagonals, creases);
+  }
+  return where == -1;
+}
+
+// What can be said without any proof.
+const char* fault_of_form(const Mechanism& mechanism, const Certificate& certificate) {
+  if (certificate.contact || certificate.end == CertificateEnd::contact) {
+    return "contact cannot be checked";
+  }
+  const double certified_deg = certificate.certified_deg();
+  if (!(certificate.asked_deg >= 0 && certificate.asked_deg <= 180)) {
+    return "the angle that was asked for is not between 0 and 180";
+  }
+  if (!(certified_deg <= certificate.asked_deg)) return "it goes beyond the angle asked for";
+  if ((certificate.end == CertificateEnd::to_the_end) != (certified_deg == certificate.asked_deg)) {
+    return "where it ends is not the angle asked for, or that is not called its end";
+  }
+  if ((certificate.end == CertificateEnd::flat_branch) != certificate.pieces.empty() &&
+      certificate.asked_deg > 0) {
+    return "it has pieces although none is proven from flat, or has none";
+  }
+  if (is_event(certificate.end) != certificate.closing.has_value()) {
+    return "its end needs a closing piece, or must not have one";
+  }
+  if (!is_place(mechanism, certificate)) return "there is no such place as where it ends";
+  if (certificate.closing && !(certificate.closing->to_deg - certified_deg <= kClosing_deg)) {
+    return "its closing piece is too long";
+  }
+  return nullptr;
+}
+
+// Each piece by itself, and whether it begins where the one before ends.
+const char* fault_of_piece(const Mechanism& mechanism, const PathPiece& piece, double from_deg) {
+  if (piece.from_deg != from_deg) return "it does not begin where the one before ends";
+  if (!(piece.to_deg > piece.from_deg && piece.to_deg <= 180)) return "its angles do not ascend";
+  if (piece.from_deg == 0 && !piece.graded) return "the piece at flat is not graded";
+  if (piece.graded && piece.to_deg == 180) return "a graded piece cannot reach 180 degrees";
+  if (!(piece.box > 0 && piece.box < 1)) return "its box is no size";
+  if (piece.middle.creases.size() != mechanism.creases.size() ||
+      piece.middle.balls.size() != mechanism.balls.size()) {
+    return "its state has not the sheet's joints";
+  }
+  return nullptr;
+}
+
+class Checker {
+ public:
+  Checker(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+          const Certificate& certificate)
+      : mechanism_(mechanism), certificate_(certificate), prover_(mechanism, vertices_mm) {}
+
+  std::optional<CertificateFault> run() {
+    if (const char* what = fault_of_form(mechanism_, certificate_)) {
+      return CertificateFault{0, certificate_.certified_deg(), what};
+    }
+    double from_deg = 0;
+    for (const PathPiece& piece : certificate_.pieces) {
+      const char* what = fault_of_piece(mechanism_, piece, from_deg);
+      if (what == nullptr) what = check(piece, Claims{true, true, true, -1});
+      if (what != nullptr) return CertificateFault{piece.from_deg, piece.to_deg, what};
+      from_deg = piece.to_deg;
+    }
+    if (!certificate_.closing) return std::nullopt;
+    const PathPiece& closing = *certificate_.closing;
+    const char* what = fault_of_piece(mechanism_, closing, from_deg);
+    if (what == nullptr) what = check_closing(closing);
+    if (what != nullptr) return CertificateFault{closing.from_deg, closing.to_deg, what};
+    return std::nullopt;
+  }
+
+ private:
+  // Which of a piece's claims are to hold all over it.
+  struct Claims {
+    bool cosines, sines, slopes;
+    int crease;  ///< which alone keeps its sign, -1 all
+  };
+
+  const char* check(const PathPiece& piece, const Claims& claims) {
+    const char* unproven = "no curve of single states is proven within its box";
+    const auto question = [&](const ProvenStretch& stretch) {
+      const Proof folds = folds_rightly(stretch, claims);
+      if (folds != Proof::holds) {
+        unproven = "a crease is not proven to keep its sign and to stay below 180 degrees";
+        return folds;
+      }
+      const Proof slopes = claims.slopes ? keeps_slopes(stretch) : Proof::holds;
+      if (slopes != Proof::holds) {
+        unproven = "a diagonal is not proven to go on growing or shrinking";
+      }
+      return slopes;
+    };
+    ProvenPiece next;
+    if (prover_.prove(piece, question, next) != Proof::holds) return unproven;
+    if (!holds_middle(next)) return "the state in its middle is not the path's";
+    if (!stretches_join(next) || !joins(next)) return "it does not join the piece before";
+    last_ = std::move(next);
+    return nullptr;
+  }
+
+  Proof folds_rightly(const ProvenStretch& stretch, const Claims& claims) const {
+    Proof proof = Proof::holds;
+    for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
+      if (static_cast<int>(i) == mechanism_.pilot) continue;
+      if (claims.crease >= 0 && static_cast<int>(i) != claims.crease) continue;
+      const int sign = mechanism_.creases[i].assignment;
+      if (claims.cosines) proof = both(proof, is_positive(stretch.cosines[i]));
+      if (claims.sines) proof = both(proof, is_positive(times(sign, stretch.sines[i])));
+      if (proof == Proof::fails) break;
+    }
+    return proof;
+  }
+
+  Proof keeps_slopes(const ProvenStretch& stretch) {
+    if (signs_.empty()) {
+      for (const CheckModel& slope : stretch.slopes) {
+        signs_.push_back(value_at(slope, ArbNumber(0.0)) < ArbNumber(0.0) ? -1 : 1);
+      }
+    }
+    Proof proof = Proof::holds;
+    for (std::size_t d = 0; d < signs_.size() && proof != Proof::fails; ++d) {
+      proof = both(proof, is_positive(times(signs_[d], stretch.slopes[d])));
+    }
+    return proof;
+  }
+
+  // tan of half the pilot's angle at s.
+  static ArbNumber tau_at(const ProvenPiece& piece, const ArbNumber& s) {
+    ArbNumber tau(1.0);
+    if (!piece.piece.graded) return tau;
+    const ArbNumber sigma = ArbNumber(piece.sigma) + ArbNumber(piece.width) * s;
+    arb_sqrt(tau[0], sigma[0], kArbBits);
+    return tau;
+  }
+
+  bool holds_middle(const ProvenPiece& piece) const {
+    const FoldState<double>& state = piece.piece.middle;
+    JointPlaces places;
+    for (const HalfAngle<double>& h : state.creases) {
+      places.creases.push_back({ArbNumber(h.c), ArbNumber(h.s)});
+    }
+    for (const Quaternion<double>& q : state.balls) {
+      places.balls.push_back({ArbNumber(q.w), ArbNumber(q.x), ArbNumber(q.y), ArbNumber(q.z)});
+    }
+    const std::vector<ArbNumber> kept =
+        prover_.unknowns(piece, places, tau_at(piece, piece.middle));
+    const std::vector<ArbNumber> found = piece.unknowns_at(piece.middle);
+    for (std::size_t j = 0; j < kept.size(); ++j) {
+      if (!(size_of(kept[j] - found[j]) < ArbNumber(kMiddleBox))) return false;
+    }
+    return true;
+  }
+
+  // Whether a state lies where that stretch has no other than its own.
+  static bool is_within(const ProvenStretch& stretch, const ArbNumber& s,
+                        const std::vector<ArbNumber>& unknowns) {
+    const ArbNumber place = (s - ArbNumber(stretch.middle)) / ArbNumber(stretch.half);
+    if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) return false;
+    for (std::size_t j = 0; j < stretch.guess.size(); ++j) {
+      CheckModel guess;
+      for (int k = 0; k <= kCheckDegree; ++k) arb_set_d(guess[k], stretch.guess[j].c[k]);
+      const ArbNumber off = size_of(unknowns[j] - value_at(guess, place));
+      if (!(off < ArbNumber(stretch.radius[static_cast<Eigen::Index>(j)]))) return false;
+    }
+    return true;
+  }
+
+  static bool stretches_join(const ProvenPiece& piece) {
+    for (std::size_t k = 1; k < piece.stretches.size(); ++k) {
+      const ProvenStretch& next = piece.stretches[k];
+      const ArbNumber s(next.middle - next.half);
+      if (!is_within(next, s, piece.unknowns_at(s))) return false;
+    }
+    return true;
+  }
+
+  bool joins(const ProvenPiece& next) const {
+    if (last_.stretches.empty()) return next.piece.from_deg == 0;
+    const ArbNumber tau = half_tangent(ArbNumber(next.piece.from_deg));
+    const JointPlaces places = prover_.places(last_, last_.unknowns_at(last_.to), tau);
+    return is_within(next.stretches.front(), next.from, prover_.unknowns(next, places, tau));
+  }
+
+  const char* check_closing(const PathPiece& closing) {
+    // What the path of a crease goes through must be what is said: its sine keeps its sign while
+    // its cosine changes, or the other way about.
+    const Claims claims{certificate_.end == CertificateEnd::sign_changed,
+                        certificate_.end == CertificateEnd::over_folded, false, certificate_.where};
+    if (const char* what = check(closing, claims)) return what;
+    const auto where = static_cast<std::size_t>(certificate_.where);
+    const ProvenStretch& stretch = last_.stretches.back();
+    const ArbNumber place = (last_.to - ArbNumber(stretch.middle)) / ArbNumber(stretch.half);
+    ArbNumber value;
+    if (certificate_.end == CertificateEnd::reversal) {
+      value = value_at(times(signs_[where], stretch.slopes[where]), place);
+    } else if (certificate_.end == CertificateEnd::over_folded) {
+      value = value_at(stretch.cosines[where], place);
+    } else {
+      value = value_at(times(mechanism_.creases[where].assignment, stretch.sines[where]), place);
+    }
+    return value < ArbNumber(0.0) ? nullptr : "what ends it is not proven to happen";
+  }
+
+  const Mechanism& mechanism_;
+  const Certificate& certificate_;
+  PieceProver prover_;
+  ProvenPiece last_;
+  std::vector<int> signs_;  // of the diagonals' slopes
+};
+
+}  // namespace
+
+std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
+                                                  const FlatVertices& vertices_mm,
+                                                  const Certificate& certificate) {
+  return Checker(mechanism, vertices_mm, certificate).run();
+}
+
+}  // namespace misalign::solver

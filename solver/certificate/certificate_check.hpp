@@ -1,0 +1,22 @@
+// A second opinion on certificates, which shares no arithmetic with who made them: balls of many
+// bits (FLINT's arb) instead of Taylor models of doubles. Slow and simple.
+#pragma once
+
+#include <string>
+
+#include "solver/certificate/certificate.hpp"
+
+namespace misalign::solver {
+
+/// Where a certificate claims what is not so, or what this check cannot prove.
+struct CertificateFault {
+  double from_deg, to_deg;  ///< of the piece
+  std::string what;         ///< "the state in its middle is not the path's", ...
+};
+
+/// None where every claim holds for the sheet with these vertices.
+std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
+                                                  const FlatVertices& vertices_mm,
+                                                  const Certificate& certificate);
+
+}  // namespace misalign::solver

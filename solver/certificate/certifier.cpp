@@ -1,0 +1,221 @@
+#include "solver/certificate/certifier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/certificate/conditions.hpp"
+#include "solver/certificate/panel_proof.hpp"
+
+namespace misalign::solver {
+namespace {
+
+/// Largest radius of a box, on pieces of a degree or more; on shorter ones in proportion.
+constexpr double kLargestBox = 2e-5;
+constexpr double kShorterPiece = 0.5;
+constexpr double kFirstPiece_deg = 12, kLeastFirst_deg = 0.05;
+/// Up to here joints are written over the pilot's tangent.
+constexpr double kGradedUntil_deg = 62;
+/// Pieces that would be shorter are none.
+constexpr double kShortest_deg = 2e-6;
+/// Of a closing piece: so much less than kClosing_deg as rounding angles takes.
+constexpr double kClosingPiece_deg = 0.9 * kClosing_deg;
+
+}  // namespace
+
+struct Certifier::Workspace {
+  Workspace(const Model& m, const CertifyOptions& o)
+      : model(m),
+        panels(panels_of(m.base(), m.mechanism())),
+        proof(m.mechanism(), m.shape(), panels),
+        options(o) {}
+
+  const Model& model;
+  const Panels panels;
+  const PanelProof proof;
+  const CertifyOptions options;
+};
+
+namespace {
+
+// One sheet's certificate in the making.
+class March {
+ public:
+  /// `panels`: what proves that none meet; null where that is not asked for.
+  March(const Model& model, const PanelProof* panels, const FlatVertices& vertices_mm,
+        double asked_deg)
+      : model_(model),
+        mechanism_(model.mechanism()),
+        panels_(panels),
+        prover_(mechanism_, vertices_mm) {
+    certificate_.asked_deg = asked_deg;
+    certificate_.contact = panels != nullptr;
+  }
+
+  Certificate run() {
+    if (!begin()) return certificate_;
+    while (at_deg() < certificate_.asked_deg) {
+      if (!go_on()) return certificate_;
+    }
+    certificate_.end = CertificateEnd::to_the_end;
+    return certificate_;
+  }
+
+ private:
+  double at_deg() const { return certificate_.certified_deg(); }
+
+  // The first piece, from flat on. It sets the diagonals' directions.
+  bool begin() {
+    for (double to = std::min(kFirstPiece_deg, certificate_.asked_deg); to >= kLeastFirst_deg;
+         to *= kShorterPiece) {
+      PathPiece piece{0, to, true, 0, {}};
+      const double tangent = std::tan(0.5 * to * kRadPerDeg) * std::sqrt(0.5);
+      const HalfAngle<double> middle = half_angle_of_ratio(tangent, 1);
+      piece.middle =
+          base_state(mechanism_, model_.base().folding, model_.base().sheet.vertices_mm, middle);
+      PathTube tube;
+      if (prover_.prove(piece, kLargestBox, tube) != TubeEnd::proven) continue;
+      std::vector<PathModel> slopes = prover_.find_slopes(tube);
+      directions_.clear();
+      for (const PathModel& slope : slopes) {
+        directions_.push_back(value_at(slope, Ball(-1.0)).c[0] > 0 ? 1 : -1);
+      }
+      if (first_obstacle(tube, slopes, 1e-3).until < 1) continue;
+      accept(std::move(tube));
+      width_deg_ = to * std::min(1.0, prover_.better_length());
+      return true;
+    }
+    certificate_.end = CertificateEnd::flat_branch;
+    return false;
+  }
+
+  PathPiece piece_to(double to_deg) const {
+    PathPiece piece{at_deg(), to_deg, to_deg <= kGradedUntil_deg, 0, {}};
+    const double middle = 0.5 * (at_deg() + to_deg);
+    piece.middle = predict(middle);
+    return piece;
+  }
+
+  // The last piece's path farther on, without the higher powers.
+  FoldState<double> predict(double pilot_deg) const {
+    const Ball place = last_.chart.place_of(pilot_deg);
+    const double s = place.c[0];
+    std::vector<double> x(mechanism_.unknowns, 0.0);
+    for (int j = 0; j < mechanism_.equations; ++j) {
+      const auto& c = last_.path[j].c;
+      for (int k = s < 2 ? kPathDegree : 3; k >= 0; --k) x[j] = x[j] * s + c[k];
+    }
+    return last_.chart.state_at(x.data(), s);
+  }
+
+  // One piece more, or the end.
+  bool go_on() {
+    for (;;) {
+      double to = std::min(at_deg() + width_deg_, certificate_.asked_deg);
+      if (at_deg() < kGradedUntil_deg) to = std::min(to, kGradedUntil_deg);
+      if (to - at_deg() < std::min(kShortest_deg, certificate_.asked_deg - at_deg())) {
+        certificate_.end = CertificateEnd::fold_limit;
+        return false;
+      }
+      PathTube tube;
+      const double width = to - at_deg();
+      const TubeEnd end =
+          prover_.prove(piece_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
+      if (end != TubeEnd::proven || !join(last_, tube)) {
+        width_deg_ = width * (end == TubeEnd::proven ? kShorterPiece
+                                                     : std::min(0.8, prover_.better_length()));
+        continue;
+      }
+      return look_at(std::move(tube));
+    }
+  }
+
+  // What stands in the way first, and how far from s = -1 on nothing does.
+  struct Obstacle {
+    double until = 1;
+    CertificateEnd kind = CertificateEnd::to_the_end;
+    int where = -1;
+    bool happens = false;  // for certain by the end of the piece
+  };
+  Obstacle first_obstacle(const PathTube& tube, const std::vector<PathModel>& slopes,
+                          double resolution) const {
+    Obstacle first;
+    for (const Condition& condition : conditions_of(mechanism_, tube, slopes, directions_)) {
+      const double s = positive_until(condition.value, resolution);
+      if (s >= first.until) continue;
+      first = {s, condition.broken, condition.where, is_negative_at_end(condition.value)};
+    }
+    if (panels_ == nullptr) return first;
+    const PanelProof::Apart apart = panels_->look(prover_, tube, resolution);
+    if (apart.until < first.until) {
+      first = {apart.until, CertificateEnd::contact, apart.pair, false};
+    }
+    return first;
+  }
+
+  // A proven piece counts, or a shorter one is to be looked at, or the way ends here.
+  bool look_at(PathTube tube) {
+    const double from = at_deg(), width = tube.chart.piece().to_deg - from;
+    const double resolution = std::min(0.01, 0.02 * kClosing_deg / width);
+    const Obstacle first = first_obstacle(tube, prover_.find_slopes(tube), resolution);
+    if (first.until == 1) {
+      accept(std::move(tube));
+      width_deg_ = width * prover_.better_length();
+      return true;
+    }
+    if (width <= kClosing_deg && first.happens) {
+      certificate_.end = first.kind;
+      certificate_.where = first.where;
+      certificate_.closing = kept(tube);
+      return false;
+    }
+    const double good_deg = first.until > -1 ? tube.chart.angle_deg_of(first.until) : from;
+    if (good_deg - from > 0.1 * kClosing_deg) {
+      width_deg_ = good_deg - from - 0.02 * kClosing_deg;
+      return true;
+    }
+    // On a shorter piece rates of change are better known.
+    if (width > kClosing_deg) {
+      width_deg_ = std::max(kShorterPiece * width, kClosingPiece_deg);
+      return true;
+    }
+    const bool is_contact = first.kind == CertificateEnd::contact;
+    certificate_.end = is_contact ? first.kind : CertificateEnd::unclear_slope;
+    certificate_.where = first.where;
+    return false;
+  }
+
+  PathPiece kept(const PathTube& tube) const {
+    PathPiece piece = tube.chart.piece();
+    piece.middle = tube.chart.middle();
+    piece.box = tube.isolation();
+    return piece;
+  }
+
+  void accept(PathTube tube) {
+    certificate_.pieces.push_back(kept(tube));
+    last_ = std::move(tube);
+  }
+
+  const Model& model_;
+  const Mechanism& mechanism_;
+  const PanelProof* panels_;
+  TubeProver prover_;
+  Certificate certificate_;
+  PathTube last_;
+  std::vector<int> directions_;
+  double width_deg_ = 0;
+};
+
+}  // namespace
+
+Certifier::Certifier(const Model& model, const CertifyOptions& options)
+    : workspace_(new Workspace(model, options)) {}
+Certifier::~Certifier() = default;
+
+Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg) {
+  return March(workspace_->model, workspace_->options.contact ? &workspace_->proof : nullptr,
+               vertices_mm, asked_deg)
+      .run();
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,30 @@
+// Makes certificates.
+#pragma once
+
+#include <memory>
+
+#include "solver/certificate/certificate.hpp"
+#include "solver/verdict/model.hpp"
+
+namespace misalign::solver {
+
+struct CertifyOptions {
+  bool contact = false;  ///< whether it proves that no panels meet, too
+};
+
+class Certifier {
+ public:
+  /// `model` must outlive this object.
+  explicit Certifier(const Model& model, const CertifyOptions& options = {});
+  ~Certifier();
+
+  /// Of the sheet with these vertices, from flat to `asked_deg` (its D; at most 180) or as far as
+  /// there is a proof.
+  Certificate certify(const FlatVertices& vertices_mm, double asked_deg);
+
+ private:
+  struct Workspace;
+  const std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace misalign::solver

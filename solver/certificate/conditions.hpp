@@ -1,0 +1,50 @@
+// What must stay positive all along a path: every diagonal's rate of change in its own direction,
+// and of every crease the cosine and, by its mountain or valley, the sine of half its fold angle.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/certificate/tube_prover.hpp"
+
+namespace misalign::solver {
+
+struct Condition {
+  CertificateEnd
+      broken;       ///< what it is where this is negative: reversal, over_folded, sign_changed
+  int where;        ///< diagonal or crease
+  PathModel value;  ///< all over a tube
+};
+
+/// `directions`: +1 or -1 for each diagonal.
+std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube& tube,
+                                     const std::vector<PathModel>& slopes,
+                                     const std::vector<int>& directions);
+
+/// How far from s = -1 on something holds, up to `end`: `holds(from, to)` says it of a part. Parts
+/// are halved until they are no longer than `resolution`.
+template <class Holds>
+double holds_until(const Holds& holds, double end, double resolution) {
+  double from = -1, step = 2;
+  while (from < end) {
+    const double to = std::min(end, from + step);
+    if (holds(from, to)) {
+      from = to;
+      step *= 2;
+    } else if (step > resolution) {
+      step *= 0.5;
+    } else {
+      break;
+    }
+  }
+  return from;
+}
+
+/// The largest s up to which f is proven to be positive from s = -1 on; -1 if it is nowhere. Found
+/// to within `resolution` where f changes sign.
+double positive_until(const PathModel& f, double resolution);
+
+/// Whether f is proven to be negative at s = 1.
+bool is_negative_at_end(const PathModel& f);
+
+}  // namespace misalign::solver

@@ -1,0 +1,30 @@
+#include "solver/certificate/path_tube.hpp"
+
+#include <algorithm>
+
+namespace misalign::solver {
+
+double PathTube::isolation() const {
+  double least = 1;
+  for (Eigen::Index i = 0; i < radii.size(); ++i) {
+    least = std::min(least, 0.9 * radii[i] - path[i].radius);
+  }
+  return least;
+}
+
+bool join(const PathTube& before, const PathTube& after) {
+  const double at_deg = after.chart.piece().from_deg;
+  const Ball s = before.chart.place_of(at_deg), s_after = after.chart.place_of(at_deg);
+  std::vector<Ball> x(before.radii.size());
+  for (std::size_t j = 0; j < x.size(); ++j) x[j] = value_at(before.path[j], s);
+  const std::vector<Ball> same = after.chart.unknowns(before.chart.plain(x, at_deg), at_deg);
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    PathModel p = after.path[j];
+    p.radius = 0;
+    const double apart = (same[j] - value_at(p, s_after)).bound();
+    if (!(apart < after.radii[static_cast<Eigen::Index>(j)])) return false;
+  }
+  return true;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,220 @@
+#include "solver/certificate/piece_chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+Ball quotient(const Ball& a, const Ball& b) { return a * reciprocal(b); }
+
+// tan of half the angle from `from` to `to`.
+Ball turn_between(const HalfAngle<double>& from, const HalfAngle<Ball>& to) {
+  return quotient(to.s * Ball(from.c) - to.c * Ball(from.s),
+                  to.c * Ball(from.c) + to.s * Ball(from.s));
+}
+
+Ball tangent_of(double angle_deg) {
+  const HalfAngle<Ball> half = half_angle_ball(angle_deg);
+  return quotient(half.s, half.c);
+}
+
+Ball squared_tangent_of(double angle_deg) {
+  if (angle_deg == 0) return Ball(0.0);
+  const Ball tangent = tangent_of(angle_deg);
+  return tangent * tangent;
+}
+
+BallChart turned_from(const Quaternion<double>& q) {
+  return {{q.w, q.x, q.y, q.z},
+          {{{-q.x, q.w, -q.z, q.y}, {-q.y, q.z, q.w, -q.x}, {-q.z, -q.y, q.x, q.w}}}};
+}
+
+}  // namespace
+
+HalfAngle<Ball> half_angle_ball(double angle_deg) {
+  constexpr double kHalfDegree_rad = 0.0087266462599716478846;  // pi / 360, rounded
+  const Ball x = Ball(angle_deg) * Ball::number(kHalfDegree_rad, 2 * kUnit * kHalfDegree_rad);
+  const Ball xx = x * x;
+  // sin x = x (1 - xx / 6 (1 - xx / 20 (...))) and cos x likewise; |x| <= pi. Terms alternate and
+  // fall: what is left out is less than the first of them, x^38 / 38! < 2e-26.
+  constexpr int kTerms = 18;
+  Ball c(1.0), s(1.0);
+  for (int n = kTerms; n >= 1; --n) {
+    c = Ball(1.0) - quotient(xx * c, Ball(2.0 * n * (2 * n - 1)));
+    s = Ball(1.0) - quotient(xx * s, Ball(2.0 * n * (2 * n + 1)));
+  }
+  c.radius += 1e-25;
+  s.radius += 1e-25;
+  return {c, x * s};
+}
+
+SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+  SheetGeometry<Ball> geometry;
+  const auto difference = [&](int row, Eigen::Index from, Eigen::Index to) {
+    return Ball(vertices_mm(row, to)) - Ball(vertices_mm(row, from));
+  };
+  const Ball width(mechanism.panel_width_mm);
+  for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
+    geometry.x.push_back(quotient(difference(0, 0, v), width));
+    geometry.y.push_back(quotient(difference(1, 0, v), width));
+  }
+  for (const Edge& edge : mechanism.edges) {
+    const Ball dx = difference(0, edge.a, edge.b), dy = difference(1, edge.a, edge.b);
+    const Ball length = square_root(dx * dx + dy * dy);
+    geometry.axis_x.push_back(quotient(dx, length));
+    geometry.axis_y.push_back(quotient(dy, length));
+  }
+  return geometry;
+}
+
+PieceChart::PieceChart(const Mechanism& mechanism, const PathPiece& piece)
+    : mechanism_(&mechanism), piece_(piece) {
+  if (piece.graded) {
+    const Ball low = squared_tangent_of(piece.from_deg), high = squared_tangent_of(piece.to_deg);
+    sigma_ = piece.from_deg == 0 ? 0.5 * high.bound() : 0.5 * (low.c[0] + high.c[0]);
+    // From flat on sigma - half_width is exactly 0.
+    half_width_ = piece.from_deg == 0
+                      ? sigma_
+                      : std::max((high - Ball(sigma_)).bound(), (Ball(sigma_) - low).bound());
+  } else {
+    pilot_ = half_angle_of_deg(0.5 * (piece.from_deg + piece.to_deg));
+    half_width_ = std::max(turn_between(pilot_, half_angle_ball(piece.from_deg)).bound(),
+                           turn_between(pilot_, half_angle_ball(piece.to_deg)).bound());
+  }
+  place_joints();
+}
+
+void PieceChart::place_joints() {
+  const double tau = std::sqrt(sigma_);
+  joints_.creases.clear();
+  joints_.balls.clear();
+  for (const HalfAngle<double>& h : piece_.middle.creases) {
+    const bool is_pilot = static_cast<int>(joints_.creases.size()) == mechanism_->pilot;
+    if (is_graded()) {
+      joints_.creases.push_back(is_pilot ? CreaseChart{1, 0, 1, 0}
+                                         : CreaseChart{1, 0, h.s / (h.c * tau), 1});
+    } else {
+      const HalfAngle<double>& at = is_pilot ? pilot_ : h;
+      joints_.creases.push_back({at.c, -at.s, at.s, at.c});
+    }
+  }
+  for (const Quaternion<double>& q : piece_.middle.balls) {
+    joints_.balls.push_back(
+        is_graded() ? BallChart{{1, q.x / (q.w * tau), q.y / (q.w * tau), q.z / (q.w * sigma_)},
+                                {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}
+                    : turned_from(q));
+  }
+}
+
+void PieceChart::recentre(const double* x) {
+  for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
+    if (static_cast<int>(i) == mechanism_->pilot) continue;
+    CreaseChart& at = joints_.creases[i];
+    const double turn = x[mechanism_->creases[i].column];
+    const HalfAngle<double> h{at.c + at.c_rate * turn, at.s + at.s_rate * turn};
+    at = is_graded() ? CreaseChart{1, 0, h.s, 1} : CreaseChart{h.c, -h.s, h.s, h.c};
+  }
+  for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
+    BallChart& at = joints_.balls[i];
+    GradedQuaternion<double> q = at.middle;
+    for (int k = 0; k < 3; ++k) {
+      const double turn = x[mechanism_->balls[i].column + k];
+      q = {q.w + turn * at.rate[k].w, q.x + turn * at.rate[k].x, q.y + turn * at.rate[k].y,
+           q.z + turn * at.rate[k].z};
+    }
+    at.middle = q;
+    if (!is_graded()) at = turned_from({q.w, q.x, q.y, q.z});
+  }
+}
+
+FoldState<double> PieceChart::state_at(const double* x, double s) const {
+  FoldState<double> state;
+  const double sigma = is_graded() ? sigma_ + half_width_ * s : 1, tau = std::sqrt(sigma);
+  for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
+    const CreaseChart& at = joints_.creases[i];
+    const bool is_pilot = static_cast<int>(i) == mechanism_->pilot;
+    const double own = x == nullptr ? 0 : x[mechanism_->creases[i].column];
+    const double turn = is_pilot ? half_width_ * s : own;
+    const double c = at.c + at.c_rate * turn, t = tau * (at.s + at.s_rate * turn);
+    const double length = std::sqrt(c * c + t * t);
+    state.creases.push_back({c / length, t / length});
+  }
+  for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
+    const BallChart& at = joints_.balls[i];
+    GradedQuaternion<double> q = at.middle;
+    for (int k = 0; x != nullptr && k < 3; ++k) {
+      const double turn = x[mechanism_->balls[i].column + k];
+      q = {q.w + turn * at.rate[k].w, q.x + turn * at.rate[k].x, q.y + turn * at.rate[k].y,
+           q.z + turn * at.rate[k].z};
+    }
+    state.balls.push_back(Quaternion<double>{q.w, tau * q.x, tau * q.y, sigma * q.z}.normalized());
+  }
+  return state;
+}
+
+Ball PieceChart::place_of(double pilot_deg) const {
+  if (is_graded()) {
+    return quotient(squared_tangent_of(pilot_deg) - Ball(sigma_), Ball(half_width_));
+  }
+  return quotient(turn_between(pilot_, half_angle_ball(pilot_deg)), Ball(half_width_));
+}
+
+double PieceChart::angle_deg_of(double s) const {
+  if (is_graded()) {
+    return 2 * std::atan(std::sqrt(std::max(0.0, sigma_ + half_width_ * s))) / kRadPerDeg;
+  }
+  return angle_deg(pilot_) + 2 * std::atan(half_width_ * s) / kRadPerDeg;
+}
+
+PieceChart::PlainState PieceChart::plain(const std::vector<Ball>& x, double pilot_deg) const {
+  const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
+  PlainState state;
+  for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
+    const CreaseChart& at = joints_.creases[i];
+    const bool is_pilot = static_cast<int>(i) == mechanism_->pilot;
+    const Ball turn = is_pilot ? Ball(0.0) : x[mechanism_->creases[i].column];
+    state.creases.push_back({Ball(at.c) + at.c_rate * turn, tau * (Ball(at.s) + at.s_rate * turn)});
+  }
+  for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
+    const BallChart& at = joints_.balls[i];
+    Quaternion<Ball> q{at.middle.w, at.middle.x, at.middle.y, at.middle.z};
+    for (int k = 0; k < 3; ++k) {
+      const Ball& turn = x[mechanism_->balls[i].column + k];
+      q = {q.w + at.rate[k].w * turn, q.x + at.rate[k].x * turn, q.y + at.rate[k].y * turn,
+           q.z + at.rate[k].z * turn};
+    }
+    state.balls.push_back({q.w, tau * q.x, tau * q.y, sigma * q.z});
+  }
+  return state;
+}
+
+std::vector<Ball> PieceChart::unknowns(const PlainState& state, double pilot_deg) const {
+  const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
+  std::vector<Ball> x(mechanism_->equations);
+  for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
+    if (static_cast<int>(i) == mechanism_->pilot) continue;
+    const CreaseChart& at = joints_.creases[i];
+    x[mechanism_->creases[i].column] =
+        is_graded() ? quotient(state.creases[i].s, state.creases[i].c * tau) - Ball(at.s)
+                    : turn_between({at.c, at.s}, state.creases[i]);
+  }
+  for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
+    const GradedQuaternion<double>& at = joints_.balls[i].middle;
+    const Quaternion<Ball>& q = state.balls[i];
+    Ball* unknown = x.data() + mechanism_->balls[i].column;
+    if (is_graded()) {
+      unknown[0] = quotient(q.x, q.w * tau) - Ball(at.x);
+      unknown[1] = quotient(q.y, q.w * tau) - Ball(at.y);
+      unknown[2] = quotient(q.z, q.w * sigma) - Ball(at.z);
+    } else {
+      const Quaternion<Ball> turn = q * Quaternion<Ball>{at.w, -at.x, -at.y, -at.z};
+      unknown[0] = quotient(turn.x, turn.w);
+      unknown[1] = quotient(turn.y, turn.w);
+      unknown[2] = quotient(turn.z, turn.w);
+    }
+  }
+  return x;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,74 @@
+// The coordinates of one piece of a path: how its joints are written in unknowns that are 0 in the
+// middle, and the pilot in s from -1 to 1.
+#pragma once
+
+#include <vector>
+
+#include "solver/certificate/certificate.hpp"
+#include "solver/certificate/graded_closure.hpp"
+
+namespace misalign::solver {
+
+/// The half angle of an angle that is given exactly, by Taylor series; -360 to 360 degrees.
+HalfAngle<Ball> half_angle_ball(double angle_deg);
+
+/// The sheet whose vertices are exactly these doubles (mm), in panel widths.
+SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm);
+
+/// The same as Taylor models of any degree.
+template <class T>
+SheetGeometry<T> with_errors(const SheetGeometry<Ball>& sheet) {
+  const auto each = [](const std::vector<Ball>& from) {
+    std::vector<T> to;
+    for (const Ball& value : from) to.push_back(T::number(value.c[0], value.radius));
+    return to;
+  };
+  return {each(sheet.x), each(sheet.y), each(sheet.axis_x), each(sheet.axis_y)};
+}
+
+class PieceChart {
+ public:
+  PieceChart() = default;
+  /// `mechanism` must outlive this object.
+  PieceChart(const Mechanism& mechanism, const PathPiece& piece);
+
+  const PathPiece& piece() const { return piece_; }
+  const Chart& joints() const { return joints_; }
+  bool is_graded() const { return piece_.graded; }
+  /// Of s = 1 from the middle: in sigma if graded, otherwise as the tangent of half the angle.
+  double half_width() const { return half_width_; }
+  /// sigma in the middle, where graded.
+  double sigma() const { return sigma_; }
+
+  /// Moves the middle by these unknowns, so that they are 0 there again.
+  void recentre(const double* x);
+  /// The state in the middle. Not exact.
+  FoldState<double> middle() const { return state_at(nullptr, 0); }
+  /// The state at these unknowns (null: all 0) and s. Not exact.
+  FoldState<double> state_at(const double* x, double s) const;
+
+  /// s of a pilot angle of the piece.
+  Ball place_of(double pilot_deg) const;
+  /// The angle at s. Not exact.
+  double angle_deg_of(double s) const;
+
+  /// A state at a pilot angle as quaternions, of creases their (c, s), whatever their lengths.
+  struct PlainState {
+    std::vector<HalfAngle<Ball>> creases;
+    std::vector<Quaternion<Ball>> balls;
+  };
+  PlainState plain(const std::vector<Ball>& x, double pilot_deg) const;
+  /// The unknowns of such a state, the pilot's left out.
+  std::vector<Ball> unknowns(const PlainState& state, double pilot_deg) const;
+
+ private:
+  void place_joints();
+
+  const Mechanism* mechanism_ = nullptr;
+  PathPiece piece_;
+  Chart joints_;
+  HalfAngle<double> pilot_{1, 0};
+  double sigma_ = 0, half_width_ = 0;
+};
+
+}  // namespace misalign::solver

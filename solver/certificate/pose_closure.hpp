@@ -1,0 +1,325 @@
+// Loop closure as in loop_closure.hpp, by the product of poses round a loop, in the checker's
+// words: nothing of it is shared with graded_closure.hpp, which certificates are made with.
+//
+// Every motion is kept by orders of smallness near flat, with tau = tan(half the pilot's angle) and
+// sigma = tau^2:
+//     R = I + [ sigma a   tau b  ]      t = ( sigma t1, sigma t2, tau t3 )
+//             [ tau c     sigma d]
+// Products keep that form and hold sigma only; with sigma = 1 they are common poses. Closed are R =
+// I and t = 0: the antisymmetric part of R is zero, in these orders, and so is t. (It is zero for a
+// half turn too, whose trace is -1 instead of 3.) A loop is seen from a point of its own, which
+// keeps t small.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/kinematics/fold_state.hpp"
+
+namespace misalign::solver {
+
+template <class T>
+struct Motion {
+  std::array<std::array<T, 2>, 2> a{};
+  std::array<T, 2> b{}, c{};
+  T d{};
+  std::array<T, 3> t{};
+
+  friend Motion operator+(const Motion& p, const Motion& q) {
+    Motion sum;
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) sum.a[i][j] = p.a[i][j] + q.a[i][j];
+      sum.b[i] = p.b[i] + q.b[i];
+      sum.c[i] = p.c[i] + q.c[i];
+    }
+    sum.d = p.d + q.d;
+    for (int i = 0; i < 3; ++i) sum.t[i] = p.t[i] + q.t[i];
+    return sum;
+  }
+  Motion transposed() const {
+    Motion result = *this;
+    std::swap(result.a[0][1], result.a[1][0]);
+    std::swap(result.b, result.c);
+    return result;
+  }
+};
+
+/// sigma, a number or a function; or 1, which costs nothing.
+template <class T>
+struct Grading {
+  bool graded;
+  T sigma;
+  T operator()(const T& value) const { return graded ? sigma * value : value; }
+};
+
+/// What a product of motions has beyond their sum: (R_p - I) (R_q - I), and (R_p - I) t_q.
+template <class T>
+Motion<T> beyond_sum(const Grading<T>& sigma, const Motion<T>& p, const Motion<T>& q) {
+  Motion<T> r;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      r.a[i][j] = sigma(p.a[i][0] * q.a[0][j] + p.a[i][1] * q.a[1][j]) + p.b[i] * q.c[j];
+    }
+    r.b[i] = sigma(p.a[i][0] * q.b[0] + p.a[i][1] * q.b[1] + p.b[i] * q.d);
+    r.c[i] = sigma(p.c[0] * q.a[0][i] + p.c[1] * q.a[1][i] + p.d * q.c[i]);
+    r.t[i] = sigma(p.a[i][0] * q.t[0] + p.a[i][1] * q.t[1]) + p.b[i] * q.t[2];
+  }
+  r.d = p.c[0] * q.b[0] + p.c[1] * q.b[1] + sigma(p.d * q.d);
+  r.t[2] = sigma(p.c[0] * q.t[0] + p.c[1] * q.t[1] + p.d * q.t[2]);
+  return r;
+}
+
+/// p after q.
+template <class T>
+Motion<T> composed(const Grading<T>& sigma, const Motion<T>& p, const Motion<T>& q) {
+  return p + q + beyond_sum(sigma, p, q);
+}
+
+/// How a piece's joints are written in its unknowns x: graded a crease is cos : sin = c : tau s of
+/// half its angle and a ball's quaternion (w, tau x, tau y, sigma z), otherwise with tau = 1.
+struct CreaseLine {
+  double c, s, c_rate, s_rate;
+};
+using FourParts = std::array<double, 4>;
+struct BallLine {
+  FourParts q;
+  std::array<FourParts, 3> rate;
+};
+struct JointLines {
+  std::vector<CreaseLine> creases;
+  std::vector<BallLine> balls;
+};
+
+/// A model in T has coordinates of the sheet in NumberOf<T>, and `scaled` for products of both.
+template <class T>
+struct NumberOf {
+  using Type = double;
+};
+inline double scaled(double k, double x) { return k * x; }
+inline double inverse_of(double x) { return 1 / x; }
+
+template <class T>
+class PoseClosure {
+ public:
+  using Number = typename NumberOf<T>::Type;
+  struct Entry {
+    int row, column;
+    T value;
+  };
+
+  /// All must outlive this object. `x`: one for each unknown, the pilot's last.
+  PoseClosure(const Mechanism& mechanism, const SheetGeometry<Number>& geometry,
+              const JointLines& lines, const Grading<T>& sigma, const std::vector<T>& x)
+      : mechanism_(mechanism), geometry_(geometry), lines_(lines), sigma_(sigma) {
+    for (std::size_t i = 0; i < lines.creases.size(); ++i) {
+      const CreaseLine& line = lines.creases[i];
+      const T& turn = x[mechanism.creases[i].column];
+      const T c = T(line.c) + scaled(line.c_rate, turn), s = T(line.s) + scaled(line.s_rate, turn);
+      creases_.push_back({c, s, inverse_of(c * c + sigma(s * s))});
+    }
+    for (std::size_t i = 0; i < lines.balls.size(); ++i) {
+      std::array<T, 4> q;
+      for (int part = 0; part < 4; ++part) {
+        q[part] = T(lines.balls[i].q[part]);
+        for (int k = 0; k < 3; ++k) {
+          q[part] =
+              q[part] + scaled(lines.balls[i].rate[k][part], x[mechanism.balls[i].column + k]);
+        }
+      }
+      const T inverse =
+          inverse_of(q[0] * q[0] + sigma(q[1] * q[1] + q[2] * q[2]) + sigma(sigma(q[3] * q[3])));
+      balls_.push_back({q, inverse});
+    }
+  }
+
+  const T& cosine(std::size_t crease) const { return creases_[crease].c; }
+  const T& sine(std::size_t crease) const { return creases_[crease].s; }
+
+  /// How far the loops are open, one for each equation; and R's trace less 3, over sigma, for each
+  /// loop.
+  void open_by(std::vector<T>& residual, std::vector<T>* traces) const {
+    residual.assign(mechanism_.equations, T());
+    if (traces != nullptr) traces->clear();
+    for (const Loop& loop : mechanism_.loops) {
+      Motion<T> whole = motion(loop, loop.passages[0]);
+      for (std::size_t j = 1; j < loop.passages.size(); ++j) {
+        whole = composed(sigma_, whole, motion(loop, loop.passages[j]));
+      }
+      const std::array<T, 6> rows = equations(whole);
+      for (int row = 0; row < loop.rows; ++row) residual[loop.first_row + row] = rows[row];
+      if (traces != nullptr) traces->push_back(whole.a[0][0] + whole.a[1][1] + whole.d);
+    }
+  }
+
+  /// The Jacobian's structural nonzeros, those of the pilot left out.
+  std::vector<Entry> jacobian() const {
+    std::vector<Entry> entries;
+    for (const Loop& loop : mechanism_.loops) add_entries(loop, entries);
+    return entries;
+  }
+
+  /// What a diagonal's squared length has over that of the flat sheet, over sigma: of sides e, f at
+  /// the corner that it spans |e + R f|^2 - |e + f|^2 = 2 e . (R - I) f, R that of the corner.
+  T squared_elongation(const Diagonal& diagonal) const {
+    const Loop& loop = mechanism_.loops[diagonal.loop];
+    const int corner = (diagonal.from_corner + 1) % 4;
+    const int end = corner == 3 ? static_cast<int>(loop.passages.size()) : loop.arrival[corner + 1];
+    Motion<T> turn = motion(loop, loop.passages[loop.arrival[corner]]);
+    for (int j = loop.arrival[corner] + 1; j < end; ++j) {
+      turn = composed(sigma_, turn, motion(loop, loop.passages[j]));
+    }
+    const int at = loop.corners[corner];
+    const auto e = step(diagonal.from, at), f = step(at, diagonal.to);
+    T sum(0.0);
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) sum = sum + scaled(e[i] * f[j], turn.a[i][j]);
+    }
+    return sum + sum;
+  }
+
+ private:
+  struct CreaseValue {
+    T c, s, inverse;
+  };
+  struct BallValue {
+    std::array<T, 4> q;
+    T inverse;
+  };
+
+  std::array<Number, 2> step(int from, int to) const {
+    return {geometry_.x[to] - geometry_.x[from], geometry_.y[to] - geometry_.y[from]};
+  }
+
+  static std::array<T, 6> equations(const Motion<T>& m) {
+    return {m.c[1] - m.b[1], m.b[0] - m.c[0], m.a[1][0] - m.a[0][1], m.t[0], m.t[1], m.t[2]};
+  }
+
+  // R = I + sin [u]x + (1 - cos) [u]x^2, with `sine` and `rest` in their orders, u in the sheet.
+  Motion<T> about_axis(const Passage& passage, const T& sine, const T& rest) const {
+    const int edge = mechanism_.creases[passage.joint].edge;
+    const Number &ux = geometry_.axis_x[edge], &uy = geometry_.axis_y[edge];
+    const T turn = passage.sense > 0 ? -sine : sine;  // crossing to the right is by minus the angle
+    Motion<T> m;
+    m.a[0][0] = -scaled(uy * uy, rest);
+    m.a[0][1] = m.a[1][0] = scaled(ux * uy, rest);
+    m.a[1][1] = -scaled(ux * ux, rest);
+    m.b = {scaled(uy, turn), -scaled(ux, turn)};
+    m.c = {-m.b[0], -m.b[1]};
+    m.d = -rest;
+    return m;
+  }
+
+  // The quadratic form behind R - I, R that of a quaternion of length one, with its two arguments.
+  Motion<T> quaternion_form(const std::array<T, 4>& p, const std::array<T, 4>& q) const {
+    const auto pair = [&](int i, int j) { return p[i] * q[j] + p[j] * q[i]; };
+    const T zz = sigma_(pair(3, 3));
+    const T xy = pair(1, 2), wz = pair(0, 3), wy = pair(0, 2), wx = pair(0, 1);
+    const T xz = sigma_(pair(1, 3)), yz = sigma_(pair(2, 3));
+    Motion<T> m;
+    m.a = {{{-(pair(2, 2) + zz), xy - wz}, {xy + wz, -(pair(1, 1) + zz)}}};
+    m.b = {xz + wy, yz - wx};
+    m.c = {xz - wy, yz + wx};
+    m.d = -(pair(1, 1) + pair(2, 2));
+    return m;
+  }
+
+  // t = p - R p for the point p that a joint keeps in place.
+  void place(const Loop& loop, const Passage& passage, Motion<T>& m) const {
+    const auto p = step(loop.passages[0].vertex, passage.vertex);
+    for (int i = 0; i < 2; ++i) m.t[i] = -(scaled(p[0], m.a[i][0]) + scaled(p[1], m.a[i][1]));
+    m.t[2] = -(scaled(p[0], m.c[0]) + scaled(p[1], m.c[1]));
+  }
+
+  static void scale(const T& k, Motion<T>& m) {
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) m.a[i][j] = k * m.a[i][j];
+      m.b[i] = k * m.b[i];
+      m.c[i] = k * m.c[i];
+    }
+    m.d = k * m.d;
+  }
+
+  Motion<T> turn_of_ball(const BallValue& ball) const {
+    Motion<T> m = quaternion_form(ball.q, ball.q);
+    scale(ball.inverse, m);
+    return m;
+  }
+
+  Motion<T> motion(const Loop& loop, const Passage& passage) const {
+    Motion<T> m;
+    if (passage.ball) {
+      m = turn_of_ball(balls_[passage.joint]);
+      if (passage.sense < 0) m = m.transposed();
+    } else {
+      const CreaseValue& at = creases_[passage.joint];
+      const T twice = at.inverse + at.inverse;
+      m = about_axis(passage, twice * (at.c * at.s), twice * (at.s * at.s));
+    }
+    place(loop, passage, m);
+    return m;
+  }
+
+  // How a joint's motion changes with one of its unknowns: of M = N / |q|^2 it is (N' - M |q|^2') /
+  // |q|^2.
+  Motion<T> rate(const Loop& loop, const Passage& passage, int unknown) const {
+    Motion<T> m;
+    if (passage.ball) {
+      const BallValue& ball = balls_[passage.joint];
+      std::array<T, 4> r;
+      for (int k = 0; k < 4; ++k) r[k] = T(lines_.balls[passage.joint].rate[unknown][k]);
+      const auto& q = ball.q;
+      const T growth = q[0] * r[0] + sigma_(q[1] * r[1] + q[2] * r[2] + sigma_(q[3] * r[3]));
+      const T half = -(growth * ball.inverse);
+      Motion<T> shrink = quaternion_form(q, q);
+      scale(half, shrink);
+      m = quaternion_form(q, r) + shrink;
+      scale(ball.inverse + ball.inverse, m);
+      if (passage.sense < 0) m = m.transposed();
+    } else {
+      // Half the angle turns at (c s' - s c') / (c^2 + sigma s^2); sin and 1 - cos by the chain
+      // rule.
+      const CreaseValue& at = creases_[passage.joint];
+      const CreaseLine& line = lines_.creases[passage.joint];
+      const T turn = (scaled(line.s_rate, at.c) - scaled(line.c_rate, at.s)) * at.inverse;
+      const T twice = (turn + turn) * at.inverse;
+      m = about_axis(passage, twice * (at.c * at.c - sigma_(at.s * at.s)),
+                     (twice + twice) * (at.c * at.s));
+    }
+    place(loop, passage, m);
+    return m;
+  }
+
+  void add_entries(const Loop& loop, std::vector<Entry>& entries) const {
+    const std::size_t count = loop.passages.size();
+    std::vector<Motion<T>> before(count + 1), after(count + 1);  // the first and the last are I
+    for (std::size_t j = 0; j < count; ++j) {
+      const Motion<T> here = motion(loop, loop.passages[j]);
+      before[j + 1] = j == 0 ? here : composed(sigma_, before[j], here);
+      after[j] = here;
+    }
+    for (std::size_t j = count - 1; j-- > 0;) after[j] = composed(sigma_, after[j], after[j + 1]);
+    for (std::size_t j = 0; j < count; ++j) {
+      const Passage& passage = loop.passages[j];
+      if (!passage.ball && passage.joint == mechanism_.pilot) continue;
+      for (int unknown = 0; unknown < (passage.ball ? 3 : 1); ++unknown) {
+        Motion<T> m = rate(loop, passage, unknown);
+        if (j > 0) m = m + beyond_sum(sigma_, before[j], m);
+        if (j + 1 < count) m = m + beyond_sum(sigma_, m, after[j + 1]);
+        const std::array<T, 6> rows = equations(m);
+        for (int row = 0; row < loop.rows; ++row) {
+          entries.push_back(
+              {loop.first_row + row, mechanism_.first_column(passage) + unknown, rows[row]});
+        }
+      }
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const SheetGeometry<Number>& geometry_;
+  const JointLines& lines_;
+  const Grading<T>& sigma_;
+  std::vector<CreaseValue> creases_;
+  std::vector<BallValue> balls_;
+};
+
+}  // namespace misalign::solver

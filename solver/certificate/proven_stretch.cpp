@@ -1,0 +1,300 @@
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+#include "solver/certificate/proven_piece.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// A function of s that is a line, on a stretch.
+template <int Degree>
+void set_line(double at_zero, double width, const ProvenStretch& stretch, ArbModel<Degree>& line) {
+  const ArbNumber middle = ArbNumber(at_zero) + ArbNumber(width) * ArbNumber(stretch.middle);
+  const ArbNumber slope = ArbNumber(width) * ArbNumber(stretch.half);
+  arb_set(line[0], middle[0]);
+  arb_set(line[1], slope[0]);
+}
+template <int Degree>
+void set_line(double at_zero, double width, const ProvenStretch& stretch,
+              WitnessPolynomial<Degree>& line) {
+  line.c[0] = at_zero + width * stretch.middle;
+  line.c[1] = width * stretch.half;
+}
+void set_line(double at_zero, double width, const ProvenStretch& stretch, double& line) {
+  line = at_zero + width * stretch.middle;
+}
+template <int Degree>
+void set_line(double at_zero, double width, const ProvenStretch& stretch,
+              WithRate<ArbModel<Degree>>& line) {
+  set_line(at_zero, width, stretch, line.value);
+  arb_set(line.rate[0], line.value[1]);
+}
+
+template <class T>
+Grading<T> grading(const ProvenPiece& piece, const ProvenStretch& stretch) {
+  Grading<T> sigma{piece.piece.graded, T(1.0)};
+  if (sigma.graded) set_line(piece.sigma, piece.width, stretch, sigma.sigma);
+  return sigma;
+}
+
+// The pilot's unknown, which is zero throughout where sigma tells its angle.
+template <class T>
+T pilot_of(const ProvenPiece& piece, const ProvenStretch& stretch) {
+  T x(0.0);
+  if (!piece.piece.graded) set_line(0, piece.width, stretch, x);
+  return x;
+}
+
+// A guess with an error: powers above the degree are errors as well.
+template <int Degree>
+ArbModel<Degree> widened(const WitnessPolynomial<kCheckDegree>& guess, double error) {
+  ArbModel<Degree> x;
+  for (int k = 0; k <= Degree; ++k) arb_set_d(x[k], guess.c[k]);
+  ArbNumber rest(error);
+  for (int k = Degree + 1; k <= kCheckDegree; ++k) rest += size_of(ArbNumber(guess.c[k]));
+  arb_add_error(x[0], rest[0]);
+  return x;
+}
+
+WitnessPolynomial<kCheckDegree> derivative(const WitnessPolynomial<kCheckDegree>& f) {
+  WitnessPolynomial<kCheckDegree> result;
+  for (int k = 1; k <= kCheckDegree; ++k) result.c[k - 1] = k * f.c[k];
+  return result;
+}
+
+// How many times r its image under these sizes is, and the r of which that is least, about.
+double perron(const Eigen::MatrixXd& sizes, Eigen::VectorXd& r) {
+  constexpr double kSmallest = 0.05;
+  r = Eigen::VectorXd::Ones(sizes.rows());
+  for (int k = 0; k < 30; ++k) {
+    const Eigen::VectorXd image = sizes * r;
+    r = (image / image.maxCoeff()).cwiseMax(kSmallest);
+  }
+  r /= r.minCoeff();
+  return ((sizes * r).array() / r.array()).maxCoeff();
+}
+
+}  // namespace
+
+std::vector<ArbNumber> ProvenPiece::unknowns_at(const ArbNumber& s) const {
+  std::vector<ArbNumber> x;
+  for (const ProvenStretch& stretch : stretches) {
+    const ArbNumber place = (s - ArbNumber(stretch.middle)) / ArbNumber(stretch.half);
+    if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) continue;
+    for (std::size_t j = 0; j < stretch.guess.size(); ++j) {
+      x.push_back(value_at(
+          widened<kCheckDegree>(stretch.guess[j], stretch.error[static_cast<Eigen::Index>(j)]),
+          place));
+    }
+    x.push_back(piece.graded ? ArbNumber(0.0) : ArbNumber(width) * s);
+    return x;
+  }
+  x.resize(stretches.empty() ? 1 : stretches[0].guess.size() + 1);
+  for (ArbNumber& value : x) arb_indeterminate(value[0]);
+  return x;
+}
+
+bool PieceProver::find_middle(const ProvenPiece& piece, Eigen::VectorXd x, ProvenStretch& stretch) {
+  constexpr int kMostSteps = 20;
+  constexpr double kLargestStep = 0.5, kSmallestStep = 1e-13;
+  const int n = mechanism_.equations;
+  const Grading<double> sigma = grading<double>(piece, stretch);
+  std::vector<double> unknowns(mechanism_.unknowns), residual;
+  unknowns[n] = pilot_of<double>(piece, stretch);
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kMostSteps; ++step) {
+    for (int j = 0; j < n; ++j) unknowns[j] = x[j];
+    const PoseClosure<double> closure(mechanism_, geometry_, piece.lines, sigma, unknowns);
+    closure.open_by(residual, nullptr);
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, n);
+    for (const auto& entry : closure.jacobian()) jacobian(entry.row, entry.column) += entry.value;
+    inverse_ = jacobian.partialPivLu().inverse();
+    const Eigen::VectorXd change = inverse_ * Eigen::Map<const Eigen::VectorXd>(residual.data(), n);
+    const double size = change.lpNorm<Eigen::Infinity>();
+    if (!(size < kLargestStep)) return false;
+    x -= change;
+    if (size < kSmallestStep || (size < 1e-9 && size > 0.5 * last)) {  // or rounding stops it
+      stretch.guess.assign(n, {});
+      for (int j = 0; j < n; ++j) stretch.guess[j].c[0] = x[j];
+      return true;
+    }
+    last = size;
+  }
+  return false;
+}
+
+// Newton's method on polynomials with the middle's Jacobian: a power of s more at every step.
+void PieceProver::find_guess(const ProvenPiece& piece, ProvenStretch& stretch) const {
+  using Polynomial = WitnessPolynomial<kCheckDegree>;
+  const int n = mechanism_.equations;
+  const auto sigma = grading<Polynomial>(piece, stretch);
+  std::vector<Polynomial> x = stretch.guess, residual;
+  x.push_back(pilot_of<Polynomial>(piece, stretch));
+  Eigen::MatrixXd coefficients(n, kCheckDegree + 1);
+  for (int order = 0; order <= kCheckDegree; ++order) {
+    PoseClosure<Polynomial>(mechanism_, geometry_, piece.lines, sigma, x)
+        .open_by(residual, nullptr);
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k <= kCheckDegree; ++k) coefficients(i, k) = residual[i].c[k];
+    }
+    const Eigen::MatrixXd changes = inverse_ * coefficients;
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k <= kCheckDegree; ++k) x[i].c[k] -= changes(i, k);
+    }
+  }
+  x.pop_back();
+  stretch.guess = std::move(x);
+}
+
+// At least |C F(s)|, equation by equation.
+std::vector<ArbNumber> PieceProver::preconditioned(const std::vector<CheckModel>& residual) const {
+  const std::size_t n = residual.size();
+  std::vector<ArbNumber> most;
+  for (std::size_t i = 0; i < n; ++i) {
+    CheckModel sum;
+    for (std::size_t j = 0; j < n; ++j) sum.add_product(arb_inverse_[i * n + j], residual[j]);
+    most.push_back(most_of(sum));
+  }
+  return most;
+}
+
+// At least |I - C J| all over the tube.
+void PieceProver::find_deviation(const ProvenPiece& piece, const ProvenStretch& stretch) {
+  using Entry = ArbModel<kCheckJacobianDegree>;
+  const auto n = static_cast<std::size_t>(mechanism_.equations);
+  const auto sigma = grading<Entry>(piece, stretch);
+  std::vector<Entry> x;
+  for (std::size_t j = 0; j < n; ++j) {
+    x.push_back(widened<kCheckJacobianDegree>(stretch.guess[j], stretch.radius[Eigen::Index(j)]));
+  }
+  x.push_back(pilot_of<Entry>(piece, stretch));
+  const PoseClosure<Entry> closure(mechanism_, arb_geometry_, piece.lines, sigma, x);
+  std::vector<Entry> products(n * n);
+  for (std::size_t i = 0; i < n; ++i) products[i * n + i] = Entry(-1.0);
+  for (const auto& entry : closure.jacobian()) {
+    const auto row = static_cast<std::size_t>(entry.row),
+               j = static_cast<std::size_t>(entry.column);
+    for (std::size_t i = 0; i < n; ++i) {
+      products[i * n + j].add_product(arb_inverse_[i * n + row], entry.value);
+    }
+  }
+  deviation_.clear();
+  deviation_guess_.resize(mechanism_.equations, mechanism_.equations);
+  for (std::size_t k = 0; k < n * n; ++k) {
+    deviation_.push_back(most_of(products[k]));
+    deviation_guess_(Eigen::Index(k / n), Eigen::Index(k % n)) =
+        arf_get_d(arb_midref(deviation_.back()[0]), ARF_RND_NEAR);
+  }
+}
+
+bool PieceProver::is_mapped_inside(const std::vector<ArbNumber>& misfit,
+                                   const Eigen::VectorXd& radii) const {
+  const std::size_t n = misfit.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    ArbNumber sum = misfit[i];
+    for (std::size_t j = 0; j < n; ++j) {
+      sum.add_product(deviation_[i * n + j], ArbNumber(radii[Eigen::Index(j)]));
+    }
+    if (!(sum < ArbNumber(radii[Eigen::Index(i)]))) return false;
+  }
+  return true;
+}
+
+// A little more than the least radii that may be mapped inside: a guess.
+Eigen::VectorXd PieceProver::fixed_point(const std::vector<ArbNumber>& misfit) const {
+  const Eigen::Index n = deviation_guess_.rows();
+  Eigen::VectorXd m(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    m[i] = arf_get_d(arb_midref(misfit[std::size_t(i)][0]), ARF_RND_NEAR);
+  }
+  const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(n, n) - deviation_guess_;
+  constexpr double kMore = 1.01, kLeast = 1e-30;
+  return (kMore * rest.partialPivLu().solve(m)).array() + kLeast;
+}
+
+bool PieceProver::enclose(const ProvenPiece& piece, ProvenStretch& stretch) {
+  const auto sigma = grading<CheckModel>(piece, stretch);
+  std::vector<CheckModel> x, residual;
+  for (const auto& guess : stretch.guess) x.push_back(widened<kCheckDegree>(guess, 0));
+  x.push_back(pilot_of<CheckModel>(piece, stretch));
+  PoseClosure<CheckModel>(mechanism_, arb_geometry_, piece.lines, sigma, x)
+      .open_by(residual, nullptr);
+  const std::vector<ArbNumber> misfit = preconditioned(residual);
+  double largest = 0;
+  for (const ArbNumber& m : misfit) {
+    largest = std::max(largest, arf_get_d(arb_midref(m[0]), ARF_RND_UP));
+  }
+  // More than what rounding changes in where the coordinates' middle is.
+  const double box = piece.piece.box * (1 + 1e-9);
+  // Else shorter stretches: an end known so well lies in the next piece's box, which may be
+  // smaller.
+  constexpr double kLargestError = 0.01;
+  if (!(largest < kLargestError * box)) return false;
+  double slack = 4 * largest;
+  constexpr int kAttempts = 4;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    stretch.radius = box * weights_.array() + slack;
+    find_deviation(piece, stretch);
+    if (is_mapped_inside(misfit, stretch.radius)) {
+      stretch.error = fixed_point(misfit);
+      const Eigen::ArrayXd more = stretch.radius - stretch.error;
+      if (!is_mapped_inside(misfit, stretch.error)) return false;
+      if ((stretch.error.array() > 0).all() && (more >= box).all()) {
+        return stretch.error.maxCoeff() < kLargestError * box;
+      }
+      slack = 1.5 * stretch.error.maxCoeff();
+    } else if (!(perron(deviation_guess_, weights_) < 1)) {
+      break;
+    }
+  }
+  weights_.setOnes();
+  return false;
+}
+
+bool PieceProver::find_slopes(const ProvenPiece& piece, ProvenStretch& stretch) {
+  using Moving = WithRate<CheckModel>;
+  const auto n = static_cast<std::size_t>(mechanism_.equations);
+  const auto sigma = grading<Moving>(piece, stretch);
+  std::vector<Moving> x, residual, traces;
+  for (std::size_t j = 0; j < n; ++j) {
+    x.emplace_back(widened<kCheckDegree>(stretch.guess[j], stretch.error[Eigen::Index(j)]),
+                   widened<kCheckDegree>(derivative(stretch.guess[j]), 0));
+  }
+  x.push_back(pilot_of<Moving>(piece, stretch));
+  PoseClosure<Moving>(mechanism_, arb_geometry_, piece.lines, sigma, x).open_by(residual, &traces);
+  for (const Moving& trace :
+       traces) {  // where R is symmetric it is I: no half turn has 3 - 4 < trace
+    if (!(most_of(sigma(trace).value) < ArbNumber(4.0))) return false;
+  }
+  std::vector<CheckModel> rates;
+  for (const Moving& row : residual) rates.push_back(row.rate);
+  const std::vector<ArbNumber> misfit = preconditioned(rates);
+  const Eigen::VectorXd errors = fixed_point(misfit);
+  if (!is_mapped_inside(misfit, errors)) return false;
+  for (std::size_t j = 0; j < n; ++j) {
+    x[j].rate = widened<kCheckDegree>(derivative(stretch.guess[j]), errors[Eigen::Index(j)]);
+  }
+  const PoseClosure<Moving> closure(mechanism_, arb_geometry_, piece.lines, sigma, x);
+  for (const Diagonal& diagonal : mechanism_.diagonals) {
+    stretch.slopes.push_back(sigma(closure.squared_elongation(diagonal)).rate);
+  }
+  for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
+    stretch.cosines.push_back(closure.cosine(i).value);
+    stretch.sines.push_back(closure.sine(i).value);
+  }
+  return true;
+}
+
+bool PieceProver::prove_stretch(const ProvenPiece& piece, const Eigen::VectorXd& start,
+                                ProvenStretch& stretch) {
+  if (!find_middle(piece, start, stretch)) return false;
+  find_guess(piece, stretch);
+  arb_inverse_.clear();
+  for (Eigen::Index i = 0; i < inverse_.rows(); ++i) {
+    for (Eigen::Index j = 0; j < inverse_.cols(); ++j) arb_inverse_.emplace_back(inverse_(i, j));
+  }
+  return enclose(piece, stretch) && find_slopes(piece, stretch);
+}
+
+}  // namespace misalign::solver

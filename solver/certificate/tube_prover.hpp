@@ -1,0 +1,84 @@
+// A piece of a folding path, proven: for every pilot angle of an interval there is exactly one
+// folded state within a box round a polynomial, and J is regular there.
+//
+// With F(x, s) = 0 the loop closure, s in [-1, 1] the place in the interval, p(s) the path as a
+// polynomial, C(s) near J^-1 and X(s) = p(s) + [-r, r]: if for every s
+//     -C(s) F(p(s), s) + (I - C(s) J(X(s), s)) [-r, r]   lies within   (-r, r)
+// then X(s) holds exactly one solution, and J is regular in X(s) (Krawczyk 1969; Rump 1983, theorem
+// 4.1; Neumaier, Interval Methods for Systems of Equations, section 5.1). It depends on s
+// continuously, hence these solutions are one curve.
+#pragma once
+
+#include <array>
+
+#include "solver/certificate/path_tube.hpp"
+#include "solver/certificate/polynomial.hpp"
+#include "solver/design/fold_lines.hpp"
+
+namespace misalign::solver {
+
+enum class TubeEnd {
+  proven,
+  no_state,    ///< Newton's method finds no state from the middle that was given
+  too_curved,  ///< the path is no polynomial to within the box: a shorter piece may be
+  not_unique   ///< C J is too far from I: it may be nearer on a shorter piece, or in a smaller box
+};
+
+class TubeProver {
+ public:
+  /// Of the sheet with these vertices. `mechanism` must outlive this object.
+  TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
+
+  /// Proves a piece; `box` is the largest of r. Unless proven `tube` is of no use.
+  TubeEnd prove(const PathPiece& piece, double box, PathTube& tube);
+  /// Of the last piece, proven or not: by which factor it should have been longer.
+  double better_length() const;
+
+  /// Of the last tube that was proven: for every diagonal its squared length's derivative, times a
+  /// positive number, all over the tube.
+  std::vector<PathModel> find_slopes(const PathTube& tube) const;
+
+  /// Corners of the panels all over a tube, as GradedClosure::place_panels has them.
+  std::vector<std::array<GradedVector<JacobianModel>, 4>> place_panels(const PathTube& tube,
+                                                                       const FoldedShape& shape,
+                                                                       const Panels& panels) const;
+
+ private:
+  template <class T, class Use>
+  void with_closure(const PieceChart& chart, const SheetGeometry<T>& geometry, const T* x,
+                    const T& s, Use&& use) const;
+  template <class T>
+  std::vector<T> residual_of(const PieceChart& chart, const SheetGeometry<T>& geometry,
+                             const std::vector<T>& x, const T& s) const;
+  Eigen::MatrixXd inverse_at(const PieceChart& chart, const std::vector<double>& x, double s) const;
+  bool solve_middle(PieceChart& chart);
+  void find_inverse(const PathTube& tube);
+  std::vector<PathModel> find_path(const PieceChart& chart) const;
+  double estimate_error(const std::vector<PathModel>& residual) const;
+  std::vector<JacobianModel> unknowns(const PathTube& tube, double box) const;
+  void find_deviation(const PathTube& tube, double box);
+  template <int Degree>
+  Eigen::VectorXd bound_product(const std::vector<TaylorModel<Degree>>& residual) const;
+  template <int Degree>
+  void add_powers(const PieceChart& chart, const SheetGeometry<Polynomial<Degree>>& sheet,
+                  int steps, Eigen::MatrixXd& path) const;
+  Eigen::VectorXd times_deviation(const Eigen::VectorXd& radii) const;
+  Eigen::VectorXd bound_solution(const PathTube& tube, const Eigen::VectorXd& most) const;
+
+  const Mechanism& mechanism_;
+  const std::vector<JacobianColumn> columns_;
+  const SheetGeometry<PathModel> path_sheet_;
+  const SheetGeometry<JacobianModel> jacobian_sheet_;
+  const SheetGeometry<Dual<PathModel>> moving_sheet_;
+  SheetGeometry<double> sheet_;
+  SheetGeometry<Polynomial<kHalfDegree>> half_sheet_;
+  SheetGeometry<Polynomial<kPathDegree>> whole_sheet_;
+  // Of the last piece.
+  std::array<Eigen::MatrixXd, kInversePowers> inverse_;  // C, by powers of s
+  Eigen::MatrixXd absolute_inverse_;                     // at least |C| all over s
+  Eigen::MatrixXd deviation_;                            // at least |I - C J| all over X
+  Eigen::MatrixXd rate_bounds_;  // columns: diagonals, at least |d elongation / dx|
+  double error_ = 0, contraction_ = 0;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,15 @@
+// What this process has cost so far.
+#pragma once
+
+#include <ctime>
+
+namespace misalign::bench {
+
+/// Of all its threads.
+inline double cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace misalign::bench
