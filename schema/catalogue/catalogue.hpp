@@ -7,6 +7,7 @@
 
 #include "schema/campaign/campaign.hpp"
 #include "schema/campaign/goal.hpp"
+#include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/standing.hpp"
 #include "schema/catalogue/unit_writer.hpp"
@@ -73,6 +74,9 @@ class Catalogue {
   /// which nothing is kept: see write_yields.
   std::vector<std::uint64_t> keep(const std::vector<Yield>& yields,
                                   const std::string& commit_of_build);
+  /// One transaction: certificates, each in the place of the one that was there. The draws that
+  /// are no candidates here, of which nothing is kept.
+  std::vector<std::uint64_t> keep(const std::vector<CertificateRow>& certificates);
   /// The same of another catalogue, for candidates that both hold.
   void take_over_yields(SQLite::Database& other);
   /// `end` says why, see catalogue.sql. Closes the file: nothing else may follow.

@@ -5,8 +5,9 @@
 
 namespace misalign::schema {
 
-inline constexpr int kYieldSince = 4;      ///< table yield
-inline constexpr int kSplittingSince = 6;  ///< tables level, population, sheet, piece
+inline constexpr int kYieldSince = 4;        ///< table yield
+inline constexpr int kSplittingSince = 6;    ///< tables level, population, sheet, piece
+inline constexpr int kCertificateSince = 7;  ///< table certificate
 /// fault_sample.stands_for: rows are the rarer the larger the draw's number. Rows of units whose
 /// run had an older schema are every 1024 draws, however large, and stay.
 inline constexpr int kRarerSampleSince = 4;

@@ -181,6 +181,7 @@ void UnitWriter::write_candidate(const Candidate& candidate, std::int64_t unit) 
     }
   });
   insert(candidate_);
+  if (candidate.certificate) write_certificates(database_, {*candidate.certificate});
   if (!campaign_.splitting) return;
   const std::string hash = sheet_hash(displacements_mm);
   sheet_.tryReset();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "schema/campaign/campaign.hpp"
+#include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/fault_sample.hpp"
 #include "schema/catalogue/population_rows.hpp"
 #include "solver/verdict/metrics.hpp"
@@ -23,6 +24,7 @@ struct Candidate {
   std::uint64_t draw;
   solver::Metrics metrics;
   Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
+  std::optional<CertificateRow> certificate = {};
 };
 
 /// What became of a range of draws: a unit of the ledger with everything that belongs to it.

@@ -1,10 +1,14 @@
 #include "schema/files/base64.hpp"
 
 namespace misalign::schema {
+namespace {
+
+constexpr std::string_view kDigits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+}  // namespace
 
 std::string base64(const unsigned char* bytes, std::size_t count) {
-  constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((count + 2) / 3 * 4);
   for (std::size_t k = 0; k < count; k += 3) {
@@ -18,6 +22,30 @@ std::string base64(const unsigned char* bytes, std::size_t count) {
     text += left > 2 ? kDigits[three & 63] : '=';
   }
   return text;
+}
+
+std::optional<std::string> from_base64(std::string_view text) {
+  if (text.size() % 4 != 0) return std::nullopt;
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  for (std::size_t k = 0; k < text.size(); k += 4) {
+    std::uint32_t three = 0;
+    std::size_t digits = 0;
+    for (; digits < 4 && text[k + digits] != '='; ++digits) {
+      const std::size_t digit = kDigits.find(text[k + digits]);
+      if (digit == std::string_view::npos) return std::nullopt;
+      three |= static_cast<std::uint32_t>(digit) << (18 - 6 * digits);
+    }
+    if (digits < 2) return std::nullopt;
+    for (std::size_t byte = 0; byte + 1 < digits; ++byte) {
+      bytes += static_cast<char>(three >> (16 - 8 * byte) & 0xff);
+    }
+  }
+  // Blanks left in the last digit, or anything behind a '=', would be another text of the same.
+  if (base64(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()) != text) {
+    return std::nullopt;
+  }
+  return bytes;
 }
 
 }  // namespace misalign::schema

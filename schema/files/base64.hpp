@@ -1,14 +1,19 @@
-// Numbers as base64 (RFC 4648) of their bytes, little-endian.
+// Bytes as base64 (RFC 4648); numbers little-endian.
 #pragma once
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace misalign::schema {
 
 std::string base64(const unsigned char* bytes, std::size_t count);
+
+/// The bytes; none where the text is not exactly what base64() makes of some.
+std::optional<std::string> from_base64(std::string_view text);
 
 template <class Number>
 std::string base64(const std::vector<Number>& numbers) {

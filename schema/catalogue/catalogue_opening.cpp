@@ -1,0 +1,80 @@
+// Opening a catalogue: a new one is laid out, one of an older schema is brought up to date.
+#include "schema/catalogue/candidate_row.hpp"
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/files/carried_files.hpp"
+#include "schema/files/file_name.hpp"
+#include "schema/files/output_file.hpp"
+
+namespace misalign::schema {
+
+void Catalogue::open(Missing missing) {
+  database_ =
+      open_for_writing(path_, storage_, campaign_.splitting ? kSplittingCache_kb : kCache_kb);
+  log_.emplace(*database_, path_, storage_);
+  const bool is_new = database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
+  if (is_new && missing == Missing::refused) throw damaged(*database_, "it is empty");
+  if (!is_new) {
+    check_same_campaign();
+    log_->fold_in();
+    migrate();
+  }
+  database_->exec(storage_ == Storage::network ? "PRAGMA journal_mode = TRUNCATE"
+                                               : "PRAGMA journal_mode = WAL");
+  if (is_new) {
+    create();
+    sync_directory_of(path_);
+  }
+  writer_.emplace(*database_, campaign_, mechanism_);
+  goal_end_.emplace(goal_);
+}
+
+void Catalogue::check_same_campaign() const {
+  SQLite::Statement campaign(*database_, "SELECT identity FROM campaign");
+  if (!campaign.executeStep()) throw damaged(*database_, "it names no campaign");
+  const std::string held = text_of(campaign.getColumn(0));
+  if (held == identity_) return;
+  const std::string different = differences(read_campaign_of(*database_, path_), campaign_);
+  if (different.empty()) throw damaged(*database_, "its identity is not its configuration's");
+  throw UserError(kExitOtherCampaign, path_ + ": holds another campaign, " + held.substr(0, 8) +
+                                          " (they differ in " + different +
+                                          "); give this one a file of its own with --catalogue");
+}
+
+// The file as it was is kept beside it; then all steps to the present schema, or none.
+void Catalogue::migrate() {
+  const int version = version_of(*database_);
+  if (version == kSchemaVersion) return;
+  const std::string backup = path_ + ".version-" + std::to_string(version);
+  if (!is_taken(backup)) {
+    OutputFile file = OutputFile::database(backup, {path_});
+    SQLite::Statement copy(*database_, "VACUUM INTO ?");
+    copy.bind(1, plain_file_name(file.path()));
+    copy.exec();
+    file.publish();
+  }
+  SQLite::Transaction transaction(*database_);
+  for (int next = version + 1; next <= kSchemaVersion; ++next) {
+    database_->exec(carried_text("schema/migrations/" + std::to_string(next) + ".sql"));
+  }
+  transaction.commit();
+}
+
+void Catalogue::create() {
+  SQLite::Transaction transaction(*database_);
+  database_->exec(carried_text("schema/catalogue.sql"));
+  SQLite::Statement insert(
+      *database_,
+      "INSERT INTO campaign (id, identity, name, configuration, diagonals, "
+      "range_lo, range_hi, goal_end) "
+      "VALUES (1, :identity, :name, :configuration, :diagonals, 0, :end, :end)");
+  insert.bind(":identity", identity_);
+  insert.bind(":name", campaign_.name);
+  insert.bind(":configuration", stored_configuration(campaign_).dump());
+  insert.bind(":diagonals", diagonals_json(campaign_, mechanism_).dump());
+  insert.bind(":end", stored(kEndOfDraws));
+  insert.exec();
+  transaction.commit();
+}
+
+}  // namespace misalign::schema

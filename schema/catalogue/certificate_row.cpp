@@ -1,0 +1,264 @@
+#include "schema/catalogue/certificate_row.hpp"
+
+#include <sqlite3.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "schema/catalogue/database.hpp"
+#include "schema/catalogue/since.hpp"
+#include "schema/files/base64.hpp"
+#include "schema/files/hash.hpp"
+#include "solver/design/contact.hpp"
+#include "solver/design/fold_lines.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using solver::CertificateEnd;
+
+// Of draws that are no candidates nothing is kept.
+constexpr const char* kInsert =
+    "INSERT INTO certificate (draw, certified_deg, asked_deg, ended, place, contact, intervals, "
+    "seconds, hash, proof) SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10 "
+    "WHERE EXISTS (SELECT 1 FROM candidate WHERE draw = ?1) "
+    "ON CONFLICT (draw) DO UPDATE SET certified_deg = excluded.certified_deg, "
+    "asked_deg = excluded.asked_deg, ended = excluded.ended, place = excluded.place, "
+    "contact = excluded.contact, intervals = excluded.intervals, seconds = excluded.seconds, "
+    "hash = excluded.hash, proof = excluded.proof";
+constexpr const char* kSelect =
+    "SELECT certified_deg, asked_deg, ended, place, contact, intervals, seconds, hash, proof "
+    "FROM certificate WHERE draw = ?";
+
+constexpr const char* kCertificate = "certificate";
+
+template <class Bits>
+void put_bits(std::string& bytes, Bits bits) {
+  for (std::size_t k = 0; k < sizeof bits; ++k) {
+    bytes.push_back(static_cast<char>(bits >> (8 * k) & 0xff));
+  }
+}
+
+void put(std::string& bytes, double value) { put_bits(bytes, std::bit_cast<std::uint64_t>(value)); }
+
+void put(std::string& bytes, const std::string& text) {
+  put_bits(bytes, static_cast<std::uint32_t>(text.size()));
+  bytes += text;
+}
+
+// "[0,1] and [2,3]"
+std::string panels_place(const Pattern& base, const solver::Mechanism& mechanism,
+                         std::size_t number) {
+  const solver::Panels panels = solver::panels_of(base.base, mechanism);
+  const auto pairs = solver::pairs_of(panels);
+  if (number >= pairs.size()) return "";
+  const auto place_of = [&](int panel) {
+    return facet_json(base, panels.facets[static_cast<std::size_t>(panel)]).dump();
+  };
+  return place_of(pairs[number].a) + " and " + place_of(pairs[number].b);
+}
+
+// Empty where the sheet has no such place.
+std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
+                     const solver::Certificate& certificate) {
+  if (certificate.where < 0) return "";
+  const auto number = static_cast<std::size_t>(certificate.where);
+  switch (certificate.end) {
+    case CertificateEnd::reversal:
+      if (number >= mechanism.diagonals.size()) return "";
+      return solver::line_label(mechanism.diagonals[number].from, mechanism.diagonals[number].to);
+    case CertificateEnd::over_folded:
+    case CertificateEnd::sign_changed:
+      if (number >= mechanism.creases.size()) return "";
+      return solver::line_label(mechanism.creases[number].a, mechanism.creases[number].b);
+    case CertificateEnd::contact:
+      return panels_place(base, mechanism, number);
+    case CertificateEnd::to_the_end:
+    case CertificateEnd::fold_limit:
+    case CertificateEnd::unclear_slope:
+    case CertificateEnd::flat_branch:
+      break;
+  }
+  return "";
+}
+
+// The columns that a proof decides; without hash, seconds and the proof itself.
+CertificateRow claims_of(const Pattern& base, const solver::Mechanism& mechanism,
+                         std::uint64_t draw, const solver::Certificate& certificate) {
+  CertificateRow row;
+  row.draw = draw;
+  row.certified_deg = certificate.certified_deg();
+  row.asked_deg = certificate.asked_deg;
+  row.end = solver::name_of(certificate.end);
+  row.place = place_of(base, mechanism, certificate);
+  row.contact = certificate.contact;
+  row.intervals = static_cast<std::uint32_t>(certificate.pieces.size());
+  return row;
+}
+
+// Whether a row of kSelect holds what a certificate's can, column by column.
+bool is_certificate(SQLite::Statement& row) {
+  constexpr int kTypes[] = {SQLITE_FLOAT,   SQLITE_FLOAT, SQLITE_TEXT, SQLITE_TEXT, SQLITE_INTEGER,
+                            SQLITE_INTEGER, SQLITE_FLOAT, SQLITE_TEXT, SQLITE_BLOB};
+  int column = 0;
+  for (const int type : kTypes) {
+    if (row.getColumn(column++).getType() != type) return false;
+  }
+  const std::int64_t contact = row.getColumn(4).getInt64(), intervals = row.getColumn(5).getInt64();
+  const double seconds = row.getColumn(6).getDouble();
+  return (contact == 0 || contact == 1) && intervals >= 0 &&
+         intervals <= std::numeric_limits<std::uint32_t>::max() && std::isfinite(seconds) &&
+         seconds >= 0;
+}
+
+}  // namespace
+
+std::string certificate_hash(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
+                             const CertificateRow& row) {
+  const Eigen::Matrix2Xd vertices_mm = base.base.sheet.vertices_mm + shifts_mm;
+  std::string bytes;
+  put_bits(bytes, row.draw);
+  put_bits(bytes, static_cast<std::uint32_t>(vertices_mm.cols()));
+  for (const double coordinate : vertices_mm.reshaped()) put(bytes, coordinate);
+  put(bytes, row.certified_deg);
+  put(bytes, row.asked_deg);
+  put(bytes, row.end);
+  put(bytes, row.place);
+  put_bits<std::uint8_t>(bytes, row.contact ? 1 : 0);
+  put_bits(bytes, row.intervals);
+  put(bytes, row.proof);
+  return hex(hash_of(bytes));
+}
+
+CertificateRow certificate_row(const Pattern& base, const solver::Mechanism& mechanism,
+                               std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
+                               const solver::Certificate& certificate, double seconds) {
+  CertificateRow row = claims_of(base, mechanism, draw, certificate);
+  row.seconds = seconds;
+  row.proof = solver::encode(mechanism, certificate);
+  row.hash = certificate_hash(base, shifts_mm, row);
+  return row;
+}
+
+std::optional<std::string> certificate_fault(const Pattern& base,
+                                             const solver::Mechanism& mechanism,
+                                             const Eigen::Matrix2Xd& shifts_mm,
+                                             const CertificateRow& row) {
+  if (row.hash != certificate_hash(base, shifts_mm, row)) {
+    return "its hash is not that of the sheet, its columns and its proof";
+  }
+  const auto certificate = solver::decode(mechanism, row.proof);
+  if (!certificate) return "its proof is none of such a sheet";
+  const CertificateRow claims = claims_of(base, mechanism, row.draw, *certificate);
+  const auto contradicted = [](const std::string& column) {
+    return "its proof says otherwise than its column " + column;
+  };
+  if (row.certified_deg != claims.certified_deg) return contradicted("certified_deg");
+  if (row.asked_deg != claims.asked_deg) return contradicted("asked_deg");
+  if (row.end != claims.end) return contradicted("ended");
+  if (row.place != claims.place) return contradicted("place");
+  if (row.contact != claims.contact) return contradicted("contact");
+  if (row.intervals != claims.intervals) return contradicted("intervals");
+  return std::nullopt;
+}
+
+Json certificate_json(const CertificateRow& row) {
+  return {{"certified_deg", row.certified_deg},
+          {"asked_deg", row.asked_deg},
+          {"end", row.end},
+          {"where", row.place.empty() ? Json() : Json(row.place)},
+          {"contact", row.contact},
+          {"intervals", row.intervals},
+          {"seconds", row.seconds},
+          {"hash", row.hash},
+          {"proof",
+           base64(reinterpret_cast<const unsigned char*>(row.proof.data()), row.proof.size())}};
+}
+
+std::optional<CertificateRow> certificate_of_json(const Json& exported, const std::string& source) {
+  const auto value = exported.is_object() ? exported.find(kCertificate) : exported.end();
+  if (!exported.is_object() || value == exported.end() || value->is_null()) return std::nullopt;
+  InputFaults faults;
+  CertificateRow row;
+  const std::string again = "export the candidate again, or run `misalign certify`";
+  if (const auto draw = exported.find("draw"); draw != exported.end()) {
+    ObjectReader(exported, "", faults).whole("draw", row.draw, kEndOfDraws, again);
+  }
+  ObjectReader reader(*value, kCertificate, faults);
+  for (const char* key : {"certified_deg", "asked_deg", "end", "where", "contact", "intervals",
+                          "seconds", "hash", "proof"}) {
+    reader.require(key, again);
+  }
+  reader.number("certified_deg", row.certified_deg, 0, 180, again);
+  reader.number("asked_deg", row.asked_deg, 0, 180, again);
+  reader.text("end", row.end, again);
+  if (const Json* where = reader.find("where"); where && !where->is_null()) {
+    reader.text("where", row.place, again);
+  }
+  if (const Json* contact = reader.find("contact"); contact && contact->is_boolean()) {
+    row.contact = contact->get<bool>();
+  } else if (contact) {
+    faults.add(reader.shown("contact"), "must be true or false", again);
+  }
+  std::uint64_t intervals = 0;
+  reader.whole("intervals", intervals, std::numeric_limits<std::uint32_t>::max(), again);
+  row.intervals = static_cast<std::uint32_t>(intervals);
+  reader.number("seconds", row.seconds, 0, std::numeric_limits<double>::max(), again);
+  reader.text("hash", row.hash, again);
+  std::string proof;
+  reader.text("proof", proof, again);
+  const auto bytes = from_base64(proof);
+  if (!bytes) faults.add(reader.name("proof"), "is not base64", again);
+  reader.refuse_unknown_keys();
+  faults.refuse(source);
+  row.proof = *bytes;
+  return row;
+}
+
+bool has_certificates(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA user_version").getInt() >= kCertificateSince;
+}
+
+std::optional<CertificateRow> read_certificate(SQLite::Database& database, std::uint64_t draw) {
+  return reading(database, [&]() -> std::optional<CertificateRow> {
+    if (!has_certificates(database)) return std::nullopt;
+    SQLite::Statement row(database, kSelect);
+    row.bind(1, stored(draw));
+    if (!row.executeStep()) return std::nullopt;
+    const bool good = is_certificate(row);
+    return CertificateRow{draw,
+                          row.getColumn(0).getDouble(),
+                          row.getColumn(1).getDouble(),
+                          text_of(row.getColumn(2)),
+                          text_of(row.getColumn(3)),
+                          row.getColumn(4).getInt64() == 1,
+                          row.getColumn(5).getUInt(),
+                          good ? row.getColumn(6).getDouble() : 0,
+                          row.getColumn(8).getString(),
+                          good ? text_of(row.getColumn(7)) : ""};
+  });
+}
+
+std::vector<std::uint64_t> write_certificates(SQLite::Database& database,
+                                              const std::vector<CertificateRow>& rows) {
+  std::vector<std::uint64_t> no_candidates;
+  SQLite::Statement insert(database, kInsert);
+  for (const CertificateRow& row : rows) {
+    insert.tryReset();
+    insert.bind(1, stored(row.draw));
+    insert.bind(2, row.certified_deg);
+    insert.bind(3, row.asked_deg);
+    insert.bind(4, row.end);
+    insert.bind(5, row.place);
+    insert.bind(6, row.contact ? 1 : 0);
+    insert.bind(7, row.intervals);
+    insert.bind(8, row.seconds);
+    insert.bind(9, row.hash);
+    insert.bind(10, row.proof.data(), static_cast<int>(row.proof.size()));
+    if (insert.exec() == 0) no_candidates.push_back(row.draw);
+  }
+  return no_candidates;
+}
+
+}  // namespace misalign::schema
