@@ -155,6 +155,22 @@ void read_actuators(ObjectReader reader, solver::Actuators& actuators) {
   reader.refuse_unknown_keys();
 }
 
+void read_certify(ObjectReader& reader, bool is_splitting, bool& certify) {
+  const Json* value = reader.find("certify");
+  if (!value) return;
+  if (!value->is_boolean()) {
+    reader.faults().add(reader.shown("certify"), "must be true or false",
+                        "write true for certificates as the search goes");
+    return;
+  }
+  certify = value->get<bool>();
+  if (certify && is_splitting) {
+    reader.faults().add(reader.shown("certify"),
+                        "a splitting search makes no certificates as it goes",
+                        "write false, and run `misalign certify` on its catalogue afterwards");
+  }
+}
+
 bool usable_file_name(const std::string& name) {
   return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -223,6 +239,7 @@ Campaign read_campaign(const Json& value, const std::string& source,
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   read_actuators(ObjectReader(part("actuators"), "actuators", faults), campaign.actuators);
+  read_certify(reader, campaign.splitting.has_value(), campaign.certify);
   reader.refuse_unknown_keys();
   faults.refuse(source);
   return campaign;
@@ -273,13 +290,15 @@ Json campaign_json(const Campaign& campaign) {
           {"stop", stop_json(campaign.stop)},
           {"actuators",
            {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
-            {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}}};
+            {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}},
+          {"certify", campaign.certify}};
 }
 
 Json stored_configuration(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json configuration = campaign_json(campaign);
   if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  if (!campaign.certify) configuration.erase("certify");
   if (!campaign.splitting) {
     configuration.erase("search");
     if (configuration["stop"]["populations"] == defaults["stop"]["populations"])
@@ -298,6 +317,7 @@ Json identity_json(const Campaign& campaign) {
   identity.erase("name");
   identity.erase("stop");
   identity.erase("actuators");
+  identity.erase("certify");
   leave_out_defaults(identity, defaults);
   return identity;
 }

@@ -49,6 +49,8 @@ struct Campaign {
   std::uint64_t seed = 1;
   StopRule stop;
   solver::Actuators actuators;  ///< outside the identity: what is shown of candidates
+  /// Whether the search makes each candidate's certificate as it goes; outside the identity.
+  bool certify = false;
 
   /// The least D that is accepted.
   int threshold_sample() const;

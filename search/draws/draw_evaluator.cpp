@@ -108,7 +108,9 @@ DrawEvaluator::DrawEvaluator(schema::Campaign campaign)
 DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set)
     : campaign_(std::move(campaign)),
       model_(model_of(campaign_)),
-      batch_(solver::make_batch(set, model_)) {}
+      batch_(solver::make_batch(set, model_)) {
+  if (campaign_.certify) certifier_.emplace(campaign_.pattern, model_);
+}
 
 std::uint64_t DrawEvaluator::largest_block() const {
   const std::uint64_t numbers =
@@ -119,7 +121,8 @@ std::uint64_t DrawEvaluator::largest_block() const {
 std::size_t DrawEvaluator::bytes_of_candidate() const {
   const auto shifts = 2 * static_cast<std::size_t>(model_.mechanism().vertices);
   return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
-         sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2);
+         sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2) +
+         (certifier_ ? sizeof(schema::CertificateRow) + kUsualCertificate_bytes : 0);
 }
 
 void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
@@ -182,8 +185,13 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
       turn_down(open_.numbers[k], record.verdict, unit);
       return;
     }
-    unit.candidates.push_back(
-        candidate_of(model_, open_.numbers[k], open_.shifts_mm(k).data(), record));
+    const std::uint64_t draw = open_.numbers[k];
+    schema::Candidate candidate = candidate_of(model_, draw, open_.shifts_mm(k).data(), record);
+    if (certifier_) {
+      const double deploys_from_deg = candidate.metrics.deploys_from_sample * campaign_.sample_deg;
+      candidate.certificate = certifier_->certify(draw, candidate.shifts_mm, deploys_from_deg);
+    }
+    unit.candidates.push_back(std::move(candidate));
     ++unit.accepted;
   };
   for_each_record(model_, *batch_, open_.shifts, keep);

@@ -1,11 +1,12 @@
 // The science of draws: draw -> displaced pattern -> rejected for certain -> path -> diagonals ->
-// verdict -> metrics -> unit.
+// verdict -> metrics -> certificate, if that is wanted -> unit.
 #pragma once
 
 #include <functional>
 #include <span>
 
 #include "schema/catalogue/unit_writer.hpp"
+#include "search/draws/sheet_certifier.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
@@ -69,6 +70,7 @@ class DrawEvaluator {
   const schema::Campaign campaign_;
   const solver::Model model_;
   std::unique_ptr<solver::Batch> batch_;
+  std::optional<SheetCertifier> certifier_;  // where the campaign certifies as it goes
   Draws made_, waiting_, sampled_, open_;
 };
 

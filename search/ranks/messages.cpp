@@ -12,7 +12,10 @@ void unit_fields(Wire& wire, Unit& unit) {
   wire.field(unit.accepted);
   wire.field(unit.rejected);
   wire.field(unit.seconds);
-  list(wire, unit.candidates, [&](auto& candidate) { candidate_fields(wire, candidate); });
+  list(wire, unit.candidates, [&](auto& candidate) {
+    candidate_fields(wire, candidate);
+    optional_field(wire, candidate.certificate, [&](auto& row) { certificate_fields(wire, row); });
+  });
   list(wire, unit.undecided, [&](auto& draw) { wire.field(draw); });
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
 }
@@ -21,7 +24,7 @@ using Seen = std::pair<std::pair<int, int>, std::uint64_t>;
 
 }  // namespace
 
-std::string message_layout() {
+std::string candidate_layout() {
   std::string layout = std::to_string(sizeof(schema::DrawVerdict));
   const solver::Metrics metrics{};
   schema::each_metric(metrics, [&](const schema::MetricEntry& entry, const auto& value) {
@@ -29,6 +32,8 @@ std::string message_layout() {
   });
   return layout;
 }
+
+std::string message_layout() { return candidate_layout() + " certificate"; }
 
 Bytes pack(const SentUnit& sent) {
   Writer wire;

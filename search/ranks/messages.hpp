@@ -20,8 +20,9 @@ struct SentUnit {
 Bytes pack(const schema::DrawRange& range);
 schema::DrawRange unpack_range(const Bytes& bytes);
 
-/// Which metrics a packed unit holds, in their order, and how large its parts are: ranks of two
-/// builds understand each other where this is the same.
+/// Which metrics a packed candidate holds, in their order, and how large its parts are.
+std::string candidate_layout();
+/// The same of a packed unit: ranks of two builds understand each other where this is the same.
 std::string message_layout();
 
 Bytes pack(const SentUnit& sent);

@@ -57,7 +57,7 @@ void result_fields(Wire& wire, Result& result) {
 
 }  // namespace
 
-std::string piece_layout() { return "piece 1 " + message_layout(); }
+std::string piece_layout() { return "piece 1 " + candidate_layout(); }
 
 Bytes pack(const PieceOrder& order) {
   Writer wire;

@@ -13,13 +13,13 @@
 #include "search/draws/nothing_found.hpp"
 #include "search/ranks/climb_task.hpp"
 #include "search/ranks/draw_task.hpp"
+#include "search/ranks/exit_code.hpp"
 #include "search/ranks/piece_messages.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/terminal/count_text.hpp"
-#include "search/terminal/failure.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
@@ -247,19 +247,6 @@ class RankZero {
   schema::Goal goal_;
   std::optional<Climber> climber_;  // of a splitting search
 };
-
-// The exit code of `work`, 0 if it throws nothing; what it throws is said.
-template <class Work>
-int exit_code_of(const Work& work) {
-  try {
-    work();
-    return 0;
-  } catch (const std::exception& error) {
-    const Failure failure = failure_of(error);
-    spdlog::error("{}", failure.sentence);
-    return failure.exit_code;
-  }
-}
 
 // Rank 0 alone reads files. The others get its exit code, the campaign as it resolved it, and once
 // every rank has said what it is, its exit code again.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstring>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -21,6 +23,10 @@ class Writer {
     const char* bytes = reinterpret_cast<const char*>(&value);
     bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
   }
+  void text(const std::string& text) {
+    field(text.size());
+    bytes_.insert(bytes_.end(), text.begin(), text.end());
+  }
   Bytes take() { return std::move(bytes_); }
 
  private:
@@ -37,6 +43,13 @@ class Reader {
     if (!has(1, sizeof value)) return;
     std::memcpy(&value, bytes_.data() + at_, sizeof value);
     at_ += sizeof value;
+  }
+  void text(std::string& text) {
+    std::size_t size = 0;
+    field(size);
+    if (!has(size, 1)) size = 0;
+    text.assign(bytes_.data() + at_, size);
+    at_ += size;
   }
   /// Whether there are so many items of at least so many bytes.
   bool has(std::size_t items, std::size_t bytes_each) {
@@ -72,6 +85,20 @@ void list(Reader& wire, std::vector<T>& items, Each&& each) {
   }
 }
 
+template <class T, class Each>
+void optional_field(Writer& wire, const std::optional<T>& value, Each&& each) {
+  wire.field(value.has_value());
+  if (value) each(*value);
+}
+
+template <class T, class Each>
+void optional_field(Reader& wire, std::optional<T>& value, Each&& each) {
+  bool is_there = false;
+  wire.field(is_there);
+  value.reset();
+  if (is_there) each(value.emplace());
+}
+
 template <class Wire, class Metrics>
 void metrics_fields(Wire& wire, Metrics& metrics) {
   schema::each_metric(metrics, [&](const auto&, auto& value) { wire.field(value); });
@@ -92,6 +119,22 @@ inline void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
   for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
 }
 
+/// All of a schema::CertificateRow.
+template <class Wire, class Row>
+void certificate_fields(Wire& wire, Row& row) {
+  wire.field(row.draw);
+  wire.field(row.certified_deg);
+  wire.field(row.asked_deg);
+  wire.text(row.end);
+  wire.text(row.place);
+  wire.field(row.contact);
+  wire.field(row.intervals);
+  wire.field(row.seconds);
+  wire.text(row.proof);
+  wire.text(row.hash);
+}
+
+/// Without its certificate, which none has in a splitting search.
 template <class Wire, class Candidate>
 void candidate_fields(Wire& wire, Candidate& candidate) {
   wire.field(candidate.draw);

@@ -43,6 +43,10 @@ std::optional<double> draws_left_s(const ProgressReport& report) {
 
 bool is_of_draws(const ProgressCounts& counts) { return counts.of == std::string_view("draws"); }
 
+bool is_of_populations(const ProgressCounts& counts) {
+  return counts.of == std::string_view("populations");
+}
+
 // Until the draws are done or the run's time is over, whichever comes first.
 std::optional<double> left_s(const ProgressReport& report) {
   const auto draws_s = draws_left_s(report);
@@ -52,7 +56,7 @@ std::optional<double> left_s(const ProgressReport& report) {
 }
 
 std::string speed_or_under_way(const ProgressReport& report) {
-  if (is_of_draws(report.counts))
+  if (!is_of_populations(report.counts))
     return short_number(report.last ? report.draws_per_s_mean : report.draws_per_s) + "/s";
   return report.counts.under_way.empty() ? "between populations" : report.counts.under_way;
 }
@@ -72,6 +76,9 @@ std::string plain_line(const ProgressReport& report) {
     line += fmt::format(" draws, {:.4g} draws/s, {} accepted ({:.4g} %)",
                         report.last ? report.draws_per_s_mean : report.draws_per_s,
                         counts.standing.accepted, 100 * rate(counts));
+  } else if (!is_of_populations(counts)) {
+    line += fmt::format(" {}, {:.4g}/s", counts.of,
+                        report.last ? report.draws_per_s_mean : report.draws_per_s);
   } else {
     line += fmt::format(" {}, {} accepted", counts.of, counts.standing.accepted);
     if (!counts.under_way.empty()) line += ", " + counts.under_way;
@@ -100,6 +107,10 @@ std::string bar_line(const ProgressReport& report, int width) {
   const std::string time =
       !report.last && left ? duration(*left) + " left" : duration(report.elapsed_s);
   const std::string speed = speed_or_under_way(report);
+  if (!is_of_draws(counts) && !is_of_populations(counts)) {
+    const std::string line = done + ", " + speed + ", " + time;
+    return line.substr(0, static_cast<std::size_t>(std::max(width, 0)));
+  }
   const std::string accepted =
       short_number(static_cast<double>(counts.standing.accepted)) + " accepted";
   const std::string share =

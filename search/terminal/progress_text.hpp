@@ -22,7 +22,7 @@ struct ProgressCounts {
   std::uint64_t draws_left = 0;
   bool limited = false;                ///< whether draws_left means anything
   std::optional<double> max_time_s{};  ///< that this run may take
-  const char* of = "draws";            ///< what is counted: draws, or populations
+  const char* of = "draws";            ///< what is counted: draws, populations, certificates
   std::string under_way{};             ///< what is done of the next, in words
 };
 

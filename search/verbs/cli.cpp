@@ -38,11 +38,12 @@ std::string version_text() {
       solver::instruction_set_name(solver::available_instruction_sets().back()));
 }
 
-// Whether another rank of the same search says what there is to say. Every other verb speaks,
+// Whether another rank of the same run says what there is to say. Every other verb speaks,
 // though its shell may have been started by a launcher and inherited a rank's number.
 bool rank_zero_speaks(const CLI::App& app) {
   const CLI::App* const verb = chosen_verb(app);
-  return verb && verb->get_name() == "search" && launched_rank() != 0;
+  return verb && (verb->get_name() == "search" || verb->get_name() == "certify") &&
+         launched_rank() != 0;
 }
 
 // A launcher ends every rank as soon as one exits with an error: rank 0 too, which on a busy

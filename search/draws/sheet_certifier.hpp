@@ -1,0 +1,54 @@
+// Certificates of a campaign's sheets, or of a pattern's, as rows: made, and checked again.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "schema/catalogue/certificate_row.hpp"
+#include "solver/certificate/certifier.hpp"
+#include "solver/verdict/model.hpp"
+
+namespace misalign::search {
+
+/// What a check finds wrong with a certificate.
+struct CertificateFinding {
+  struct Interval {
+    double from_deg, to_deg;
+  };
+  std::uint64_t draw = 0;
+  std::optional<Interval> interval;  ///< of pilot angles; none where it is the row itself
+  std::string what;
+
+  /// "draw 7, 12.5 to 14 deg: ...".
+  std::string sentence() const;
+};
+
+class SheetCertifier {
+ public:
+  /// Both must outlive this object; shifts of the base itself do not matter.
+  SheetCertifier(const schema::Pattern& base, const solver::Model& model, bool contact = false);
+
+  /// From flat to `asked_deg`, or as far as there is a proof. One column of shifts per vertex.
+  schema::CertificateRow certify(std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
+                                 double asked_deg);
+
+  /// Whether hash and columns are those of the proof, of this sheet.
+  std::optional<CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
+                                              const schema::CertificateRow& row) const;
+  /// That, and whether the proof is one: the second opinion, in ball arithmetic.
+  std::optional<CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
+                                          const schema::CertificateRow& row) const;
+
+ private:
+  const schema::Pattern& base_;
+  const solver::Model& model_;
+  solver::Certifier certifier_;
+};
+
+/// Whether a certificate answers what is asked: no other would say more.
+bool answers(const schema::CertificateRow& row, double asked_deg, bool contact);
+
+/// A certificate is hardly ever larger than this.
+inline constexpr std::size_t kUsualCertificate_bytes = 20000;
+
+}  // namespace misalign::search

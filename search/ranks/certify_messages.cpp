@@ -1,0 +1,61 @@
+#include "search/ranks/certify_messages.hpp"
+
+namespace misalign::search {
+namespace {
+
+template <class Wire, class Order>
+void order_fields(Wire& wire, Order& order) {
+  wire.field(order.draw);
+  wire.field(order.asked_deg);
+  shifts_fields(wire, order.shifts_mm);
+  optional_field(wire, order.stored, [&](auto& row) { certificate_fields(wire, row); });
+}
+
+template <class Wire, class Answer>
+void answer_fields(Wire& wire, Answer& answer) {
+  optional_field(wire, answer.made, [&](auto& row) { certificate_fields(wire, row); });
+  optional_field(wire, answer.finding, [&](auto& finding) {
+    wire.field(finding.draw);
+    optional_field(wire, finding.interval, [&](auto& interval) { wire.field(interval); });
+    wire.text(finding.what);
+  });
+}
+
+template <class Wire, class Sent>
+void sent_fields(Wire& wire, Sent& sent) {
+  wire.field(sent.was_stopped);
+  wire.field(sent.seconds);
+  list(wire, sent.answers, [&](auto& answer) { answer_fields(wire, answer); });
+}
+
+}  // namespace
+
+std::string certify_layout() { return "certify 1"; }
+
+Bytes pack(const std::vector<SheetOrder>& orders) {
+  Writer wire;
+  list(wire, orders, [&](const SheetOrder& order) { order_fields(wire, order); });
+  return wire.take();
+}
+
+std::vector<SheetOrder> unpack_orders(const Bytes& bytes) {
+  Reader wire(bytes);
+  std::vector<SheetOrder> orders;
+  list(wire, orders, [&](SheetOrder& order) { order_fields(wire, order); });
+  return orders;
+}
+
+Bytes pack(const SentAnswers& sent) {
+  Writer wire;
+  sent_fields(wire, sent);
+  return wire.take();
+}
+
+SentAnswers unpack_answers(const Bytes& bytes) {
+  Reader wire(bytes);
+  SentAnswers sent;
+  sent_fields(wire, sent);
+  return sent;
+}
+
+}  // namespace misalign::search

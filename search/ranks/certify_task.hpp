@@ -1,0 +1,78 @@
+// Certificates: some sheets are a job, their certificates, or what a check finds, the result.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "search/ranks/certify_messages.hpp"
+#include "search/ranks/rank_task.hpp"
+#include "search/terminal/stopwatch.hpp"
+
+namespace misalign::search {
+
+/// Some sheets being worked off, one at a time.
+class CertifyWork {
+ public:
+  CertifyWork(SheetCertifier& certifier, std::vector<SheetOrder> orders)
+      : certifier_(certifier), orders_(std::move(orders)) {}
+
+  bool finished() const { return sent_.answers.size() == orders_.size(); }
+  bool is_full() const { return false; }
+  void run_next_block();
+  SentAnswers take() { return std::move(sent_); }
+
+ private:
+  SheetCertifier& certifier_;
+  const std::vector<SheetOrder> orders_;
+  SentAnswers sent_;
+};
+
+/// The sheets of a run by their numbers, from 0 on.
+struct SheetsToCertify {
+  std::size_t count;
+  std::function<SheetOrder(std::size_t)> order_of;
+  /// Of sheets that are done: keeps what came of them, in one transaction.
+  struct Done {
+    std::size_t sheet;
+    SheetAnswer answer;
+  };
+  std::function<void(std::vector<Done>)> keep;
+};
+
+class CertifyTask final : public RankTask {
+ public:
+  /// The certifier must outlive this object.
+  CertifyTask(SheetCertifier& certifier, SheetsToCertify sheets, int ranks);
+
+  std::optional<Bytes> assign(int worker) override;
+  bool has_job(int worker) const override { return !workers_[worker].sheets.empty(); }
+  bool take_back(int worker, const Bytes& result) override;
+  bool compute_one_block() override;
+  void hand_in_own() override {}
+  std::size_t rows_waiting() const override { return waiting_.size(); }
+  /// About once a second.
+  void commit() override;
+  void commit_all() override;
+  bool anything_open() const override { return !open_.empty(); }
+  bool complete() const override { return open_.empty() && given_out_ == 0; }
+  ProgressCounts counts() const override;
+
+ private:
+  struct Worker {
+    std::vector<std::size_t> sheets;  // that it has
+    double seconds_each = 0;          // of its last ones; 0: not known yet
+  };
+  std::size_t job_size(const Worker& worker) const;
+
+  SheetCertifier& certifier_;
+  const SheetsToCertify sheets_;
+  std::deque<std::size_t> open_;  // ascending
+  std::size_t given_out_ = 0, done_ = 0;
+  std::vector<Worker> workers_;
+  std::vector<SheetsToCertify::Done> waiting_;
+  Stopwatch watch_;
+  double committed_s_ = 0;
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,23 @@
+// What a rank tells the others of its own work.
+#pragma once
+
+#include <spdlog/spdlog.h>
+
+#include "search/terminal/failure.hpp"
+
+namespace misalign::search {
+
+/// The exit code of `work`, 0 if it throws nothing; what it throws is said.
+template <class Work>
+int exit_code_of(const Work& work) {
+  try {
+    work();
+    return 0;
+  } catch (const std::exception& error) {
+    const Failure failure = failure_of(error);
+    spdlog::error("{}", failure.sentence);
+    return failure.exit_code;
+  }
+}
+
+}  // namespace misalign::search

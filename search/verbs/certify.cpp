@@ -1,0 +1,199 @@
+// `misalign certify`: proofs that nothing happens between the degrees.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "search/checks/certify_run.hpp"
+#include "search/checks/chosen_sheet.hpp"
+#include "search/draws/models.hpp"
+#include "search/ranks/mpi_session.hpp"
+#include "search/terminal/shell_word.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/choice_options.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+#include "solver/verdict/path_record.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+using schema::UserError;
+
+struct CertifyCall {
+  CertifyOptions options;
+  Choice choice;
+  bool all = false, json = false;
+};
+
+void show(const CertifyCall& call, const CertifyReport& report) {
+  if (call.options.check) {
+    call.json ? put_json(check_json(report.check)) : put(check_text(report.check));
+    return;
+  }
+  if (call.json) {
+    Json list = Json::array();
+    for (const CertifiedSheet& sheet : report.sheets) {
+      list.push_back(certified_json(sheet));
+      list.back()["draw"] = sheet.row.draw;
+    }
+    const bool is_single = call.choice.draws.size() == 1 && list.size() == 1;
+    put_json(is_single ? list.front() : list);
+  } else if (!report.sheets.empty()) {
+    put(certified_text(report.sheets));
+  }
+  if (report.left > 0) {
+    spdlog::warn("stopped: {} of {} candidates are left; the same command goes on", report.left,
+                 report.left + report.sheets.size());
+  }
+}
+
+int run_on_catalogue(CertifyCall& call) {
+  CertifyOptions& options = call.options;
+  if (!call.choice.chooses() && !call.all && !options.check) {
+    throw UserError(schema::kExitUsage,
+                    "certify: of which candidates? (none is named); add the number of a draw, "
+                    "--best K, --diverse K, --where SQL or --all");
+  }
+  options.choose = [&call](SQLite::Database& database) {
+    return chosen_draws(database, call.choice);
+  };
+  return run_certify(options, [&](const CertifyReport& report) { show(call, report); });
+}
+
+// The file's own if it was exported, otherwise written as if it had been; with the certificate.
+Json document_of(const ChosenSheet& sheet, const schema::CertificateRow& row) {
+  Json document = sheet.exported;
+  if (!document.is_object() || !document.contains("pattern")) {
+    document = {{"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
+                {"sampling", schema::sampling_json(sheet.sampling)}};
+    if (sheet.exported.is_object() && sheet.exported.contains("draw")) {
+      document["draw"] = sheet.exported["draw"];
+    }
+  }
+  document["certificate"] = schema::certificate_json(row);
+  return document;
+}
+
+double deploys_from_deg(const CertifyCall& call, const ChosenSheet& sheet,
+                        const solver::Model& model) {
+  const solver::FlatVertices vertices_mm = sheet.base.base.sheet.vertices_mm + sheet.shifts_mm;
+  const solver::Verdict verdict = solver::record_path(model, vertices_mm).verdict;
+  if (verdict.deploys_from_sample > 0) {
+    return verdict.deploys_from_sample * sheet.sampling.sample_deg;
+  }
+  throw UserError(
+      schema::kExitBadInput,
+      call.options.path +
+          ": the sheet deploys from nothing (its D is 0), so that there is nothing to "
+          "certify; give an angle with --to, or see what is in the way: misalign fold " +
+          shell_word(call.options.path));
+}
+
+int run_on_pattern(const CertifyCall& call) {
+  const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
+  const solver::Model model = model_of(sheet.base, sheet.sampling);
+  SheetCertifier certifier(sheet.base, model, call.options.contact);
+  if (call.options.check) {
+    const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
+    CertificateCheck check;
+    check.checked = check.of = row.has_value();
+    check.without = !row;
+    if (row) {
+      if (auto finding = certifier.check(sheet.shifts_mm, *row)) check.findings = {*finding};
+    }
+    call.json ? put_json(check_json(check)) : put(check_text(check));
+    return check.findings.empty() ? 0 : schema::kExitCheckFailed;
+  }
+  const double asked_deg =
+      call.options.to_deg ? *call.options.to_deg : deploys_from_deg(call, sheet, model);
+  const Json& exported = sheet.exported;
+  const bool has_draw =
+      exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
+  const std::uint64_t draw = has_draw ? exported["draw"].get<std::uint64_t>() : 0;
+  const schema::CertificateRow row = certifier.certify(draw, sheet.shifts_mm, asked_deg);
+  if (call.json) {
+    put_json(document_of(sheet, row));
+  } else {
+    put(certified_text(certified_sheet(sheet.pattern, row, true)));
+  }
+  return 0;
+}
+
+constexpr const char* kCertifyFooter =
+    "A certificate is a proof, rounding included, that for every pilot angle from flat to the\n"
+    "certified angle the sheet has exactly one folded state near its path, that creases keep "
+    "their\n"
+    "signs and stay below 180 degrees, and that every diagonal only grows or only shrinks. What "
+    "it\n"
+    "proves in full, and what not: solver/certificate/README.md. It ends for one of these "
+    "reasons:\n"
+    "  to_the_end     it reaches the angle that was asked for\n"
+    "  reversal       a diagonal turns back: proven, to within 1e-4 degrees\n"
+    "  over_folded    a crease is folded past 180 degrees: proven\n"
+    "  sign_changed   a crease becomes flat: proven\n"
+    "  contact        panels meet, or are not proven not to (--contact)\n"
+    "  fold_limit     the path comes to a fold limit\n"
+    "  unclear_slope  a diagonal stands still, or nearly\n"
+    "  flat_branch    nothing is certified, not even next to flat\n\n"
+    "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
+    "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
+    "the\n"
+    "same command resumes. Of a pattern file nothing is kept: --json prints the pattern with its\n"
+    "certificate, which --check takes.\n"
+    "--check makes none: hash and columns, then every claim in arithmetic of many bits that "
+    "shares\n"
+    "nothing with what made it. Slow; of all candidates unless some are chosen. Exit code 6 if a\n"
+    "claim does not hold.\n\n"
+    "Examples:\n"
+    "  misalign certify results/miura-6x6-1a2b3c4d.db --best 10\n"
+    "  mpirun -n 8 misalign certify results/miura-6x6-1a2b3c4d.db --all\n"
+    "  misalign certify results/miura-6x6-1a2b3c4d.db --check\n"
+    "  misalign certify search/patterns/table1.json --to 180\n"
+    "  misalign certify search/patterns/table1.json --json > certified.json\n"
+    "  misalign certify certified.json --check";
+
+}  // namespace
+
+Action certify_verb(CLI::App& verb) {
+  verb.description("prove that a sheet folds in one way, and its diagonals go one way, up to D");
+  verb.footer(kCertifyFooter);
+  auto call = std::make_shared<CertifyCall>();
+  CertifyOptions& options = call->options;
+  add_catalogue_or_pattern(verb, options.path);
+  auto* draws =
+      verb.add_option("DRAW", call->choice.draws, "draw numbers of candidates of a catalogue")
+          ->check(a_draw());
+  auto* group = verb.add_option_group("choice", "which candidates of a catalogue, instead of DRAW");
+  const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
+  auto* all = group->add_flag("--all", call->all, "every candidate");
+  for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) {
+    draws->excludes(other);
+    all->excludes(other);
+  }
+  draws->excludes(all);
+  auto* to = verb.add_option("--to", options.to_deg,
+                             "prove up to this pilot angle, degrees [the sheet's own D]");
+  to->check(within(0.01, 180))->type_name("DEG");
+  auto* contact = verb.add_flag("--contact", options.contact, "prove that no panels meet, too");
+  auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");
+  auto* check = verb.add_flag("--check", options.check, "check those that there are; make none");
+  for (CLI::Option* other : {to, contact, again}) check->excludes(other);
+  verb.add_flag("--json", call->json,
+                "as JSON; a list, unless one DRAW is named; a pattern as it is, with its "
+                "certificate");
+  return [call, draws, chosen, all, again] {
+    const bool is_pattern = !launched_by_mpi() && is_pattern_file(call->options.path);
+    if (is_pattern) {
+      for (const CLI::Option* option :
+           {draws, chosen.best, chosen.diverse, chosen.where, chosen.by, all, again}) {
+        if (option->count() == 0) continue;
+        throw only_of_a_catalogue(call->options.path,
+                                  option == draws ? "a draw" : option->get_name());
+      }
+    }
+    check_by(call->choice);
+    return is_pattern ? run_on_pattern(*call) : run_on_catalogue(*call);
+  };
+}
+
+}  // namespace misalign::search
