@@ -4,7 +4,7 @@ namespace misalign::search {
 namespace {
 
 template <class Wire, class Order>
-void order_fields(Wire& wire, Order& order) {
+void sheet_order_fields(Wire& wire, Order& order) {
   wire.field(order.draw);
   wire.field(order.asked_deg);
   shifts_fields(wire, order.shifts_mm);
@@ -12,7 +12,7 @@ void order_fields(Wire& wire, Order& order) {
 }
 
 template <class Wire, class Answer>
-void answer_fields(Wire& wire, Answer& answer) {
+void sheet_answer_fields(Wire& wire, Answer& answer) {
   optional_field(wire, answer.made, [&](auto& row) { certificate_fields(wire, row); });
   optional_field(wire, answer.finding, [&](auto& finding) {
     wire.field(finding.draw);
@@ -25,7 +25,7 @@ template <class Wire, class Sent>
 void sent_fields(Wire& wire, Sent& sent) {
   wire.field(sent.was_stopped);
   wire.field(sent.seconds);
-  list(wire, sent.answers, [&](auto& answer) { answer_fields(wire, answer); });
+  list(wire, sent.answers, [&](auto& answer) { sheet_answer_fields(wire, answer); });
 }
 
 }  // namespace
@@ -34,14 +34,14 @@ std::string certify_layout() { return "certify 1"; }
 
 Bytes pack(const std::vector<SheetOrder>& orders) {
   Writer wire;
-  list(wire, orders, [&](const SheetOrder& order) { order_fields(wire, order); });
+  list(wire, orders, [&](const SheetOrder& order) { sheet_order_fields(wire, order); });
   return wire.take();
 }
 
 std::vector<SheetOrder> unpack_orders(const Bytes& bytes) {
   Reader wire(bytes);
   std::vector<SheetOrder> orders;
-  list(wire, orders, [&](SheetOrder& order) { order_fields(wire, order); });
+  list(wire, orders, [&](SheetOrder& order) { sheet_order_fields(wire, order); });
   return orders;
 }
 
