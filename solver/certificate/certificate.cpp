@@ -26,11 +26,13 @@ void put(std::string& bytes, const PathPiece& piece) {
   put(bytes, piece.to_deg);
   put(bytes, static_cast<float>(piece.box));
   put_bits<std::uint32_t>(bytes, piece.graded ? 1 : 0);
+  // Tangents of a quarter of the angle: by arithmetic that is the same everywhere.
   for (const HalfAngle<double>& h : piece.middle.creases) {
-    put(bytes, static_cast<float>(angle_deg(h)));
+    put(bytes, static_cast<float>(h.s / (1 + h.c)));
   }
   for (const Quaternion<double>& q : piece.middle.balls) {
-    for (const double part : {q.w, q.x, q.y, q.z}) put(bytes, static_cast<float>(part));
+    const double scale = (q.w < 0 ? -1 : 1) / (1 + std::abs(q.w));
+    for (const double part : {q.x, q.y, q.z}) put(bytes, static_cast<float>(scale * part));
   }
 }
 
@@ -57,10 +59,12 @@ class Reader {
   std::string_view bytes_;
 };
 
+/// Of a quarter of 180 degrees the tangent is 1; a crease that is over-folded may be a little more.
+constexpr double kLargestTangent = 1.01;
 constexpr std::size_t kHeadBytes = 4 * 4 + 4 + 4 + 8;
 
 std::size_t piece_bytes(const Mechanism& mechanism) {
-  return 8 + 4 + 4 + 4 * mechanism.creases.size() + 16 * mechanism.balls.size();
+  return 8 + 4 + 4 + 4 * mechanism.creases.size() + 12 * mechanism.balls.size();
 }
 
 // Whether it is a piece from `from_deg` on.
@@ -73,19 +77,21 @@ bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathPiece
   bool good = graded <= 1 && piece.to_deg > from_deg && piece.to_deg <= 180 && piece.box > 0 &&
               piece.box < 1;
   for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
-    const double angle = reader.single();
-    good = good && std::abs(angle) <= 360;
-    piece.middle.creases.push_back(good ? half_angle_of_deg(angle) : HalfAngle<double>{1, 0});
+    const double t = reader.single(), scale = 1 / (1 + t * t);
+    good = good && std::abs(t) <= kLargestTangent;
+    piece.middle.creases.push_back({scale * (1 - t * t), scale * 2 * t});
   }
   for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
-    std::array<double, 4> q{};
-    double length = 0;
-    for (double& part : q) {
+    std::array<double, 3> t{};
+    double squares = 0;
+    for (double& part : t) {
       part = reader.single();
-      length += part * part;
+      squares += part * part;
     }
-    good = good && std::abs(length - 1) < 1e-4;
-    piece.middle.balls.push_back({q[0], q[1], q[2], q[3]});
+    good = good && squares <= kLargestTangent;
+    const double scale = 1 / (1 + squares);
+    piece.middle.balls.push_back(
+        {scale * (1 - squares), scale * 2 * t[0], scale * 2 * t[1], scale * 2 * t[2]});
   }
   return good;
 }

@@ -35,8 +35,8 @@ struct PathPiece {
   /// Written in the joints' half-angle tangents over the pilot's, tau; its middle is then that of
   /// tau^2, otherwise that of the angle.
   bool graded = false;
-  /// Half as far from the path as this there is no other state: of a graded piece in y, otherwise
-  /// the tangent of half the angle between (README.md, "Boxes").
+  /// No other state of the sheet has all its unknowns this close to the path's (README.md,
+  /// "Coordinates").
   double box = 0;
   FoldState<double> middle;
 };
@@ -50,7 +50,9 @@ inline constexpr double kClosing_deg = 1e-4;
 struct Certificate {
   double asked_deg = 0;  ///< the angle up to which a proof was asked for
   CertificateEnd end = CertificateEnd::flat_branch;
-  int where = -1;  ///< the diagonal that turns back, the crease; of `contact` the pair; else -1
+  /// Of `reversal` and `unclear_slope` the diagonal (-1: a crease was unclear), of `over_folded` and
+  /// `sign_changed` the crease, of `contact` the pair of pairs_of(panels); else -1.
+  int where = -1;
   bool contact = false;  ///< whether it proves that no panels meet as well
   /// From flat on, each beginning where the one before ends.
   std::vector<PathPiece> pieces;
@@ -65,8 +67,8 @@ struct Certificate {
 /// As bytes, all numbers little-endian:
 ///   u32 version (1), u32 creases, u32 balls, u32 pieces, u8 end, u8 contact, u8 closing, u8 0, i32
 ///   where, f64 asked_deg; then each piece, the closing one last: f64 to_deg, f32 box, u8 graded, 3
-///   x u8 0, f32 fold angle (degrees) for each crease, 4 x f32 quaternion (w, x, y, z) for each
-///   ball joint.
+///   x u8 0, for each crease f32 tan(fold angle / 4), for each ball joint 3 x f32 (x, y, z) / (1 +
+///   w) of its quaternion with w >= 0.
 std::string encode(const Mechanism& mechanism, const Certificate& certificate);
 
 /// None where these are not the bytes of a certificate of such a sheet: wrong sizes, numbers that

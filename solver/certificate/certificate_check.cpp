@@ -20,7 +20,7 @@ bool is_event(CertificateEnd end) {
 }
 
 // Whether `where` is a diagonal, a crease, or nothing, as the end has it. An unclear slope may name
-// what was unclear, which claims nothing.
+// the diagonal, which claims nothing.
 bool is_place(const Mechanism& mechanism, const Certificate& certificate) {
   const auto diagonals = static_cast<int>(mechanism.diagonals.size());
   const auto creases = static_cast<int>(mechanism.creases.size());
@@ -28,7 +28,7 @@ bool is_place(const Mechanism& mechanism, const Certificate& certificate) {
   if (certificate.end == CertificateEnd::reversal) return where >= 0 && where < diagonals;
   if (is_event(certificate.end)) return where >= 0 && where < creases && where != mechanism.pilot;
   if (certificate.end == CertificateEnd::unclear_slope) {
-    return where >= -1 && where < std::max(diagonals, creases);
+    return where >= -1 && where < diagonals;
   }
   return where == -1;
 }

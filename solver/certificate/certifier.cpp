@@ -68,8 +68,8 @@ class March {
     for (double to = std::min(kFirstPiece_deg, certificate_.asked_deg); to >= kLeastFirst_deg;
          to *= kShorterPiece) {
       PathPiece piece{0, to, true, 0, {}};
-      const double tangent = std::tan(0.5 * to * kRadPerDeg) * std::sqrt(0.5);
-      const HalfAngle<double> middle = half_angle_of_ratio(tangent, 1);
+      const HalfAngle<double> end = half_angle_of_deg(to);
+      const HalfAngle<double> middle = half_angle_of_ratio(std::sqrt(0.5) * end.s, end.c);
       piece.middle =
           base_state(mechanism_, model_.base().folding, model_.base().sheet.vertices_mm, middle);
       PathTube tube;
@@ -168,7 +168,7 @@ class March {
       certificate_.closing = kept(tube);
       return false;
     }
-    const double good_deg = first.until > -1 ? tube.chart.angle_deg_of(first.until) : from;
+    const double good_deg = first.until > -1 ? tube.chart.angle_deg_until(first.until) : from;
     if (good_deg - from > 0.1 * kClosing_deg) {
       width_deg_ = good_deg - from - 0.02 * kClosing_deg;
       return true;
@@ -180,7 +180,8 @@ class March {
     }
     const bool is_contact = first.kind == CertificateEnd::contact;
     certificate_.end = is_contact ? first.kind : CertificateEnd::unclear_slope;
-    certificate_.where = first.where;
+    const bool is_crease = !is_contact && first.kind != CertificateEnd::reversal;
+    certificate_.where = is_crease ? -1 : first.where;
     return false;
   }
 
@@ -213,6 +214,11 @@ Certifier::Certifier(const Model& model, const CertifyOptions& options)
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg) {
+  if (!rounds_as_proven()) {
+    Certificate nothing;
+    nothing.asked_deg = asked_deg;
+    return nothing;
+  }
   return March(workspace_->model, workspace_->options.contact ? &workspace_->proof : nullptr,
                vertices_mm, asked_deg)
       .run();

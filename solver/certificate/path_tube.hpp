@@ -24,7 +24,8 @@ struct PathTube {
   Eigen::VectorXd radii;        ///< r: within p +- r there is one state only
   double contraction = 0;       ///< of |I - C J| in the norm that r makes; below 1
 
-  /// Half as far from the path as this there is no other state.
+  /// The box that the certificate claims: less than that of X round the path, so that it holds for
+  /// the coordinates of the state that is kept too, which are off by 1e-7.
   double isolation() const;
 };
 

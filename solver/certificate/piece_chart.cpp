@@ -160,11 +160,15 @@ Ball PieceChart::place_of(double pilot_deg) const {
   return quotient(turn_between(pilot_, half_angle_ball(pilot_deg)), Ball(half_width_));
 }
 
-double PieceChart::angle_deg_of(double s) const {
-  if (is_graded()) {
-    return 2 * std::atan(std::sqrt(std::max(0.0, sigma_ + half_width_ * s))) / kRadPerDeg;
+double PieceChart::angle_deg_until(double s) const {
+  constexpr double kResolution_deg = 5e-8;
+  double low_deg = piece_.from_deg, high_deg = piece_.to_deg;
+  while (high_deg - low_deg > kResolution_deg) {
+    const double middle_deg = 0.5 * (low_deg + high_deg);
+    const Ball place = place_of(middle_deg);
+    (place.c[0] + place.radius <= s ? low_deg : high_deg) = middle_deg;
   }
-  return angle_deg(pilot_) + 2 * std::atan(half_width_ * s) / kRadPerDeg;
+  return low_deg;
 }
 
 PieceChart::PlainState PieceChart::plain(const std::vector<Ball>& x, double pilot_deg) const {

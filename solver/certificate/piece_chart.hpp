@@ -49,8 +49,8 @@ class PieceChart {
 
   /// s of a pilot angle of the piece.
   Ball place_of(double pilot_deg) const;
-  /// The angle at s. Not exact.
-  double angle_deg_of(double s) const;
+  /// The largest angle of the piece, but for less than 1e-7 degrees, whose s is at most this.
+  double angle_deg_until(double s) const;
 
   /// A state at a pilot angle as quaternions, of creases their (c, s), whatever their lengths.
   struct PlainState {

@@ -28,6 +28,13 @@ inline constexpr double kUp = 1 + 2 * kMostOperations * kUnit;
 /// More than kMostOperations underflows of 2^-1075 each, and far below any error that counts.
 inline constexpr double kUnderflow = 0x1p-1000;
 
+/// Whether this thread's arithmetic is what the bounds are proven for: rounding to nearest, and
+/// numbers below 2^-1022 are kept.
+inline bool rounds_as_proven() {
+  volatile const double one = 1, a_little = 0x1p-53, more = 0x1.8p-53, least = 0x1p-1022;
+  return one + a_little == 1 && one + more == 1 + 0x1p-52 && least * 0.5 > 0;
+}
+
 template <int Degree>
 struct TaylorModel {
   std::array<double, Degree + 1> c{};  ///< of 1, s, s^2, ...

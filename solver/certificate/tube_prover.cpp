@@ -30,6 +30,19 @@ constexpr double kWantedError = 1e-10, kWantedContraction = 0.5;
 /// No piece is made shorter or longer by more at once.
 constexpr double kMuchShorter = 0.3;
 
+// The root of this degree, between kMuchShorter and its inverse: by multiplication alone, so that
+// pieces have the same ends on every machine.
+double find_factor(double power, int degree) {
+  double low = kMuchShorter, high = 1 / kMuchShorter;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = 0.5 * (low + high);
+    double product = 1;
+    for (int k = 0; k < degree; ++k) product *= middle;
+    (product <= power ? low : high) = middle;
+  }
+  return low;
+}
+
 // Sums of nonnegative numbers, in a fixed order: a bound from above.
 Eigen::VectorXd rounded_up(const Eigen::VectorXd& sums) { return kUp * sums.array() + kUnderflow; }
 
@@ -56,10 +69,9 @@ PathModel derivative(const PathModel& p) {
 
 double TubeProver::better_length() const {
   if (!(error_ < 1)) return kMuchShorter;
-  const double by_error = std::pow(kWantedError / error_, 1.0 / (kPathDegree + 1));
-  if (!(contraction_ < 1e3)) return std::clamp(by_error, kMuchShorter, 1 / kMuchShorter);
-  const double by_contraction = std::pow(kWantedContraction / contraction_, 1.0 / kInversePowers);
-  return std::clamp(std::min(by_error, by_contraction), kMuchShorter, 1 / kMuchShorter);
+  const double by_error = find_factor(kWantedError / error_, kPathDegree + 1);
+  if (!(contraction_ < 1e3)) return by_error;
+  return std::min(by_error, find_factor(kWantedContraction / contraction_, kInversePowers));
 }
 
 TubeProver::TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)

@@ -1,28 +1,46 @@
-// Certificates of a campaign's first candidates against what close steps and the cubics between
-// them say: a certificate ends at D, or where the first diagonal turns back.
-//   certificates SHEETS CAMPAIGN...
+// Certificates of candidates beside what fine steps say of the same sheets: a certificate ends at
+// D, or within a fine step of the first sample that shows a reversal.
+//   certificates [--contact] [--check] SHEETS FILE...
+// A file is a catalogue, whose first candidates are looked at, or a campaign, whose first draws
+// are. --contact: proofs that no panels meet as well, beside where the folding way says that they
+// first do. --check: the second opinion on every certificate.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/database.hpp"
+#include "search/checks/campaign_sheet.hpp"
+#include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 #include "search/terminal/stopwatch.hpp"
+#include "solver/certificate/certificate_check.hpp"
 #include "solver/certificate/certifier.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/design/contact.hpp"
+#include "solver/design/panel_motion.hpp"
 
 namespace misalign {
 namespace {
 
-constexpr double kSame_deg = 0.01;
+constexpr double kFine_deg = 0.01;
+/// A certificate's end lies on one side of its interval of 1e-4 degrees, and so does a fine step.
+constexpr double kSame_deg = kFine_deg + 2e-4;
+constexpr double kSameContact_deg = 1e-3;
+constexpr int kSheetsAtOnce = 64;
 
-struct Sums {
-  int sheets = 0, to_d = 0, at_reversal = 0, unexplained = 0;
-  std::size_t most_bytes = 0, bytes = 0;
-  std::map<std::string, int> ends;
-  std::vector<double> seconds, pieces;
+struct Sheet {
+  std::uint64_t draw;
+  Eigen::Matrix2Xd shifts_mm;
+  double deploys_from_deg;
+};
+
+struct Options {
+  bool contact = false, check = false;
+  std::size_t sheets = 0;
 };
 
 double median(std::vector<double> values) {
@@ -31,94 +49,197 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-class Study {
- public:
-  explicit Study(const schema::Campaign& campaign)
-      : campaign_(campaign), model_(search::model_of(campaign)), certifier_(model_) {}
+std::vector<int> all_vertices(const schema::Campaign& campaign) {
+  std::vector<int> vertices(
+      static_cast<std::size_t>(campaign.pattern.base.sheet.vertices_mm.cols()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
+}
 
-  void look(std::uint64_t draw, double deploys_from_deg) {
-    const solver::FlatVertices vertices_mm =
-        campaign_.pattern.base.sheet.vertices_mm + search::shifts_of_draw(campaign_, draw);
-    const search::Stopwatch watch;
-    const solver::Certificate certificate = certifier_.certify(vertices_mm, deploys_from_deg);
-    sums_.seconds.push_back(watch.seconds());
-    sums_.pieces.push_back(static_cast<double>(certificate.pieces.size()));
-    const std::size_t bytes = encode(model_.mechanism(), certificate).size();
-    sums_.bytes += bytes;
-    sums_.most_bytes = std::max(sums_.most_bytes, bytes);
-    ++sums_.sheets;
-    ++sums_.ends[solver::name_of(certificate.end)];
-    if (certificate.end == solver::CertificateEnd::to_the_end) {
-      ++sums_.to_d;
-      return;
-    }
-    const solver::FoldingHistory history = solver::record_history(model_, vertices_mm);
-    const bool same = history.between.back_where >= 0 &&
-                      std::abs(history.between.back_deg - certificate.certified_deg()) <= kSame_deg;
-    sums_.at_reversal += same;
-    sums_.unexplained += !same;
-    if (!same) {
-      fmt::print(
-          "  draw {}: certified to {:.6f} of {} deg, {} {}; close steps: back at {:.6f} ({})\n",
-          draw, certificate.certified_deg(), deploys_from_deg, solver::name_of(certificate.end),
-          certificate.where, history.between.back_deg, history.between.back_where);
-    }
+std::vector<Sheet> sheets_of_catalogue(SQLite::Database& database, const schema::Campaign& campaign,
+                                       std::size_t most) {
+  std::vector<Sheet> sheets;
+  SQLite::Statement row(database, "SELECT draw, deploys_from_deg FROM candidates LIMIT ?");
+  row.bind(1, static_cast<std::int64_t>(most));
+  while (row.executeStep()) {
+    const auto draw = static_cast<std::uint64_t>(row.getColumn(0).getInt64());
+    sheets.push_back(
+        {draw, search::shifts_of_number(database, campaign, draw), row.getColumn(1).getDouble()});
   }
+  return sheets;
+}
 
-  bool print() const {
-    if (sums_.sheets == 0) return true;
-    std::string ends;
-    for (const auto& [end, count] : sums_.ends) ends += fmt::format(" {} {}", end, count);
-    fmt::print(
-        "{}: {} sheets: {} to D, {} to the first reversal of the cubics, {} otherwise;{}; {:.1f} "
-        "ms "
-        "and {} pieces in the median, {:.1f} ms at most; {:.1f} kB in the mean, {:.1f} at most\n",
-        campaign_.name, sums_.sheets, sums_.to_d, sums_.at_reversal, sums_.unexplained, ends,
-        1e3 * median(sums_.seconds), median(sums_.pieces),
-        1e3 * *std::max_element(sums_.seconds.begin(), sums_.seconds.end()),
-        1e-3 * static_cast<double>(sums_.bytes) / sums_.sheets,
-        1e-3 * static_cast<double>(sums_.most_bytes));
-    std::fflush(stdout);
-    return sums_.unexplained * 1000 <= sums_.sheets;
-  }
-
- private:
-  const schema::Campaign& campaign_;
-  const solver::Model model_;
-  solver::Certifier certifier_;
-  Sums sums_;
-};
-
-bool look_at(schema::Campaign campaign, int sheets) {
+std::vector<Sheet> sheets_of_draws(const schema::Campaign& campaign, std::size_t most) {
   search::DrawEvaluator evaluator(campaign);
-  Study study(campaign);
-  int found = 0;
-  for (std::uint64_t lo = 0; found < sheets; lo += evaluator.largest_block()) {
+  std::vector<Sheet> sheets;
+  for (std::uint64_t lo = 0; sheets.size() < most; lo += evaluator.largest_block()) {
     std::uint64_t draw = lo;
     for (const solver::Verdict& verdict : evaluator.judge({lo, lo + evaluator.largest_block()})) {
-      const double deploys_from_deg = verdict.deploys_from_sample * campaign.sample_deg;
-      if (found < sheets && verdict.deploys_from_sample >= campaign.threshold_sample()) {
-        study.look(draw, deploys_from_deg);
-        ++found;
+      if (sheets.size() < most && verdict.deploys_from_sample >= campaign.threshold_sample()) {
+        sheets.push_back({draw, search::shifts_of_draw(campaign, draw),
+                          verdict.deploys_from_sample * campaign.sample_deg});
       }
       ++draw;
     }
   }
-  return study.print();
+  return sheets;
+}
+
+class Study {
+ public:
+  Study(const schema::Campaign& campaign, const Options& options)
+      : campaign_(campaign),
+        options_(options),
+        model_(search::model_of(campaign)),
+        fine_model_(campaign.pattern.base, all_vertices(campaign),
+                    {kFine_deg, campaign.end_deg, 0, 1}, 0),
+        fine_(solver::make_batch(solver::available_instruction_sets().back(), fine_model_)),
+        certifier_(model_, {options.contact}),
+        panels_(solver::panels_of(campaign.pattern.base, model_.mechanism())),
+        ways_(model_, panels_) {}
+
+  void look(const std::vector<Sheet>& sheets) {
+    for (std::size_t first = 0; first < sheets.size(); first += kSheetsAtOnce) {
+      const std::size_t last = std::min(first + kSheetsAtOnce, sheets.size());
+      solver::ShiftBlock block;
+      block.sheets = static_cast<int>(last - first);
+      for (std::size_t k = first; k < last; ++k) {
+        const Eigen::Matrix2Xd& shifts_mm = sheets[k].shifts_mm;
+        block.shifts_mm.insert(block.shifts_mm.end(), shifts_mm.data(),
+                               shifts_mm.data() + shifts_mm.size());
+      }
+      const auto& verdicts = fine_->judge(block);
+      for (std::size_t k = first; k < last; ++k) look(sheets[k], verdicts[k - first]);
+    }
+  }
+
+  void print() const {
+    if (sheets_ == 0) return;
+    std::string ends;
+    for (const auto& [end, count] : ends_) ends += fmt::format(", {} {}", end, count);
+    fmt::print(
+        "{}: {} sheets{}; {} to D, {} to the first reversal of fine steps, {} otherwise; {:.1f} ms "
+        "in the median, {:.1f} ms at most; {} intervals in the median; {:.1f} kB in the mean, "
+        "{:.1f} at most",
+        campaign_.name, sheets_, ends, to_d_, at_reversal_, unexplained_, 1e3 * median(seconds_),
+        1e3 * *std::max_element(seconds_.begin(), seconds_.end()), median(intervals_),
+        1e-3 * static_cast<double>(bytes_) / sheets_, 1e-3 * static_cast<double>(most_bytes_));
+    if (options_.contact) fmt::print("; {} at the first contact", at_contact_);
+    if (options_.check) {
+      fmt::print("; checked again {}, of these refused {}, {:.0f} ms in the median",
+                 check_seconds_.size(), refused_, 1e3 * median(check_seconds_));
+    }
+    fmt::print("\n");
+    std::fflush(stdout);
+  }
+
+  bool is_good() const { return unexplained_ * 1000 <= sheets_ && refused_ == 0; }
+
+ private:
+  void look(const Sheet& sheet, const solver::Verdict& fine) {
+    const solver::FlatVertices vertices_mm =
+        campaign_.pattern.base.sheet.vertices_mm + sheet.shifts_mm;
+    const search::Stopwatch watch;
+    const solver::Certificate certificate = certifier_.certify(vertices_mm, sheet.deploys_from_deg);
+    seconds_.push_back(watch.seconds());
+    intervals_.push_back(static_cast<double>(certificate.pieces.size()));
+    const std::string bytes = encode(model_.mechanism(), certificate);
+    bytes_ += bytes.size();
+    most_bytes_ = std::max(most_bytes_, bytes.size());
+    ++sheets_;
+    ++ends_[solver::name_of(certificate.end)];
+    if (!is_explained(certificate, fine.deploys_from_sample * kFine_deg, vertices_mm)) {
+      ++unexplained_;
+      fmt::print(
+          "  draw {}: certified to {:.6f} of {} deg, {} {}; fine steps: in order to {:.2f}\n",
+          sheet.draw, certificate.certified_deg(), sheet.deploys_from_deg,
+          solver::name_of(certificate.end), certificate.where,
+          fine.deploys_from_sample * kFine_deg);
+    }
+    if (options_.check) check(sheet.draw, vertices_mm, bytes);
+  }
+
+  // Counts it as what it is.
+  bool is_explained(const solver::Certificate& certificate, double fine_deg,
+                    const solver::FlatVertices& vertices_mm) {
+    const double certified_deg = certificate.certified_deg();
+    if (certificate.end == solver::CertificateEnd::to_the_end) {
+      ++to_d_;
+      return fine_deg >= certified_deg - 1e-9;
+    }
+    if (certificate.end == solver::CertificateEnd::contact) {
+      const solver::PanelMotion* motion = ways_.follow(vertices_mm);
+      if (motion == nullptr) return false;
+      const auto contact = solver::ContactFinder(panels_, *motion).first(motion->resolved_until());
+      const bool same = contact && std::abs(contact->pilot_deg - certified_deg) <= kSameContact_deg;
+      at_contact_ += same;
+      return same;
+    }
+    const bool same = certificate.end == solver::CertificateEnd::reversal &&
+                      std::abs(fine_deg - certified_deg) <= kSame_deg;
+    at_reversal_ += same;
+    return same;
+  }
+
+  void check(std::uint64_t draw, const solver::FlatVertices& vertices_mm,
+             const std::string& bytes) {
+    const search::Stopwatch watch;
+    const auto kept = solver::decode(model_.mechanism(), bytes);
+    const auto fault =
+        kept ? solver::check_certificate(model_.mechanism(), vertices_mm, *kept)
+             : solver::CertificateFault{0, 180, "these are the bytes of no certificate"};
+    check_seconds_.push_back(watch.seconds());
+    if (!fault) return;
+    ++refused_;
+    fmt::print("  draw {}: refused from {:.4f} to {:.4f} deg: {}\n", draw, fault->from_deg,
+               fault->to_deg, fault->what);
+  }
+
+  const schema::Campaign& campaign_;
+  const Options options_;
+  const solver::Model model_, fine_model_;
+  const std::unique_ptr<solver::Batch> fine_;
+  solver::Certifier certifier_;
+  const solver::Panels panels_;
+  solver::ResolvedWay ways_;
+  int sheets_ = 0, to_d_ = 0, at_reversal_ = 0, at_contact_ = 0, unexplained_ = 0, refused_ = 0;
+  std::size_t bytes_ = 0, most_bytes_ = 0;
+  std::map<std::string, int> ends_;
+  std::vector<double> seconds_, intervals_, check_seconds_;
+};
+
+bool look_at(const std::string& path, const Options& options) {
+  const auto study = [&](const schema::Campaign& campaign, const std::vector<Sheet>& sheets) {
+    Study all(campaign, options);
+    all.look(sheets);
+    all.print();
+    return all.is_good();
+  };
+  if (search::is_pattern_file(path)) {
+    const schema::Campaign campaign = schema::read_campaign_file(path);
+    return study(campaign, sheets_of_draws(campaign, options.sheets));
+  }
+  const auto database = schema::open_for_reading(path);
+  const schema::Campaign campaign = schema::read_campaign_of(*database, path);
+  return study(campaign, sheets_of_catalogue(*database, campaign, options.sheets));
 }
 
 }  // namespace
 }  // namespace misalign
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "certificates SHEETS CAMPAIGN...\n");
+  misalign::Options options;
+  int next = 1;
+  for (; next < argc && argv[next][0] == '-'; ++next) {
+    options.contact = options.contact || std::string(argv[next]) == "--contact";
+    options.check = options.check || std::string(argv[next]) == "--check";
+  }
+  if (argc - next < 2) {
+    fmt::print(stderr, "certificates [--contact] [--check] SHEETS FILE...\n");
     return 2;
   }
+  options.sheets = std::stoul(argv[next++]);
   bool good = true;
-  for (int k = 2; k < argc; ++k) {
-    good = misalign::look_at(misalign::schema::read_campaign_file(argv[k]), std::stoi(argv[1])) &&
-           good;
-  }
+  for (; next < argc; ++next) good = misalign::look_at(argv[next], options) && good;
   return good ? 0 : 1;
 }
