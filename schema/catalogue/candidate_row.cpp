@@ -51,4 +51,19 @@ Json metrics_json(const solver::Metrics& metrics) {
   return json;
 }
 
+std::optional<Eigen::Matrix2Xd> read_shifts(const Json& displacements_mm, int vertices) {
+  const Json json = json_of(displacements_mm);
+  if (!json.is_object()) return {};
+  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
+  for (const auto& [label, shift] : json.items()) {
+    const int vertex = vertex_of_label(label, vertices);
+    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+        !shift[1].is_number()) {
+      return {};
+    }
+    shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
+  }
+  return shifts_mm;
+}
+
 }  // namespace misalign::schema

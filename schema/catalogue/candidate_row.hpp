@@ -1,6 +1,7 @@
 // What a catalogue says of a sheet: its diagonals, where it fails, its metrics.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "schema/campaign/campaign.hpp"
@@ -23,5 +24,9 @@ const char* undecided_cause(const solver::Verdict& verdict);
 
 /// The metrics under the names of their columns.
 Json metrics_json(const solver::Metrics& metrics);
+
+/// The displacements of a candidate's row, one column per vertex; nothing if they are none of a
+/// sheet with so many.
+std::optional<Eigen::Matrix2Xd> read_shifts(const Json& displacements_mm, int vertices);
 
 }  // namespace misalign::schema

@@ -8,6 +8,7 @@
 
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/unit_copier.hpp"
 #include "schema/files/carried_files.hpp"
@@ -219,6 +220,14 @@ std::vector<std::uint64_t> Catalogue::keep(const std::vector<CertificateRow>& ce
 
 void Catalogue::take_over_yields(SQLite::Database& other) {
   guarded(path_, [&] { transact([&] { copy_yields(other, *database_); }); });
+}
+
+std::uint64_t Catalogue::take_over_certificates(SQLite::Database& other) {
+  std::uint64_t faulty = 0;
+  guarded(path_, [&] {
+    transact([&] { faulty = copy_certificates(other, *database_, campaign_, mechanism_); });
+  });
+  return faulty;
 }
 
 void Catalogue::settle(const UnitRecord& decided) {

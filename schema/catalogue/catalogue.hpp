@@ -79,6 +79,9 @@ class Catalogue {
   std::vector<std::uint64_t> keep(const std::vector<CertificateRow>& certificates);
   /// The same of another catalogue, for candidates that both hold.
   void take_over_yields(SQLite::Database& other);
+  /// The same of certificates, see copy_certificates: how many were not taken because they are not
+  /// as they were made.
+  std::uint64_t take_over_certificates(SQLite::Database& other);
   /// `end` says why, see catalogue.sql. Closes the file: nothing else may follow.
   void end_run(const std::string& end);
   /// Leaves one plain file: nothing else may follow.

@@ -34,7 +34,7 @@ Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
                          const Json& deployment);
 
 /// What a candidate's export says besides: {"campaign": {"name", "identity"}, "draw", "yields"},
-/// the last as from yields_json.
+/// the last as from yields_json. With a certificate also that ("certificate", certificate_json).
 Json origin_json(const Campaign& campaign, std::uint64_t draw, const Json& yields);
 
 }  // namespace misalign::schema

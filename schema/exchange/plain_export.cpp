@@ -2,9 +2,11 @@
 
 #include <sqlite3.h>
 
+#include <string_view>
+
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/database.hpp"
-#include "schema/catalogue/yield.hpp"
+#include "schema/catalogue/since.hpp"
 #include "schema/files/output_file.hpp"
 
 namespace misalign::schema {
@@ -13,10 +15,15 @@ namespace {
 // Tables and views alike, as the file itself has them; what is an INTEGER PRIMARY KEY stays one.
 constexpr const char* kTables[] = {"campaign",  "run",       "unit",         "screened",
                                    "undecided", "candidate", "fault_sample", "displacements",
-                                   "diagonals", "yield"};
+                                   "diagonals", "yield",     "certificate"};
 
 // Those that old readers understand.
 constexpr const char* kViews = "'candidates', 'acceptance', 'faults', 'yields', 'common_yield'";
+
+// The version of the schema since which there is a table.
+int since(std::string_view table) {
+  return table == "yield" ? kYieldSince : table == "certificate" ? kCertificateSince : 1;
+}
 
 // The column that is the rows' number, if there is one: no part of a key of several.
 std::string integer_key(SQLite::Database& database, const std::string& table) {
@@ -61,9 +68,9 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
     const auto opened = connect(file.path(), Access::write);
     SQLite::Database& plain = *opened;
     SQLite::Transaction transaction(plain);
+    const int version = version_of(catalogue);
     for (const char* table : kTables) {
-      if (table != std::string("yield") || has_yields(catalogue))
-        copy_table(catalogue, plain, table);
+      if (version >= since(table)) copy_table(catalogue, plain, table);
     }
     plain.exec(
         "CREATE INDEX displacements_of ON displacements (draw);"

@@ -1,6 +1,6 @@
 // The selected draw's metrics, in numbers and words, and the commands that continue from it.
 import { ends_of } from "./data.js";
-import { count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
+import { certified, count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { save_text } from "./save.js";
 import { is_pattern, kExports, noun, pattern_commands } from "./whose.js";
@@ -217,6 +217,20 @@ export function show_yields(box, report, draw) {
     (undecided ? `; ${count(undecided)} undecided.` : ".");
   box.hidden = tried.length === 0;
   box.replaceChildren(...tried.map((entry) => h("p", {}, words(entry))));
+}
+
+/** What `misalign certify` has proven of it. */
+export function show_certificate(box, report, draw) {
+  const found = (report.certificates ?? []).find((entry) => entry.draw === draw);
+  box.hidden = !found;
+  if (!found) return box.replaceChildren();
+  const { certified_deg, end, where, contact, intervals } = found;
+  const parts = [
+    where ? `${end} at ${dashed(where)}` : end,
+    plural(intervals, "interval"),
+    ...(contact ? ["no panels meet"] : []),
+  ];
+  box.replaceChildren(h("p", {}, `Certified to ${certified(certified_deg)} (${parts.join(", ")})`));
 }
 
 export function show_shifts(box, detail, state) {

@@ -48,6 +48,10 @@ export const degrees = (value) =>
     ? "–"
     : `${Number(value.toFixed(2)).toString().replace("-", kMinus)}°`;
 
+/** An angle up to which something is proven: never rounded up. */
+export const certified = (value) =>
+  value === null || value === undefined ? "–" : degrees(Math.floor(100 * value) / 100);
+
 export const plural = (n, one, many = one + "s") => `${count(n)} ${n === 1 ? one : many}`;
 export const dashed = (name) => name.replace("-", "–");
 

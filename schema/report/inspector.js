@@ -1,6 +1,7 @@
 // The selected draw: everything that is known of it, and the views that move together.
 import { make_actuation, show_actuation_words } from "./actuation.js";
 import {
+  show_certificate,
   show_commands,
   show_metrics,
   show_no_details,
@@ -75,6 +76,7 @@ export class Inspector {
       this.#candidates,
       report,
     );
+    show_certificate(by_id("certificate"), report, draw);
     show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);
   }

@@ -1,5 +1,5 @@
 // The metrics of a candidate: what the program says of them, and what the page adds.
-import { count, degrees, fixed, number } from "./format.js";
+import { certified, count, degrees, fixed, number } from "./format.js";
 import { words } from "./words.js";
 
 const share = (value) => (value === null ? "–" : `${fixed(100 * value, 2)} %`);
@@ -63,6 +63,18 @@ const kYields = [
     about: "How far off the vertices of the copies were cut, at most, in x and in y.",
   },
 ];
+const kCertified = [
+  {
+    name: "certified_deg",
+    label: "certified",
+    unit: "deg",
+    better: "more",
+    may_be_unknown: true,
+    text: certified,
+    about:
+      "Up to here `misalign certify` has proven that it folds in one way and every diagonal only grows or only shrinks, at every pilot fold angle.",
+  },
+];
 const kEnergy = [
   {
     name: "energy_n_mm",
@@ -96,7 +108,7 @@ const kLetGo = [
     about: "The most friction of the creases, per mm, with which it then still gets to flat.",
   },
 ];
-const kAfter = { miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kLetGo] };
+const kAfter = { reverses_at_deg: kCertified, miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kLetGo] };
 
 export const metrics = kStored.flatMap((metric) => [metric, ...(kAfter[metric.name] ?? [])]);
 

@@ -66,6 +66,20 @@ std::string embedded(const Json& data) {
   return json;
 }
 
+// What a table holds of the candidates that the page has in its table, and of `draws`.
+Json rows_of(SQLite::Database& database, const std::string& columns_from_table, std::uint64_t most,
+             const std::vector<std::uint64_t>& draws, const std::string& order) {
+  std::string these;
+  for (const std::uint64_t draw : draws)
+    these += (these.empty() ? "" : ", ") + std::to_string(draw);
+  Json rows = query_rows(database, "SELECT " + columns_from_table +
+                                       " WHERE draw IN (SELECT draw FROM candidates " +
+                                       best_order() + " LIMIT " + std::to_string(most) +
+                                       ") OR draw IN (" + these + ") ORDER BY " + order);
+  for (Json& row : rows) row["draw"] = row["draw"].dump();
+  return rows;
+}
+
 }  // namespace
 
 // What the page says of faults and metrics; units, ways of writing and what is best as it knows
@@ -118,16 +132,19 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most, bool let_go
 
 Json report_yields_json(SQLite::Database& database, std::uint64_t most,
                         const std::vector<std::uint64_t>& draws) {
-  std::string these;
-  for (const std::uint64_t draw : draws)
-    these += (these.empty() ? "" : ", ") + std::to_string(draw);
-  Json rows = query_rows(
-      database,
-      "SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
-      "FROM yields WHERE draw IN (SELECT draw FROM candidates " +
-          best_order() + " LIMIT " + std::to_string(most) + ") OR draw IN (" + these +
-          ") ORDER BY draw, amplitude_mm");
-  for (Json& row : rows) row["draw"] = row["draw"].dump();
+  return rows_of(database,
+                 "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
+                 "FROM yields",
+                 most, draws, "draw, amplitude_mm");
+}
+
+Json report_certificates_json(SQLite::Database& database, std::uint64_t most,
+                              const std::vector<std::uint64_t>& draws) {
+  Json rows = rows_of(database,
+                      "draw, certified_deg, ended AS \"end\", nullif(place, '') AS \"where\", "
+                      "contact, intervals FROM certificate",
+                      most, draws, "draw");
+  for (Json& row : rows) row["contact"] = row["contact"] != 0;
   return rows;
 }
 

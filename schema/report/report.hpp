@@ -22,6 +22,11 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most, bool let_go
 Json report_yields_json(SQLite::Database& database, std::uint64_t most,
                         const std::vector<std::uint64_t>& draws);
 
+/// What was certified of them: {"draw", "certified_deg", "end", "where", "contact", "intervals"},
+/// as their catalogue says; whether it is so, `misalign certify --check` knows.
+Json report_certificates_json(SQLite::Database& database, std::uint64_t most,
+                              const std::vector<std::uint64_t>& draws);
+
 /// The exact first faults of the sample, {"every", "every_at_most", "rows": [{"first_fault",
 /// "fault_deg", "where", "accepted", "sampled", "weight", "weight_sq"}]}: how many draws at least
 /// and at most a row of the sample stands for; of rows that are alike how many were sampled, and

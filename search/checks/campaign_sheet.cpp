@@ -2,25 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
 
 namespace misalign::search {
-
-std::optional<Eigen::Matrix2Xd> read_shifts(const schema::Json& displacements_mm, int vertices) {
-  const schema::Json json = schema::json_of(displacements_mm);
-  if (!json.is_object()) return {};
-  Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, vertices);
-  for (const auto& [label, shift] : json.items()) {
-    const int vertex = schema::vertex_of_label(label, vertices);
-    if (vertex < 0 || !shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
-        !shift[1].is_number()) {
-      return {};
-    }
-    shifts_mm.col(vertex) << shift[0].get<double>(), shift[1].get<double>();
-  }
-  return shifts_mm;
-}
 
 Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Campaign& campaign,
                                   std::uint64_t number) {
@@ -34,8 +20,8 @@ Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Camp
                     "with `misalign replay --again`",
                     number));
   }
-  const auto shifts_mm = read_shifts(row.value("displacements_mm", schema::Json()),
-                                     campaign.pattern.base.sheet.vertex_count());
+  const auto shifts_mm = schema::read_shifts(row.value("displacements_mm", schema::Json()),
+                                             campaign.pattern.base.sheet.vertex_count());
   if (!shifts_mm || !can_be_drawn(campaign, *shifts_mm)) {
     throw schema::damaged(database,
                           fmt::format("candidate {} has no displacements of its campaign", number));

@@ -3,15 +3,9 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <optional>
-
 #include "schema/campaign/campaign.hpp"
 
 namespace misalign::search {
-
-/// The displacements of a candidate's row, one column per vertex; nothing if they are none of a
-/// sheet with so many.
-std::optional<Eigen::Matrix2Xd> read_shifts(const schema::Json& displacements_mm, int vertices);
 
 /// Of a plain campaign any draw's, made again; of a splitting one a candidate's, as stored: to make
 /// that again takes its whole population. UserError: 2 it is none of its candidates, 3 the row is

@@ -36,7 +36,7 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
     report.findings.push_back(schema::differs(where, column, stored, recomputed));
   };
   const solver::PerforatedSheet& base = campaign_.pattern.base;
-  const auto shifts_mm = read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
+  const auto shifts_mm = schema::read_shifts(cell("displacements_mm"), base.sheet.vertex_count());
   if (campaign_.splitting) {  // its population would have to be made again: see --units
     if (!shifts_mm || !can_be_drawn(campaign_, *shifts_mm)) {
       differs("displacements_mm", cell("displacements_mm"), "shifts of the campaign");

@@ -119,7 +119,10 @@ class Merge {
       }
     }
     merged.reset();
-    for (const Input& input : inputs_) catalogue.take_over_yields(*input.database);
+    for (const Input& input : inputs_) {
+      catalogue.take_over_yields(*input.database);
+      report_.faulty_certificates += catalogue.take_over_certificates(*input.database);
+    }
     catalogue.end_run("merged");
     const auto wrong =
         schema::check_ledger(*schema::open_for_reading(path), evaluator_->campaign());

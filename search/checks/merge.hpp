@@ -21,6 +21,8 @@ struct MergeReport {
   std::uint64_t compared = 0;    ///< draws that several catalogues had
   std::uint64_t recomputed = 0;  ///< draws of units that overlap others in part
   std::uint64_t decided = 0;     ///< draws that one had left undecided and another had not
+  /// Certificates that were not taken: they are not as they were made.
+  std::uint64_t faulty_certificates = 0;
   /// What catalogues disagree about, or what is wrong within one: then nothing is written.
   std::vector<schema::Finding> findings;
 };

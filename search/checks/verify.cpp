@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "schema/catalogue/certificate_table.hpp"
 #include "search/checks/draws_again.hpp"
 #include "search/terminal/count_text.hpp"
 
@@ -54,6 +55,10 @@ class Verifier {
     fault_samples_ = spread(sampled, options_.sample);
     const auto units = schema::units_done(database_);
     v_.units.of = units.size();
+    const auto certificates = schema::check_certificates(database_, campaign_);
+    v_.certificates = {certificates.count - certificates.findings.size(), certificates.count};
+    v_.findings.insert(v_.findings.end(), certificates.findings.begin(),
+                       certificates.findings.end());
     units_ = at_random(units, options_.units, options_.seed);
   }
 
@@ -197,6 +202,12 @@ std::string verification_text(const Verification& v) {
   text += fmt::format("candidates   {} of {} computed again\n", v.checked.size(), v.candidates);
   text += fmt::format("fault sample {} of {} judged again\n", v.fault_samples.checked,
                       v.fault_samples.of);
+  if (v.certificates.of > 0) {
+    text += fmt::format(
+        "certificates {} of {} are as they were made, by their hashes (`misalign certify --check` "
+        "checks their proofs)\n",
+        v.certificates.checked, v.certificates.of);
+  }
   text += units_text(v) + other_definitions_text(v);
   text += "worst        " + worst_text(v.worst, v.diagonal_mm) + "\n";
   if (const CheckedCandidate* first = v.first_contact()) {
@@ -232,6 +243,7 @@ Json verification_json(const Verification& v) {
           {"candidates", v.candidates},
           {"checked", checked},
           {"fault_samples", {{"checked", v.fault_samples.checked}, {"of", v.fault_samples.of}}},
+          {"certificates", {{"good", v.certificates.checked}, {"of", v.certificates.of}}},
           {"units",
            {{"checked", v.units.checked},
             {"of", v.units.of},

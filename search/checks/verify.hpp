@@ -37,6 +37,7 @@ struct Verification {
   std::uint64_t candidates = 0;
   std::vector<CheckedCandidate> checked;
   Sample fault_samples, units;
+  Sample certificates;            ///< all of them: those that are as they were made
   std::uint64_t draws_again = 0;  ///< of those units
   std::uint64_t decided_now = 0;  ///< of those, undecided in the catalogue or here, not in both
   std::uint64_t seed = 0;         ///< that chose them

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/plain_export.hpp"
 #include "search/checks/campaign_sheet.hpp"
@@ -26,6 +27,23 @@ struct ExportCall {
   DeckWish deck;
   bool compat = false;
 };
+
+// Of a candidate that has one, as it was made.
+void add_certificate(SQLite::Database& database, const SheetFolder& folder,
+                     const FoldedSheet& folded, std::uint64_t draw, schema::Json& origin) {
+  const auto row = schema::read_certificate(database, draw);
+  if (!row) return;
+  const auto fault =
+      schema::certificate_fault(folder.base(), folder.mechanism(), folded.shifts_mm, *row);
+  if (fault) {
+    throw schema::UserError(
+        schema::kExitBadInput,
+        fmt::format("{}: the certificate of draw {} is not as it was made ({}); `misalign certify` "
+                    "makes it anew",
+                    database.getFilename(), draw, *fault));
+  }
+  origin["certificate"] = schema::certificate_json(*row);
+}
 
 // Each candidate's files, or for csv the one table of all of them, whole or not at all: named after
 // the campaign and the draw, or a table of several after the campaign.
@@ -57,11 +75,15 @@ void export_candidates(const ExportCall& call) {
       tables->add(folded, number);
       continue;
     }
-    const schema::Json yields = schema::yields_json(schema::read_yields(*database, draw));
+    schema::Json origin = schema::origin_json(
+        campaign, draw, schema::yields_json(schema::read_yields(*database, draw)));
+    if (call.files.format == SheetFormat::json) {
+      add_certificate(*database, folder, folded, draw, origin);
+    }
     files.write(
         folded,
         {stem_of(draw), "misalign: " + campaign.name + ", draw " + number, "draw " + number},
-        schema::origin_json(campaign, draw, yields));
+        origin);
   }
   if (tables) tables->publish();
 }
@@ -131,7 +153,7 @@ void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) 
 
 constexpr const char* kExportFooter =
     "Formats:\n"
-    "  json  pattern, verdict, metrics, springs\n"
+    "  json  pattern, verdict, metrics, springs, the certificate if there is one\n"
     "  csv   one table of all draws, a row for each draw, degree and diagonal: length,\n"
     "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
     "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"

@@ -7,6 +7,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/run_info.hpp"
+#include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
@@ -23,6 +24,12 @@ int merge_catalogues(MergeOptions options) {
   if (!report.findings.empty()) {
     spdlog::error("{} findings; {} was not written", report.findings.size(), options.output);
     return schema::kExitCheckFailed;
+  }
+  if (report.faulty_certificates > 0) {
+    spdlog::warn(
+        "{} not taken over: their hashes are not theirs (`misalign verify` names them, `misalign "
+        "certify` makes them anew)",
+        count_text(report.faulty_certificates, "certificate"));
   }
   const auto merged = schema::open_for_reading(options.output);
   const schema::CatalogueState state = schema::read_state(*merged);

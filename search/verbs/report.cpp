@@ -176,6 +176,7 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
                  {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
     look = draws_to_look_at(database, json["candidates"], call);
     json["yields"] = schema::report_yields_json(database, call.rows, look.draws);
+    json["certificates"] = schema::report_certificates_json(database, call.rows, look.draws);
     return json;
   });
 }
