@@ -260,6 +260,7 @@ constexpr Mutation kAccepted[] = {
     {"/actuators/stiffness_n_per_mm", "1e-6"},
     {"/actuators/stroke_limit", "0.08"},
     {"/actuators/stroke_limit", "1"},
+    {"/certify", "true"},
     // Ends of ranges that need more than one key changed; the pointer "" is the whole document.
     {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "path": {"sample_deg": 60},
              "accept": {"deploys_from_deg": 180}})"},

@@ -60,6 +60,7 @@ TEST(Identity, DoesNotDependOnHowTheCampaignIsWritten) {
       R"({"stop": {"draws": 5, "accepted": 7, "wall_s": 1.5}})",
       R"({"stop": {"draws": null}})",
       R"({"actuators": {"stiffness_n_per_mm": 3, "stroke_limit": 0.08}})",
+      R"({"certify": true})",
       R"({"misalignment": {"amplitude_mm": 0.4, "levels": "ternary", "vertices": "interior"}})",
       R"({"path": {"sample_deg": 1.0, "end_deg": 180}, "accept": {"deploys_from_deg": 170.0}})",
       R"({"seed": 1, "pattern": {"panel_width_mm": 80.0, "panel_height_mm": 8e1}})",
@@ -166,6 +167,7 @@ TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
       R"({"accept": {"between_samples": "exact"}})",
       R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
       R"({"stop": {"draws": 9223372036854775807, "accepted": 0, "wall_s": null}})",
+      R"({"certify": true})",
   };
   for (const char* patch : kCampaigns) {
     const Campaign campaign = read(with(patch));
@@ -178,6 +180,7 @@ TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
     EXPECT_EQ(again.pattern.base.holes, campaign.pattern.base.holes);
     EXPECT_EQ(again.stop.draws, campaign.stop.draws);
     EXPECT_EQ(again.stop.accepted, campaign.stop.accepted);
+    EXPECT_EQ(again.certify, campaign.certify);
   }
 }
 
@@ -198,6 +201,16 @@ TEST(Campaign, ReadsWhatIsWritten) {
   EXPECT_EQ(c.stop.draws, 10u);
   EXPECT_EQ(c.stop.accepted, 2u);
   EXPECT_EQ(c.stop.wall_s, 3.0);
+}
+
+TEST(Campaign, CertifiesAsItGoesOnlyWherePlainDrawsAreMade) {
+  EXPECT_FALSE(read(with("{}")).certify);
+  EXPECT_TRUE(read(with(R"({"certify": true})")).certify);
+  EXPECT_FALSE(stored_configuration(read(with("{}"))).contains("certify"));
+  EXPECT_FALSE(read(with(R"({"certify": false, "search": {"method": "splitting"}})")).certify);
+  const auto faults = faults_of(with(R"({"certify": true, "search": {"method": "splitting"}})"));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].find("misalign certify"), std::string::npos) << faults[0];
 }
 
 TEST(Faults, AreAllReportedAtOnce) {
