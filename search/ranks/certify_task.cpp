@@ -76,11 +76,12 @@ bool CertifyTask::compute_one_block() {
 
 void CertifyTask::commit() {
   constexpr double kApart_s = 1;
-  if (watch_.seconds() - committed_s_ >= kApart_s) commit_all();
+  if (!committed_s_ || watch_.seconds() - *committed_s_ >= kApart_s) commit_all();
 }
 
 void CertifyTask::commit_all() {
-  if (!waiting_.empty()) sheets_.keep(std::exchange(waiting_, {}));
+  if (waiting_.empty()) return;
+  sheets_.keep(std::exchange(waiting_, {}));
   committed_s_ = watch_.seconds();
 }
 

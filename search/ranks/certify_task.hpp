@@ -51,7 +51,7 @@ class CertifyTask final : public RankTask {
   bool compute_one_block() override;
   void hand_in_own() override {}
   std::size_t rows_waiting() const override { return waiting_.size(); }
-  /// About once a second.
+  /// At first, and then about once a second.
   void commit() override;
   void commit_all() override;
   bool anything_open() const override { return !open_.empty(); }
@@ -72,7 +72,7 @@ class CertifyTask final : public RankTask {
   std::vector<Worker> workers_;
   std::vector<SheetsToCertify::Done> waiting_;
   Stopwatch watch_;
-  double committed_s_ = 0;
+  std::optional<double> committed_s_;
 };
 
 }  // namespace misalign::search

@@ -81,7 +81,7 @@ sqlite3 few.db "DELETE FROM certificate WHERE draw NOT IN (SELECT draw FROM cert
 "${ranks[@]}" 2 "$program" certify few.db --check --json > check.json 2> err || fail "check, 2 ranks: $(cat err)"
 [ "$(field check.json checked)" = 2 ] || fail "check, 2 ranks: $(cat check.json)"
 [ "$(field check.json without)" = $((candidates - 2)) ] || fail "those without one: $(cat check.json)"
-for spoilt in "certified_deg = certified_deg - 1" "ended = 'reversal'" "place = 'A1-A2'" "intervals = intervals + 1" \
+for spoilt in "certified_deg = certified_deg - 1" "ended = 'fold_limit'" "place = 'A1-A2'" "intervals = intervals + 1" \
   "proof = CAST(substr(proof, 1, 200) || x'55' || substr(proof, 202) AS BLOB)"; do
   cp few.db spoilt.db
   one=$(sql few.db 'SELECT draw FROM certificate ORDER BY draw LIMIT 1')

@@ -1,0 +1,227 @@
+// Certificates in a run without MPI: jobs that are cut short, messages, what is said; and
+// candidates that are certified as they are found.
+#include <gtest/gtest.h>
+
+#include "search/checks/certify_text.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/draw_evaluator.hpp"
+#include "search/draws/models.hpp"
+#include "search/ranks/certify_task.hpp"
+
+namespace misalign::search {
+namespace {
+
+schema::Campaign small_campaign(bool certify = false) {
+  return schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+                                {"accept", {{"deploys_from_deg", 150}}},
+                                {"certify", certify}},
+                               "a test");
+}
+
+class Certificates : public testing::Test {
+ protected:
+  SheetOrder order_of(std::size_t sheet) const {
+    const std::uint64_t draw = 10 + sheet;
+    return {draw, kAsked_deg, shifts_of_draw(campaign_, draw)};
+  }
+  schema::CertificateRow certified(std::size_t sheet) {
+    const SheetOrder order = order_of(sheet);
+    return certifier_.certify(order.draw, order.shifts_mm, order.asked_deg);
+  }
+
+  static constexpr double kAsked_deg = 20;
+  const schema::Campaign campaign_ = small_campaign();
+  const solver::Model model_ = model_of(campaign_);
+  SheetCertifier certifier_{campaign_.pattern, model_};
+};
+
+// Without the seconds that it took.
+schema::CertificateRow timeless(schema::CertificateRow row) {
+  row.seconds = 0;
+  return row;
+}
+
+TEST_F(Certificates, OfEverySheetOnceThoughJobsAreCutShort) {
+  constexpr std::size_t kSheets = 12;
+  std::vector<int> kept(kSheets);
+  std::vector<schema::CertificateRow> rows(kSheets);
+  CertifyTask task(certifier_,
+                   {kSheets, [&](std::size_t k) { return order_of(k); },
+                    [&](std::vector<SheetsToCertify::Done> done) {
+                      for (auto& one : done) {
+                        ++kept[one.sheet];
+                        rows[one.sheet] = std::move(*one.answer.made);
+                      }
+                    }},
+                   3);
+  EXPECT_FALSE(task.complete());
+  for (bool cut = true; task.anything_open(); cut = !cut) {
+    std::optional<Bytes> jobs[3];
+    for (const int worker : {1, 2}) jobs[worker] = task.assign(worker);
+    for (const int worker : {1, 2}) {
+      ASSERT_EQ(task.has_job(worker), jobs[worker].has_value());
+      if (!jobs[worker]) continue;
+      CertifyWork work(certifier_, unpack_orders(*jobs[worker]));
+      // The first job of worker 1 comes back empty, as if a signal had come at once.
+      while (!work.finished() && !(cut && worker == 1)) work.run_next_block();
+      SentAnswers sent = work.take();
+      sent.was_stopped = cut;
+      EXPECT_EQ(task.take_back(worker, pack(sent)), cut);
+      EXPECT_FALSE(task.has_job(worker));
+    }
+    if (task.anything_open()) {
+      EXPECT_TRUE(task.compute_one_block());
+    }
+    task.commit();
+  }
+  EXPECT_TRUE(task.complete());
+  EXPECT_FALSE(task.compute_one_block());
+  task.commit_all();
+  EXPECT_EQ(task.rows_waiting(), 0u);
+  EXPECT_EQ(kept, std::vector<int>(kSheets, 1));
+  EXPECT_EQ(task.counts().standing.draws, kSheets);
+  for (std::size_t k = 0; k < kSheets; ++k) EXPECT_EQ(timeless(rows[k]), timeless(certified(k)));
+}
+
+TEST_F(Certificates, AndFindingsArriveAsTheyWereSent) {
+  SheetOrder order = order_of(3);
+  order.stored = certified(3);
+  const std::vector<SheetOrder> orders = unpack_orders(pack(std::vector{order_of(1), order}));
+  ASSERT_EQ(orders.size(), 2u);
+  EXPECT_FALSE(orders[0].stored);
+  EXPECT_EQ(orders[1].stored, order.stored);
+  EXPECT_EQ(orders[1].shifts_mm, order.shifts_mm);
+  EXPECT_EQ(orders[1].asked_deg, kAsked_deg);
+
+  SentAnswers sent;
+  sent.seconds = 0.25;
+  sent.answers.push_back({certified(4), {}});
+  sent.answers.push_back({{}, CertificateFinding{7, {{1.5, 2}}, "a reason"}});
+  sent.answers.push_back({{}, CertificateFinding{8, {}, ""}});
+  sent.answers.push_back({});
+  const SentAnswers came = unpack_answers(pack(sent));
+  ASSERT_EQ(came.answers.size(), 4u);
+  EXPECT_EQ(came.seconds, 0.25);
+  EXPECT_EQ(came.answers[0].made, sent.answers[0].made);
+  EXPECT_EQ(came.answers[1].finding->sentence(), "draw 7, 1.5 to 2 deg: a reason");
+  EXPECT_FALSE(came.answers[2].finding->interval);
+  EXPECT_FALSE(came.answers[3].made || came.answers[3].finding);
+  // Bytes that end too early are no rows.
+  Bytes cut = pack(sent);
+  cut.resize(cut.size() / 2);
+  EXPECT_LT(unpack_answers(cut).answers.size(), 5u);
+}
+
+TEST_F(Certificates, AreCheckedAndSpoiltOnesFound) {
+  const SheetOrder order = order_of(5);
+  const schema::CertificateRow good = certified(5);
+  EXPECT_FALSE(certifier_.check(order.shifts_mm, good));
+  schema::CertificateRow spoilt = good;
+  spoilt.proof[60] ^= 1;
+  ASSERT_TRUE(certifier_.check(order.shifts_mm, spoilt));
+  EXPECT_FALSE(certifier_.check(order.shifts_mm, spoilt)->interval);
+  // A false claim under a hash of its own.
+  schema::CertificateRow other = certified(6);
+  other.draw = good.draw;
+  other.hash = schema::certificate_hash(campaign_.pattern, order.shifts_mm, other);
+  ASSERT_FALSE(certifier_.row_fault(order.shifts_mm, other));
+  const auto finding = certifier_.check(order.shifts_mm, other);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->draw, good.draw);
+  EXPECT_TRUE(finding->interval);
+}
+
+TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
+  schema::CertificateRow row;
+  row.asked_deg = 170;
+  row.end = "reversal";
+  EXPECT_TRUE(answers(row, 170, false));
+  EXPECT_TRUE(answers(row, 160, false));
+  EXPECT_FALSE(answers(row, 171, false));
+  EXPECT_FALSE(answers(row, 170, true));
+  row.contact = true;
+  EXPECT_TRUE(answers(row, 170, true));
+  EXPECT_TRUE(answers(row, 170, false));
+  row.end = "contact";  // without panels it may go farther
+  EXPECT_TRUE(answers(row, 170, true));
+  EXPECT_FALSE(answers(row, 170, false));
+}
+
+TEST(CertificateText, NeverSaysMoreThanIsCertified) {
+  schema::CertificateRow row;
+  row.draw = 7;
+  row.certified_deg = 156.15499;
+  row.asked_deg = 180;
+  row.end = "reversal";
+  row.place = "A10-A18";
+  row.intervals = 28;
+  row.proof = std::string(2000, 'x');
+  const CertifiedSheet sheet = certified_sheet("draw 7", row, true);
+  EXPECT_EQ(sheet.bytes, 2000u);
+  const std::string text = certified_text(sheet);
+  EXPECT_NE(text.find("to 156.1549 deg of 180;"), std::string::npos) << text;
+  EXPECT_NE(text.find("A10-A18 turns back"), std::string::npos) << text;
+  row.intervals = 0;
+  row.certified_deg = 0;
+  row.end = "flat_branch";
+  EXPECT_NE(certified_text(certified_sheet("draw 7", row, true)).find("nothing is certified"),
+            std::string::npos);
+  const schema::Json json = certified_json(sheet);
+  EXPECT_FALSE(json.contains("proof"));
+  EXPECT_EQ(json["certified_deg"], 156.15499);
+  EXPECT_EQ(json["bytes"], 2000);
+}
+
+TEST(CertificateText, OfManyIsASummary) {
+  std::vector<CertifiedSheet> sheets;
+  for (int k = 0; k < 30; ++k) {
+    schema::CertificateRow row;
+    row.end = k < 10 ? "reversal" : "to_the_end";
+    row.certified_deg = k < 10 ? 150 + k : 170;
+    row.intervals = 20;
+    sheets.push_back(certified_sheet("draw " + std::to_string(k), row, k > 4));
+  }
+  const std::string text = certified_text(sheets);
+  for (const char* part : {"reversal", "to_the_end", "all", "; 5 were there already"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+  }
+  EXPECT_EQ(text.find("draw"), std::string::npos);
+  sheets.resize(2);
+  EXPECT_NE(certified_text(sheets).find("draw 1: "), std::string::npos);
+}
+
+TEST(CertificateText, OfACheckSaysWhatHasNone) {
+  CertificateCheck check{2, 2, 1, {}};
+  EXPECT_EQ(check_text(check), "2 certificates checked: all hold; 1 sheet without a certificate\n");
+  EXPECT_EQ(check_json(check)["good"], true);
+  check = {1, 3, 0, {{9, {}, "why"}}};
+  const std::string text = check_text(check);
+  EXPECT_NE(text.find("draw 9: why\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("of 3 (stopped)"), std::string::npos) << text;
+  EXPECT_EQ(check_json(check)["good"], false);
+}
+
+// As the search goes: accepted ones alone, up to their D, with what `certify` would make.
+TEST(CertifiedDraws, AreTheCandidatesAndAsOtherwise) {
+  const schema::Campaign campaign = small_campaign(true);
+  const solver::Model model = model_of(campaign);
+  SheetCertifier certifier(campaign.pattern, model);
+  DrawEvaluator certifying(campaign), plain(small_campaign());
+  const schema::UnitRecord unit = work_off(certifying, {0, 40}), other = work_off(plain, {0, 40});
+  ASSERT_GT(unit.candidates.size(), 2u);
+  ASSERT_EQ(unit.candidates.size(), other.candidates.size());
+  EXPECT_EQ(unit.screened, other.screened);
+  EXPECT_GT(certifying.bytes_of_candidate(), plain.bytes_of_candidate());
+  for (std::size_t k = 0; k < unit.candidates.size(); ++k) {
+    const schema::Candidate& candidate = unit.candidates[k];
+    EXPECT_FALSE(other.candidates[k].certificate);
+    ASSERT_TRUE(candidate.certificate);
+    const schema::CertificateRow again =
+        certifier.certify(candidate.draw, shifts_of_draw(campaign, candidate.draw),
+                          candidate.metrics.deploys_from_sample * campaign.sample_deg);
+    EXPECT_EQ(timeless(*candidate.certificate), timeless(again));
+  }
+}
+
+}  // namespace
+}  // namespace misalign::search
