@@ -83,6 +83,11 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
   return "";
 }
 
+bool needs_place(CertificateEnd end) {
+  return end == CertificateEnd::reversal || end == CertificateEnd::over_folded ||
+         end == CertificateEnd::sign_changed || end == CertificateEnd::contact;
+}
+
 // The columns that a proof decides; without hash, seconds and the proof itself.
 CertificateRow claims_of(const Pattern& base, const solver::Mechanism& mechanism,
                          std::uint64_t draw, const solver::Certificate& certificate) {
@@ -150,6 +155,9 @@ std::optional<std::string> certificate_fault(const Pattern& base,
   }
   const auto certificate = solver::decode(mechanism, row.proof);
   if (!certificate) return "its proof is none of such a sheet";
+  if (certificate->certified_deg() > certificate->asked_deg) {
+    return "its proof goes beyond the angle that was asked for";
+  }
   const CertificateRow claims = claims_of(base, mechanism, row.draw, *certificate);
   const auto contradicted = [](const std::string& column) {
     return "its proof says otherwise than its column " + column;
@@ -158,6 +166,9 @@ std::optional<std::string> certificate_fault(const Pattern& base,
   if (row.asked_deg != claims.asked_deg) return contradicted("asked_deg");
   if (row.end != claims.end) return contradicted("ended");
   if (row.place != claims.place) return contradicted("place");
+  if (claims.place.empty() && needs_place(certificate->end)) {
+    return "its proof ends at a place that the sheet does not have";
+  }
   if (row.contact != claims.contact) return contradicted("contact");
   if (row.intervals != claims.intervals) return contradicted("intervals");
   return std::nullopt;

@@ -158,3 +158,30 @@ export async function yield_checks(page, data) {
     }
   });
 }
+
+/** What `misalign certify` found, where it was asked. */
+export async function certificate_checks(page, data) {
+  const { columns } = data.candidates,
+    of = (draw) => data.certificates.find((entry) => entry.draw === draw),
+    with_one = columns.draw.filter(of);
+  await unfiltered(page, "certified angles are a column where there are any", async () => {
+    assert.equal(await by(page, "head-certified_deg").count(), with_one.length ? 1 : 0);
+    return with_one.length ? `${with_one.length} candidates` : "none";
+  });
+  await unfiltered(page, "and stand in the candidate's card, never rounded up", async () => {
+    for (const draw of [...with_one.slice(0, 1), columns.draw.find((one) => !of(one))]) {
+      if (draw === undefined) continue;
+      await by(page, "filter").fill(`draw = ${draw}`);
+      await by(page, "grid").locator(".line").first().click();
+      const box = by(page, "certificate"),
+        entry = of(draw);
+      assert.equal(await box.isVisible(), Boolean(entry));
+      if (!entry) continue;
+      const [, angle, end, intervals] = (await box.textContent()).match(
+        /^Certified to ([\d.]+)° \((\w+)[^,]*, (\d+) intervals?/,
+      );
+      assert.ok(Number(angle) <= entry.certified_deg && Number(angle) > entry.certified_deg - 0.011);
+      assert.deepEqual([end, Number(intervals)], [entry.end, entry.intervals]);
+    }
+  });
+}

@@ -5,7 +5,12 @@
 import assert from "node:assert/strict";
 import { parseArgs } from "node:util";
 import { open_browser, open_page } from "./browser.mjs";
-import { layout_checks, no_detail_checks, yield_checks } from "./choosing_checks.mjs";
+import {
+  certificate_checks,
+  layout_checks,
+  no_detail_checks,
+  yield_checks,
+} from "./choosing_checks.mjs";
 import { detail_checks, key_checks } from "./inspecting_checks.mjs";
 import { address_checks, link_checks, saving_checks, survival_check } from "./keeping_checks.mjs";
 import { looks_checks } from "./looks_checks.mjs";
@@ -34,6 +39,7 @@ async function choosing_checks(page, data) {
   await layout_checks(page, data);
   await scatter_checks(page, data);
   await yield_checks(page, data);
+  await certificate_checks(page, data);
   await no_detail_checks(page, data);
   await link_checks(page, data);
 }

@@ -1,8 +1,10 @@
 // candidate.schema.json describes what `misalign export` writes.
+#include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/deployment_json.hpp"
 #include "schema_agreement.hpp"
+#include "solver/certificate/certifier.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -33,6 +35,9 @@ Json table1_candidate() {
         folded_pattern_json(campaign.sampling(), view, metrics,
                             actuation_json(view, path, solver::actuate(wires, path, vertices_mm)),
                             exported_deployment_json(let_go));
+    const solver::Certificate certificate = solver::Certifier(model).certify(vertices_mm, 5);
+    exported["certificate"] =
+        certificate_json(certificate_row(campaign, mechanism, 7, shifts_mm, certificate, 0.03125));
     exported.update(
         origin_json(campaign, 7, yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}})));
     return exported;
@@ -63,9 +68,10 @@ TEST(CandidateSchema, NeedsEveryKeyAndRefusesEveryOther) {
       const std::string nowhere = at.to_string() + "/extra";
       EXPECT_NE(complaint(schema, with(candidate, nowhere, nullptr)), "") << at;
     }
-    // Elements of arrays, shifts by label and, when nothing is shifted, their object may be absent.
-    const bool optional =
-        at.empty() || at.to_string().find("/displacements_mm") != std::string::npos;
+    // Elements of arrays, shifts by label and, when nothing is shifted, their object may be absent;
+    // and what nobody has proven.
+    const bool optional = at.empty() || at.to_string() == "/certificate" ||
+                          at.to_string().find("/displacements_mm") != std::string::npos;
     if (optional || candidate[at.parent_pointer()].is_array()) return;
     EXPECT_NE(complaint(schema, without(candidate, at)), "") << at;
     ++removed;
@@ -95,6 +101,13 @@ TEST(CandidateSchema, RefusesWrongValues) {
       {"/yields/0/survivors", "-1"},
       {"/yields/0/share", "1.5"},
       {"/yields/0/amplitude_mm", "-0.1"},
+      {"/certificate", "null"},
+      {"/certificate/certified_deg", "181"},
+      {"/certificate/end", "\"end\""},
+      {"/certificate/where", "\"[1,2]\""},
+      {"/certificate/hash", "\"0123456789ABCDEF0123456789ABCDEF\""},
+      {"/certificate/proof", "\"*\""},
+      {"/certificate/intervals", "1.5"},
       {"/diagonals", "[]"},
       {"/diagonals/0/hole", "[1]"},
       {"/diagonals/0/from", "\"17\""},
@@ -109,9 +122,14 @@ TEST(CandidateSchema, RefusesWrongValues) {
         << m.at << " = " << m.value;
   }
   // Null is a value for what there may be none of, and an unshifted sheet has no displacements.
-  for (const char* at : {"/verdict/fault_deg", "/verdict/where", "/metrics/slope_min_mm_per_deg"}) {
+  for (const char* at : {"/verdict/fault_deg", "/verdict/where", "/metrics/slope_min_mm_per_deg",
+                         "/certificate/where"}) {
     EXPECT_EQ(complaint(schema, with(candidate, at, nullptr)), "") << at;
   }
+  for (const char* place : {"A1-A20", "[0,1] and [12,3]"}) {
+    EXPECT_EQ(complaint(schema, with(candidate, "/certificate/where", place)), "") << place;
+  }
+  EXPECT_EQ(complaint(schema, without(candidate, Pointer("/certificate"))), "");
   EXPECT_EQ(complaint(schema, without(candidate, Pointer("/pattern/displacements_mm"))), "");
 }
 

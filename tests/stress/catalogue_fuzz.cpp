@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/exchange/plain_export.hpp"
@@ -19,6 +20,7 @@
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/verbs/choice.hpp"
+#include "solver/certificate/certifier.hpp"
 #include "tests/folder.hpp"
 #include "tests/search/climb_on.hpp"
 #include "tests/stress/catalogue_mutations.hpp"
@@ -55,6 +57,24 @@ Campaign quick_campaign() {
       "quick");
 }
 
+// Of every other candidate: that it deploys up to its D.
+void keep_certificates(Catalogue& catalogue, const DrawEvaluator& evaluator,
+                       const std::vector<Candidate>& candidates) {
+  const Campaign& campaign = evaluator.campaign();
+  const solver::Model model(campaign.pattern.base, campaign.path());
+  solver::Certifier certifier(model);
+  std::vector<CertificateRow> rows;
+  for (std::size_t k = 0; k < candidates.size(); k += 2) {
+    const Candidate& candidate = candidates[k];
+    const solver::Certificate made =
+        certifier.certify(campaign.pattern.base.sheet.vertices_mm + candidate.shifts_mm,
+                          candidate.metrics.deploys_from_deg);
+    rows.push_back(certificate_row(campaign, evaluator.mechanism(), candidate.draw,
+                                   candidate.shifts_mm, made, 0.5));
+  }
+  catalogue.keep(rows);
+}
+
 // With an undecided draw: the last one accepted of each unit.
 std::string new_catalogue(DrawEvaluator& evaluator, const Folder& folder,
                           const std::vector<DrawRange>& units) {
@@ -69,6 +89,7 @@ std::string new_catalogue(DrawEvaluator& evaluator, const Folder& folder,
       --unit.accepted;
       unit.undecided.push_back({draw, {7, solver::Fault::undecided, -1, solver::PathEnd::stalled}});
       catalogue.commit({unit});
+      keep_certificates(catalogue, evaluator, unit.candidates);
     }
     catalogue.end_run("stopped");
   }
@@ -134,6 +155,7 @@ class Reader {
           search::deploying_from(*database, state, campaign, campaign.threshold_deg);
       check_shown(search::status_text(state, deploying, search::Paint(false)));
       candidates_json(*database, 10).dump();
+      report_certificates_json(*database, 10, {20}).dump();
       faults_json(*database, campaign).dump();
       search::Choice choice;
       choice.diverse = 3;
@@ -182,9 +204,10 @@ class Reader {
   // Everything that people ask for, each on its own.
   static void query(SQLite::Database& database) {
     static const std::vector<std::string> kRelations = {
-        "campaign",  "run",        "unit",          "screened",  "fault_sample", "undecided",
-        "candidate", "candidates", "displacements", "diagonals", "acceptance",   "faults",
-        "gaps",      "level",      "population",    "sheet",     "piece",        "ladder"};
+        "campaign",   "run",       "unit",       "screened",      "fault_sample",
+        "undecided",  "candidate", "candidates", "displacements", "diagonals",
+        "acceptance", "faults",    "gaps",       "level",         "population",
+        "sheet",      "piece",     "ladder",     "certificate"};
     const auto ask = [&](const std::string& sql) {
       for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
         ends([&] {
@@ -206,7 +229,12 @@ class Reader {
       is_joined = report.findings.empty();
     });
     if (is_joined != std::filesystem::exists(output)) found("an output that should not be there");
-    if (is_joined) require_good(output, "joined");
+    if (is_joined) {
+      require_good(output, "joined");
+      const auto database = open_for_reading(output);
+      const auto checked = check_certificates(*database, read_campaign_of(*database, output));
+      if (!checked.findings.empty()) found("joined: " + checked.findings.front().sentence);
+    }
     return is_joined;
   }
 

@@ -262,9 +262,9 @@ class CatalogueMutator {
   }
 
   static std::string some_sql(MemoryDatabase& database, Dice& dice) {
-    static constexpr const char* kTables[] = {"campaign",     "run",       "unit",      "screened",
-                                              "fault_sample", "undecided", "candidate", "level",
-                                              "population",   "sheet",     "piece"};
+    static constexpr const char* kTables[] = {
+        "campaign",  "run",   "unit",       "screened", "fault_sample", "undecided",
+        "candidate", "level", "population", "sheet",    "piece",        "certificate"};
     const std::string table = dice.one_of(kTables);
     const auto columns = database.texts("SELECT name FROM pragma_table_info('" + table + "')");
     const std::string column =

@@ -28,6 +28,10 @@ order="ORDER BY $best"
 # Of one candidate it is known how many miscut copies deploy.
 "$program" tolerance few.db "$(sql few.db 'SELECT min(draw) FROM candidate')" --amplitude 0.05 --trials 20 \
   > /dev/null 2>&1 || fail "tolerance"
+# Of another it is said what was certified: an angle that a page must not round up.
+certified=$(sql few.db 'SELECT max(draw) FROM candidate')
+sqlite3 few.db "INSERT INTO certificate VALUES ($certified, 59.998, 60, 'reversal', 'A9-A16', 1, 4, 0.1,
+  '$(printf %032d 1)', x'00')"
 # A fault that only campaigns with "between_samples" have: words and a colour for it too.
 sqlite3 many.db "UPDATE fault_sample SET first_fault = 'bump_between_samples' WHERE draw =
   (SELECT min(draw) FROM fault_sample WHERE fault_deg IS NOT NULL)"
@@ -46,6 +50,9 @@ data() {  # FILE.html JSON-PATH
 [ "$(data few.html 'details[0].draw')" = "$rejected" ] || fail "the draw asked for is not the first"
 [ "$(data few.html candidates.columns.draw[0])" = "$(sql few.db "SELECT draw FROM candidates $order LIMIT 1")" ] ||
   fail "another first row than the program's best"
+[ "$(data few.html certificates[0].draw) $(data few.html certificates[0].where)" = "$certified A9-A16" ] ||
+  fail "what was certified is not on the page"
+[ "$(data none.html certificates)" = "[]" ] || fail "certificates where there are no candidates"
 [ "$(data few.html commands.springs)" = " --stroke-limit 0.01" ] || fail "springs of the page's commands"
 [ "$(data none.html commands.springs)" = "" ] || fail "springs that nobody asked for"
 [ "$(data few.html 'details[0].accepted')" = 0 ] || fail "a rejected draw is accepted"
