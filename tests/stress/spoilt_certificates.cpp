@@ -33,7 +33,11 @@ struct Certified {
 class Spoiler {
  public:
   Spoiler(const schema::Campaign& campaign, const solver::Model& model, std::vector<Certified> all)
-      : campaign_(campaign), mechanism_(model.mechanism()), all_(std::move(all)), random_(1) {
+      : campaign_(campaign),
+        model_(model),
+        mechanism_(model.mechanism()),
+        all_(std::move(all)),
+        random_(1) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
       if (all_[k].certificate.end == CertificateEnd::reversal) reversing_.push_back(k);
     }
@@ -47,7 +51,7 @@ class Spoiler {
     Certified spoilt = ends ? all_[reversing_[turn % reversing_.size()]] : all_[turn % all_.size()];
     (this->*spoil)(spoilt);
     const auto kept = solver::decode(mechanism_, solver::encode(mechanism_, spoilt.certificate));
-    const auto fault = kept ? solver::check_certificate(mechanism_, spoilt.vertices_mm, *kept)
+    const auto fault = kept ? solver::check_certificate(model_, spoilt.vertices_mm, *kept)
                             : solver::CertificateFault{0, 180, "it is not read"};
     ++refusals_[name][fault ? fault->what : "PASSED"];
     return fault.has_value();
@@ -198,6 +202,7 @@ class Spoiler {
   const std::size_t first_of_ends_ = 8;
 
   const schema::Campaign& campaign_;
+  const solver::Model& model_;
   const solver::Mechanism& mechanism_;
   const std::vector<Certified> all_;
   std::vector<std::size_t> reversing_;
