@@ -4,8 +4,8 @@
 //                                                   candidates in turn
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <random>
 
@@ -28,6 +28,7 @@ struct Certified {
   solver::FlatVertices vertices_mm;
   double deploys_from_deg;
   Certificate certificate;
+  bool meets;  // whether panels do before it ends
 };
 
 class Spoiler {
@@ -39,16 +40,18 @@ class Spoiler {
         all_(std::move(all)),
         random_(1) {
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      if (all_[k].certificate.end == CertificateEnd::reversal) reversing_.push_back(k);
+      sheets_[any].push_back(k);
+      if (all_[k].certificate.end == CertificateEnd::reversal) sheets_[reversing].push_back(k);
+      if (all_[k].meets) sheets_[meeting].push_back(k);
     }
   }
 
   /// One more, of the kind that is next. False if the check passes it.
   bool spoil_one() {
-    const auto& [name, spoil] = kinds_[next_ % kinds_.size()];
-    const bool ends = next_ % kinds_.size() >= first_of_ends_;
+    const auto& [name, of, spoil] = kinds_[next_ % kinds_.size()];
     const std::size_t turn = next_++ / kinds_.size();
-    Certified spoilt = ends ? all_[reversing_[turn % reversing_.size()]] : all_[turn % all_.size()];
+    if (sheets_[of].empty()) return true;
+    Certified spoilt = all_[sheets_[of][turn % sheets_[of].size()]];
     (this->*spoil)(spoilt);
     const auto kept = solver::decode(mechanism_, solver::encode(mechanism_, spoilt.certificate));
     const auto fault = kept ? solver::check_certificate(model_, spoilt.vertices_mm, *kept)
@@ -184,28 +187,32 @@ class Spoiler {
         creases;
   }
 
-  using Spoil = void (Spoiler::*)(Certified&);
-  const std::vector<std::pair<const char*, Spoil>> kinds_ = {
-      {"a crease's angle, by more than its box", &Spoiler::spoil_crease},
-      {"a ball joint, by more than its box", &Spoiler::spoil_ball},
-      {"a length: a vertex moved by 0.01 to 0.4 mm", &Spoiler::spoil_length},
-      {"the mirror image in one interval", &Spoiler::take_mirror_image},
-      {"another sheet's intervals", &Spoiler::take_another_sheets},
-      {"an interval left out", &Spoiler::leave_a_gap},
-      {"a join moved", &Spoiler::move_a_join},
-      {"no contact, which was not proven", &Spoiler::claim_no_contact},
-      {"on to D past the reversal", &Spoiler::go_on_to_d},
-      {"on by 0.001 to 0.1 deg past the reversal", &Spoiler::go_on_a_little},
-      {"the closing interval as a good one", &Spoiler::call_the_closing_piece_good},
-      {"another diagonal's reversal", &Spoiler::name_another_diagonal},
-      {"a crease's event instead of the reversal", &Spoiler::name_a_crease}};
-  const std::size_t first_of_ends_ = 8;
+  enum Sheets { any, reversing, meeting };
+  struct Kind {
+    const char* name;
+    Sheets of;
+    void (Spoiler::*spoil)(Certified&);
+  };
+  const std::vector<Kind> kinds_ = {
+      {"a crease's angle, by more than its box", any, &Spoiler::spoil_crease},
+      {"a ball joint, by more than its box", any, &Spoiler::spoil_ball},
+      {"a length: a vertex moved by 0.01 to 0.4 mm", any, &Spoiler::spoil_length},
+      {"the mirror image in one interval", any, &Spoiler::take_mirror_image},
+      {"another sheet's intervals", any, &Spoiler::take_another_sheets},
+      {"an interval left out", any, &Spoiler::leave_a_gap},
+      {"a join moved", any, &Spoiler::move_a_join},
+      {"no contact, where panels meet", meeting, &Spoiler::claim_no_contact},
+      {"on to D past the reversal", reversing, &Spoiler::go_on_to_d},
+      {"on by 0.001 to 0.1 deg past the reversal", reversing, &Spoiler::go_on_a_little},
+      {"the closing interval as a good one", reversing, &Spoiler::call_the_closing_piece_good},
+      {"another diagonal's reversal", reversing, &Spoiler::name_another_diagonal},
+      {"a crease's event instead of the reversal", reversing, &Spoiler::name_a_crease}};
 
   const schema::Campaign& campaign_;
   const solver::Model& model_;
   const solver::Mechanism& mechanism_;
   const std::vector<Certified> all_;
-  std::vector<std::size_t> reversing_;
+  std::array<std::vector<std::size_t>, 3> sheets_;
   std::mt19937 random_;
   std::size_t next_ = 0;
   std::map<std::string, std::map<std::string, int>> refusals_;
@@ -214,17 +221,19 @@ class Spoiler {
 bool spoil(const schema::Campaign& campaign, int times, std::size_t sheets) {
   search::DrawEvaluator evaluator(campaign);
   const solver::Model model = search::model_of(campaign);
-  solver::Certifier certifier(model);
+  solver::Certifier certifier(model), with_contact(model, {true});
   std::vector<Certified> all;
   for (std::uint64_t lo = 0; all.size() < sheets; lo += evaluator.largest_block()) {
     std::uint64_t draw = lo;
     for (const solver::Verdict& verdict : evaluator.judge({lo, lo + evaluator.largest_block()})) {
       if (all.size() < sheets && verdict.deploys_from_sample >= campaign.threshold_sample()) {
-        Certified one{
-            campaign.pattern.base.sheet.vertices_mm + search::shifts_of_draw(campaign, draw),
-            verdict.deploys_from_sample * campaign.sample_deg,
-            {}};
+        Certified one;
+        one.vertices_mm =
+            campaign.pattern.base.sheet.vertices_mm + search::shifts_of_draw(campaign, draw);
+        one.deploys_from_deg = verdict.deploys_from_sample * campaign.sample_deg;
         one.certificate = certifier.certify(one.vertices_mm, one.deploys_from_deg);
+        const double to_deg = one.certificate.certified_deg();
+        one.meets = with_contact.certify(one.vertices_mm, to_deg).end == CertificateEnd::contact;
         all.push_back(std::move(one));
       }
       ++draw;
