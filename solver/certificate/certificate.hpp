@@ -50,8 +50,8 @@ inline constexpr double kClosing_deg = 1e-4;
 struct Certificate {
   double asked_deg = 0;  ///< the angle up to which a proof was asked for
   CertificateEnd end = CertificateEnd::flat_branch;
-  /// Of `reversal` and `unclear_slope` the diagonal (-1: a crease was unclear), of `over_folded` and
-  /// `sign_changed` the crease, of `contact` the pair of pairs_of(panels); else -1.
+  /// Of `reversal` and `unclear_slope` the diagonal (-1: a crease was unclear), of `over_folded`
+  /// and `sign_changed` the crease, of `contact` the pair of pairs_of(panels); else -1.
   int where = -1;
   bool contact = false;  ///< whether it proves that no panels meet as well
   /// From flat on, each beginning where the one before ends.

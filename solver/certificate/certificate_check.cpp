@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/certificate/proven_piece.hpp"
+#include "solver/certificate/panel_check.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -21,7 +21,8 @@ bool is_event(CertificateEnd end) {
 
 // Whether `where` is a diagonal, a crease, or nothing, as the end has it. An unclear slope may name
 // the diagonal, which claims nothing.
-bool is_place(const Mechanism& mechanism, const Certificate& certificate) {
+bool is_place(const Mechanism& mechanism, const PanelCheck* panels,
+              const Certificate& certificate) {
   const auto diagonals = static_cast<int>(mechanism.diagonals.size());
   const auto creases = static_cast<int>(mechanism.creases.size());
   const int where = certificate.where;
@@ -30,13 +31,18 @@ bool is_place(const Mechanism& mechanism, const Certificate& certificate) {
   if (certificate.end == CertificateEnd::unclear_slope) {
     return where >= -1 && where < diagonals;
   }
+  if (certificate.end == CertificateEnd::contact) {
+    return panels != nullptr && where >= 0 && where < panels->pairs();
+  }
   return where == -1;
 }
 
 // What can be said without any proof.
-const char* fault_of_form(const Mechanism& mechanism, const Certificate& certificate) {
-  if (certificate.contact || certificate.end == CertificateEnd::contact) {
-    return "contact cannot be checked";
+const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
+                          const Certificate& certificate) {
+  if (certificate.contact && panels == nullptr) return "nothing is known of the panels";
+  if (certificate.end == CertificateEnd::contact && !certificate.contact) {
+    return "it ends at a contact, and proves none";
   }
   const double certified_deg = certificate.certified_deg();
   if (!(certificate.asked_deg >= 0 && certificate.asked_deg <= 180)) {
@@ -53,7 +59,7 @@ const char* fault_of_form(const Mechanism& mechanism, const Certificate& certifi
   if (is_event(certificate.end) != certificate.closing.has_value()) {
     return "its end needs a closing piece, or must not have one";
   }
-  if (!is_place(mechanism, certificate)) return "there is no such place as where it ends";
+  if (!is_place(mechanism, panels, certificate)) return "there is no such place as where it ends";
   if (certificate.closing && !(certificate.closing->to_deg - certified_deg <= kClosing_deg)) {
     return "its closing piece is too long";
   }
@@ -76,18 +82,21 @@ const char* fault_of_piece(const Mechanism& mechanism, const PathPiece& piece, d
 
 class Checker {
  public:
-  Checker(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+  Checker(const Mechanism& mechanism, const PanelCheck* panels, const FlatVertices& vertices_mm,
           const Certificate& certificate)
-      : mechanism_(mechanism), certificate_(certificate), prover_(mechanism, vertices_mm) {}
+      : mechanism_(mechanism),
+        panels_(panels),
+        certificate_(certificate),
+        prover_(mechanism, vertices_mm) {}
 
   std::optional<CertificateFault> run() {
-    if (const char* what = fault_of_form(mechanism_, certificate_)) {
+    if (const char* what = fault_of_form(mechanism_, panels_, certificate_)) {
       return CertificateFault{0, certificate_.certified_deg(), what};
     }
     double from_deg = 0;
     for (const PathPiece& piece : certificate_.pieces) {
       const char* what = fault_of_piece(mechanism_, piece, from_deg);
-      if (what == nullptr) what = check(piece, Claims{true, true, true, -1});
+      if (what == nullptr) what = check(piece, Claims{true, true, true, certificate_.contact, -1});
       if (what != nullptr) return CertificateFault{piece.from_deg, piece.to_deg, what};
       from_deg = piece.to_deg;
     }
@@ -102,13 +111,13 @@ class Checker {
  private:
   // Which of a piece's claims are to hold all over it.
   struct Claims {
-    bool cosines, sines, slopes;
+    bool cosines, sines, slopes, contact;
     int crease;  ///< which alone keeps its sign, -1 all
   };
 
   const char* check(const PathPiece& piece, const Claims& claims) {
     const char* unproven = "no curve of single states is proven within its box";
-    const auto question = [&](const ProvenStretch& stretch) {
+    const auto question = [&](const ProvenPiece& whole, const ProvenStretch& stretch) {
       const Proof folds = folds_rightly(stretch, claims);
       if (folds != Proof::holds) {
         unproven = "a crease is not proven to keep its sign and to stay below 180 degrees";
@@ -117,8 +126,11 @@ class Checker {
       const Proof slopes = claims.slopes ? keeps_slopes(stretch) : Proof::holds;
       if (slopes != Proof::holds) {
         unproven = "a diagonal is not proven to go on growing or shrinking";
+        return slopes;
       }
-      return slopes;
+      if (!claims.contact) return slopes;
+      unproven = "two panels are not proven to stay apart";
+      return panels_->are_apart(prover_, whole, stretch);
     };
     ProvenPiece next;
     if (prover_.prove(piece, question, next) != Proof::holds) return unproven;
@@ -215,7 +227,8 @@ class Checker {
     // What the path of a crease goes through must be what is said: its sine keeps its sign while
     // its cosine changes, or the other way about.
     const Claims claims{certificate_.end == CertificateEnd::sign_changed,
-                        certificate_.end == CertificateEnd::over_folded, false, certificate_.where};
+                        certificate_.end == CertificateEnd::over_folded, false, false,
+                        certificate_.where};
     if (const char* what = check(closing, claims)) return what;
     const auto where = static_cast<std::size_t>(certificate_.where);
     const ProvenStretch& stretch = last_.stretches.back();
@@ -232,6 +245,7 @@ class Checker {
   }
 
   const Mechanism& mechanism_;
+  const PanelCheck* const panels_;
   const Certificate& certificate_;
   PieceProver prover_;
   ProvenPiece last_;
@@ -243,7 +257,15 @@ class Checker {
 std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
                                                   const FlatVertices& vertices_mm,
                                                   const Certificate& certificate) {
-  return Checker(mechanism, vertices_mm, certificate).run();
+  return Checker(mechanism, nullptr, vertices_mm, certificate).run();
+}
+
+std::optional<CertificateFault> check_certificate(const Model& model,
+                                                  const FlatVertices& vertices_mm,
+                                                  const Certificate& certificate) {
+  const Panels panels = panels_of(model.base(), model.mechanism());
+  const PanelCheck check(model.shape(), panels);
+  return Checker(model.mechanism(), &check, vertices_mm, certificate).run();
 }
 
 }  // namespace misalign::solver

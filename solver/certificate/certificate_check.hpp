@@ -5,6 +5,7 @@
 #include <string>
 
 #include "solver/certificate/certificate.hpp"
+#include "solver/verdict/model.hpp"
 
 namespace misalign::solver {
 
@@ -15,6 +16,11 @@ struct CertificateFault {
 };
 
 /// None where every claim holds for the sheet with these vertices.
+std::optional<CertificateFault> check_certificate(const Model& model,
+                                                  const FlatVertices& vertices_mm,
+                                                  const Certificate& certificate);
+
+/// The same of a linkage whose panels are not known: what claims that none meet is refused.
 std::optional<CertificateFault> check_certificate(const Mechanism& mechanism,
                                                   const FlatVertices& vertices_mm,
                                                   const Certificate& certificate);

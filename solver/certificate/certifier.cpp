@@ -26,7 +26,7 @@ struct Certifier::Workspace {
   Workspace(const Model& m, const CertifyOptions& o)
       : model(m),
         panels(panels_of(m.base(), m.mechanism())),
-        proof(m.mechanism(), m.shape(), panels),
+        proof(m.shape(), panels),
         options(o) {}
 
   const Model& model;

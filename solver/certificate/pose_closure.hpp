@@ -1,79 +1,19 @@
 // Loop closure as in loop_closure.hpp, by the product of poses round a loop, in the checker's
 // words: nothing of it is shared with graded_closure.hpp, which certificates are made with.
 //
-// Every motion is kept by orders of smallness near flat, with tau = tan(half the pilot's angle) and
-// sigma = tau^2:
-//     R = I + [ sigma a   tau b  ]      t = ( sigma t1, sigma t2, tau t3 )
-//             [ tau c     sigma d]
-// Products keep that form and hold sigma only; with sigma = 1 they are common poses. Closed are R =
-// I and t = 0: the antisymmetric part of R is zero, in these orders, and so is t. (It is zero for a
-// half turn too, whose trace is -1 instead of 3.) A loop is seen from a point of its own, which
-// keeps t small.
+// Motions are graded (graded_motion.hpp). Closed are R = I and t = 0: the antisymmetric part of R
+// is zero, in these orders, and so is t. (It is zero for a half turn too, whose trace is -1 instead
+// of 3.) A loop is seen from a point of its own, which keeps t small.
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
-#include "solver/kinematics/fold_state.hpp"
+#include "solver/certificate/graded_motion.hpp"
+#include "solver/kinematics/folded_shape.hpp"
 
 namespace misalign::solver {
-
-template <class T>
-struct Motion {
-  std::array<std::array<T, 2>, 2> a{};
-  std::array<T, 2> b{}, c{};
-  T d{};
-  std::array<T, 3> t{};
-
-  friend Motion operator+(const Motion& p, const Motion& q) {
-    Motion sum;
-    for (int i = 0; i < 2; ++i) {
-      for (int j = 0; j < 2; ++j) sum.a[i][j] = p.a[i][j] + q.a[i][j];
-      sum.b[i] = p.b[i] + q.b[i];
-      sum.c[i] = p.c[i] + q.c[i];
-    }
-    sum.d = p.d + q.d;
-    for (int i = 0; i < 3; ++i) sum.t[i] = p.t[i] + q.t[i];
-    return sum;
-  }
-  Motion transposed() const {
-    Motion result = *this;
-    std::swap(result.a[0][1], result.a[1][0]);
-    std::swap(result.b, result.c);
-    return result;
-  }
-};
-
-/// sigma, a number or a function; or 1, which costs nothing.
-template <class T>
-struct Grading {
-  bool graded;
-  T sigma;
-  T operator()(const T& value) const { return graded ? sigma * value : value; }
-};
-
-/// What a product of motions has beyond their sum: (R_p - I) (R_q - I), and (R_p - I) t_q.
-template <class T>
-Motion<T> beyond_sum(const Grading<T>& sigma, const Motion<T>& p, const Motion<T>& q) {
-  Motion<T> r;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) {
-      r.a[i][j] = sigma(p.a[i][0] * q.a[0][j] + p.a[i][1] * q.a[1][j]) + p.b[i] * q.c[j];
-    }
-    r.b[i] = sigma(p.a[i][0] * q.b[0] + p.a[i][1] * q.b[1] + p.b[i] * q.d);
-    r.c[i] = sigma(p.c[0] * q.a[0][i] + p.c[1] * q.a[1][i] + p.d * q.c[i]);
-    r.t[i] = sigma(p.a[i][0] * q.t[0] + p.a[i][1] * q.t[1]) + p.b[i] * q.t[2];
-  }
-  r.d = p.c[0] * q.b[0] + p.c[1] * q.b[1] + sigma(p.d * q.d);
-  r.t[2] = sigma(p.c[0] * q.t[0] + p.c[1] * q.t[1] + p.d * q.t[2]);
-  return r;
-}
-
-/// p after q.
-template <class T>
-Motion<T> composed(const Grading<T>& sigma, const Motion<T>& p, const Motion<T>& q) {
-  return p + q + beyond_sum(sigma, p, q);
-}
 
 /// How a piece's joints are written in its unknowns x: graded a crease is cos : sin = c : tau s of
 /// half its angle and a ball's quaternion (w, tau x, tau y, sigma z), otherwise with tau = 1.
@@ -177,6 +117,31 @@ class PoseClosure {
     return sum + sum;
   }
 
+  /// The corners of every facet that a tree of joints reaches, its first one lying flat: (x, y, z /
+  /// tau), panel widths; seen from the sheet's first vertex. `corners`: of each of `facets`.
+  std::vector<std::array<std::array<T, 3>, 4>> place_panels(
+      const std::vector<FoldedShape::Branch>& tree, const std::vector<int>& facets,
+      const std::vector<std::array<int, 4>>& corners) const {
+    std::map<int, Motion<T>> motions;
+    motions[tree.empty() ? facets.front() : tree.front().parent] = {};
+    for (const FoldedShape::Branch& branch : tree) {
+      motions[branch.facet] = composed(sigma_, motions.at(branch.parent), motion(0, branch.joint));
+    }
+    std::vector<std::array<std::array<T, 3>, 4>> placed(facets.size());
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      const Motion<T>& m = motions.at(facets[f]);
+      for (int k = 0; k < 4; ++k) {
+        const auto p = step(0, corners[f][k]);
+        for (int i = 0; i < 2; ++i) {
+          const T by = scaled(p[0], m.a[i][0]) + scaled(p[1], m.a[i][1]) + m.t[i];
+          placed[f][k][i] = T(p[i]) + sigma_(by);
+        }
+        placed[f][k][2] = scaled(p[0], m.c[0]) + scaled(p[1], m.c[1]) + m.t[2];
+      }
+    }
+    return placed;
+  }
+
  private:
   struct CreaseValue {
     T c, s, inverse;
@@ -223,9 +188,9 @@ class PoseClosure {
     return m;
   }
 
-  // t = p - R p for the point p that a joint keeps in place.
-  void place(const Loop& loop, const Passage& passage, Motion<T>& m) const {
-    const auto p = step(loop.passages[0].vertex, passage.vertex);
+  // t = p - R p for the point p that a joint keeps in place, seen from a vertex.
+  void place(int origin, const Passage& passage, Motion<T>& m) const {
+    const auto p = step(origin, passage.vertex);
     for (int i = 0; i < 2; ++i) m.t[i] = -(scaled(p[0], m.a[i][0]) + scaled(p[1], m.a[i][1]));
     m.t[2] = -(scaled(p[0], m.c[0]) + scaled(p[1], m.c[1]));
   }
@@ -246,6 +211,9 @@ class PoseClosure {
   }
 
   Motion<T> motion(const Loop& loop, const Passage& passage) const {
+    return motion(loop.passages[0].vertex, passage);
+  }
+  Motion<T> motion(int origin, const Passage& passage) const {
     Motion<T> m;
     if (passage.ball) {
       m = turn_of_ball(balls_[passage.joint]);
@@ -255,7 +223,7 @@ class PoseClosure {
       const T twice = at.inverse + at.inverse;
       m = about_axis(passage, twice * (at.c * at.s), twice * (at.s * at.s));
     }
-    place(loop, passage, m);
+    place(origin, passage, m);
     return m;
   }
 
@@ -285,7 +253,7 @@ class PoseClosure {
       m = about_axis(passage, twice * (at.c * at.c - sigma_(at.s * at.s)),
                      (twice + twice) * (at.c * at.s));
     }
-    place(loop, passage, m);
+    place(loop.passages[0].vertex, passage, m);
     return m;
   }
 

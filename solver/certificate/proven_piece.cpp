@@ -188,7 +188,7 @@ Proof PieceProver::cover(ProvenPiece& piece, double low, double high, const Eige
   constexpr double kCut = 0.4375;
   ProvenStretch stretch{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
   Proof proof = Proof::unclear;
-  if (prove_stretch(piece, start, stretch)) proof = question(stretch);
+  if (prove_stretch(piece, start, stretch)) proof = question(piece, stretch);
   if (proof == Proof::holds) {
     piece.stretches.push_back(std::move(stretch));
     return proof;

@@ -14,6 +14,7 @@
 
 #include "solver/certificate/certificate.hpp"
 #include "solver/certificate/witness_polynomial.hpp"
+#include "solver/design/fold_lines.hpp"
 
 namespace misalign::solver {
 
@@ -56,10 +57,17 @@ class PieceProver {
   /// Both must outlive this object.
   PieceProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-  /// What else is to be proven of each stretch; where it is unclear shorter stretches are tried.
-  using Question = std::function<Proof(const ProvenStretch&)>;
+  /// What else is to be proven of each stretch of a piece; where it is unclear shorter stretches
+  /// are tried.
+  using Question = std::function<Proof(const ProvenPiece&, const ProvenStretch&)>;
   /// unclear: no curve is proven, or not that it has no neighbour within the piece's box.
   Proof prove(const PathPiece& piece, const Question& question, ProvenPiece& proven);
+
+  /// Corners of panels all over a stretch, as PoseClosure::place_panels has them.
+  std::vector<std::array<std::array<CheckModel, 3>, 4>> place_panels(const ProvenPiece& piece,
+                                                                     const ProvenStretch& stretch,
+                                                                     const FoldedShape& shape,
+                                                                     const Panels& panels) const;
 
   JointPlaces places(const ProvenPiece& piece, const std::vector<ArbNumber>& unknowns,
                      const ArbNumber& tau) const;

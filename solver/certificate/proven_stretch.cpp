@@ -286,6 +286,19 @@ bool PieceProver::find_slopes(const ProvenPiece& piece, ProvenStretch& stretch) 
   return true;
 }
 
+std::vector<std::array<std::array<CheckModel, 3>, 4>> PieceProver::place_panels(
+    const ProvenPiece& piece, const ProvenStretch& stretch, const FoldedShape& shape,
+    const Panels& panels) const {
+  const auto sigma = grading<CheckModel>(piece, stretch);
+  std::vector<CheckModel> x;
+  for (std::size_t j = 0; j < stretch.guess.size(); ++j) {
+    x.push_back(widened<kCheckDegree>(stretch.guess[j], stretch.error[Eigen::Index(j)]));
+  }
+  x.push_back(pilot_of<CheckModel>(piece, stretch));
+  return PoseClosure<CheckModel>(mechanism_, arb_geometry_, piece.lines, sigma, x)
+      .place_panels(shape.tree(), panels.facets, panels.corners);
+}
+
 bool PieceProver::prove_stretch(const ProvenPiece& piece, const Eigen::VectorXd& start,
                                 ProvenStretch& stretch) {
   if (!find_middle(piece, start, stretch)) return false;

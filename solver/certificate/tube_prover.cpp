@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/certificate/piece_length.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -24,24 +26,6 @@ constexpr double kLeastWeight = 0.05;
 constexpr double kLargestContraction = 0.9;
 /// So well is the path to be known that rates of change are, and that it joins the smallest boxes.
 constexpr double kLargestError = 2e-9;
-/// What lengths of pieces aim at; the former grows with the power kPathDegree + 1 of the length,
-/// the latter with kInversePowers.
-constexpr double kWantedError = 1e-10, kWantedContraction = 0.5;
-/// No piece is made shorter or longer by more at once.
-constexpr double kMuchShorter = 0.3;
-
-// The root of this degree, between kMuchShorter and its inverse: by multiplication alone, so that
-// pieces have the same ends on every machine.
-double find_factor(double power, int degree) {
-  double low = kMuchShorter, high = 1 / kMuchShorter;
-  for (int step = 0; step < 20; ++step) {
-    const double middle = 0.5 * (low + high);
-    double product = 1;
-    for (int k = 0; k < degree; ++k) product *= middle;
-    (product <= power ? low : high) = middle;
-  }
-  return low;
-}
 
 // Sums of nonnegative numbers, in a fixed order: a bound from above.
 Eigen::VectorXd rounded_up(const Eigen::VectorXd& sums) { return kUp * sums.array() + kUnderflow; }
@@ -68,10 +52,7 @@ PathModel derivative(const PathModel& p) {
 }  // namespace
 
 double TubeProver::better_length() const {
-  if (!(error_ < 1)) return kMuchShorter;
-  const double by_error = find_factor(kWantedError / error_, kPathDegree + 1);
-  if (!(contraction_ < 1e3)) return by_error;
-  return std::min(by_error, find_factor(kWantedContraction / contraction_, kInversePowers));
+  return misalign::solver::better_length(error_, kPathDegree + 1, contraction_, kInversePowers);
 }
 
 TubeProver::TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)

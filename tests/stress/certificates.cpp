@@ -186,7 +186,7 @@ class Study {
     const search::Stopwatch watch;
     const auto kept = solver::decode(model_.mechanism(), bytes);
     const auto fault =
-        kept ? solver::check_certificate(model_.mechanism(), vertices_mm, *kept)
+        kept ? solver::check_certificate(model_, vertices_mm, *kept)
              : solver::CertificateFault{0, 180, "these are the bytes of no certificate"};
     check_seconds_.push_back(watch.seconds());
     if (!fault) return;

@@ -1,0 +1,27 @@
+// The checker's proof that no two panels meet on a stretch of a path; as panel_proof.hpp, by arb.
+#pragma once
+
+#include "solver/certificate/panel_directions.hpp"
+#include "solver/certificate/proven_piece.hpp"
+
+namespace misalign::solver {
+
+class PanelCheck {
+ public:
+  /// Both must outlive this object.
+  PanelCheck(const FoldedShape& shape, const Panels& panels);
+
+  /// `holds` or `unclear`: a stretch on which panels meet is never proven.
+  Proof are_apart(const PieceProver& prover, const ProvenPiece& piece,
+                  const ProvenStretch& stretch) const;
+  /// How many pairs of panels there are, those with a common crease too.
+  int pairs() const { return pairs_; }
+
+ private:
+  const FoldedShape& shape_;
+  const Panels& panels_;
+  const std::vector<ComparedPanels> compared_;
+  const int pairs_;
+};
+
+}  // namespace misalign::solver
