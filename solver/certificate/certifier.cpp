@@ -178,6 +178,11 @@ class March {
       width_deg_ = std::max(kShorterPiece * width, kClosingPiece_deg);
       return true;
     }
+    // It may need all of the closing interval to happen.
+    if (width < 0.8 * kClosing_deg && from + width < certificate_.asked_deg) {
+      width_deg_ = kClosingPiece_deg;
+      return true;
+    }
     const bool is_contact = first.kind == CertificateEnd::contact;
     certificate_.end = is_contact ? first.kind : CertificateEnd::unclear_slope;
     const bool is_crease = !is_contact && first.kind != CertificateEnd::reversal;
