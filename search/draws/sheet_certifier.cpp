@@ -39,7 +39,7 @@ std::optional<CertificateFinding> SheetCertifier::check(const Eigen::Matrix2Xd& 
   if (const auto fault = row_fault(shifts_mm, row)) return fault;
   const auto certificate = solver::decode(model_.mechanism(), row.proof);
   const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-  const auto fault = solver::check_certificate(model_.mechanism(), vertices_mm, *certificate);
+  const auto fault = solver::check_certificate(model_, vertices_mm, *certificate);
   if (!fault) return std::nullopt;
   return CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
 }
