@@ -59,6 +59,8 @@ grep -q "; $some were there already$" text || fail "what was committed is made a
 "$program" certify asked.db --all > /dev/null 2> err &
 asked=$!
 begun asked.db certificate
+"$program" certify asked.db --all > /dev/null 2> err2
+[ $? = 4 ] || fail "in use: $(cat err2)"
 kill -TERM $asked
 wait $asked || fail "SIGTERM: exit $?"
 some=$(count asked.db)
