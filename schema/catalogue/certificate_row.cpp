@@ -66,6 +66,7 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
   const auto number = static_cast<std::size_t>(certificate.where);
   switch (certificate.end) {
     case CertificateEnd::reversal:
+    case CertificateEnd::unclear_slope:
       if (number >= mechanism.diagonals.size()) return "";
       return solver::line_label(mechanism.diagonals[number].from, mechanism.diagonals[number].to);
     case CertificateEnd::over_folded:
@@ -76,7 +77,6 @@ std::string place_of(const Pattern& base, const solver::Mechanism& mechanism,
       return panels_place(base, mechanism, number);
     case CertificateEnd::to_the_end:
     case CertificateEnd::fold_limit:
-    case CertificateEnd::unclear_slope:
     case CertificateEnd::flat_branch:
       break;
   }

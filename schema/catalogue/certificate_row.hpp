@@ -18,7 +18,7 @@ struct CertificateRow {
   double certified_deg = 0, asked_deg = 0;
   std::string end;  ///< solver::name_of
   /// "A17-A23" of the diagonal or the crease at which it ends, "[0,1] and [2,3]" of two panels;
-  /// empty where it ends at none. Of `unclear_slope` it is empty: that claims nothing.
+  /// empty where it ends at none.
   std::string place;
   bool contact = false;         ///< whether it proves that no panels meet as well
   std::uint32_t intervals = 0;  ///< without the closing one

@@ -14,7 +14,7 @@
 #include "search/ranks/certify_task.hpp"
 #include "search/ranks/coordinator.hpp"
 #include "search/ranks/exit_code.hpp"
-#include "search/ranks/run_info.hpp"
+#include "search/ranks/rank_starter.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/terminal/terminal.hpp"
@@ -60,25 +60,13 @@ struct Ready {
   SheetCertifier certifier;
 };
 
-schema::Campaign campaign_of(SQLite::Database& database, const std::string& path) {
-  return schema::read_campaign_of(database, path);
-}
-
-std::unique_ptr<SQLite::Database> opened(const std::string& path) {
-  if (!is_pattern_file(path)) return schema::open_for_reading(path);
-  throw UserError(schema::kExitUsage,
-                  path +
-                      ": is a pattern, which is one sheet (mpirun's ranks share the sheets of a "
-                      "catalogue); leave mpirun out, or name a catalogue");
-}
-
 // Rank 0, as far as nobody else needs to know of it.
 class CertifyZero {
  public:
   explicit CertifyZero(const CertifyOptions& options)
       : options_(options),
-        database_(opened(options.path)),
-        ready_(campaign_of(*database_, options.path), options.contact) {
+        database_(schema::open_for_reading(options.path)),
+        ready_(schema::read_campaign_of(*database_, options.path), options.contact) {
     std::set<std::uint64_t> chosen;
     for (const std::uint64_t draw : options.choose(*database_)) {
       if (chosen.insert(draw).second) add(draw);
@@ -269,9 +257,11 @@ int run_certify(const CertifyOptions& options,
                 const std::function<void(const CertifyReport&)>& show) {
   hold_signals();
   MpiSession mpi;
-  // Alone it may finish the sheet that it is at.
+  // As in a search; alone it may finish the sheet that it is at.
+  const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
   watch_for_signals(mpi.rank() == 0 && mpi.ranks() > 1 ? kLeave_s : kLetGo_s,
-                    mpi.ranks() > 1 ? schema::kExitFailure : 0);
+                    mpi.ranks() > 1 ? leave_code : 0);
+  if (mpi.rank() == 0) tell_starter();
   return mpi.rank() == 0 ? run_rank_zero(options, mpi, show) : run_other_rank(options, mpi);
 }
 

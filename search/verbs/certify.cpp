@@ -6,10 +6,12 @@
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/mpi_session.hpp"
+#include "search/ranks/rank_starter.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 #include "solver/verdict/path_record.hpp"
 
@@ -22,6 +24,7 @@ using schema::UserError;
 struct CertifyCall {
   CertifyOptions options;
   Choice choice;
+  std::string ranks;  // as typed; empty where they were not
   bool all = false, json = false;
 };
 
@@ -47,12 +50,15 @@ void show(const CertifyCall& call, const CertifyReport& report) {
   }
 }
 
-int run_on_catalogue(CertifyCall& call) {
+int run_on_catalogue(CertifyCall& call, const Words& typed) {
   CertifyOptions& options = call.options;
   if (!call.choice.chooses() && !call.all && !options.check) {
     throw UserError(schema::kExitUsage,
                     "certify: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K, --where SQL or --all");
+  }
+  if (const int count = ranks_wanted(call.ranks); count > 1) {
+    return run_under_mpirun(count, typed, false);
   }
   options.choose = [&call](SQLite::Database& database) {
     return chosen_draws(database, call.choice);
@@ -147,6 +153,7 @@ constexpr const char* kCertifyFooter =
     "claim does not hold.\n\n"
     "Examples:\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --best 10\n"
+    "  misalign certify results/miura-6x6-1a2b3c4d.db --all --ranks all\n"
     "  mpirun -n 8 misalign certify results/miura-6x6-1a2b3c4d.db --all\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --check\n"
     "  misalign certify search/patterns/table1.json --to 180\n"
@@ -155,7 +162,7 @@ constexpr const char* kCertifyFooter =
 
 }  // namespace
 
-Action certify_verb(CLI::App& verb) {
+Action certify_verb(CLI::App& verb, const Words& typed) {
   verb.description("prove that a sheet folds in one way, and its diagonals go one way, up to D");
   verb.footer(kCertifyFooter);
   auto call = std::make_shared<CertifyCall>();
@@ -179,21 +186,24 @@ Action certify_verb(CLI::App& verb) {
   auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");
   auto* check = verb.add_flag("--check", options.check, "check those that there are; make none");
   for (CLI::Option* other : {to, contact, again}) check->excludes(other);
+  add_ranks(verb, call->ranks);
+  auto* ranks = verb.get_option("--ranks");
   verb.add_flag("--json", call->json,
                 "as JSON; a list, unless one DRAW is named; a pattern as it is, with its "
                 "certificate");
-  return [call, draws, chosen, all, again] {
-    const bool is_pattern = !launched_by_mpi() && is_pattern_file(call->options.path);
-    if (is_pattern) {
-      for (const CLI::Option* option :
-           {draws, chosen.best, chosen.diverse, chosen.where, chosen.by, all, again}) {
-        if (option->count() == 0) continue;
-        throw only_of_a_catalogue(call->options.path,
-                                  option == draws ? "a draw" : option->get_name());
-      }
+  return [=] {
+    if (!is_pattern_file(call->options.path)) {
+      check_by(call->choice);
+      return run_on_catalogue(*call, typed);
     }
-    check_by(call->choice);
-    return is_pattern ? run_on_pattern(*call) : run_on_catalogue(*call);
+    for (const CLI::Option* option :
+         {draws, chosen.best, chosen.diverse, chosen.where, chosen.by, all, again, ranks}) {
+      if (option->count() == 0) continue;
+      throw only_of_a_catalogue(call->options.path,
+                                option == draws ? "a draw" : option->get_name());
+    }
+    if (launched_by_mpi()) throw only_of_a_catalogue(call->options.path, "what ranks share");
+    return run_on_pattern(*call);
   };
 }
 

@@ -11,6 +11,7 @@
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -22,8 +23,6 @@ struct SearchCall {
   SearchOptions options;
   std::string range, ranks;  // as typed; empty where they were not
 };
-
-constexpr std::uint64_t kMostRanks = 4096;  // of one machine
 
 CLI::Validator instruction_set_of_this_machine() {
   Names<solver::InstructionSet> names;
@@ -78,30 +77,6 @@ void add_goals(CLI::App& verb, SearchOptions& options) {
   verb.add_option("--seed", options.seed, "use this seed instead of the campaign's")
       ->check(draw_count)
       ->type_name("SEED");
-}
-
-// --ranks: "all", or how many.
-CLI::Validator rank_count() {
-  const CLI::Validator count = counted(1, kMostRanks);
-  return CLI::Validator(
-      [=](std::string& text) {
-        const bool is_count = text == "all" || count(text).empty();
-        return is_count ? std::string()
-                        : "'" + text + "' is neither all nor a whole number from 1 to " +
-                              std::to_string(kMostRanks);
-      },
-      "");
-}
-
-// How many ranks are to be started; 1 where nobody asked.
-int ranks_wanted(const std::string& ranks) {
-  if (ranks.empty()) return 1;
-  if (launched_by_mpi()) {
-    throw UserError(schema::kExitUsage, "--ranks " + ranks +
-                                            " has no meaning under mpirun (which has started the "
-                                            "ranks); take it out, and give mpirun -n");
-  }
-  return ranks == "all" ? usable_threads() : std::stoi(ranks);
 }
 
 // What would use every core; empty if this does, or if somebody else decides.
@@ -161,10 +136,7 @@ Action search_verb(CLI::App& verb, const Words& typed) {
   add_goals(verb, options);
   verb.add_option("--range", call->range, "only the draws, or populations, from LO to HI - 1")
       ->type_name("LO:HI");
-  verb.add_option("--ranks", call->ranks,
-                  "how many ranks to start, one core each; all: one for every core [1]")
-      ->check(rank_count())
-      ->type_name("N|all");
+  add_ranks(verb, call->ranks);
   verb.add_option("--unit-draws", options.unit_draws,
                   "draws in one unit of work [what takes about 5 s]")
       ->check(counted(1, 1000000000))

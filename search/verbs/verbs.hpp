@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 // Each describes its verb and adds its options.
 Action actuators_verb(CLI::App& verb);
 Action bench_verb(CLI::App& verb);
-Action certify_verb(CLI::App& verb);
+Action certify_verb(CLI::App& verb, const Words& typed);
 Action completion_verb(CLI::App& verb);
 Action config_verb(CLI::App& verb);
 Action contact_verb(CLI::App& verb);
@@ -53,7 +53,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"query", query_verb},
           {"export", export_verb},
           {"verify", verify_verb},
-          {"certify", certify_verb},
+          {"certify", [&](CLI::App& verb) { return certify_verb(verb, typed); }},
           {"merge", merge_verb},
           {"config", config_verb},
           {"tolerance", tolerance_verb},

@@ -40,7 +40,7 @@ class CertificateTest : public CatalogueTest {
   solver::PathPiece piece(double from_deg, double to_deg, bool graded) const {
     solver::PathPiece piece{from_deg, to_deg, graded, 0.25, solver::flat_state<double>(mechanism_)};
     for (std::size_t k = 0; k < piece.middle.creases.size(); ++k) {
-      piece.middle.creases[k] = solver::half_angle_of_deg(to_deg - 7.0 * static_cast<double>(k));
+      piece.middle.creases[k] = solver::half_angle_of_deg(to_deg - 2.0 * static_cast<double>(k));
     }
     return piece;
   }

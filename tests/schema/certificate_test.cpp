@@ -25,8 +25,9 @@ TEST_F(CertificateTest, SaysWhatTheProofSays) {
             solver::line_label(crease.a, crease.b));
   EXPECT_EQ(this->row(claims(9, CertificateEnd::to_the_end)).place, "");
   solver::Certificate unclear = claims(9, CertificateEnd::unclear_slope);
-  EXPECT_EQ(this->row(unclear).place, "") << "diagonal or crease: it does not say";
-  // The first two panels that have no vertex in common, which is pair 0 or later.
+  EXPECT_EQ(this->row(unclear).place, row.place);
+  unclear.where = -1;
+  EXPECT_EQ(this->row(unclear).place, "") << "a crease";
   solver::Certificate meeting = claims(9, CertificateEnd::contact);
   meeting.where = 0;
   EXPECT_EQ(this->row(meeting).place.substr(0, 10), "[0,0] and ");

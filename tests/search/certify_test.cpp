@@ -11,7 +11,7 @@
 namespace misalign::search {
 namespace {
 
-schema::Campaign small_campaign(bool certify = false) {
+schema::Campaign campaign_to_certify(bool certify = false) {
   return schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
                                 {"accept", {{"deploys_from_deg", 150}}},
                                 {"certify", certify}},
@@ -30,7 +30,7 @@ class Certificates : public testing::Test {
   }
 
   static constexpr double kAsked_deg = 20;
-  const schema::Campaign campaign_ = small_campaign();
+  const schema::Campaign campaign_ = campaign_to_certify();
   const solver::Model model_ = model_of(campaign_);
   SheetCertifier certifier_{campaign_.pattern, model_};
 };
@@ -203,10 +203,10 @@ TEST(CertificateText, OfACheckSaysWhatHasNone) {
 
 // As the search goes: accepted ones alone, up to their D, with what `certify` would make.
 TEST(CertifiedDraws, AreTheCandidatesAndAsOtherwise) {
-  const schema::Campaign campaign = small_campaign(true);
+  const schema::Campaign campaign = campaign_to_certify(true);
   const solver::Model model = model_of(campaign);
   SheetCertifier certifier(campaign.pattern, model);
-  DrawEvaluator certifying(campaign), plain(small_campaign());
+  DrawEvaluator certifying(campaign), plain(campaign_to_certify());
   const schema::UnitRecord unit = work_off(certifying, {0, 40}), other = work_off(plain, {0, 40});
   ASSERT_GT(unit.candidates.size(), 2u);
   ASSERT_EQ(unit.candidates.size(), other.candidates.size());

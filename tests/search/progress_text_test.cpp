@@ -89,6 +89,21 @@ TEST(ProgressText, CountsPopulations) {
   EXPECT_FALSE(json.contains("draws") || json.contains("rate"));
 }
 
+TEST(ProgressText, OfCertificatesNothingIsAccepted) {
+  ProgressReport some = report(300, 700);
+  some.counts.of = "certificates";
+  some.counts.standing.best.reset();
+  for (const std::string& line : {plain_line(some), bar_line(some, 200)}) {
+    EXPECT_TRUE(holds(line, "certificates")) << line;
+    EXPECT_TRUE(holds(line, "/s")) << line;
+    EXPECT_TRUE(holds(line, " left")) << line;
+    EXPECT_FALSE(holds(line, "accepted") || holds(line, "population")) << line;
+  }
+  for (int width = 0; width < 60; ++width) {
+    EXPECT_LE(bar_line(some, width).size(), static_cast<std::size_t>(width));
+  }
+}
+
 TEST(ProgressText, TheBarFitsAnyWidth) {
   const ProgressReport now = report(12345678, 87654322);
   std::size_t last = 0;

@@ -44,6 +44,9 @@ for n in 1 2 3; do
   "${ranks[@]}" $n "$program" certify ranks-$n.db --all > /dev/null 2> err || { fail "$n ranks"; cat err; }
   [ "$(rows ranks-$n.db)" = "$expected" ] || fail "$n ranks: other rows"
 done
+rm ranks-2.db && cp a.db ranks-2.db && sqlite3 ranks-2.db 'DELETE FROM certificate'
+"$program" certify ranks-2.db --all --ranks 2 > text 2> err || { fail "--ranks 2"; cat err; }
+[ "$(rows ranks-2.db)" = "$expected" ] || fail "--ranks 2: other rows"
 "$program" certify killed.db --all > /dev/null 2>&1 &
 begun killed.db certificate
 kill -9 $!
@@ -56,6 +59,8 @@ grep -q "; $some were there already$" text || fail "what was committed is made a
 "$program" certify asked.db --all > /dev/null 2> err &
 asked=$!
 begun asked.db certificate
+"$program" certify asked.db --all > /dev/null 2> err2
+[ $? = 4 ] || fail "in use: $(cat err2)"
 kill -TERM $asked
 wait $asked || fail "SIGTERM: exit $?"
 some=$(count asked.db)
@@ -76,6 +81,9 @@ sed '0,/{/s//{ "certify": true,/' "$source_dir/search/campaigns/miura-6x6-flat.j
 # Checked: what is there, and what is not; spoilt ones are found, and made again.
 "$program" certify a.db --best 2 --check > text || fail "check: $(cat text)"
 [ "$(cat text)" = "2 certificates checked: all hold" ] || fail "check: $(cat text)"
+"$program" certify a.db "$draw" --contact > text || fail "contact: $(cat text)"
+grep -q "; no panels meet" text || fail "contact: $(cat text)"
+"$program" certify a.db "$draw" --check > text || fail "contact is not checked: $(cat text)"
 cp asked.db few.db
 sqlite3 few.db "DELETE FROM certificate WHERE draw NOT IN (SELECT draw FROM certificate ORDER BY draw LIMIT 2)"
 "${ranks[@]}" 2 "$program" certify few.db --check --json > check.json 2> err || fail "check, 2 ranks: $(cat err)"
@@ -136,6 +144,7 @@ refused 2 "excludes --check" a.db --check --again
 refused 2 "holds no such candidate" a.db 99999999
 refused 2 "is no number\|between\|range\|number" a.db 1 --to 181
 refused 2 "which is one sheet" "$table1" --all
+refused 2 "which is one sheet" "$table1" --ranks 2
 refused 2 "without --best" a.db --all --by draw
 refused 3 "" nowhere.db --all
 sed 's/"A10"/"A9"/; s/"displacements_mm": {/"displacements_mm": {},\n "no": {/' "$table1" > bad.json

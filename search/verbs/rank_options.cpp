@@ -1,0 +1,45 @@
+#include "search/verbs/rank_options.hpp"
+
+#include "search/ranks/mpi_session.hpp"
+#include "search/ranks/run_info.hpp"
+#include "search/verbs/options.hpp"
+
+namespace misalign::search {
+namespace {
+
+constexpr std::uint64_t kMostRanks = 4096;  // of one machine
+
+// "all", or how many.
+CLI::Validator rank_count() {
+  const CLI::Validator count = counted(1, kMostRanks);
+  return CLI::Validator(
+      [=](std::string& text) {
+        const bool is_count = text == "all" || count(text).empty();
+        return is_count ? std::string()
+                        : "'" + text + "' is neither all nor a whole number from 1 to " +
+                              std::to_string(kMostRanks);
+      },
+      "");
+}
+
+}  // namespace
+
+void add_ranks(CLI::App& verb, std::string& ranks) {
+  verb.add_option("--ranks", ranks,
+                  "how many ranks to start, one core each; all: one for every core [1]")
+      ->check(rank_count())
+      ->type_name("N|all");
+}
+
+int ranks_wanted(const std::string& ranks) {
+  if (ranks.empty()) return 1;
+  if (launched_by_mpi()) {
+    throw schema::UserError(schema::kExitUsage,
+                            "--ranks " + ranks +
+                                " has no meaning under mpirun (which has started the ranks); take "
+                                "it out, and give mpirun -n");
+  }
+  return ranks == "all" ? usable_threads() : std::stoi(ranks);
+}
+
+}  // namespace misalign::search
