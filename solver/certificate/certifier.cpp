@@ -5,6 +5,7 @@
 
 #include "solver/certificate/conditions.hpp"
 #include "solver/certificate/panel_proof.hpp"
+#include "solver/verdict/history.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr double kLargestBox = 2e-5;
 constexpr double kShorterPiece = 0.5;
 constexpr double kFirstPiece_deg = 12, kLeastFirst_deg = 0.05;
+constexpr double kSqrt2 = 1.41421356;
 /// Up to here joints are written over the pilot's tangent.
 constexpr double kGradedUntil_deg = 62;
 /// Pieces that would be shorter are none.
@@ -46,6 +48,7 @@ class March {
       : model_(model),
         mechanism_(model.mechanism()),
         panels_(panels),
+        vertices_mm_(vertices_mm),
         prover_(mechanism_, vertices_mm) {
     certificate_.asked_deg = asked_deg;
     certificate_.contact = panels != nullptr;
@@ -63,29 +66,50 @@ class March {
  private:
   double at_deg() const { return certificate_.certified_deg(); }
 
-  // The first piece, from flat on. It sets the diagonals' directions.
+  // The first piece, from flat on.
   bool begin() {
     for (double to = std::min(kFirstPiece_deg, certificate_.asked_deg); to >= kLeastFirst_deg;
          to *= kShorterPiece) {
-      PathPiece piece{0, to, true, 0, {}};
       const HalfAngle<double> end = half_angle_of_deg(to);
       const HalfAngle<double> middle = half_angle_of_ratio(std::sqrt(0.5) * end.s, end.c);
-      piece.middle =
-          base_state(mechanism_, model_.base().folding, model_.base().sheet.vertices_mm, middle);
-      PathTube tube;
-      if (prover_.prove(piece, kLargestBox, tube) != TubeEnd::proven) continue;
-      std::vector<PathModel> slopes = prover_.find_slopes(tube);
-      directions_.clear();
-      for (const PathModel& slope : slopes) {
-        directions_.push_back(value_at(slope, Ball(-1.0)).c[0] > 0 ? 1 : -1);
+      if (begin_with(to, base_state(mechanism_, model_.base().folding,
+                                    model_.base().sheet.vertices_mm, middle))) {
+        return true;
       }
-      if (first_obstacle(tube, slopes, 1e-3).until < 1) continue;
-      accept(std::move(tube));
-      width_deg_ = to * std::min(1.0, prover_.better_length());
-      return true;
+    }
+    return begin_elsewhere();
+  }
+
+  // Where the base is too far from this sheet's way: from the states of a path that was followed.
+  bool begin_elsewhere() {
+    std::vector<std::pair<double, FoldState<double>>> states;
+    const StationVisitor keep = [&](const Station& station, const FoldState<double>& state) {
+      if (station.pilot_deg < kFirstPiece_deg) states.emplace_back(station.pilot_deg, state);
+    };
+    record_history(model_, vertices_mm_, &keep);
+    for (std::size_t k = states.size(); k-- > 0;) {
+      // In tau^2, which is nearly that of the angle, twice as far.
+      const double to = kSqrt2 * states[k].first;
+      if (to <= certificate_.asked_deg && begin_with(to, states[k].second)) return true;
     }
     certificate_.end = CertificateEnd::flat_branch;
     return false;
+  }
+
+  // With a state near that in its middle. It sets the diagonals' directions.
+  bool begin_with(double to_deg, FoldState<double> middle) {
+    PathTube tube;
+    const PathPiece piece{0, to_deg, true, 0, std::move(middle)};
+    if (prover_.prove(piece, kLargestBox, tube) != TubeEnd::proven) return false;
+    const std::vector<PathModel> slopes = prover_.find_slopes(tube);
+    directions_.clear();
+    for (const PathModel& slope : slopes) {
+      directions_.push_back(value_at(slope, Ball(-1.0)).c[0] > 0 ? 1 : -1);
+    }
+    if (first_obstacle(tube, slopes, 1e-3).until < 1) return false;
+    accept(std::move(tube));
+    width_deg_ = to_deg * std::min(1.0, prover_.better_length());
+    return true;
   }
 
   PathPiece piece_to(double to_deg) const {
@@ -205,6 +229,7 @@ class March {
   const Model& model_;
   const Mechanism& mechanism_;
   const PanelProof* panels_;
+  const FlatVertices& vertices_mm_;
   TubeProver prover_;
   Certificate certificate_;
   PathTube last_;

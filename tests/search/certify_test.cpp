@@ -131,6 +131,19 @@ TEST_F(Certificates, AreCheckedAndSpoiltOnesFound) {
   EXPECT_TRUE(finding->interval);
 }
 
+// Newton's method does not come to it from the base's first states.
+TEST(FarFromTheBase, CertificatesBeginWithThePathsOwnStates) {
+  const schema::Campaign campaign =
+      schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/turned-quads-6x6.json");
+  const solver::Model model = model_of(campaign);
+  SheetCertifier certifier(campaign.pattern, model, false);
+  for (const std::uint64_t draw : {102617u, 208194u}) {
+    const auto row = certifier.certify(draw, shifts_of_draw(campaign, draw), 60);
+    EXPECT_EQ(row.certified_deg, 60) << draw;
+    EXPECT_FALSE(certifier.row_fault(shifts_of_draw(campaign, draw), row));
+  }
+}
+
 TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
   schema::CertificateRow row;
   row.asked_deg = 170;

@@ -175,8 +175,7 @@ class Study {
       at_contact_ += same;
       return same;
     }
-    const bool same = certificate.end == solver::CertificateEnd::reversal &&
-                      std::abs(fine_deg - certified_deg) <= kSame_deg;
+    const bool same = std::abs(fine_deg - certified_deg) <= kSame_deg;
     at_reversal_ += same;
     return same;
   }
