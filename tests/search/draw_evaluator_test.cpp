@@ -12,7 +12,7 @@
 namespace misalign::search {
 namespace {
 
-schema::Campaign small_campaign(double threshold_deg = 150) {
+schema::Campaign miura_4x4(double threshold_deg = 150) {
   return schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
                                 {"accept", {{"deploys_from_deg", threshold_deg}}}},
                                "a test");
@@ -38,7 +38,7 @@ solver::Verdict reference_verdict(const schema::Campaign& campaign, const DrawEv
 // The accepted patterns are the reference's, their metrics belong to the verdict, and do not depend
 // on what else is in the block.
 TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
-  DrawEvaluator evaluator(small_campaign());
+  DrawEvaluator evaluator(miura_4x4());
   const schema::UnitRecord unit = work_off(evaluator, {0, 60});
   EXPECT_EQ(unit.accepted + unit.rejected, 60u);
   EXPECT_GT(unit.accepted, 10u);
@@ -59,7 +59,7 @@ TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
     EXPECT_LE(m.isometry_error_mm, 1e-9);
     EXPECT_LE(m.residual_max, 1e-12);
 
-    DrawEvaluator fresh(small_campaign());
+    DrawEvaluator fresh(miura_4x4());
     const schema::UnitRecord again = work_off(fresh, {draw, draw + 1});
     ASSERT_EQ(again.candidates.size(), 1u);
     EXPECT_EQ(again.candidates[0].metrics.stretch_sq_mm2, m.stretch_sq_mm2);
@@ -70,7 +70,7 @@ TEST(DrawEvaluator, CandidatesAreWhatTheirDrawsGive) {
 
 // Metrics again from the history, by loops of their own.
 TEST(DrawEvaluator, MetricsFromTheHistory) {
-  DrawEvaluator evaluator(small_campaign());
+  DrawEvaluator evaluator(miura_4x4());
   const schema::UnitRecord unit = work_off(evaluator, {0, 20});
   ASSERT_FALSE(unit.candidates.empty());
   const solver::Metrics& m = unit.candidates[0].metrics;
@@ -92,7 +92,7 @@ TEST(DrawEvaluator, MetricsFromTheHistory) {
 }
 
 TEST(DrawEvaluator, UnitsCountEveryDrawOnce) {
-  DrawEvaluator evaluator(small_campaign());
+  DrawEvaluator evaluator(miura_4x4());
   UnitWork work(evaluator, {1000, 1040});
   work.run_next_block();
   work.run_next_block();
@@ -112,7 +112,7 @@ TEST(DrawEvaluator, UnitsCountEveryDrawOnce) {
 // a block, and together what one unit would have been.
 TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
   constexpr schema::DrawRange kAll{0, 600};
-  DrawEvaluator evaluator(small_campaign());
+  DrawEvaluator evaluator(miura_4x4());
   const schema::UnitRecord whole = work_off(evaluator, kAll);
   ASSERT_GT(whole.candidates.size(), 100u);
   const std::size_t most_bytes = 20 * evaluator.bytes_of_candidate();
@@ -147,7 +147,7 @@ TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
 // Draws of the fault sample take the full path whatever the fast tests saw: the sample has their
 // first fault, at a threshold that almost all of them miss.
 TEST(DrawEvaluator, FaultSampleHasTheFirstFault) {
-  DrawEvaluator evaluator(small_campaign(180));
+  DrawEvaluator evaluator(miura_4x4(180));
   const schema::UnitRecord unit = work_off(evaluator, {1000, 3100});
   ASSERT_EQ(unit.fault_sample.size(), 3u);
   for (const schema::DrawVerdict& sampled : unit.fault_sample) {
@@ -211,7 +211,7 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
 TEST(DrawEvaluator, KeepsStiffStops) {
   constexpr schema::DrawRange kDraws{0, 60};
   constexpr int kStop_deg = 60;
-  DrawEvaluator without(small_campaign());
+  DrawEvaluator without(miura_4x4());
   std::vector<std::pair<double, std::uint64_t>> by_stiffness;
   for (const auto& candidate : work_off(without, kDraws).candidates) {
     const auto history = without.history(candidate.draw);
@@ -222,7 +222,7 @@ TEST(DrawEvaluator, KeepsStiffStops) {
   std::sort(by_stiffness.begin(), by_stiffness.end());
   ASSERT_GT(by_stiffness.size(), 8u);
   const std::size_t soft = by_stiffness.size() / 2;
-  schema::Campaign campaign = small_campaign();
+  schema::Campaign campaign = miura_4x4();
   campaign.wished_stop = {kStop_deg,
                           std::sqrt(by_stiffness[soft - 1].first * by_stiffness[soft].first)};
   std::set<std::uint64_t> expected, kept;
@@ -247,11 +247,11 @@ TEST(DrawEvaluator, InstructionSetsAndBlocksAgree) {
     }
     return draws;
   };
-  DrawEvaluator widest(small_campaign());
+  DrawEvaluator widest(miura_4x4());
   const auto expected = draws_of(work_off(widest, {500, 900}));
   EXPECT_GT(expected.size(), 100u);
   for (const auto set : solver::available_instruction_sets()) {
-    DrawEvaluator evaluator(small_campaign(), set);
+    DrawEvaluator evaluator(miura_4x4(), set);
     schema::UnitRecord unit;
     for (std::uint64_t lo = 500; lo < 900; lo += 57) {
       evaluator.evaluate({lo, std::min<std::uint64_t>(lo + 57, 900)}, unit,
