@@ -17,10 +17,10 @@ using solver::CertificateEnd;
 
 constexpr std::size_t kFew = 20;
 
-// Rounded down: more is not certified.
+// Rounded down, but for what decimals cannot say: more is not certified.
 std::string shown_deg(double certified_deg) {
-  constexpr double kParts = 1e4;
-  return fmt::format("{:.10g}", std::floor(certified_deg * kParts) / kParts);
+  constexpr double kParts = 1e4, kRounding = 1e-6;
+  return fmt::format("{:.10g}", std::floor(certified_deg * kParts + kRounding) / kParts);
 }
 
 // What ends a certificate before the angle that was asked for.

@@ -179,6 +179,15 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
   row.end = "flat_branch";
   EXPECT_NE(certified_text(certified_sheet("draw 7", row, true)).find("nothing is certified"),
             std::string::npos);
+  for (int tenths = 1; tenths < 1800; ++tenths) {
+    row.certified_deg = row.asked_deg = tenths * 0.1;
+    row.end = "to_the_end";
+    row.intervals = 1;
+    const std::string whole = certified_text(certified_sheet("draw 7", row, true));
+    EXPECT_LT(whole.find(" deg, as asked"),
+              std::string("draw 7: certified from flat to 123.4x").size())
+        << whole;
+  }
   const schema::Json json = certified_json(sheet);
   EXPECT_FALSE(json.contains("proof"));
   EXPECT_EQ(json["certified_deg"], 156.15499);
