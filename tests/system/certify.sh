@@ -39,6 +39,12 @@ seconds=$(sql a.db 'SELECT seconds FROM certificate ORDER BY draw' | cksum)
   fail "ends: $(sql a.db 'SELECT ended, count(*), min(certified_deg) FROM certificate GROUP BY 1')"
 expected=$(rows a.db)
 
+# As if the processor had neither wide registers nor fused products: the C library's functions are others then.
+cp asked.db narrow.db
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA,-FMA4 "$program" certify narrow.db --all > /dev/null 2>&1 ||
+  fail "narrow registers"
+[ "$(rows narrow.db)" = "$expected" ] || fail "narrow registers: other rows"
+
 # By any number of ranks, and killed in the middle.
 for n in 1 2 3; do
   "${ranks[@]}" $n "$program" certify ranks-$n.db --all > /dev/null 2> err || { fail "$n ranks"; cat err; }
