@@ -19,7 +19,7 @@ function chosen_words(report) {
   if (!details.length || !(draws || best || diverse || where)) return "";
   const asked = draws ? `${plural(draws, noun(report))} asked for` : "";
   const of_those = where ? ` of those for which ${where}` : "";
-  const sorted = by === "deploys_from_deg" ? "" : ` by ${by}`;
+  const sorted = !by || by === "deploys_from_deg" ? "" : ` by ${by}`;
   const rest = diverse
     ? `a spread of ${diverse} that differ most${of_those}`
     : best || where

@@ -55,6 +55,10 @@ async function report_checks(browser, report) {
     colorScheme: "light",
   });
   say(`      loaded in ${load_ms.toFixed(0)} ms`);
+  await check("no word for nothing that programs have", async () => {
+    const text = await page.evaluate(() => document.body.innerText);
+    assert.doesNotMatch(text, /\b(null|undefined|NaN)\b/);
+  });
   if (!data.state.ladder) await figures_check(page, data); // else ladder_test.mjs
   await faults_checks(page, data);
   await survival_check(page, data);
