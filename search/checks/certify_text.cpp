@@ -39,7 +39,7 @@ std::string reason(const schema::CertificateRow& row) {
     case CertificateEnd::fold_limit:
       return "there the path comes to a fold limit, or nearly";
     case CertificateEnd::unclear_slope:
-      return "there a diagonal or a crease stands still, or nearly";
+      return "a diagonal or a crease stands still there, or nearly";
     case CertificateEnd::flat_branch:
       return "next to flat the branch cannot be proven";
   }

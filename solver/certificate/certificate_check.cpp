@@ -52,9 +52,8 @@ const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
   if ((certificate.end == CertificateEnd::to_the_end) != (certified_deg == certificate.asked_deg)) {
     return "where it ends is not the angle asked for, or that is not called its end";
   }
-  if ((certificate.end == CertificateEnd::flat_branch) != certificate.pieces.empty() &&
-      certificate.asked_deg > 0) {
-    return "it has pieces although none is proven from flat, or has none";
+  if (certificate.end == CertificateEnd::flat_branch && !certificate.pieces.empty()) {
+    return "it has pieces although none is proven from flat";
   }
   if (is_event(certificate.end) != certificate.closing.has_value()) {
     return "its end needs a closing piece, or must not have one";

@@ -77,7 +77,7 @@ class March {
         return true;
       }
     }
-    return begin_elsewhere();
+    return certificate_.end != CertificateEnd::unclear_slope && begin_elsewhere();
   }
 
   // Where the base is too far from this sheet's way: from the states of a path that was followed.
@@ -92,7 +92,6 @@ class March {
       const double to = kSqrt2 * states[k].first;
       if (to <= certificate_.asked_deg && begin_with(to, states[k].second)) return true;
     }
-    certificate_.end = CertificateEnd::flat_branch;
     return false;
   }
 
@@ -106,7 +105,16 @@ class March {
     for (const PathModel& slope : slopes) {
       directions_.push_back(value_at(slope, Ball(-1.0)).c[0] > 0 ? 1 : -1);
     }
-    if (first_obstacle(tube, slopes, 1e-3).until < 1) return false;
+    const Obstacle first = first_obstacle(tube, slopes, 1e-3);
+    if (first.until < 1) {
+      // The branch is proven: a diagonal stands still, unless a shorter piece says otherwise.
+      if (first.kind == CertificateEnd::reversal) {
+        certificate_.end = CertificateEnd::unclear_slope;
+        certificate_.where = first.where;
+      }
+      return false;
+    }
+    certificate_.where = -1;
     accept(std::move(tube));
     width_deg_ = to_deg * std::min(1.0, prover_.better_length());
     return true;

@@ -142,6 +142,16 @@ TEST(Certifier, ends_at_the_angle_that_is_asked_for) {
   }
 }
 
+// Of the unshifted sheet no diagonal changes at all.
+TEST(Certifier, certifies_nothing_where_diagonals_stand_still) {
+  const TestSheet sheet(4, 4);
+  const Model model(sheet.base);
+  const Certificate certificate = Certifier(model).certify(sheet.base.sheet.vertices_mm, 90);
+  EXPECT_EQ(certificate.end, CertificateEnd::unclear_slope);
+  EXPECT_EQ(certificate.certified_deg(), 0);
+  EXPECT_GE(certificate.where, 0);
+}
+
 TEST(Certifier, proves_nothing_by_other_rounding) {
   const PaperSheet& sheet = paper();
   Certifier certifier(sheet.model);
