@@ -135,8 +135,7 @@ TEST(CertificateCheck, refuses_another_end_than_it_reaches) {
   EXPECT_EQ(limited().fault_of(spoilt), "there is no such place as where it ends");
   spoilt.where = -1;
   spoilt.end = CertificateEnd::flat_branch;
-  EXPECT_EQ(limited().fault_of(spoilt),
-            "it has pieces although none is proven from flat");
+  EXPECT_EQ(limited().fault_of(spoilt), "it has pieces although none is proven from flat");
 }
 
 // By that half tangent: joints are kept in single precision, which takes less than a tenth of what
