@@ -21,7 +21,7 @@ sanitized() {
     -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-Og -fno-sanitize=null,alignment,object-size,pointer-overflow" > /dev/null
   # The largest files first, so that no core is idle at the end.
   cmake --build --preset asan --target search_test -- -j 2
-  cmake --build --preset asan --target solver_test schema_test -- -j 2
+  cmake --build --preset asan --target solver_test schema_test certificate_test -- -j 2
   local many_paths
   many_paths='*IsometryOnEverySample*:*StepsOfTheSolver*:*SamplesDoNotMove*:*LargeShifts*:DrawEvaluator.Instr*:DrawEvaluator.TurnsNext*'
   many_paths+=':ToleranceTest.Instr*:ToleranceTest.Trials*:ToleranceTest.Most*:ToleranceTest.NoErr*:ToleranceTest.Threads*'
@@ -30,7 +30,7 @@ sanitized() {
   many_paths+=':SoftStop.IsTheSame*:*BatchTest.Failing*/baseline:Drawn/Acceptance*/3:DegreeFour.FoldsAs*'
   many_paths+=':*BatchTest*/avx2:Golden.AllV*:FewDiagonals.OfMany*:LookBetween.Sees*:*ExactBumps.AreThose*'
   many_paths+=':*OlderCatalogues*/1:*OlderCatalogues*/2:*OlderCatalogues*/3:*OlderCatalogues*/4:SnapshotTest*:DrawEvaluator.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*'
-  printf '%s\n' {search,solver,schema}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \
+  printf '%s\n' {search,solver,schema,certificate}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \
     xargs -P 2 -L 1 sh -c 'cd build/asan/tests && GTEST_SHARD_INDEX=$1 ./"$0" --gtest_brief=1'
 }
 echo "== sanitizers: unit tests; release: every test"
