@@ -55,7 +55,7 @@ bool are_apart_along(const ComparedPanels& panels, const Eigen::Vector3d& direct
 // On a part of the stretch; with directions of their own on both halves where one does not do.
 bool are_panels_apart(const ComparedPanels& panels, const Corners& a, const Corners& b,
                       double middle, double half) {
-  constexpr double kShortest = 0x1p-8;
+  constexpr double kShortest = 0x1p-26;
   const auto direction = separating_direction(panels, corners_at(a, middle), corners_at(b, middle));
   if (direction && are_apart_along(panels, *direction, a, b, middle, half)) return true;
   if (!direction || half < kShortest) return false;
