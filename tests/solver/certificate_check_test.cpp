@@ -7,6 +7,7 @@
 
 #include "solver/certificate/certifier.hpp"
 #include "solver/certificate/proven_piece.hpp"
+#include "solver/design/contact.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "tests/solver/sheets.hpp"
 
@@ -85,6 +86,28 @@ TEST(CertificateCheck, passes_the_papers_sheet) {
   const auto fault =
       check_certificate(sheet.mechanism, vertices_mm, as_kept(sheet.mechanism, certificate));
   EXPECT_FALSE(fault) << fault->what;
+}
+
+TEST(CertificateCheck, proves_that_panels_do_not_meet) {
+  const TestSheet sheet(6, 6);
+  const FlatVertices vertices_mm = sheet.shifted(golden("table1_odd.json").at("displacements_mm"));
+  const Model model(sheet.base);
+  Certificate certificate =
+      as_kept(sheet.mechanism, Certifier(model, {true}).certify(vertices_mm, 15));
+  EXPECT_EQ(certificate.end, CertificateEnd::to_the_end);
+  EXPECT_TRUE(certificate.contact);
+  const auto fault_of = [&] {
+    const auto fault = check_certificate(model, vertices_mm, certificate);
+    return fault ? fault->what : "";
+  };
+  EXPECT_EQ(fault_of(), "");
+  certificate.asked_deg = 20;
+  certificate.end = CertificateEnd::contact;  // between panels that there are not
+  certificate.where = static_cast<int>(pairs_of(panels_of(model.base(), model.mechanism())).size());
+  EXPECT_EQ(fault_of(), "there is no such place as where it ends");
+  certificate.where = 0;
+  certificate.contact = false;
+  EXPECT_EQ(fault_of(), "it ends at a contact, and proves none");
 }
 
 TEST(CertificateCheck, refuses_pieces_with_gaps_or_out_of_order) {
