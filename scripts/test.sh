@@ -29,7 +29,7 @@ sanitized() {
   many_paths+=':Splitting.EveryInstr*:Splitting.Pilots*:Splitting.PiecesKeep*:Splitting.Accepted*:Score.IsTheSame*:VerifyTest.AGood*'
   many_paths+=':SoftStop.IsTheSame*:*BatchTest.Failing*/baseline:Drawn/Acceptance*/3:DegreeFour.FoldsAs*'
   many_paths+=':*BatchTest*/avx2:Golden.AllV*:FewDiagonals.OfMany*:LookBetween.Sees*:*ExactBumps.AreThose*'
-  many_paths+=':*OlderCatalogues*/1:*OlderCatalogues*/2:*OlderCatalogues*/3:*OlderCatalogues*/4:*OlderCatalogues*/5:SnapshotTest*:DrawEvaluator.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*'
+  many_paths+=':*OlderCatalogues*/1:*OlderCatalogues*/2:*OlderCatalogues*/3:*OlderCatalogues*/4:*OlderCatalogues*/5:SnapshotTest*:DrawEvaluator.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*:StoredCertificates.AreJoined*:*OlderCatalogues.AreVerified*:HostilePieces.PiecesThatLie*'
   printf '%s\n' {search,solver,schema,certificate}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \
     xargs -P 2 -L 1 sh -c 'cd build/asan/tests && GTEST_SHARD_INDEX=$1 ./"$0" --gtest_brief=1'
 }
