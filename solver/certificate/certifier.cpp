@@ -65,6 +65,11 @@ class March {
 
  private:
   double at_deg() const { return certificate_.certified_deg(); }
+  // Where the next piece ends at the latest.
+  double farthest_deg() const {
+    const bool graded = at_deg() < kGradedUntil_deg;
+    return graded ? std::min(kGradedUntil_deg, certificate_.asked_deg) : certificate_.asked_deg;
+  }
 
   // The first piece, from flat on.
   bool begin() {
@@ -142,9 +147,8 @@ class March {
   // One piece more, or the end.
   bool go_on() {
     for (;;) {
-      double to = std::min(at_deg() + width_deg_, certificate_.asked_deg);
-      if (at_deg() < kGradedUntil_deg) to = std::min(to, kGradedUntil_deg);
-      if (to - at_deg() < std::min(kShortest_deg, certificate_.asked_deg - at_deg())) {
+      const double to = std::min(at_deg() + width_deg_, farthest_deg());
+      if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {
         certificate_.end = CertificateEnd::fold_limit;
         return false;
       }
@@ -211,7 +215,7 @@ class March {
       return true;
     }
     // It may need all of the closing interval to happen.
-    if (width < 0.8 * kClosing_deg && from + width < certificate_.asked_deg) {
+    if (width < 0.8 * kClosing_deg && from + width < farthest_deg()) {
       width_deg_ = kClosingPiece_deg;
       return true;
     }
