@@ -13,7 +13,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
-#include "search/verbs/choice.hpp"
+#include "search/checks/choice.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {

@@ -19,7 +19,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
-#include "search/verbs/choice.hpp"
+#include "search/checks/choice.hpp"
 #include "solver/certificate/certifier.hpp"
 #include "tests/folder.hpp"
 #include "tests/search/climb_on.hpp"

@@ -29,4 +29,7 @@ inline constexpr std::uint64_t kDiverseAmong = 1000;
 /// (2) if there are none, or it is no condition or column.
 std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice);
 
+/// The options that were given, as a shell takes them: " --best 3 --where 'stroke_max < 0.05'".
+std::string text_of(const Choice& choice);
+
 }  // namespace misalign::search
