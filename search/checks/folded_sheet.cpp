@@ -50,10 +50,8 @@ schema::FoldingView SheetFolder::view(const FoldedSheet& folded) const {
 }
 
 schema::Json SheetFolder::springs_json(const FoldedSheet& folded) const {
-  schema::Json json =
-      schema::actuation_history_json(view(folded), folded.path, folded.actuation);
-  json["deploys_from_deg"] =
-      folded.path.history.verdict.deploys_from_sample * sampling_.sample_deg;
+  schema::Json json = schema::actuation_history_json(view(folded), folded.path, folded.actuation);
+  json["deploys_from_deg"] = folded.path.history.verdict.deploys_from_sample * sampling_.sample_deg;
   return json;
 }
 
