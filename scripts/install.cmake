@@ -8,6 +8,10 @@ install(DIRECTORY schema/migrations schema/queries schema/versions
 # Beside each other: campaigns name the files of ../patterns.
 install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(MISALIGN_PYTHON)
+  install(TARGETS _misalign LIBRARY DESTINATION ${MISALIGN_PYTHON_DIR}/misalign COMPONENT python)
+  install(FILES ${PYTHON_FILES} DESTINATION ${MISALIGN_PYTHON_DIR}/misalign COMPONENT python)
+endif()
 
 set(COMPLETION ${PROJECT_BINARY_DIR}/completion)
 file(MAKE_DIRECTORY ${COMPLETION})
