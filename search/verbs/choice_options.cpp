@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "search/terminal/shell_word.hpp"
+#include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
