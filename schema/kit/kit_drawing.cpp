@@ -40,6 +40,7 @@ class Kit {
   std::vector<LineDrawing> drawings() {
     std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
     if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
+    if (sheet_.shifts_mm.isZero(0)) notes_.emplace_back("no vertex is shifted");
     if (options_.bed_mm) parts = fitted(parts);
     std::vector<KitPiece> pieces;
     for (const KitPart& part : parts) {

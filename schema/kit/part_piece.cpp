@@ -1,6 +1,7 @@
 #include "schema/kit/part_piece.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -179,16 +180,17 @@ std::vector<DrawnPath> hatching(const Ring& ring) {
   }
   std::vector<DrawnPath> lines;
   for (double at = std::ceil(least / kPitch_mm) * kPitch_mm; at < most; at += kPitch_mm) {
-    std::vector<double> ends;  // where the line enters and leaves
+    std::vector<std::array<double, 2>> ends;  // where it enters and leaves, how much to keep off
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vector2d &p = ring[i], &q = ring[(i + 1) % ring.size()];
       const double u = across.dot(p) - at, v = across.dot(q) - at;
       if ((u > 0) == (v > 0)) continue;
-      ends.push_back(along.dot(p) + u / (u - v) * along.dot(q - p));
+      ends.push_back({along.dot(p) + u / (u - v) * along.dot(q - p),
+                      kClear_mm * (q - p).norm() / std::abs(u - v)});
     }
     std::sort(ends.begin(), ends.end());
     for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
-      const double from = ends[k] + kClear_mm, to = ends[k + 1] - kClear_mm;
+      const double from = ends[k][0] + ends[k][1], to = ends[k + 1][0] - ends[k + 1][1];
       if (to <= from) continue;
       lines.push_back({{at * across + from * along, at * across + to * along}, false});
     }

@@ -125,6 +125,8 @@ void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, con
   only_with("--trim", files.format == SheetFormat::stl, "--format stl");
   only_with("--kit", files.is_drawn(), "--format svg or dxf");
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
+  only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
+            "--joint-bore or --spring-bore");
   only_with("--dash-mm", kit.options.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == SheetFormat::mjcf, "--format mjcf");
   for (const char* option : {"--mesh", "--material"}) {

@@ -1,10 +1,11 @@
-"""Kits to cut beside the sheet that they are cut from, as the FOLD export has it:
+"""Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
-    kit_check.py SHEET.fold [--kerf K] [--crease score|cut|dash] [--joint-bore D] [--spring-bore D] [--edge E]
-                 [--bed W H] [--numbers] [--spoil HOW] KIT...
+    SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D] [--edge E]
+    [--bed W H] [--plain] [--wrong] [--numbers] KIT... [--spoil HOW...]
 
-The files are one kit. Prints what is wrong; --spoil spoils one thing first, and then expects a complaint.
-With --numbers also what was measured. Geometry is its own: shoelace, distances of parallel lines."""
+The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
+thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
+measured. Geometry is its own: shoelace, distances of parallel lines."""
 
 import argparse
 import itertools
@@ -472,7 +473,7 @@ def spoil(drawing, how):
         "swapped": lambda: rename(lambda w: w == "r0c1", lambda x, y, w, t: (engrave[0][0], engrave[0][1], w, t)),
         "label": lambda: rename(lambda w: w == "A1", lambda x, y, w, t: (x, y, "A20", t)),
         "opening": lambda: cut.pop(),
-        "knot": lambda: cut.__setitem__(0, ([cut[0][0][1], cut[0][0][0]] + cut[0][0][2:], True)),
+        "knot": lambda: cut.__setitem__(0, (cut[0][0][:2] + cut[0][0][2:9][::-1] + cut[0][0][9:], True)),
         "hatch": lambda: drawing.paths["hatch"].append(([engrave[0][:2], engrave[1][:2]], False)),
         "gauge": lambda: drawing.paths.pop("note"),
         "shift": lambda: drawing.texts.__setitem__(
@@ -481,13 +482,13 @@ def spoil(drawing, how):
         "bore": lambda: drawing.circles["bore"].__setitem__(
             0, (drawing.circles["bore"][0][0] + 1, *drawing.circles["bore"][0][1:])),
         "bores": lambda: drawing.circles["bore"].pop(),
-        "far": lambda: drawing.__setattr__("size", (drawing.size[0] - 1, drawing.size[1])),
+        "far": lambda: drawing.__setattr__("size", (0.5 * drawing.size[0], drawing.size[1])),
         "scale": lambda: drawing.paths.__setitem__(
             "cut", [([(1.0002 * x, 1.0002 * y) for x, y in points], closed) for points, closed in cut]),
     }[how]()
 
 
-def main():
+def arguments():
     words = argparse.ArgumentParser()
     words.add_argument("sheet")
     words.add_argument("kit", nargs="+")
@@ -497,37 +498,59 @@ def main():
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
     words.add_argument("--bed", nargs=2, type=float)
-    words.add_argument("--numbers", action="store_true")
+    for name in ("--plain", "--wrong", "--numbers"):
+        words.add_argument(name, action="store_true")
     words.add_argument("--spoil", nargs="*", default=[])
-    wish = words.parse_args()
+    return words
+
+
+def spoilt(sheet, wish):
+    for how in wish.spoil:
+        drawing = Drawing(wish.kit[0])
+        spoil(drawing, how)
+        check = Check(sheet, [drawing], wish)
+        check.run()
+        if not check.faults:
+            yield f"nothing sees that it is spoilt ({how})"
+
+
+def faults_of(wish):
     sheet = Sheet(wish.sheet)
-    kits = {ending: [Drawing(path) for path in wish.kit if path.endswith(ending)] for ending in (".dxf", ".svg")}
     if wish.spoil:
-        for how in wish.spoil:
-            drawing = Drawing(wish.kit[0])
-            spoil(drawing, how)
-            check = Check(sheet, [drawing], wish)
-            check.run()
-            if not check.faults:
-                sys.exit(f"{wish.kit[0]}: nothing sees that it is spoilt ({how})")
-            print(f"{how}: {check.faults[0]}")
+        yield from spoilt(sheet, wish)
         return
-    faults = list(same(kits[".dxf"], kits[".svg"])) if kits[".dxf"] and kits[".svg"] else []
+    kits = {ending: [Drawing(path) for path in wish.kit if path.endswith(ending)] for ending in (".dxf", ".svg")}
+    if kits[".dxf"] and kits[".svg"]:
+        yield from same(kits[".dxf"], kits[".svg"])
     for ending, drawings in kits.items():
-        if not drawings:
+        if wish.plain:
+            yield from (fault for drawing in drawings for fault in drawing.faults)
+        if not drawings or wish.plain:
             continue
         check = Check(sheet, drawings, wish)
         check.run()
-        faults += [f"{ending[1:]}: {fault}" for fault in check.faults]
-        if wish.numbers:
-            area = "" if wish.kerf or check.faults else f", areas within {check.area_off:.1e} mm2"
+        yield from (f"{ending[1:]}: {fault}" for fault in check.faults)
+        if wish.numbers and not check.faults:
+            area = "" if wish.kerf else f", areas within {check.area_off:.1e} mm2"
             worst = check.worst
             print(f"{ending[1:]}: {len(drawings)} sheets, {len(check.parts)} parts, {len(sheet.faces)} panels; "
                   f"contours within {worst['offset']:.1e} mm, creases within {worst['length']:.1e} mm, "
                   f"bores within {worst['bore']:.1e} mm{area}")
-    for fault in faults[:20]:
-        print(fault, file=sys.stderr)
-    sys.exit(bool(faults))
+
+
+def main():
+    words, bad = arguments(), False
+    for line in sys.stdin:
+        wish = words.parse_args(line.split())
+        if wish.numbers:
+            print(line.strip())
+        faults = list(faults_of(wish))
+        if wish.wrong:
+            faults = [] if faults else ["what is wrong goes unseen"]
+        for fault in faults[:20]:
+            print(f"{line.strip()}: {fault}")
+        bad = bad or bool(faults)
+    sys.exit(bad)
 
 
 main()
