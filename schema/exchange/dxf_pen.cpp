@@ -211,7 +211,10 @@ class DxfPen {
 std::string dxf_of(const LineDrawing& drawing) {
   const MemoryFile file;
   DxfPen(drawing, file.path()).write();
-  return file.text();
+  const std::string text = file.text();
+  // dxflib does not say when memory ran out.
+  if (!text.ends_with("EOF\n")) refuse("it was not written to its end");
+  return text;
 }
 
 }  // namespace misalign::schema

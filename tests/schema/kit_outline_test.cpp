@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <set>
 
 #include "kit_fixture.hpp"
@@ -141,7 +142,7 @@ TEST(KitOutline, SlitsJoinOpeningsThatTouch) {
 
 TEST(KitOutline, AcuteCornersAreCutOffWhereTheirMitreWouldBeTooLong) {
   for (const double half_deg : {5.0, 10.0, 14.0, 15.0, 30.0, 80.0}) {
-    const double half = half_deg * EIGEN_PI / 180;
+    const double half = half_deg * std::numbers::pi / 180;
     const Ring needle = {{0, 0},
                          {100 * std::cos(half), -100 * std::sin(half)},
                          {100 * std::cos(half), 100 * std::sin(half)}};
