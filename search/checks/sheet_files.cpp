@@ -9,6 +9,7 @@
 #include "schema/exchange/deployment_json.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "schema/exchange/fold_export.hpp"
+#include "schema/exchange/mat_export.hpp"
 #include "schema/exchange/plate_stl.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/checks/contact_study.hpp"
@@ -23,6 +24,8 @@ const char* ending(SheetFormat format) {
       return ".json";
     case SheetFormat::csv:
       return ".csv";
+    case SheetFormat::mat:
+      return ".mat";
     case SheetFormat::fold:
       return ".fold";
     case SheetFormat::svg:
@@ -86,6 +89,10 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
       return;
     case SheetFormat::json:
       return write_file(stem, data_of(folded, view, origin).dump(1) + "\n");
+    case SheetFormat::mat:
+      return write_file(
+          stem, schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
+                                   folded.metrics, folder_.sampling(), label.title, origin));
     case SheetFormat::svg:
       return write_file(stem, schema::crease_pattern_svg(folder_.base(), folded.vertices_mm,
                                                          folder_.mechanism(), label.title));
@@ -131,7 +138,28 @@ std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::Foldi
   folder_.check_shapes(folded, rows, label.name);
   schema::Json data = data_of(folded, view, origin);
   data.erase("pattern");  // is beside it
-  return schema::folded_fold_json(view, folded.path, rows, label.title, data).dump() + "\n";
+  return schema::folded_fold_json(view, folded.path, rows, label.title, data,
+                                  fillers_of(folded, rows, label.name))
+             .dump() +
+         "\n";
+}
+
+// None unless they are asked for.
+std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
+                                                   const std::vector<Eigen::Index>& rows,
+                                                   const std::string& name) const {
+  if (!options_.joined) return {};
+  std::vector<const Eigen::Matrix3Xd*> shapes_mm;
+  for (const Eigen::Index row : rows) {
+    shapes_mm.push_back(&folded.path.shapes_mm[static_cast<std::size_t>(row)]);
+  }
+  auto fillers = solver::joining_fillers(folder_.base().base, folder_.mechanism(),
+                                         folded.vertices_mm, shapes_mm);
+  if (fillers) return std::move(*fillers);
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--joined: no fillers can join the panels of " + name +
+          " (corners of its holes get wider on the way); take it out, and use the frames");
 }
 
 void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingView& view,
