@@ -2,7 +2,9 @@
 
 #include <limits>
 
+#include "search/terminal/shell_word.hpp"
 #include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
 namespace {
