@@ -30,7 +30,7 @@ struct CommitTime {
 };
 
 struct Rate {
-  std::uint64_t before = 0;     // candidates that are there when it begins
+  std::uint64_t before = 0;     // candidates that it begins with, as fast as they go
   std::uint64_t each_s = 5000;  // candidates a second
   int commits_each_s = 4;
   int seconds = 60;
@@ -40,6 +40,8 @@ class SteadyWriter {
  public:
   SteadyWriter(const std::string& path, const Rate& rate)
       : rate_(rate), catalogue_(path, draws_.campaign(), draws_.mechanism()) {
+    const std::vector<schema::DrawRange> done = catalogue_.done();
+    if (!done.empty()) next_ = done.back().hi;
     catalogue_.begin_run(invented_run(2), {{0, schema::kEndOfDraws}, {}, {}, {}});
   }
   ~SteadyWriter() { catalogue_.end_run("stopped"); }

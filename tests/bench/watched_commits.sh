@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# watched_commits.sh PROGRAM WATCHED_COMMITS FOLDER [SECONDS]: what commits take while nobody looks, and while eight
+# watched_commits.sh PROGRAM WATCHED_COMMITS FOLDER [SECONDS] [BEFORE]: what commits take while nobody looks, and while eight
 # clients ask `misalign watch` every second and the page is loaded every three: of 5,000 invented candidates a second
-# in an empty catalogue and behind a million, and of a real campaign. Results in results/watch.md.
+# in an empty catalogue and behind BEFORE others (a million), and of a real campaign. Results in results/watch.md.
 set -euo pipefail
-program=$1 bench=$2 folder=$3 seconds=${4:-60}
+program=$1 bench=$2 folder=$3 seconds=${4:-60} before=${5:-1000000}
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$folder"
 cd "$folder"
@@ -44,11 +44,13 @@ commits() { sqlite3 -readonly "$1" 'SELECT printf("%d commits, mean %.0f ms, lon
   1000 * commit_s / commits, 1000 * longest_commit_s, (SELECT count(*) FROM candidate) /
   (86400 * (julianday(ended_at) - julianday(started_at)))) FROM run ORDER BY id DESC LIMIT 1'; }
 
-for before in 0 1000000; do
+"$bench" filled.db "$before" 0
+for start in none filled.db; do
   for watched in "" watched; do
     rm -f -- steady.db*
-    echo "invented candidates, $before before ${watched:+, $watched}"
-    "$bench" steady.db $before "$seconds" > csv &
+    [ $start = none ] || cp $start steady.db
+    echo "invented candidates, behind $([ $start = none ] && echo 0 || echo "$before")${watched:+, $watched}"
+    "$bench" steady.db 0 "$seconds" > csv &
     writer=$!
     if [ -n "$watched" ]; then
       until [ -s steady.db ]; do sleep 0.1; done
@@ -64,7 +66,7 @@ done
 sed 's/"deploys_from_deg": 150/"deploys_from_deg": 60/' "$source_dir/search/campaigns/miura-4x4.json" > from_60.json
 for watched in "" watched; do
   rm -f -- real.db*
-  echo "miura-4x4 from 60 degrees, two ranks ${watched:+, $watched}"
+  echo "miura-4x4 from 60 degrees, two ranks${watched:+, $watched}"
   "$program" search from_60.json --catalogue real.db --draws 1000000000 --max-time "$seconds" --ranks 2 --progress none > /dev/null 2>&1 &
   writer=$!
   if [ -n "$watched" ]; then
