@@ -10,6 +10,7 @@
 #include "schema/exchange/drawing.hpp"
 #include "schema/exchange/dxf_pen.hpp"
 #include "schema/exchange/fold_export.hpp"
+#include "schema/exchange/mat_export.hpp"
 #include "schema/exchange/plate_stl.hpp"
 #include "schema/exchange/svg_pen.hpp"
 #include "schema/files/text_file.hpp"
@@ -26,6 +27,8 @@ const char* ending(SheetFormat format) {
       return ".json";
     case SheetFormat::csv:
       return ".csv";
+    case SheetFormat::mat:
+      return ".mat";
     case SheetFormat::fold:
       return ".fold";
     case SheetFormat::svg:
@@ -91,6 +94,10 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
       return;
     case SheetFormat::json:
       return write_file(stem, data_of(folded, view, origin).dump(1) + "\n");
+    case SheetFormat::mat:
+      return write_file(
+          stem, schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
+                                   folded.metrics, folder_.sampling(), label.title, origin));
     case SheetFormat::svg:
     case SheetFormat::dxf:
       return write_drawings(folded, label);
@@ -136,7 +143,28 @@ std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::Foldi
   folder_.check_shapes(folded, rows, label.name);
   schema::Json data = data_of(folded, view, origin);
   data.erase("pattern");  // is beside it
-  return schema::folded_fold_json(view, folded.path, rows, label.title, data).dump() + "\n";
+  return schema::folded_fold_json(view, folded.path, rows, label.title, data,
+                                  fillers_of(folded, rows, label.name))
+             .dump() +
+         "\n";
+}
+
+// None unless they are asked for.
+std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
+                                                   const std::vector<Eigen::Index>& rows,
+                                                   const std::string& name) const {
+  if (!options_.joined) return {};
+  std::vector<const Eigen::Matrix3Xd*> shapes_mm;
+  for (const Eigen::Index row : rows) {
+    shapes_mm.push_back(&folded.path.shapes_mm[static_cast<std::size_t>(row)]);
+  }
+  auto fillers = solver::joining_fillers(folder_.base().base, folder_.mechanism(),
+                                         folded.vertices_mm, shapes_mm);
+  if (fillers) return std::move(*fillers);
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--joined: no fillers can join the panels of " + name +
+          " (corners of its holes get wider on the way); take it out, and use the frames");
 }
 
 // A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.

@@ -13,16 +13,18 @@
 #include "schema/kit/kit_options.hpp"
 #include "search/checks/deployer.hpp"
 #include "search/checks/release.hpp"
+#include "solver/design/filler.hpp"
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, fold, svg, dxf, obj, stl, mjcf, inp };
+enum class SheetFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
 
 struct SheetFilesOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   SheetFormat format = SheetFormat::json;
   double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
+  bool joined = false;     ///< with `fold`: with fillers that join all panels
   bool creases = false;    ///< with `csv`: also the table of fold angles
   ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
   schema::MjcfOptions mjcf;
@@ -51,7 +53,8 @@ struct SheetLabel {
 };
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
-/// UserError (2) if one of them is the file that is read, or the plates are thicker than reaches D.
+/// UserError (2) if one of them is the file that is read, the plates are thicker than reaches D, or
+/// no fillers join the panels.
 class SheetFiles {
  public:
   SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options);
@@ -66,6 +69,9 @@ class SheetFiles {
   schema::Json deployment_of(const FoldedSheet& folded) const;
   std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
                         const SheetLabel& label, const schema::Json& origin) const;
+  std::vector<solver::Filler> fillers_of(const FoldedSheet& folded,
+                                         const std::vector<Eigen::Index>& rows,
+                                         const std::string& name) const;
   std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_drawings(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_states(const FoldedSheet& folded, const schema::FoldingView& view,

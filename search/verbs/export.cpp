@@ -116,6 +116,7 @@ void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, con
                                                     with + "; take it out, or add that");
   };
   only_with("--step", files.in_states(), "--format fold, obj or stl");
+  only_with("--joined", files.format == SheetFormat::fold, "--format fold");
   only_with("--creases", files.format == SheetFormat::csv, "--format csv");
   for (const char* option : {"--from", "--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
@@ -166,7 +167,11 @@ constexpr const char* kExportFooter =
     "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
     "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
     "        diagonals are numbered from 0, as in the view diagonals\n"
-    "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
+    "  mat   for MATLAB and Octave (MAT-file, level 5): coordinates, histories of diagonals,\n"
+    "        creases and vertices, springs, metrics; its variable readme names axes and units\n"
+    "  fold  crease pattern and folded states, for Origami Simulator and the like. Panels that\n"
+    "        ball joints alone hold are placed by the states; with --joined also by creases: two\n"
+    "        triangles in the corner of a hole make three hinges of a ball joint\n"
     "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
     "  dxf   the same for CAD (AutoCAD 2000, mm)\n"
     "  obj   one file for each folded state\n"
@@ -226,6 +231,7 @@ Action export_verb(CLI::App& verb) {
   verb.add_option("--format", files.format, "what to write, see above [json]")
       ->transform(one_of<SheetFormat>({{"json", SheetFormat::json},
                                        {"csv", SheetFormat::csv},
+                                       {"mat", SheetFormat::mat},
                                        {"fold", SheetFormat::fold},
                                        {"svg", SheetFormat::svg},
                                        {"dxf", SheetFormat::dxf},
@@ -237,6 +243,8 @@ Action export_verb(CLI::App& verb) {
                   "fold, obj and stl: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
+  verb.add_flag("--joined", files.joined,
+                "fold: with triangles that stand for ball joints by hinges, see above");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
   add_trim(verb, files.trim_mm);
   add_other_actuators(verb, call->actuators);
