@@ -37,8 +37,8 @@ endforeach()
 add_custom_target(python_package ALL DEPENDS ${PYTHON_COPIES})
 add_dependencies(python_package _misalign)
 
-# Where the interpreter looks below the prefix (Debian: dist-packages); elsewhere under another prefix,
-# which PYTHONPATH must then name.
+# Where the interpreter looks below the prefix (Debian's /usr/local: dist-packages); else where it looks
+# below that of a user, or of a virtual environment.
 if(NOT DEFINED MISALIGN_PYTHON_DIR)
   execute_process(COMMAND ${Python_EXECUTABLE} -c "
 import os, site, sys

@@ -63,7 +63,7 @@ py::tuple histories_of(const SheetSource& source, const std::vector<Eigen::Matri
         const Eigen::Matrix2Xd& one_mm = shifts_mm[k];
         block.shifts_mm.insert(block.shifts_mm.end(), one_mm.data(), one_mm.data() + one_mm.size());
       }
-      for (const solver::FoldingHistory& history : batch->record(block)) {
+      for (const solver::FoldingHistory& history : batch->record_lengths(block)) {
         const auto solved = static_cast<std::size_t>(history.length_mm.rows());
         for (std::size_t row = 0; row < stations_deg.size(); ++row) {
           for (std::size_t d = 0; d < diagonals; ++d) {

@@ -107,11 +107,11 @@ class Processes(unittest.TestCase):
     def test_memory_is_flat(self):
         campaign = misalign.read(SMALL)
         catalogue = misalign.Catalogue(CATALOGUE)
-        shifts_mm = campaign.shifts(range(2000))
+        shifts_mm = campaign.shifts(range(500))
 
         def work():
             misalign.judge(campaign, shifts_mm, 150)
-            misalign.judge(campaign, shifts_mm.astype(np.float32)[:100])
+            misalign.judge(campaign, shifts_mm.astype(np.float32)[:20])
             campaign.pattern.fold([90])
             catalogue.histories([1])
             catalogue.query("best")
@@ -121,10 +121,10 @@ class Processes(unittest.TestCase):
                 except misalign.Error:
                     pass
 
-        for _ in range(10):
+        for _ in range(5):
             work()
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        for _ in range(40):
+        for _ in range(25):
             work()
         self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 4096)  # kB
 

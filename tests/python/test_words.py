@@ -20,12 +20,9 @@ MODULES = [importlib.import_module(f"misalign.{module.name}") for module in pkgu
 
 class Words(unittest.TestCase):
     def test_every_example_runs(self):
-        examples = 0
-        for module in MODULES:
-            result = doctest.testmod(module, extraglobs={"misalign": misalign})
-            self.assertEqual(result.failed, 0, module.__name__)
-            examples += result.attempted
-        self.assertGreater(examples, 50)
+        results = {module.__name__: doctest.testmod(module, extraglobs={"misalign": misalign}) for module in MODULES}
+        self.assertEqual([name for name, result in results.items() if result.failed], [])
+        self.assertGreater(sum(result.attempted for result in results.values()), 50)
 
     def test_everything_public_has_an_example(self):
         for name in misalign.__all__:

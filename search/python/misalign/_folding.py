@@ -31,7 +31,7 @@ class Folding:
     (156.0, 'fold_limit', 157.0, None)
     >>> elongation = folding.length_mm / folding.flat_mm - 1
     >>> f"{elongation.min():.3f} to {elongation.max():.3f}"
-    '-0.052 to 0.028'
+    '-0.052 to 0.027'
     """
 
     pilot_deg: npt.NDArray[np.float64]

@@ -27,7 +27,7 @@ class Verdicts:
     >>> pattern = misalign.read("search/patterns/table1.json")
     >>> verdicts = misalign.judge(pattern, -pattern.shifts_mm[np.newaxis])
     >>> misalign.faults[verdicts.fault[0]], pattern.diagonal_labels[verdicts.where[0]]
-    ('not_monotone', 'A17-A23')
+    ('not_monotone', 'A33-A39')
     """
 
     def __init__(self, deploys_from_deg: npt.NDArray[np.float64], fault: npt.NDArray[np.uint8],

@@ -35,8 +35,8 @@ class Pattern:
     >>> pattern = misalign.read("search/patterns/table1.json")
     >>> pattern.vertices_mm.shape, len(pattern.holes), pattern.crease_labels[pattern.pilot]
     ((49, 2), 8, 'A2-A9')
-    >>> pattern.shifts_mm[pattern.vertex_labels.index("A9")].tolist()
-    [0.0, 0.4]
+    >>> pattern.shifts_mm[pattern.vertex_labels.index("A10")].tolist()
+    [0.4, 0.0]
     """
 
     name: str
