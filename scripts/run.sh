@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 . scripts/packages.sh
 need_packages $build_packages
 
-cmake --preset release -DMISALIGN_TESTS=OFF > /dev/null
+cmake --preset release -DMISALIGN_TESTS=OFF -DMISALIGN_PYTHON=ON > /dev/null
 cmake --build --preset release  # all that `cmake --install` takes
 program=build/release/misalign
 

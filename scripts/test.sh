@@ -8,7 +8,7 @@ need_packages $build_packages $test_packages $hosts_packages
 
 scripts/check.sh
 
-cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON > /dev/null
+cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON > /dev/null
 cmake --build --preset release
 
 # Beside the tests of the release, of which many wait: the unit tests under the sanitizers, two programs at a

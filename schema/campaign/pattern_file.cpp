@@ -257,13 +257,17 @@ Json sampling_json(const Sampling& sampling) {
           {"between_samples", between_samples_json(sampling.between_samples)}};
 }
 
+bool is_campaign(const Json& document) {
+  return document.is_object() && document.contains("pattern") && !document.contains("draw") &&
+         !document.contains("sampling");
+}
+
 PatternFile read_sampled_pattern_file(const std::string& path, Perforations perforations) {
   InputFaults faults;
   const std::filesystem::path file(path);
   const Json document = read_json_file(path);
   const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
-  const bool exported = has("pattern") && (has("draw") || has("sampling"));
-  if (has("pattern") && !exported) {
+  if (is_campaign(document)) {
     throw UserError(kExitBadInput, path +
                                        ": is a campaign, not a pattern; `misalign search` runs "
                                        "it, and its \"pattern\" alone can be folded");
@@ -273,7 +277,7 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.exported = document.value("misalign:data", Json::object());
     read.sampling = read_sampling(read.exported, faults);
-  } else if (exported) {
+  } else if (has("pattern")) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
                                 perforations);
     read.exported = document;

@@ -42,6 +42,9 @@ Json sampling_json(const Sampling& sampling);
 void read_between_samples(ObjectReader& reader, solver::BumpRule& rule);
 Json between_samples_json(solver::BumpRule rule);
 
+/// Whether a document is a campaign: its "pattern" stands beside nothing that an export says.
+bool is_campaign(const Json& document);
+
 struct PatternFile {
   Pattern pattern;
   Sampling sampling;  ///< an exported candidate's is its campaign's

@@ -72,14 +72,20 @@ void check_single(SQLite::Database& database, const std::string& sql) {
   if (more || second_code != SQLITE_OK) throw bad_sql("more follows after the first statement");
 }
 
+Row names_of(SQLite::Statement& statement) {
+  if (statement.getColumnCount() == 0) throw bad_sql("it gives no rows");
+  Row names;
+  for (int k = 0; k < statement.getColumnCount(); ++k) {
+    names.emplace_back(statement.getColumnName(k));
+  }
+  return names;
+}
+
 /// The rows of a statement, written in one of the styles.
 class TableWriter {
  public:
   TableWriter(SQLite::Statement& statement, const TextSink& sink)
-      : statement_(statement), sink_(sink) {
-    if (columns() == 0) throw bad_sql("it gives no rows");
-    for (int k = 0; k < columns(); ++k) names_.emplace_back(statement_.getColumnName(k));
-  }
+      : statement_(statement), sink_(sink), names_(names_of(statement)) {}
 
   std::uint64_t write(TableStyle style) {
     switch (style) {
@@ -226,6 +232,14 @@ std::uint64_t write_query(SQLite::Database& database, const std::string& sql, Ta
 void read_query(SQLite::Database& database, const std::string& sql, const RowReader& read) {
   ask(database, sql, [&](SQLite::Statement& row) {
     while (row.executeStep()) read(row);
+  });
+}
+
+std::vector<std::string> query_columns(SQLite::Database& database, const std::string& sql) {
+  return ask(database, sql, [](SQLite::Statement& statement) {
+    Row names = distinct(names_of(statement));
+    for (std::string& name : names) name = utf8(name);
+    return names;
   });
 }
 

@@ -31,6 +31,10 @@ using RowReader = std::function<void(const SQLite::Statement& row)>;
 /// The same, and gives the rows themselves on. UserError as above.
 void read_query(SQLite::Database& database, const std::string& sql, const RowReader& read);
 
+/// The names of the columns that it gives, each once: a second "draw" is "draw_2". UserError as
+/// above.
+std::vector<std::string> query_columns(SQLite::Database& database, const std::string& sql);
+
 /// The whole of a small table.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
 

@@ -1,6 +1,6 @@
 #include "search/checks/folded_sheet.hpp"
 
-#include "search/draws/models.hpp"
+#include "schema/exchange/actuation_json.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {
@@ -12,25 +12,25 @@ solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const 
 }
 
 SheetFolder::SheetFolder(const schema::Pattern& base, const schema::Sampling& sampling,
-                         const solver::Actuators& actuators, double look_deg)
+                         const solver::Actuators& actuators, const Looks& looks)
     : base_(base),
       sampling_(sampling),
       actuators_(actuators),
-      model_(model_of(base, sampling, look_deg)),
+      model_(model_of(base, sampling, looks)),
       panels_(solver::panels_of(base.base, mechanism())) {}
 
-SheetFolder::SheetFolder(const schema::Campaign& campaign, double look_deg)
+SheetFolder::SheetFolder(const schema::Campaign& campaign, const Looks& looks)
     : base_(campaign.pattern),
       sampling_(campaign.sampling()),
       actuators_(campaign.actuators),
-      model_(model_of(campaign, look_deg)),
+      model_(model_of(campaign, looks)),
       panels_(solver::panels_of(base_.base, mechanism())) {}
 
 FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   FoldedSheet folded;
   folded.shifts_mm = shifts_mm;
   folded.vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-  folded.path = solver::record_shapes(model_, folded.vertices_mm);
+  folded.path = follow(shifts_mm);
   folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
   if (folded.path.history.verdict.deploys_from_sample > 0) {
     solver::FoldingHistory& history = folded.path.history;
@@ -41,8 +41,18 @@ FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   return folded;
 }
 
+solver::ShapedPath SheetFolder::follow(const Eigen::Matrix2Xd& shifts_mm) const {
+  return solver::record_shapes(model_, base_.base.sheet.vertices_mm + shifts_mm);
+}
+
 schema::FoldingView SheetFolder::view(const FoldedSheet& folded) const {
   return {base_, folded.shifts_mm, mechanism(), folded.path.history, sampling_.sample_deg};
+}
+
+schema::Json SheetFolder::springs_json(const FoldedSheet& folded) const {
+  schema::Json json = schema::actuation_history_json(view(folded), folded.path, folded.actuation);
+  json["deploys_from_deg"] = folded.path.history.verdict.deploys_from_sample * sampling_.sample_deg;
+  return json;
 }
 
 void SheetFolder::check_shapes(const FoldedSheet& folded, const std::vector<Eigen::Index>& rows,

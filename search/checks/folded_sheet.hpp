@@ -2,6 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
+#include "search/draws/models.hpp"
 #include "solver/design/actuation.hpp"
 #include "solver/design/fold_lines.hpp"
 
@@ -23,19 +24,22 @@ struct FoldedSheet {
 
 class SheetFolder {
  public:
-  /// Also looks at multiples of `look_deg` between the samples; 0: at none. `base` must outlive
-  /// this object; its own shifts do not matter.
+  /// `base` must outlive this object; its own shifts do not matter.
   SheetFolder(const schema::Pattern& base, const schema::Sampling& sampling,
-              const solver::Actuators& actuators, double look_deg = 0);
+              const solver::Actuators& actuators, const Looks& looks = {});
   /// A campaign's sheets, with its springs.
-  explicit SheetFolder(const schema::Campaign& campaign, double look_deg = 0);
+  explicit SheetFolder(const schema::Campaign& campaign, const Looks& looks = {});
   SheetFolder(const SheetFolder&) = delete;
   SheetFolder& operator=(const SheetFolder&) = delete;
 
   /// One column of shifts per vertex.
   FoldedSheet fold(const Eigen::Matrix2Xd& shifts_mm) const;
+  /// Its path alone: without springs and metrics.
+  solver::ShapedPath follow(const Eigen::Matrix2Xd& shifts_mm) const;
   /// Refers to `folded` and to this object.
   schema::FoldingView view(const FoldedSheet& folded) const;
+  /// Of its springs: actuation_history_json, and "deploys_from_deg".
+  schema::Json springs_json(const FoldedSheet& folded) const;
   /// UserError (6) if the shapes of these rows are not the flat sheet's panels, folded as the
   /// history says: judged by coordinates alone. `name` is the sheet's in the sentence.
   void check_shapes(const FoldedSheet& folded, const std::vector<Eigen::Index>& rows,

@@ -8,10 +8,13 @@
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/deployment_json.hpp"
 #include "schema/exchange/drawing.hpp"
+#include "schema/exchange/dxf_pen.hpp"
 #include "schema/exchange/fold_export.hpp"
 #include "schema/exchange/mat_export.hpp"
 #include "schema/exchange/plate_stl.hpp"
+#include "schema/exchange/svg_pen.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/kit/kit_drawing.hpp"
 #include "search/checks/contact_study.hpp"
 #include "search/terminal/terminal.hpp"
 
@@ -30,6 +33,8 @@ const char* ending(SheetFormat format) {
       return ".fold";
     case SheetFormat::svg:
       return ".svg";
+    case SheetFormat::dxf:
+      return ".dxf";
     case SheetFormat::stl:
       return ".stl";
     case SheetFormat::obj:
@@ -94,8 +99,8 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
           stem, schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
                                    folded.metrics, folder_.sampling(), label.title, origin));
     case SheetFormat::svg:
-      return write_file(stem, schema::crease_pattern_svg(folder_.base(), folded.vertices_mm,
-                                                         folder_.mechanism(), label.title));
+    case SheetFormat::dxf:
+      return write_drawings(folded, label);
     case SheetFormat::fold:
       return write_file(stem, fold_text(folded, view, label, origin));
     case SheetFormat::obj:
@@ -160,6 +165,28 @@ std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
       schema::kExitUsage,
       "--joined: no fillers can join the panels of " + name +
           " (corners of its holes get wider on the way); take it out, and use the frames");
+}
+
+// A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
+void SheetFiles::write_drawings(const FoldedSheet& folded, const SheetLabel& label) const {
+  const auto text_of = [&](const schema::LineDrawing& drawing) {
+    return options_.format == SheetFormat::svg ? schema::svg_of(drawing) : schema::dxf_of(drawing);
+  };
+  const schema::Pattern& base = folder_.base();
+  if (!options_.kit) {
+    return write_file(label.stem, text_of(schema::crease_pattern_drawing(
+                                      base, folded.vertices_mm, folder_.mechanism(), label.title)));
+  }
+  const schema::KitSheet sheet{base.base, folded.vertices_mm, folded.shifts_mm,
+                               folder_.mechanism()};
+  std::vector<std::string> texts;
+  for (const auto& drawing : schema::kit_drawings(sheet, *options_.kit, label.title)) {
+    texts.push_back(text_of(drawing));
+  }
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
+               texts[k]);
+  }
 }
 
 void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingView& view,

@@ -10,13 +10,14 @@
 #include "schema/exchange/history_table.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
+#include "schema/kit/kit_options.hpp"
 #include "search/checks/deployer.hpp"
 #include "search/checks/release.hpp"
 #include "solver/design/filler.hpp"
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, mat, fold, svg, obj, stl, mjcf, inp };
+enum class SheetFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
 
 struct SheetFilesOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
@@ -27,13 +28,15 @@ struct SheetFilesOptions {
   bool creases = false;    ///< with `csv`: also the table of fold angles
   ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
   schema::MjcfOptions mjcf;
-  schema::DeckOptions deck;  ///< of `inp`
+  schema::DeckOptions deck;               ///< of `inp`
+  std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
   /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
   std::optional<double> trim_mm;
 
   bool in_states() const {
     return format == SheetFormat::fold || format == SheetFormat::obj || format == SheetFormat::stl;
   }
+  bool is_drawn() const { return format == SheetFormat::svg || format == SheetFormat::dxf; }
   bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
   /// What a SheetFolder has to look at between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
@@ -70,6 +73,7 @@ class SheetFiles {
                                          const std::vector<Eigen::Index>& rows,
                                          const std::string& name) const;
   std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_drawings(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
                     const SheetLabel& label) const;
   void write_plates(const FoldedSheet& folded, const schema::FoldingView& view,

@@ -12,9 +12,6 @@
 namespace misalign::search {
 namespace {
 
-constexpr std::uint64_t kMostDraws = 4096;       // 2.6 MB on 6 x 6: larger ones are slower
-constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
-
 void reject(solver::Fault fault, int sample, schema::UnitRecord& unit) {
   ++unit.rejected;
   ++unit.screened[{static_cast<int>(fault), sample}];
@@ -110,12 +107,6 @@ DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet s
       model_(model_of(campaign_)),
       batch_(solver::make_batch(set, model_)) {
   if (campaign_.certify) certifier_.emplace(campaign_.pattern, model_);
-}
-
-std::uint64_t DrawEvaluator::largest_block() const {
-  const std::uint64_t numbers =
-      2 * model_.shifted().size() + 3 * model_.mechanism().diagonals.size();
-  return std::clamp<std::uint64_t>(kMostNumbers / numbers, 8, kMostDraws);
 }
 
 std::size_t DrawEvaluator::bytes_of_candidate() const {
@@ -235,6 +226,7 @@ UnitWork::UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,
       sampled_(sampled),
       most_bytes_(most_bytes),
       next_(range.lo),
+      block_size_(evaluator.largest_block()),
       seconds_per_path_(std::numeric_limits<double>::infinity()) {
   record_.range = {range.lo, range.lo};
 }
@@ -247,17 +239,15 @@ bool UnitWork::is_full() const {
 }
 
 void UnitWork::run_next_block() {
-  constexpr double kShort_s = 0.015, kLong_s = 0.08, kPaths_s = 0.08;
+  constexpr double kPaths_s = 0.08;
   const Stopwatch watch;
-  const schema::DrawRange block{next_, next_ + std::min(block_draws_, range_.hi - next_)};
+  const schema::DrawRange block{next_, next_ + std::min(block_size_.now(), range_.hi - next_)};
   next_ = record_.range.hi = block.hi;
   evaluate(block, [&](std::size_t waiting) {
     return finished() || static_cast<double>(waiting) * seconds_per_path_ > kPaths_s;
   });
   record_.seconds += watch.seconds();
-  if (watch.seconds() < kShort_s)
-    block_draws_ = std::min(2 * block_draws_, evaluator_.largest_block());
-  if (watch.seconds() > kLong_s) block_draws_ = std::max<std::uint64_t>(block_draws_ / 2, 1);
+  block_size_.took(watch.seconds());
 }
 
 // Measures what a full path takes, where some are followed.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "schema/catalogue/unit_writer.hpp"
+#include "search/draws/block_size.hpp"
 #include "search/draws/sheet_certifier.hpp"
 #include "solver/lanes/batch.hpp"
 
@@ -39,8 +40,8 @@ class DrawEvaluator {
   DrawEvaluator(const DrawEvaluator&) = delete;
   DrawEvaluator& operator=(const DrawEvaluator&) = delete;
 
-  /// How many draws a block may have at most: what it needs stays within a few megabytes.
-  std::uint64_t largest_block() const;
+  /// How many draws a block may have at most.
+  std::uint64_t largest_block() const { return search::largest_block(model_); }
   /// Evaluates a range of draws no larger than that. What the rejection tests reject for certain is
   /// added to `unit` at once; the other draws, and those of the fault sample by its rule, wait for
   /// their full paths until `paths_are_due` says yes to their number: the more there are, the
@@ -93,8 +94,7 @@ class UnitWork {
   /// Whether its results, and those of draws that wait, take all that they may: the rest of the
   /// range is for another unit.
   bool is_full() const;
-  /// As many draws as take less than about a tenth of a second: who waits for this must not wait
-  /// long.
+  /// As many draws as BlockSize says.
   void run_next_block();
   /// What has been done so far; draws that still wait for their full paths are not in it.
   const schema::UnitRecord& so_far() const { return record_; }
@@ -109,7 +109,7 @@ class UnitWork {
   schema::FaultSampleRule sampled_;
   std::size_t most_bytes_;
   std::uint64_t next_;
-  std::uint64_t block_draws_ = 1;
+  BlockSize block_size_;
   double seconds_per_path_;
   schema::UnitRecord record_;
 };

@@ -4,6 +4,15 @@ namespace misalign::search {
 
 namespace {
 
+solver::PathPlanOptions path_of(const schema::Sampling& sampling, const Looks& looks) {
+  solver::PathPlanOptions path;
+  path.sample_deg = sampling.sample_deg;
+  path.end_deg = sampling.end_deg;
+  path.look_deg = looks.step_deg;
+  path.look_at_deg = looks.at_deg;
+  return path;
+}
+
 solver::Model model_of(const schema::Campaign& campaign, const solver::PathPlanOptions& path,
                        int threshold_sample, const solver::Criterion& criterion) {
   const schema::Misalignment& misalignment = campaign.misalignment;
@@ -17,10 +26,9 @@ solver::Model model_of(const schema::Campaign& campaign, const solver::PathPlanO
 
 }  // namespace
 
-solver::Model model_of(const schema::Campaign& campaign, double look_deg) {
-  solver::PathPlanOptions path = campaign.path();
-  path.look_deg = look_deg;
-  return model_of(campaign, path, campaign.threshold_sample(), campaign.criterion());
+solver::Model model_of(const schema::Campaign& campaign, const Looks& looks) {
+  return model_of(campaign, path_of(campaign.sampling(), looks), campaign.threshold_sample(),
+                  campaign.criterion());
 }
 
 solver::Model scoring_model_of(const schema::Campaign& campaign, int sample) {
@@ -30,9 +38,8 @@ solver::Model scoring_model_of(const schema::Campaign& campaign, int sample) {
 }
 
 solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,
-                       double look_deg) {
-  return solver::Model(pattern.base, {sampling.sample_deg, sampling.end_deg, look_deg},
-                       {sampling.between_samples});
+                       const Looks& looks) {
+  return solver::Model(pattern.base, path_of(sampling, looks), {sampling.between_samples});
 }
 
 }  // namespace misalign::search

@@ -6,15 +6,22 @@
 
 namespace misalign::search {
 
-/// A campaign's: its draws shift its misalignment's vertices. Multiples of `look_deg` are looked at
-/// between the samples; 0: at none.
-solver::Model model_of(const schema::Campaign& campaign, double look_deg = 0);
+/// Where a path is looked at besides its samples: at multiples of `step_deg` (0: at none), and at
+/// the angles of `at_deg`, as far as the path is followed.
+struct Looks {
+  Looks(double step = 0, std::vector<double> at = {}) : step_deg(step), at_deg(std::move(at)) {}
+  double step_deg;
+  std::vector<double> at_deg;
+};
+
+/// A campaign's: its draws shift its misalignment's vertices.
+solver::Model model_of(const schema::Campaign& campaign, const Looks& looks = {});
 
 /// The same for those of its draws that may deploy from `sample` on, with scores.
 solver::Model scoring_model_of(const schema::Campaign& campaign, int sample);
 
 /// A pattern's, which has no threshold.
 solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,
-                       double look_deg = 0);
+                       const Looks& looks = {});
 
 }  // namespace misalign::search

@@ -1,5 +1,7 @@
 #include "search/draws/tolerance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -174,6 +176,17 @@ double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2
   solver::CreasePattern sheet = base;
   sheet.vertices_mm += shifts_mm;
   return solver::largest_safe_amplitude_mm(sheet, all_vertices(sheet));
+}
+
+void check_miscut(const std::string& name, double amplitude_mm, const solver::CreasePattern& base,
+                  const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet) {
+  const double largest_mm = largest_miscut_mm(base, shifts_mm);
+  if (amplitude_mm < largest_mm) return;
+  throw schema::UserError(schema::kExitUsage,
+                          name + " " + schema::shown_number(amplitude_mm) + ": must be below " +
+                              schema::shown_number(largest_mm) + " mm (where a facet of " + sheet +
+                              " can lose convexity); try " +
+                              fmt::format("{:.1g}", largest_mm / 10));
 }
 
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,

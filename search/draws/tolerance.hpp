@@ -56,6 +56,10 @@ inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
 /// column per vertex) can lose its convexity.
 double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm);
 
+/// UserError (2) unless an amplitude, `name` in the sentence, is below that of this sheet.
+void check_miscut(const std::string& name, double amplitude_mm, const solver::CreasePattern& base,
+                  const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet);
+
 /// One answer for each sheet of the campaign with these shifts; the amplitude is below the largest
 /// of each.
 std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,

@@ -88,16 +88,14 @@ void show_actuators(const ActuatorsCall& call) {
   const ChosenSheet sheet = choose_sheet(call.path, call.draw);
   const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
   const FoldedSheet folded = folder.fold(sheet.shifts_mm);
-  const schema::FoldingView view = folder.view(folded);
-  const solver::Verdict& verdict = folded.path.history.verdict;
-  const double deploys_from_deg = verdict.deploys_from_sample * view.sample_deg;
   if (call.json) {
-    schema::Json json = schema::actuation_history_json(view, folded.path, folded.actuation);
+    schema::Json json = folder.springs_json(folded);
     json.update(sheet.key().json());
-    json["deploys_from_deg"] = deploys_from_deg;
     put_json(json);
     return;
   }
+  const solver::Verdict& verdict = folded.path.history.verdict;
+  const double deploys_from_deg = verdict.deploys_from_sample * folder.sampling().sample_deg;
   const char* standing = "";
   if (sheet.drawn) {
     const bool accepted = sheet.drawn->campaign.accepts(verdict);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "search/terminal/shell_word.hpp"
+#include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -47,15 +48,6 @@ void check_by(const Choice& choice) {
       schema::kExitUsage,
       "--by has no meaning without --best or --diverse; take it out, or add one "
       "of them");
-}
-
-std::string text_of(const Choice& choice) {
-  std::string text;
-  if (choice.best) text += " --best " + std::to_string(*choice.best);
-  if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
-  if (choice.by) text += " --by " + shell_word(*choice.by);
-  if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
-  return text;
 }
 
 }  // namespace misalign::search

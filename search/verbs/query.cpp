@@ -2,14 +2,11 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/checks/deployment_functions.hpp"
+#include "search/checks/query_text.hpp"
 #include "search/draws/nothing_found.hpp"
-#include "search/terminal/ladder_text.hpp"
-#include "search/terminal/suggestion.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -20,23 +17,6 @@ struct QueryCall {
   std::string path, sql = "best";
   bool json = false, csv = false, unpaged = false;
 };
-
-bool is_one_word(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
-  });
-}
-
-schema::UserError no_such_query(const std::string& name) {
-  // It went by the least slope, and foretold less than it said.
-  const bool is_former = name == "robust";
-  const std::string meant = is_former ? "tolerant" : nearest_word(name, schema::named_queries());
-  return schema::UserError(schema::kExitUsage,
-                           "the query was refused (" + name + " is the name of none" +
-                               (meant.empty() ? "" : "; did you mean " + meant + "?") +
-                               "); it must be one SELECT, or one of the names " +
-                               schema::named_query_list());
-}
 
 // Instead of a header without rows, where a named query of candidates has none because there are
 // none. False if there is nothing to say.
@@ -76,27 +56,16 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
   }
 }
 
-// The SQL of a name; of a splitting search the acceptance is that of each level, with its interval.
-std::string named_query(SQLite::Database& database, const std::string& name) {
-  if (name == "acceptance") {
-    const schema::CatalogueState state = schema::read_state(database);
-    if (state.ladder) return ladder_sql(*state.ladder);
-  }
-  return schema::named_query(name);
-}
-
 void query(const QueryCall& call) {
   const auto database = schema::open_for_reading(call.path);
   add_deployment_functions(*database, call.path);
-  const std::string named = named_query(*database, call.sql);
-  const std::string& text = named.empty() ? call.sql : named;
-  if (named.empty() && is_one_word(call.sql)) throw no_such_query(call.sql);
+  const QueryText text = query_text(*database, call.sql);
   if (!call.json && !call.csv) {
-    show_rows(*database, named.empty() ? "" : call.sql, text, !call.unpaged);
+    show_rows(*database, text.name, text.sql, !call.unpaged);
     return;
   }
   const auto style = call.json ? schema::TableStyle::json : schema::TableStyle::csv;
-  schema::write_query(*database, text, style, [&](const std::string& piece) {
+  schema::write_query(*database, text.sql, style, [&](const std::string& piece) {
     call.json ? put_json(piece) : put_csv(piece);
     return std::ferror(stdout) == 0;
   });

@@ -39,19 +39,6 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
   }
 }
 
-void refuse_lost_convexity(const ChosenSheets& sheets, double amplitude_mm) {
-  for (std::size_t k = 0; k < sheets.shifts_mm.size(); ++k) {
-    const double largest_mm =
-        largest_miscut_mm(sheets.campaign.pattern.base.sheet, sheets.shifts_mm[k]);
-    if (amplitude_mm < largest_mm) continue;
-    throw UserError(schema::kExitUsage, "--amplitude " + schema::shown_number(amplitude_mm) +
-                                            ": must be below " + schema::shown_number(largest_mm) +
-                                            " mm (where a facet of " + sheets.key(k).name() +
-                                            " can lose convexity); try " +
-                                            fmt::format("{:.1g}", largest_mm / 10));
-  }
-}
-
 schema::Yield yield_of(std::uint64_t draw, const Tolerance& tolerance) {
   return {draw, tolerance.amplitude_mm, tolerance.copies.trials, tolerance.survivors(),
           tolerance.copies.undecided};
@@ -83,7 +70,10 @@ void print(const ToleranceCall& call, const ChosenSheets& sheets,
 
 void run_miscuts(ToleranceCall& call, const ChosenSheets& sheets) {
   call.study.amplitude_mm = *call.amplitude_mm;
-  refuse_lost_convexity(sheets, call.study.amplitude_mm);
+  for (std::size_t k = 0; k < sheets.shifts_mm.size(); ++k) {
+    check_miscut("--amplitude", call.study.amplitude_mm, sheets.campaign.pattern.base.sheet,
+                 sheets.shifts_mm[k], sheets.key(k).name());
+  }
   std::vector<Tolerance> tolerances;
   {
     CopiesProgress progress;

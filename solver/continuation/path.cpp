@@ -26,6 +26,9 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
   };
   add_multiples(options.sample_deg, true, true);
   if (options.look_deg > 0) add_multiples(options.look_deg, true, false);
+  for (const double angle_deg : options.look_at_deg) {
+    if (angle_deg <= options.end_deg) plan.stations.push_back({angle_deg, {}, 0, true});
+  }
   if (options.sample_deg > options.longest_step_deg) {
     add_multiples(options.longest_step_deg, false, false);
   }

@@ -37,6 +37,7 @@ struct PathPlanOptions {
   double end_deg = 180;  ///< visited, whether it is a sample or not
   double look_deg = 0;   ///< visit multiples of this as well; 0: only the samples
   double longest_step_deg = 1;
+  std::vector<double> look_at_deg{};  ///< visit these as well, as far as end_deg
 };
 
 PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,

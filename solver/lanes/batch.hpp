@@ -35,6 +35,8 @@ class Batch {
   virtual const std::vector<PathRecord>& measure(const ShiftBlock& block) = 0;
   /// Whole histories, past faults, every sample solved.
   virtual std::vector<FoldingHistory>& record(const ShiftBlock& block) = 0;
+  /// The same without residuals, singular values and isometry errors, which are 0.
+  virtual std::vector<FoldingHistory>& record_lengths(const ShiftBlock& block) = 0;
   /// Of everything so far; of paths, those that were judged, measured and recorded.
   virtual Effort rejection_effort() const = 0;
   virtual Effort path_effort() const = 0;

@@ -67,6 +67,10 @@ class LaneBatch final : public Batch {
     return recorders().of_samples.record(SheetBlock(model_, block));
   }
 
+  std::vector<FoldingHistory>& record_lengths(const ShiftBlock& block) override {
+    return recorders().of_samples.record_lengths(SheetBlock(model_, block));
+  }
+
   Effort rejection_effort() const override {
     Effort effort = approach_.effort();
     effort.add(single_test_.effort());

@@ -53,13 +53,18 @@ TEST_P(BatchTest, LargeSheetsAreBitForBitTheScalarOnes) {
   const ShiftBlock block = sheets.draws(9, kSeed);
   ScalarBatch scalar(model);
   EXPECT_EQ(words(batch->judge(block)), words(scalar.judge(block)));
-  const auto& histories = batch->record(block);
+  const std::vector<FoldingHistory> histories = batch->record(block);
   const auto& alone = scalar.record(block);
+  const auto& lengths = batch->record_lengths(block);
   for (int i = 0; i < block.sheets; ++i) {
     EXPECT_EQ(histories[i].stations.size(), 6u);
     EXPECT_EQ(histories[i].length_mm, alone[i].length_mm);
     EXPECT_EQ(histories[i].slope_mm_per_deg, alone[i].slope_mm_per_deg);
     EXPECT_EQ(histories[i].fold_angle_deg, alone[i].fold_angle_deg);
+    EXPECT_EQ(histories[i].singular_value_min.size(), 6u);
+    EXPECT_EQ(lengths[i].length_mm, histories[i].length_mm);
+    EXPECT_EQ(lengths[i].slope_mm_per_deg, histories[i].slope_mm_per_deg);
+    EXPECT_EQ(lengths[i].singular_value_min, std::vector<double>(6, 0.0));
   }
 }
 

@@ -14,8 +14,9 @@ done
 for kind in schema/queries search/campaigns search/patterns; do
   [ "$(ls "$source_dir/$kind")" = "$(ls "$share/misalign/${kind#search/}")" ] || fail "$kind"
 done
-[ -z "$(find "$prefix" -name '*.[ch]pp' -o -name '*.a' -o -name results -o -type d -empty)" ] ||
-  fail "what nobody installs: $(find "$prefix" -name '*.[ch]pp' -o -name '*.a' -o -name results -o -type d -empty)"
+strange=$(find "$prefix" -name '*.cpp' ! -path '*/examples/*' -o -name '*.hpp' ! -path '*/include/misalign/*' \
+  -o -name '*.a' ! -name libmisalign_solver.a -o -name results -o -type d -empty)
+[ -z "$strange" ] || fail "what nobody installs: $strange"
 
 # The program finds nothing but what it carries and what is beside it.
 installed=$prefix/bin/misalign
@@ -31,6 +32,17 @@ for pattern in "$share"/misalign/patterns/*.json; do
 done
 "$installed" completion bash | cmp - "$share/bash-completion/completions/misalign" || fail "bash completion"
 "$installed" completion zsh | cmp - "$share/zsh/site-functions/_misalign" || fail "zsh completion"
+
+# The Python package, where it was built, with nothing but what was installed.
+package=$(find "$prefix" -path '*/misalign/__init__.py')
+if [ -n "$package" ]; then
+  python=$(sed -n 's/^_*Python_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt" | head -n 1)
+  PYTHONPATH=${package%/misalign/__init__.py} "${python:-/usr/bin/python3}" -B -c "
+import misalign
+print(misalign.read('$share/misalign/patterns/table1.json').fold([90]).length_mm.shape)" > shape 2> err ||
+    { fail "import misalign"; cat err; }
+  [ "$(cat shape)" = "(1, 16)" ] || fail "what Python says: $(cat shape)"
+fi
 
 if [ ! -d "$build/man" ]; then
   echo "no help2man: no manual pages"

@@ -1,4 +1,4 @@
-#include "search/verbs/choice.hpp"
+#include "search/checks/choice.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
+#include "search/terminal/shell_word.hpp"
 #include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
@@ -143,13 +144,14 @@ std::vector<Differences> differences_of(SQLite::Database& database,
 
 // That it is an expression by itself, so that what it says is about the rows of candidates, and
 // what is wrong with it is said of the condition, not of a query around it.
-void check_condition(SQLite::Database& database, const std::string& where) {
+void check_condition(SQLite::Database& database, const Choice& choice) {
+  const std::string& where = choice.where;
   const auto refuse = [&](const std::string& why) {
     throw schema::UserError(
         schema::kExitUsage,
-        fmt::format("--where {}: is no condition on the columns {}{}; try \"stroke_max < 0.08\"",
-                    schema::printable(where), fmt::join(columns_of_candidates(database), ", "),
-                    why));
+        fmt::format("{}where {}: is no condition on the columns {}{}; try \"stroke_max < 0.08\"",
+                    choice.dashes, schema::printable(where),
+                    fmt::join(columns_of_candidates(database), ", "), why));
   };
   const std::string reason = schema::reason_not_to_enclose(where);
   if (!reason.empty()) refuse(" (" + reason + ")");
@@ -164,21 +166,28 @@ void check_condition(SQLite::Database& database, const std::string& where) {
   }
 }
 
-void check_column(SQLite::Database& database, const std::string& by) {
+void check_column(SQLite::Database& database, const Choice& choice) {
+  const std::string& by = *choice.by;
   const std::vector<std::string> columns = columns_of_candidates(database);
   if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
-  throw schema::UserError(schema::kExitUsage,
-                          fmt::format("--by {}: is no column of a candidate; choose one of {}", by,
-                                      fmt::join(columns, ", ")));
+  throw schema::UserError(
+      schema::kExitUsage,
+      fmt::format("{}by {}: is no column of a candidate; choose one of {}", choice.dashes,
+                  schema::printable(by), fmt::join(columns, ", ")));
 }
 
-// Of those that `all` selects, so many: in the order that "best" means, or by a column, the largest
-// first, and the best first among equals.
-std::vector<std::uint64_t> best_draws(SQLite::Database& database, const std::string& all,
-                                      const std::optional<std::string>& by, std::uint64_t most) {
+// In the order that "best" means, or by a column, the largest first, and the best first among
+// equals.
+std::string order_of(const std::optional<std::string>& by) {
   const std::string best = schema::best_order(), head = "ORDER BY ";
-  const std::string order = by ? head + *by + " DESC, " + best.substr(head.size()) : best;
-  return draws_of(database, all + " " + order + " LIMIT " + std::to_string(most));
+  return by ? head + *by + " DESC, " + best.substr(head.size()) : best;
+}
+
+// Of all that `where` lets through, in no order.
+std::string all_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
+  if (!choice.where.empty()) check_condition(database, choice);
+  return "SELECT " + columns + " FROM candidates" +
+         (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");  // which ends a comment
 }
 
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
@@ -190,16 +199,13 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
     }
     return draws;
   }
-  if (!choice.where.empty()) check_condition(database, choice.where);
-  const std::string all =
-      "SELECT draw FROM candidates" +
-      (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");  // which ends a comment
   if (!choice.best && !choice.diverse) {
-    return draws_of(database, all + " ORDER BY draw");
+    return draws_of(database, all_sql(database, "draw", choice) + " ORDER BY draw");
   }
-  if (choice.by) check_column(database, *choice.by);
-  if (choice.best) return best_draws(database, all, choice.by, *choice.best);
-  const std::vector<std::uint64_t> among = best_draws(database, all, choice.by, kDiverseAmong);
+  if (choice.best) return draws_of(database, best_sql(database, "draw", choice));
+  Choice best = choice;
+  best.best = kDiverseAmong;
+  const std::vector<std::uint64_t> among = draws_of(database, best_sql(database, "draw", best));
   if (among.empty()) return {};
   const Eigen::MatrixXd places = places_of(database, differences_of(database, among));
   std::vector<std::uint64_t> spread;
@@ -211,6 +217,14 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
 
 }  // namespace
 
+std::string best_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
+  std::string sql = all_sql(database, columns, choice);
+  if (choice.by) check_column(database, choice);
+  sql += " " + order_of(choice.by);
+  if (choice.best) sql += " LIMIT " + std::to_string(*choice.best);
+  return sql;
+}
+
 std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice) {
   const std::vector<std::uint64_t> draws = chosen(database, choice);
   if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
@@ -220,6 +234,15 @@ std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice
                                 " best` shows those that it holds, `misalign replay` any draw");
   }
   return draws;
+}
+
+std::string text_of(const Choice& choice) {
+  std::string text;
+  if (choice.best) text += " --best " + std::to_string(*choice.best);
+  if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
+  if (choice.by) text += " --by " + shell_word(*choice.by);
+  if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
+  return text;
 }
 
 }  // namespace misalign::search

@@ -1,0 +1,19 @@
+// What somebody asks a catalogue: the name of a query, or SQL.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <string>
+
+namespace misalign::search {
+
+struct QueryText {
+  std::string sql;
+  std::string name;  ///< of the query that it is; empty for SQL of somebody's own
+};
+
+/// Of a splitting search the acceptance is that of each level, with its interval. UserError (2) for
+/// a word that names no query.
+QueryText query_text(SQLite::Database& database, const std::string& name_or_sql);
+
+}  // namespace misalign::search

@@ -1,0 +1,24 @@
+#include "search/draws/block_size.hpp"
+
+#include <algorithm>
+
+namespace misalign::search {
+namespace {
+
+constexpr std::uint64_t kMostSheets = 4096;      // 2.6 MB on 6 x 6: larger ones are slower
+constexpr std::uint64_t kMostNumbers = 1 << 21;  // of a block's shifts and diagonals: 16 MB
+constexpr double kShort_s = 0.015, kLong_s = 0.08;
+
+}  // namespace
+
+std::uint64_t largest_block(const solver::Model& model) {
+  const std::uint64_t numbers = 2 * model.shifted().size() + 3 * model.mechanism().diagonals.size();
+  return std::clamp<std::uint64_t>(kMostNumbers / numbers, 8, kMostSheets);
+}
+
+void BlockSize::took(double seconds) {
+  if (seconds < kShort_s) now_ = std::min(2 * now_, most_);
+  if (seconds > kLong_s) now_ = std::max<std::uint64_t>(now_ / 2, 1);
+}
+
+}  // namespace misalign::search

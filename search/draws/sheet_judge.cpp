@@ -1,0 +1,81 @@
+#include "search/draws/sheet_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "search/terminal/stopwatch.hpp"
+
+namespace misalign::search {
+
+int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
+                        const std::string& name) {
+  const double samples = threshold_deg / sampling.sample_deg;
+  const auto refuse = [&](const std::string& why) {
+    const double whole = std::isfinite(samples) ? std::max(1.0, std::round(samples)) : 1;
+    throw schema::UserError(
+        schema::kExitUsage,
+        fmt::format("{} = {}: {}; try {}", name, schema::shown_number(threshold_deg), why,
+                    schema::shown_number(
+                        std::min(whole * sampling.sample_deg,
+                                 std::floor(sampling.end_deg / sampling.sample_deg * (1 + 1e-9)) *
+                                     sampling.sample_deg))));
+  };
+  const bool is_whole = std::abs(samples - std::round(samples)) <= 1e-9 * std::abs(samples);
+  if (!(threshold_deg > 0) || !is_whole) {
+    refuse("must be a whole multiple of sample_deg = " + schema::shown_number(sampling.sample_deg));
+  }
+  if (threshold_deg > sampling.end_deg * (1 + 1e-9)) {
+    refuse("must not lie beyond the end of the path, " + schema::shown_number(sampling.end_deg) +
+           " degrees");
+  }
+  return static_cast<int>(std::lround(samples));
+}
+
+SheetJudge::SheetJudge(const solver::Model& model, solver::Batch& batch)
+    : model_(model),
+      batch_(batch),
+      block_size_(largest_block(model)),
+      seconds_per_path_(std::numeric_limits<double>::infinity()) {}
+
+Standing SheetJudge::standing_of(const solver::Verdict& verdict) const {
+  if (verdict.first_fault == solver::Fault::undecided) return Standing::undecided;
+  const bool reaches = verdict.deploys_from_sample >= model_.threshold_sample();
+  return reaches ? Standing::accepted : Standing::rejected;
+}
+
+void SheetJudge::accept(const Draws& block, const Standings& tell) {
+  constexpr double kPaths_s = 0.08;
+  const Stopwatch watch;
+  const std::vector<solver::Rejection>& seen = batch_.reject(block.shifts);
+  for (std::size_t k = 0; k < block.size(); ++k) {
+    if (seen[k].fault == solver::Fault::none) {
+      waiting_.add(block, k);
+    } else {
+      tell(block.numbers[k], Standing::rejected);
+    }
+  }
+  if (static_cast<double>(waiting_.size()) * seconds_per_path_ > kPaths_s) finish(tell);
+  block_size_.took(watch.seconds());
+}
+
+void SheetJudge::finish(const Standings& tell) {
+  if (waiting_.size() == 0) return;
+  const Stopwatch watch;
+  const std::vector<solver::Verdict>& verdicts = batch_.judge(waiting_.shifts);
+  for (std::size_t k = 0; k < waiting_.size(); ++k) {
+    tell(waiting_.numbers[k], standing_of(verdicts[k]));
+  }
+  seconds_per_path_ = watch.seconds() / static_cast<double>(waiting_.size());
+  waiting_.clear();
+}
+
+const std::vector<solver::Verdict>& SheetJudge::judge(const solver::ShiftBlock& block) {
+  const Stopwatch watch;
+  const std::vector<solver::Verdict>& verdicts = batch_.judge(block);
+  block_size_.took(watch.seconds());
+  return verdicts;
+}
+
+}  // namespace misalign::search

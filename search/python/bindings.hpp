@@ -1,0 +1,15 @@
+// The parts of the compiled module `_misalign`. What people import is the package beside: its
+// functions have the words, these convert.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace misalign::search::python {
+
+void bind_errors(pybind11::module_& module);
+void bind_sheets(pybind11::module_& module);
+void bind_foldings(pybind11::module_& module);
+void bind_judging(pybind11::module_& module);
+void bind_catalogues(pybind11::module_& module);
+
+}  // namespace misalign::search::python

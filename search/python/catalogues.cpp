@@ -1,0 +1,151 @@
+// `_misalign.Catalogue`: read-only, one connection for each call, so that threads and forks share
+// none.
+#include <pybind11/stl.h>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "search/checks/campaign_sheet.hpp"
+#include "search/checks/deployment_functions.hpp"
+#include "search/checks/query_text.hpp"
+#include "search/draws/tolerance.hpp"
+#include "search/draws/tolerance_text.hpp"
+#include "search/python/arrays.hpp"
+#include "search/python/bindings.hpp"
+#include "search/python/draw_numbers.hpp"
+#include "search/python/folding.hpp"
+#include "search/python/histories.hpp"
+#include "search/python/signals.hpp"
+#include "search/python/table_columns.hpp"
+#include "search/verbs/choice.hpp"
+
+namespace misalign::search::python {
+namespace {
+
+namespace py = pybind11;
+
+class Catalogue {
+ public:
+  explicit Catalogue(std::string path) : path_(std::move(path)) {
+    source_ = unlocked([&] { return source_of(schema::read_campaign_of(*open(), path_)); });
+  }
+
+  std::shared_ptr<SheetSource> sheet() const { return source_; }
+
+  py::dict candidates(const std::string& where, const std::optional<std::string>& by,
+                      const std::optional<std::uint64_t>& limit) const {
+    Choice choice;
+    choice.where = where;
+    choice.by = by;
+    choice.best = limit;
+    choice.dashes = "";
+    const auto database = unlocked([&] { return open(); });
+    return table_of_query(*database, unlocked([&] { return best_sql(*database, "*", choice); }));
+  }
+
+  py::dict query(const std::string& name_or_sql) const {
+    const auto database = unlocked([&] {
+      auto opened = open();
+      add_deployment_functions(*opened, path_);
+      return opened;
+    });
+    return table_of_query(*database,
+                          unlocked([&] { return query_text(*database, name_or_sql).sql; }));
+  }
+
+  py::array_t<double> shifts(const py::object& draws) const {
+    const std::vector<std::uint64_t> numbers = draw_numbers(draws);
+    const auto vertices = static_cast<std::size_t>(source_->vertices());
+    py::array_t<double> table({numbers.size(), vertices, std::size_t{2}});
+    double* to = table.mutable_data();
+    unlocked([&] {
+      for (const Eigen::Matrix2Xd& one_mm : shifts_of(numbers)) {
+        to = std::copy_n(one_mm.data(), one_mm.size(), to);
+      }
+    });
+    return table;
+  }
+
+  py::tuple histories(const py::object& draws) const {
+    const std::vector<std::uint64_t> numbers = draw_numbers(draws);
+    return histories_of(*source_, unlocked([&] { return shifts_of(numbers); }));
+  }
+
+  py::dict replay(const py::object& number, const py::object& stations) const {
+    const std::uint64_t draw = draw_number(number);
+    const auto stations_deg = stations_of(stations);
+    return fold(*source_, unlocked([&] { return shifts_of({draw}).front(); }), stations_deg);
+  }
+
+  std::string springs(const py::object& number) const {
+    const std::uint64_t draw = draw_number(number);
+    return unlocked([&] {
+      const SheetFolder folder(*source_->campaign);
+      const FoldedSheet folded = folder.fold(shifts_of({draw}).front());
+      schema::Json json = folder.springs_json(folded);
+      json["draw"] = draw;
+      return json.dump();
+    });
+  }
+
+  std::string tolerance(const py::object& number, double amplitude_mm, std::uint64_t trials,
+                        int jobs) const {
+    const std::uint64_t draw = draw_number(number);
+    const auto refuse = [](const std::string& sentence) {
+      return schema::UserError(schema::kExitUsage, sentence);
+    };
+    if (!(amplitude_mm >= 0)) throw refuse("amplitude_mm: must not be negative; try 0.05");
+    if (trials == 0) throw refuse("trials: must be positive; try 1000");
+    if (jobs < 1) throw refuse("jobs: must be positive; try 1");
+    ToleranceOptions options;
+    options.amplitude_mm = amplitude_mm;
+    options.trials = trials;
+    options.jobs = jobs;
+    options.set = solver::available_instruction_sets().back();
+    options.progress = [](const CopiesDone&) {
+      const py::gil_scoped_acquire lock;
+      check_signals();
+    };
+    return unlocked([&] {
+      const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});
+      check_miscut("amplitude_mm", amplitude_mm, source_->pattern(), shifts_mm.front(),
+                   "draw " + std::to_string(draw));
+      schema::Json json =
+          tolerance_json(study_tolerance(*source_->campaign, shifts_mm, options).front());
+      json["draw"] = draw;
+      return json.dump();
+    });
+  }
+
+ private:
+  std::unique_ptr<SQLite::Database> open() const { return schema::open_for_reading(path_); }
+
+  std::vector<Eigen::Matrix2Xd> shifts_of(const std::vector<std::uint64_t>& draws) const {
+    const auto database = open();
+    std::vector<Eigen::Matrix2Xd> all_mm;
+    for (const std::uint64_t draw : draws) {
+      all_mm.push_back(shifts_of_number(*database, *source_->campaign, draw));
+    }
+    return all_mm;
+  }
+
+  const std::string path_;
+  std::shared_ptr<SheetSource> source_;
+};
+
+}  // namespace
+
+void bind_catalogues(py::module_& module) {
+  py::class_<Catalogue>(module, "Catalogue")
+      .def(py::init<std::string>(), py::arg("path"))
+      .def("sheet", &Catalogue::sheet)
+      .def("candidates", &Catalogue::candidates, py::arg("where"), py::arg("by"), py::arg("limit"))
+      .def("query", &Catalogue::query, py::arg("name_or_sql"))
+      .def("shifts", &Catalogue::shifts, py::arg("draws"))
+      .def("histories", &Catalogue::histories, py::arg("draws"))
+      .def("replay", &Catalogue::replay, py::arg("draw"), py::arg("stations"))
+      .def("springs", &Catalogue::springs, py::arg("draw"))
+      .def("tolerance", &Catalogue::tolerance, py::arg("draw"), py::arg("amplitude_mm"),
+           py::arg("trials"), py::arg("jobs"));
+}
+
+}  // namespace misalign::search::python

@@ -1,0 +1,52 @@
+// Numbers of draws from whatever NumPy makes an array of.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "schema/files/input.hpp"
+
+namespace misalign::search::python {
+
+/// One number, or a list, range or array of them: whole, 0 to 2^63 - 1. UserError (2).
+inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
+  namespace py = pybind11;
+  const auto refuse = [](const std::string& why) {
+    return schema::UserError(schema::kExitUsage,
+                             "draws: " + why + "; give whole numbers from 0 to 2^63 - 1");
+  };
+  const py::array all = py::module_::import("numpy").attr("atleast_1d")(draws);
+  if (all.ndim() != 1) throw refuse("has " + std::to_string(all.ndim()) + " axes, not one");
+  if (all.size() == 0) return {};
+  const char kind = all.dtype().kind();
+  if (kind != 'i' && kind != 'u') throw refuse("holds what are no whole numbers");
+  std::vector<std::uint64_t> numbers;
+  if (kind == 'u') {
+    const auto list = py::array_t<std::uint64_t, py::array::forcecast>::ensure(all);
+    const auto cells = list.unchecked<1>();
+    for (py::ssize_t k = 0; k < cells.shape(0); ++k) numbers.push_back(cells(k));
+  } else {
+    const auto list = py::array_t<std::int64_t, py::array::forcecast>::ensure(all);
+    const auto cells = list.unchecked<1>();
+    for (py::ssize_t k = 0; k < cells.shape(0); ++k) {
+      if (cells(k) < 0) throw refuse("holds " + std::to_string(cells(k)));
+      numbers.push_back(static_cast<std::uint64_t>(cells(k)));
+    }
+  }
+  for (const std::uint64_t number : numbers) {
+    if (number >> 63) throw refuse("holds " + std::to_string(number));
+  }
+  return numbers;
+}
+
+/// One of them.
+inline std::uint64_t draw_number(const pybind11::object& draw) {
+  const std::vector<std::uint64_t> numbers = draw_numbers(draw);
+  if (numbers.size() == 1) return numbers.front();
+  throw schema::UserError(schema::kExitUsage, "draw: holds " + std::to_string(numbers.size()) +
+                                                  " numbers; give one, from 0 to 2^63 - 1");
+}
+
+}  // namespace misalign::search::python

@@ -1,0 +1,38 @@
+// What this program throws, as Python's `misalign.Error`: the same sentences and exit codes.
+#include <exception>
+
+#include "search/python/bindings.hpp"
+#include "search/terminal/failure.hpp"
+
+namespace misalign::search::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module) {
+  // Made by the package, which says what it is; handed over before anything can fail.
+  module.def(
+      "_use_error",
+      [](py::object type) {
+        static PyObject* error_type = nullptr;
+        const bool is_first = error_type == nullptr;
+        error_type = type.release().ptr();  // for as long as the process lives
+        if (!is_first) return;
+        py::register_exception_translator([](std::exception_ptr thrown) {
+          try {
+            std::rethrow_exception(thrown);
+          } catch (const py::builtin_exception&) {
+            throw;  // pybind's own: TypeError and the like
+          } catch (const py::error_already_set&) {
+            throw;
+          } catch (const std::exception& error) {
+            const Failure failure = failure_of(error);
+            const auto error_class = py::reinterpret_borrow<py::object>(error_type);
+            const py::object made = error_class(failure.sentence, failure.exit_code);
+            PyErr_SetObject(error_type, made.ptr());
+          }
+        });
+      },
+      py::arg("type"));
+}
+
+}  // namespace misalign::search::python

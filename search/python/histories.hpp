@@ -1,0 +1,17 @@
+// Lengths of many sheets along their paths, as one array.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <vector>
+
+#include "search/python/sheet_source.hpp"
+
+namespace misalign::search::python {
+
+/// Stations [S] in degrees, and lengths [N, S, D] in mm of the sheets with these shifts, NaN beyond
+/// a path's end: those of `misalign replay --json`.
+pybind11::tuple histories_of(const SheetSource& source,
+                             const std::vector<Eigen::Matrix2Xd>& shifts_mm);
+
+}  // namespace misalign::search::python

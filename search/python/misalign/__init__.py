@@ -1,0 +1,31 @@
+"""Finds origami that simple springs deploy: the solver and the catalogues of the program `misalign`.
+
+Results are bit for bit those of the program, from the same code. Campaigns are run by `misalign search`;
+this package reads what they found, and judges and folds any sheet.
+
+>>> import numpy as np
+>>> import misalign
+>>> pattern = misalign.read("search/patterns/table1.json")
+>>> folding = pattern.fold()
+>>> folding.deploys_from_deg
+156.0
+>>> folding.length_mm.shape  # stations, diagonals
+(156, 16)
+>>> misalign.judge(pattern, np.stack([pattern.shifts_mm, -pattern.shifts_mm]), threshold_deg=150).tolist()
+[True, False]
+
+Everywhere angles are in degrees and lengths in mm, as the last word of a name says. In shapes N counts
+sheets, S stations (pilot angles), V vertices, F facets, C creases, D diagonals.
+"""
+
+from misalign._campaign import Campaign
+from misalign._catalogue import Catalogue
+from misalign._error import Error, UndecidedError
+from misalign._folding import Folding
+from misalign._judge import Verdicts, faults, judge
+from misalign._misalign import __version__
+from misalign._pattern import Pattern
+from misalign._read import read
+
+__all__ = ["Campaign", "Catalogue", "Error", "Folding", "Pattern", "UndecidedError", "Verdicts",
+           "__version__", "faults", "judge", "read"]

@@ -1,0 +1,181 @@
+"""Catalogues, which hold what a campaign found."""
+
+from __future__ import annotations
+
+import json
+import os
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from misalign import _misalign
+from misalign._campaign import Campaign
+from misalign._error import Error
+from misalign._folding import Folding
+
+if TYPE_CHECKING:
+    import pandas  # type: ignore[import]
+
+
+def _frame(columns: dict[str, Any]) -> pandas.DataFrame:
+    try:
+        import pandas
+    except ImportError as error:
+        raise Error("pandas is not there, which tables are made with (a package of its own); install it, such as "
+                    "python3-pandas of Debian") from error
+    return pandas.DataFrame(columns)
+
+
+def _arrays(said: Any) -> Any:
+    """JSON with its lists of numbers as arrays, where null is NaN."""
+    if isinstance(said, dict):
+        return {name: _arrays(value) for name, value in said.items()}
+    if not isinstance(said, list):
+        return said
+    values = [_arrays(value) for value in said]
+    if values and all(isinstance(value, int) and not isinstance(value, bool) for value in values):
+        return np.array(values, dtype=np.int64)
+    if values and all(value is None or isinstance(value, (int, float)) for value in values):
+        return np.array(values, dtype=np.float64)
+    return values
+
+
+class Catalogue:
+    """What a campaign found, to read: nothing in it is changed, and a search may write meanwhile.
+
+    `path`      of the file
+    `campaign`  that it belongs to
+
+    Every call opens the file anew and sees it at one moment; so threads and forks may share a catalogue. `close`,
+    or leaving a `with`, refuses further calls. `misalign.Error`: 3 no such file, none of this program, or
+    damaged; 5 of a newer schema; 2 for what cannot be asked.
+
+    >>> with misalign.Catalogue("miura-4x4.db") as catalogue:
+    ...     best = catalogue.candidates(limit=3)
+    ...     steps, length_mm = catalogue.histories(best.draw)
+    >>> length_mm.shape  # draws, stations, diagonals
+    (3, 180, 4)
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.path = os.fspath(path)
+        self._catalogue: _misalign.Catalogue | None = _misalign.Catalogue(self.path)
+        self.campaign = Campaign(self._catalogue.sheet())
+
+    def __enter__(self) -> Catalogue:
+        self._opened()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<misalign.Catalogue {self.path}: {self.campaign.name}>"
+
+    def __reduce__(self) -> tuple[type[Catalogue], tuple[str]]:
+        return type(self), (self.path,)
+
+    def close(self) -> None:
+        """Refuses further calls; `campaign` can still be used. Closing twice does nothing."""
+        self._catalogue = None
+
+    def _opened(self) -> _misalign.Catalogue:
+        if self._catalogue is None:
+            raise Error(f"{self.path}: is closed; open it again with misalign.Catalogue", 2)
+        return self._catalogue
+
+    def candidates(self, where: str | None = None, by: str | None = None,
+                   limit: int | None = None) -> pandas.DataFrame:
+        """The view `candidates`, with a row for each accepted draw, the best first.
+
+        `where`  SQL condition on its columns
+        `by`     column that says what is best, the largest first; else the order of the query `best`
+        `limit`  at most so many
+
+        Columns are those of `schema/catalogue.sql`; what is NULL is NaN.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> table = catalogue.candidates(where="stroke_max < 0.05", by="miscut_margin_mm", limit=10)
+        >>> bool(table.miscut_margin_mm.is_monotonic_decreasing)
+        True
+        """
+        return _frame(self._opened().candidates(where or "", by, limit))
+
+    def query(self, name_or_sql: str = "best") -> pandas.DataFrame:
+        """Rows of a named query (`schema/queries/README.md`), or of any SELECT.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> rows = catalogue.query("SELECT count(*) AS candidates FROM candidate")
+        >>> len(catalogue.candidates()) == rows.candidates[0]
+        True
+        """
+        return _frame(self._opened().query(name_or_sql))
+
+    def shifts(self, draws: npt.ArrayLike | range) -> npt.NDArray[np.float64]:
+        """The shifts of these draws, [N, V, 2] in mm; of a splitting campaign those of its candidates.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> draws = catalogue.candidates().draw
+        >>> bool(misalign.judge(catalogue.campaign, catalogue.shifts(draws), 150).all())
+        True
+        """
+        return self._opened().shifts(draws)
+
+    def histories(self, draws: npt.ArrayLike | range) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """Lengths of the diagonals along the paths of these draws, accepted or not.
+
+        Two arrays: the stations [S] in degrees, which are the samples, and the lengths [N, S, D] in mm. Beyond
+        the end of a draw's path they are NaN. Some 10 kB a draw and a thousand draws a second.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> stations_deg, length_mm = catalogue.histories([0, 1, 2])
+        >>> solved = catalogue.replay(1).length_mm
+        >>> bool((length_mm[1, :len(solved)] == solved).all())
+        True
+        """
+        return self._opened().histories(draws)
+
+    def replay(self, draw: int, stations: npt.ArrayLike | None = None) -> Folding:
+        """Any draw again, from its number: as `misalign replay`, with stations as `Pattern.fold` takes them.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> best = int(catalogue.candidates(limit=1).draw[0])
+        >>> catalogue.replay(best).accepted
+        True
+        """
+        return Folding(self._opened().replay(draw, stations))
+
+    def springs(self, draw: int) -> dict[str, Any]:
+        """Springs on the diagonals of a draw: what `misalign actuators --json` says, its lists of numbers as arrays.
+
+        `["history"]` has a row for the flat sheet and for each sample: `pilot_deg`, `energy_n_mm`, `moment_n_mm`
+        about the pilot crease, `mechanical_advantage`, and each diagonal's `force_n`.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> springs = catalogue.springs(int(catalogue.candidates(limit=1).draw[0]))
+        >>> springs["history"]["energy_n_mm"].shape
+        (181,)
+        """
+        said: dict[str, Any] = _arrays(json.loads(self._opened().springs(draw)))
+        return said
+
+    def tolerance(self, draw: int, amplitude_mm: float, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
+        """How many copies of a draw still deploy with every vertex off its place: as `misalign tolerance --json`.
+
+        `amplitude_mm`  largest error of a vertex in x and in y
+        `trials`        how many copies
+        `jobs`          threads; the answer does not depend on them
+
+        Unlike the program it keeps nothing in the catalogue.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> best = int(catalogue.candidates(limit=1).draw[0])
+        >>> catalogue.tolerance(best, amplitude_mm=0.01, trials=100)["trials"]
+        100
+        """
+        said: dict[str, Any] = _arrays(json.loads(
+            self._opened().tolerance(draw, amplitude_mm, trials, jobs)))
+        return said

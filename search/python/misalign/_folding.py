@@ -1,0 +1,60 @@
+"""Foldings, which are paths seen at stations."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+
+class Folding:
+    """The path of one sheet, with a row for each station. Made by `Pattern.fold` and `Catalogue.replay`.
+
+    `pilot_deg`        [S]: the stations
+    `length_mm`        [S, D]: of the diagonals
+    `rate_mm_per_deg`  [S, D]: their rates of change with the pilot angle
+    `fold_angle_deg`   [S, C]: of the creases: 0 flat, 180 closed, valleys positive
+    `vertices_mm`      [S, V, 3]: the folded sheet, laid over the flat one as well as it can be
+    `flat_mm`          [D]: lengths of the diagonals when flat
+    `shifts_mm`        [V, 2]: of this sheet
+    `fold_limit_deg`   where the pilot turns, or how far the path was followed
+    `deploys_from_deg` D: the largest sample up to which everything is in order
+    `first_fault`      what ends that, one of `misalign.faults`; "none" at the end of the path
+    `fault_deg`        the sample that shows it, None where there is none
+    `where`            the label of the crease or diagonal that shows it, None where none does
+    `accepted`         of a campaign's sheet, whether it is a candidate; None of a pattern's
+
+    >>> folding = misalign.read("search/patterns/table1.json").fold()
+    >>> folding.deploys_from_deg, folding.first_fault, folding.fault_deg, folding.where
+    (156.0, 'fold_limit', 157.0, None)
+    >>> elongation = folding.length_mm / folding.flat_mm - 1
+    >>> f"{elongation.min():.3f} to {elongation.max():.3f}"
+    '-0.052 to 0.027'
+    """
+
+    pilot_deg: npt.NDArray[np.float64]
+    length_mm: npt.NDArray[np.float64]
+    rate_mm_per_deg: npt.NDArray[np.float64]
+    fold_angle_deg: npt.NDArray[np.float64]
+    vertices_mm: npt.NDArray[np.float64]
+    flat_mm: npt.NDArray[np.float64]
+    shifts_mm: npt.NDArray[np.float64]
+    fold_limit_deg: float
+    deploys_from_deg: float
+    first_fault: str
+    fault_deg: float | None
+    where: str | None
+    accepted: bool | None
+
+    def __init__(self, said: dict[str, Any]) -> None:
+        verdict = json.loads(said.pop("verdict"))
+        said.update({name: verdict.get(name) for name in
+                     ("deploys_from_deg", "first_fault", "fault_deg", "where", "accepted")})
+        for name, value in said.items():
+            setattr(self, name, value)
+
+    def __repr__(self) -> str:
+        return (f"<misalign.Folding: {len(self.pilot_deg)} stations, deploys from {self.deploys_from_deg:g} deg, "
+                f"{self.first_fault}>")

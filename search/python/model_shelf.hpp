@@ -1,0 +1,46 @@
+// Models of sheets that were judged lately, with their lanes: making them ready takes longer than a
+// thousand sheets. Everything here is used with the GIL alone, which guards it, and which who forks
+// holds: so a child finds the shelf whole.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "search/python/sheet_source.hpp"
+#include "solver/lanes/batch.hpp"
+
+namespace misalign::search::python {
+
+/// What tells one model from another.
+struct ModelWish {
+  std::shared_ptr<SheetSource> source;
+  std::vector<int> shifted;
+  double ternary_mm;
+  int threshold_sample;  ///< 0: none
+};
+
+struct ShelvedModel {
+  ModelWish wish;
+  std::unique_ptr<const solver::Model> model;
+  std::vector<std::unique_ptr<solver::Batch>> idle;
+};
+
+/// A model, and lanes of it that nobody else uses until this is gone. Made and destroyed with the
+/// GIL, which it gives up while it makes something ready.
+class ModelLoan {
+ public:
+  explicit ModelLoan(const ModelWish& wish);
+  ~ModelLoan();
+  ModelLoan(const ModelLoan&) = delete;
+  ModelLoan& operator=(const ModelLoan&) = delete;
+
+  const solver::Model& model() const { return *shelved_->model; }
+  solver::Batch& batch() const { return *batch_; }
+
+ private:
+  std::shared_ptr<ShelvedModel> shelved_;
+  std::unique_ptr<solver::Batch> batch_;
+};
+
+}  // namespace misalign::search::python

@@ -1,0 +1,56 @@
+#include "search/python/sheet_source.hpp"
+
+#include <fstream>
+
+namespace misalign::search::python {
+namespace {
+
+bool is_database(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(schema::kDatabaseHeader.size(), ' ');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == schema::kDatabaseHeader;
+}
+
+std::shared_ptr<SheetSource> pattern_source(ChosenSheet sheet) {
+  SheetSource source{std::move(sheet), {}, {}, {}, ""};
+  const schema::Sampling& sampling = source.sheet.sampling;
+  source.criterion.bumps = sampling.between_samples;
+  source.usual = solver::interior_vertices(source.pattern());
+  const schema::Pattern& base = source.sheet.base;
+  const Eigen::Matrix2Xd none_mm = Eigen::Matrix2Xd::Zero(2, source.vertices());
+  source.key = schema::pattern_json(base, none_mm).dump() + schema::sampling_json(sampling).dump();
+  return std::make_shared<SheetSource>(std::move(source));
+}
+
+}  // namespace
+
+std::shared_ptr<SheetSource> source_of(schema::Campaign campaign) {
+  ChosenSheet sheet{campaign.pattern,
+                    campaign.sampling(),
+                    campaign.actuators,
+                    campaign.pattern.shifts_mm,
+                    {},
+                    campaign.name,
+                    {}};
+  const solver::Criterion criterion = campaign.criterion();
+  std::vector<int> usual = campaign.misalignment.vertices;
+  std::string key = schema::identity_json(campaign).dump();
+  return std::make_shared<SheetSource>(SheetSource{std::move(sheet), criterion, std::move(campaign),
+                                                   std::move(usual), std::move(key)});
+}
+
+std::shared_ptr<SheetSource> read_source(const std::string& path) {
+  if (is_database(path)) {
+    throw schema::UserError(schema::kExitUsage,
+                            path +
+                                ": is a catalogue, which holds many sheets; open it with "
+                                "misalign.Catalogue");
+  }
+  if (schema::is_campaign(schema::read_json_file(path, schema::FileKind::regular))) {
+    return source_of(schema::read_campaign_file(path));
+  }
+  return pattern_source(sheet_of_pattern_file(path));
+}
+
+}  // namespace misalign::search::python

@@ -1,0 +1,30 @@
+// A pattern, or a campaign's, with all that is asked of its sheets: what Python holds.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "search/checks/chosen_sheet.hpp"
+
+namespace misalign::search::python {
+
+struct SheetSource {
+  ChosenSheet sheet;  ///< base, sampling, springs; its own shifts
+  solver::Criterion criterion;
+  std::optional<schema::Campaign> campaign;  ///< none for a pattern
+  std::vector<int> usual;  ///< vertices that its sheets are expected to shift, ascending
+  std::string key;         ///< the same for equal sources
+
+  const solver::CreasePattern& pattern() const { return sheet.base.base.sheet; }
+  int vertices() const { return pattern().vertex_count(); }
+};
+
+/// A pattern file, an exported candidate, a FOLD file, or a campaign. UserError (3) as those
+/// readers; (2) for a catalogue.
+std::shared_ptr<SheetSource> read_source(const std::string& path);
+
+/// A catalogue's campaign.
+std::shared_ptr<SheetSource> source_of(schema::Campaign campaign);
+
+}  // namespace misalign::search::python

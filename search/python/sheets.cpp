@@ -1,0 +1,116 @@
+// `_misalign.Sheet`: what a pattern or campaign file says, as arrays.
+#include <pybind11/stl.h>
+
+#include "search/draws/draw.hpp"
+#include "search/python/arrays.hpp"
+#include "search/python/bindings.hpp"
+#include "search/python/draw_numbers.hpp"
+#include "search/python/sheet_source.hpp"
+#include "search/python/signals.hpp"
+#include "solver/kinematics/mechanism.hpp"
+
+namespace misalign::search::python {
+namespace {
+
+namespace py = pybind11;
+
+// Vertices of lines, and how people call them.
+struct Lines {
+  std::vector<std::array<int, 2>> ends;
+  std::vector<std::string> labels;
+
+  void add(int from, int to) {
+    ends.push_back({from, to});
+    labels.push_back(solver::line_label(from, to));
+  }
+};
+
+py::dict campaign_of(const schema::Campaign& campaign) {
+  using namespace py::literals;
+  return py::dict(
+      "name"_a = campaign.name, "identity"_a = schema::identity(campaign), "seed"_a = campaign.seed,
+      "threshold_deg"_a = campaign.threshold_deg,
+      "amplitude_mm"_a = campaign.misalignment.amplitude_mm,
+      "levels"_a = campaign.misalignment.levels == schema::Levels::ternary ? "ternary" : "uniform",
+      "vertices"_a = list_of(campaign.misalignment.vertices),
+      "is_splitting"_a = campaign.splitting.has_value(),
+      "configuration"_a = schema::campaign_json(campaign).dump());
+}
+
+// Everything at once: small, and it never changes.
+py::dict describe(const SheetSource& source) {
+  using namespace py::literals;
+  const schema::Pattern& base = source.sheet.base;
+  const solver::Mechanism mechanism =
+      solver::build_mechanism(base.base.sheet, base.base.holes, base.base.folding);
+  Lines creases, diagonals;
+  std::vector<bool> valley;
+  for (const solver::Crease& crease : mechanism.creases) {
+    creases.add(crease.a, crease.b);
+    valley.push_back(mechanism.is_valley(crease));
+  }
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    diagonals.add(diagonal.from, diagonal.to);
+  }
+  std::vector<std::string> vertices;
+  for (int v = 0; v < source.vertices(); ++v) vertices.push_back(solver::vertex_label(v));
+  const schema::Json bumps = schema::between_samples_json(source.criterion.bumps);
+  return py::dict(
+      "name"_a = source.sheet.pattern, "vertices_mm"_a = points_of(source.pattern().vertices_mm),
+      "shifts_mm"_a = points_of(source.sheet.shifts_mm),
+      "facets"_a = table_of(source.pattern().facets),
+      "places"_a = table_of(source.pattern().places), "holes"_a = list_of(base.base.holes),
+      "creases"_a = table_of(creases.ends), "valley"_a = valley,
+      "diagonals"_a = table_of(diagonals.ends), "vertex_labels"_a = vertices,
+      "crease_labels"_a = creases.labels, "diagonal_labels"_a = diagonals.labels,
+      "pilot"_a = mechanism.pilot,
+      "interior"_a = list_of(solver::interior_vertices(source.pattern())),
+      "sample_deg"_a = source.sheet.sampling.sample_deg,
+      "end_deg"_a = source.sheet.sampling.end_deg,
+      "between_samples"_a = bumps.is_string() ? py::object(py::str("exact"))
+                                              : py::object(py::bool_(bumps.get<bool>())),
+      "exported"_a = source.sheet.exported.dump(),
+      "campaign"_a =
+          source.campaign ? py::object(campaign_of(*source.campaign)) : py::object(py::none()));
+}
+
+py::array_t<double> shifts(const SheetSource& source, const py::object& draws) {
+  const std::vector<std::uint64_t> numbers = draw_numbers(draws);
+  const schema::Campaign& campaign = *source.campaign;
+  if (campaign.splitting) {
+    throw schema::UserError(schema::kExitUsage,
+                            campaign.name +
+                                ": is a splitting campaign, whose numbers are no draws (each is a "
+                                "place in a population); take Catalogue.shifts of its catalogue");
+  }
+  const auto vertices = static_cast<std::size_t>(source.vertices());
+  py::array_t<double> made_mm({numbers.size(), vertices, std::size_t{2}});
+  double* to = made_mm.mutable_data();
+  unlocked([&] {
+    std::fill_n(to, made_mm.size(), 0.0);
+    std::vector<double> drawn_mm(2 * campaign.misalignment.vertices.size());
+    for (const std::uint64_t draw : numbers) {
+      draw_shifts(campaign.misalignment, campaign.seed, draw, drawn_mm.data());
+      const double* from = drawn_mm.data();
+      for (const int vertex : campaign.misalignment.vertices) {
+        to[2 * vertex] = *from++;
+        to[2 * vertex + 1] = *from++;
+      }
+      to += 2 * vertices;
+    }
+  });
+  return made_mm;
+}
+
+}  // namespace
+
+void bind_sheets(py::module_& module) {
+  py::class_<SheetSource, std::shared_ptr<SheetSource>>(module, "Sheet")
+      .def("describe", &describe)
+      .def("shifts", &shifts, py::arg("draws"));
+  module.def(
+      "read", [](const std::string& path) { return unlocked([&] { return read_source(path); }); },
+      py::arg("path"));
+}
+
+}  // namespace misalign::search::python

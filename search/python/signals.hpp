@@ -1,0 +1,21 @@
+// Ctrl-C while numbers are made.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace misalign::search::python {
+
+/// Runs Python's signal handlers, whose exception (KeyboardInterrupt) goes on from here. With the
+/// GIL; does nothing outside the main thread.
+inline void check_signals() {
+  if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+}
+
+/// Does the work without the GIL, so that other threads go on.
+template <class Work>
+auto unlocked(const Work& work) {
+  const pybind11::gil_scoped_release release;
+  return work();
+}
+
+}  // namespace misalign::search::python

@@ -1,0 +1,140 @@
+#include "search/verbs/agreement.hpp"
+
+#include <algorithm>
+
+#include "search/draws/draw_evaluator.hpp"
+#include "search/draws/models.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/reference_run.hpp"
+
+namespace misalign::search {
+namespace {
+
+// Collects what the fast path decides at one threshold after another.
+class Comparison {
+ public:
+  Comparison(const schema::Campaign& campaign, solver::InstructionSet set)
+      : campaign_(campaign), set_(set) {}
+
+  AgreementReport run(std::uint64_t draws) {
+    report_.draws = draws;
+    judge_all(draws);
+    for (double angle_deg = 10; angle_deg <= campaign_.end_deg; angle_deg += 10) {
+      const int threshold = static_cast<int>(angle_deg / campaign_.sample_deg + 0.5);
+      if (threshold >= 1) decide(threshold, [](const solver::Verdict&) { return true; });
+    }
+    const int last = static_cast<int>(campaign_.end_deg / campaign_.sample_deg * (1 + 1e-9));
+    for (int d = 0; d <= last; ++d) {
+      const auto has_d = [&](const solver::Verdict& expected) {
+        return expected.deploys_from_sample == d;
+      };
+      if (std::none_of(expected_.begin(), expected_.end(), has_d)) continue;
+      if (d >= 1) decide(d, has_d);
+      if (d < last) decide(d + 1, has_d);
+    }
+    return report_;
+  }
+
+ private:
+  void judge_all(std::uint64_t draws) {
+    DrawEvaluator evaluator(campaign_, set_);
+    ReferenceRun reference(campaign_, evaluator.mechanism());
+    ReferenceRun careful(campaign_, evaluator.mechanism(), kCarefulStep_deg);
+    for (std::uint64_t lo = 0; lo < draws; lo += evaluator.largest_block()) {
+      const schema::DrawRange block{lo, std::min(draws, lo + evaluator.largest_block())};
+      const auto& verdicts = evaluator.judge(block);
+      full_path_.insert(full_path_.end(), verdicts.begin(), verdicts.end());
+    }
+    for (std::uint64_t draw = 0; draw < draws; ++draw) {
+      expected_.push_back(reference.judge(draw));
+      const solver::Verdict& found = full_path_[draw];
+      if (found.first_fault == solver::Fault::undecided) ++report_.undecided;
+      if (same(expected_.back(), found)) continue;
+      expected_.back() = careful.judge(draw);
+      if (same(expected_.back(), found)) {
+        ++report_.reference_jumped;
+      } else {
+        ++report_.verdicts_differ;
+        note(draw);
+      }
+    }
+  }
+
+  static bool same(const solver::Verdict& a, const solver::Verdict& b) {
+    return a.deploys_from_sample == b.deploys_from_sample && a.first_fault == b.first_fault &&
+           a.where == b.where;
+  }
+
+  // The fast path accepts what its tests leave and its full path takes as far as the threshold.
+  template <class Chosen>
+  void decide(int threshold, const Chosen& is_chosen) {
+    schema::Campaign aims = campaign_;
+    aims.threshold_deg = threshold * campaign_.sample_deg;
+    const solver::Model model = model_of(aims);
+    const auto batch = solver::make_batch(set_, model);
+    solver::ShiftBlock block;
+    std::vector<std::uint64_t> in_block;
+    const auto flush = [&] {
+      block.sheets = static_cast<int>(in_block.size());
+      if (in_block.empty()) return;
+      const auto& rejections = batch->reject(block);
+      for (std::size_t i = 0; i < in_block.size(); ++i) {
+        const std::uint64_t draw = in_block[i];
+        const bool accepts = rejections[i].fault == solver::Fault::none &&
+                             full_path_[draw].deploys_from_sample >= threshold;
+        ++report_.decisions;
+        if (accepts == (expected_[draw].deploys_from_sample >= threshold)) continue;
+        ++report_.decisions_differ;
+        note(draw);
+      }
+      block.shifts_mm.clear();
+      in_block.clear();
+    };
+    constexpr std::size_t kBlock = 4096;
+    for (std::uint64_t draw = 0; draw < expected_.size(); ++draw) {
+      if (!is_chosen(expected_[draw])) continue;
+      in_block.push_back(draw);
+      block.shifts_mm.resize(in_block.size() * 2 * model.shifted().size());
+      draw_shifts(campaign_.misalignment, campaign_.seed, draw,
+                  block.shifts_mm.data() + block.shifts_mm.size() - 2 * model.shifted().size());
+      if (in_block.size() == kBlock) flush();
+    }
+    flush();
+  }
+
+  void note(std::uint64_t draw) {
+    if (report_.differing_draws.size() < 20) report_.differing_draws.push_back(draw);
+  }
+
+  const schema::Campaign& campaign_;
+  const solver::InstructionSet set_;
+  AgreementReport report_;
+  std::vector<solver::Verdict> expected_, full_path_;
+};
+
+}  // namespace
+
+AgreementReport compare(const schema::Campaign& campaign, solver::InstructionSet set,
+                        std::uint64_t draws) {
+  return Comparison(campaign, set).run(draws);
+}
+
+schema::Json report_json(const AgreementReport& report) {
+  return {{"draws", report.draws},
+          {"undecided", report.undecided},
+          {"verdicts_differ", report.verdicts_differ},
+          {"reference_jumped", report.reference_jumped},
+          {"decisions", report.decisions},
+          {"decisions_differ", report.decisions_differ},
+          {"differing_draws", report.differing_draws}};
+}
+
+void print_agreement(const AgreementReport& report) {
+  put("{} draws: {} verdicts differ (in {} more the reference had jumped), {} of {} "
+      "decisions differ, {} undecided\n",
+      report.draws, report.verdicts_differ, report.reference_jumped, report.decisions_differ,
+      report.decisions, report.undecided);
+  for (const std::uint64_t draw : report.differing_draws) put("  differs: draw {}\n", draw);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,29 @@
+// `misalign bench --agree`: every verdict of the fast path beside the frozen reference's.
+#pragma once
+
+#include <vector>
+
+#include "schema/campaign/campaign.hpp"
+#include "solver/lanes/batch.hpp"
+
+namespace misalign::search {
+
+/// Verdicts of the fast path against the reference's, on draws from 0 on.
+struct AgreementReport {
+  std::uint64_t draws = 0, undecided = 0;
+  std::uint64_t verdicts_differ = 0;   // D, first fault or place, on the full path
+  std::uint64_t reference_jumped = 0;  // they differed until the reference took finer steps
+  std::uint64_t decisions = 0;         // at thresholds of every tenth degree, at each draw's own D
+                                       // and one sample above
+  std::uint64_t decisions_differ = 0;
+  std::vector<std::uint64_t> differing_draws;  // the first few
+};
+
+/// Of one instruction set.
+AgreementReport compare(const schema::Campaign& campaign, solver::InstructionSet set,
+                        std::uint64_t draws);
+
+schema::Json report_json(const AgreementReport& report);
+void print_agreement(const AgreementReport& report);
+
+}  // namespace misalign::search

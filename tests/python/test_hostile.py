@@ -1,0 +1,113 @@
+"""What is wrong is a sentence, never a crash and never an answer."""
+
+import os
+import pickle
+import sys
+import unittest
+from unittest import mock
+
+import numpy as np
+
+from fixture import CATALOGUE, SMALL, TABLE1
+
+import misalign
+
+
+class Sentences(unittest.TestCase):
+    def refused(self, exit_code, words, call, *arguments, **named):
+        with self.assertRaisesRegex(misalign.Error, words) as caught:
+            call(*arguments, **named)
+        self.assertEqual(caught.exception.exit_code, exit_code, str(caught.exception))
+        self.assertRegex(str(caught.exception), "; |: ")
+
+    def test_files(self):
+        self.refused(3, "none.json", misalign.read, "none.json")
+        self.refused(2, "is a catalogue", misalign.read, CATALOGUE)
+        self.refused(3, "none.db", misalign.Catalogue, "none.db")
+        self.refused(3, "", misalign.Catalogue, TABLE1)
+        with open("bad.json", "w", encoding="utf-8") as file:
+            file.write('{"family": "miura", "rows": 2.5, "columns": "x"}')
+        self.refused(3, "rows = 2.5", misalign.read, "bad.json")
+        self.refused(3, "", misalign.read, os.curdir)
+        with self.assertRaises(TypeError):
+            misalign.read(3)
+
+    def test_shifts(self):
+        campaign = misalign.read(SMALL)
+        good = np.zeros((5, 25, 2))
+        for bad, words in ((np.nan, "sheet 3 vertex A7 is shifted by .nan"), (np.inf, "not both numbers"),
+                           (90.0, r"sheet 3 the shifts turn the facet \[\d,\d\] into no convex"),
+                           (1e300, "no convex"), (-np.inf, "not both numbers")):
+            for vertex in (6, 0):  # an inner one, and one of the perimeter
+                shifts_mm = good.copy()
+                shifts_mm[3, vertex, 0] = bad
+                for threshold in (None, 100):
+                    self.refused(2, words.replace("A7", f"A{vertex + 1}"), misalign.judge, campaign, shifts_mm,
+                                 threshold)
+                self.refused(2, "shifts_mm", campaign.pattern.fold, shifts_mm=shifts_mm[3])
+        for shape in ((25, 2), (5, 25), (5, 24, 2), (5, 25, 3), (5, 2, 25), ()):
+            self.refused(2, r"has the shape .* 25 vertices", misalign.judge, campaign, np.zeros(shape))
+            self.refused(2, "shape", campaign.pattern.fold, shifts_mm=np.zeros((1, *shape)))
+        for kind in (complex, str, object, bool):
+            self.refused(2, "no numbers", misalign.judge, campaign, np.zeros((5, 25, 2)).astype(kind))
+        for nested in ([[1, 2], [3]], "abc", None, {}):
+            with self.assertRaises((misalign.Error, ValueError)):
+                misalign.judge(campaign, nested)
+
+    def test_thresholds(self):
+        campaign = misalign.read(SMALL)
+        shifts_mm = campaign.shifts(range(3))
+        for bad, words in ((0, "whole multiple"), (-10, "multiple"), (99.5, "try 100"), (181, "beyond the end"),
+                           (np.nan, "multiple"), (np.inf, "threshold_deg = inf"), (1e300, "beyond the end")):
+            self.refused(2, words, misalign.judge, campaign, shifts_mm, bad)
+        with self.assertRaises(TypeError):
+            misalign.judge(campaign, shifts_mm, "150")
+
+    def test_stations(self):
+        pattern = misalign.read(TABLE1)
+        for bad in ([], [10, 5], [10, 10], [-1], [1e-6], [181], [np.nan], [[1, 2]], ["a"]):
+            self.refused(2, "stations", pattern.fold, bad)
+
+    def test_draws(self):
+        catalogue = misalign.Catalogue(CATALOGUE)
+        for bad in ([-1], [1.5], [[1]], ["a"], [2**63], [2**64], None):
+            for call in (catalogue.histories, catalogue.shifts, catalogue.campaign.shifts):
+                self.refused(2, "draws", call, bad)
+        self.assertEqual(catalogue.campaign.shifts([]).shape, (0, 25, 2))
+        self.assertEqual(catalogue.campaign.shifts(2**63 - 1).shape, (1, 25, 2))
+        self.assertEqual(catalogue.histories([])[1].shape, (0, 180, 4))
+        for bad in (-1, 1.5, "a", 2**63, 2**64, [1, 2], None):
+            for one in (catalogue.replay, catalogue.springs, lambda draw: catalogue.tolerance(draw, 0.1)):
+                self.refused(2, "draw", one, bad)
+
+    def test_choices(self):
+        catalogue = misalign.Catalogue(CATALOGUE)
+        self.refused(2, "^where x >: is no condition", catalogue.candidates, "x >")
+        self.refused(2, "no condition", catalogue.candidates, "1) UNION SELECT (1")
+        self.refused(2, "^by nothing: is no column", catalogue.candidates, by="nothing")
+        self.refused(2, "no column", catalogue.candidates, by="draw; DROP TABLE candidate")
+        self.refused(2, "did you mean best", catalogue.query, "bets")
+        self.refused(2, "refused", catalogue.query, "SELECT 1; SELECT 2")
+        self.refused(2, "amplitude_mm 50: must be below", catalogue.tolerance, 1, 50)
+        for bad in ((1, -0.1), (1, np.nan), (1, 0.1, 0), (1, 0.1, 10, 0)):
+            self.refused(2, "", catalogue.tolerance, *bad)
+
+    def test_a_campaign_that_splits(self):
+        campaign = misalign.read("search/campaigns/miura-8x8-rare.json")
+        self.assertTrue(campaign.is_splitting)
+        self.refused(2, "splitting campaign", campaign.shifts, [1])
+
+    def test_without_pandas(self):
+        with mock.patch.dict(sys.modules, {"pandas": None}):
+            self.refused(1, "pandas is not there", misalign.Catalogue(CATALOGUE).candidates)
+
+    def test_errors_travel(self):
+        error = misalign.Error("a sentence; do this", 3)
+        copy = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(copy), copy.exit_code), (str(error), 3))
+        undecided = misalign.UndecidedError(np.array([2]), np.array([True, False, False]))
+        self.assertEqual(pickle.loads(pickle.dumps(undecided)).undecided.tolist(), [2])
+
+
+if __name__ == "__main__":
+    unittest.main()
