@@ -64,7 +64,7 @@ remove_worlds() {
 
 # within FOLDER COMMAND: by the shell of the system there, in root's home.
 within() {
-  local inside=(env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8
+  local inside=(env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive
     http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}")
   if command -v npm > /dev/null; then
     inside+=(npm_config_registry="$(npm config get registry 2> /dev/null)")
