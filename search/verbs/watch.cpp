@@ -81,9 +81,9 @@ Action watch_verb(CLI::App& verb) {
       "Prints the page's address, and serves it until Ctrl-C. The page is that of `misalign\n"
       "report`; its figures and charts move while a search writes the catalogue, and say when it\n"
       "is complete. The search may run already, begin later, end and go on, and is not kept\n"
-      "waiting: the catalogue is only read, in short looks. Only programs on this machine reach the\n"
-      "page; those of its other users do, too. To look from another machine, with the same port\n"
-      "at both ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n\n"
+      "waiting: the catalogue is only read, in short looks. Only programs on this machine reach\n"
+      "the page; those of its other users do, too. To look from another machine, with the same\n"
+      "port at both ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n\n"
       "Examples:\n  misalign watch results/miura-6x6-1a2b3c4d.db\n"
       "  misalign watch results/miura-6x6-1a2b3c4d.db --port 8080");
   auto call = std::make_shared<WatchCall>();
