@@ -1,7 +1,7 @@
 // FOLD files in Origami Simulator's own page, in the system's Chromium, from a checkout on this machine:
 // whether it imports them without complaint, and how far its sheet at 100 % is from the deepest frame.
-//   node origami_simulator.mjs CHECKOUT BUILD_OF_TESTS/report FILE.fold...
-// Prints for each file warnings, and the largest and the root mean square difference of any two vertices'
+//   [STEPS=200] node origami_simulator.mjs CHECKOUT BUILD_OF_TESTS/report FILE.fold...
+// Prints for each file what the page complains of, and the largest and the root mean square difference of any two vertices'
 // distance, in mm.
 import { createServer } from "node:http";
 import { readFileSync } from "node:fs";
@@ -32,20 +32,20 @@ function distances(points) {
   return all;
 }
 
-/** The simulator's sheet, folded a percent at a time and then left to settle. */
-function fold_it({ settle }) {
+/** The simulator's sheet, folded in 50 stages of so many steps each, and then left to settle for as many. */
+function fold_it(steps) {
   const { model } = globals;
   const points = () => {
     const list = model.getPositionsArray(), all = [];
     for (let i = 0; i < list.length; i += 3) all.push([list[i], list[i + 1], list[i + 2]].map((x) => x / globals.scale));
     return all;
   };
-  for (let percent = 1; percent <= 100; ++percent) {
-    globals.setCreasePercent(percent / 100);
+  for (let stage = 1; stage <= 50; ++stage) {
+    globals.setCreasePercent(stage / 50);
     globals.shouldChangeCreasePercent = true;
-    model.step(100);
+    model.step(steps);
   }
-  model.step(settle);
+  for (let rest = 1; rest <= 50; ++rest) model.step(steps);
   return points();
 }
 
@@ -54,22 +54,22 @@ let failures = 0;
 for (const file of files) {
   const fold = JSON.parse(readFileSync(file, "utf8")), frame = fold.file_frames.at(-1);
   const page = await (await browser.newContext()).newPage();
-  page.setDefaultTimeout(600000);
+  page.setDefaultTimeout(120000);
   const problems = [];
   page.on("pageerror", (error) => problems.push(error.message));
   await page.route("**/*", (route) => route.request().url().startsWith(address) ? route.continue() : route.abort());
   await page.addInitScript(() => { window.gtag = () => {}; });
   await page.goto(address);
-  await page.waitForFunction(() => globals.model?.getPositionsArray()?.length > 0);
-  await page.evaluate(() => globals.model.pause());
+  await page.waitForFunction(() => globals.model && globals.pattern && globals.threeView);
   await page.setInputFiles("#fileSelector", file);
   const count = fold.vertices_coords.length;
   await page.waitForFunction((n) => globals.model.getPositionsArray()?.length === 3 * n, count);
   await page.evaluate(() => globals.model.pause());
   const warned = await page.evaluate(() => document.querySelector("#warningMessage").textContent);
   if (warned) problems.push(warned);
+  console.log(`${basename(file)}: imported, ${count} vertices; complaints: ${problems.join("; ") || "none"}`);
   const sheet = frame.vertices_coords.length - (fold["misalign:fillers"] ?? []).length;
-  const points = await page.evaluate(fold_it, { settle: 20000 });
+  const points = await page.evaluate(fold_it, Number(process.env.STEPS ?? 200));
   const ours = distances(frame.vertices_coords.slice(0, sheet)), theirs = distances(points.slice(0, sheet));
   const off = ours.map((x, i) => Math.abs(x - theirs[i]));
   const mean = Math.sqrt(off.reduce((sum, x) => sum + x * x, 0) / off.length);

@@ -191,7 +191,7 @@ std::vector<DrawnPath> hatching(const Ring& ring) {
     std::sort(ends.begin(), ends.end());
     for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
       const double from = ends[k][0] + ends[k][1], to = ends[k + 1][0] - ends[k + 1][1];
-      if (to <= from) continue;
+      if (to - from < kClear_mm) continue;  // a dot
       lines.push_back({{at * across + from * along, at * across + to * along}, false});
     }
   }

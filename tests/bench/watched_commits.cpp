@@ -1,9 +1,11 @@
 // A catalogue that gets candidates of miura-6x6 at a steady rate, with invented metrics: how long
-// each commit takes, for who looks meanwhile. CSV on standard output, once a minute and at the end.
+// each commit takes while others look, and how much of that it waited: for locks and for the disk,
+// not for a core that others have. CSV on standard output, once a minute and at the end.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +16,18 @@
 
 namespace misalign::bench {
 namespace {
+
+// Of this thread, in seconds: on a core, and ready for one (Linux, Documentation/scheduler).
+double scheduled_s() {
+  std::ifstream file("/proc/thread-self/schedstat");
+  double on_core_ns = 0, ready_ns = 0;
+  file >> on_core_ns >> ready_ns;
+  return 1e-9 * (on_core_ns + ready_ns);
+}
+
+struct CommitTime {
+  double took_s, waited_s;
+};
 
 struct Rate {
   std::uint64_t before = 0;     // candidates that are there when it begins
@@ -42,7 +56,7 @@ class SteadyWriter {
     for (int k = 0; k < commits; ++k) {
       const std::chrono::duration<double> due(double(k) / rate_.commits_each_s);
       std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(due));
-      commit_s_.push_back(commit(rate_.each_s / rate_.commits_each_s));
+      commits_.push_back(commit(rate_.each_s / rate_.commits_each_s));
       if ((k + 1) % (60 * rate_.commits_each_s) == 0 || k + 1 == commits) {
         const std::chrono::duration<double> took = Clock::now() - begin;
         print(k + 1, took.count());
@@ -51,34 +65,44 @@ class SteadyWriter {
   }
 
  private:
-  double commit(std::uint64_t candidates) {
+  CommitTime commit(std::uint64_t candidates) {
     constexpr std::uint64_t kDraws = 1 << 18;
     const schema::UnitRecord unit =
         draws_.unit({next_, next_ + kDraws}, {candidates, kDraws >> 10, 200});
     next_ += kDraws;
+    const double before_s = scheduled_s();
     const search::Stopwatch watch;
     catalogue_.commit({unit});
-    return watch.seconds();
+    const double took_s = watch.seconds();
+    return {took_s, std::max(0.0, took_s - (scheduled_s() - before_s))};
   }
 
   void print(int commits, double took_s) {
-    std::vector<double> sorted = commit_s_;
-    std::sort(sorted.begin(), sorted.end());
-    const auto ms = [&](double share) {
-      return 1000 * sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))];
-    };
     const auto each = double(rate_.each_s / rate_.commits_each_s);
-    std::printf(
-        "commits,candidates_per_s,p50_ms,p90_ms,p99_ms,longest_ms\n%d,%.0f,%.1f,%.1f,%.1f,%.1f\n",
-        commits, commits * each / took_s, ms(0.5), ms(0.9), ms(0.99), ms(1));
+    std::printf("%d commits, %.0f candidates/s\nms,p50,p90,p99,longest\n", commits,
+                commits * each / took_s);
+    print_row("took", [](const CommitTime& time) { return time.took_s; });
+    print_row("waited", [](const CommitTime& time) { return time.waited_s; });
     std::fflush(stdout);
+  }
+
+  template <class Which>
+  void print_row(const char* what, const Which& which) const {
+    std::vector<double> sorted;
+    for (const CommitTime& time : commits_) sorted.push_back(1000 * which(time));
+    std::sort(sorted.begin(), sorted.end());
+    std::printf("%s", what);
+    for (const double share : {0.5, 0.9, 0.99, 1.0}) {
+      std::printf(",%.1f", sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))]);
+    }
+    std::printf("\n");
   }
 
   const Rate rate_;
   InventedDraws draws_{1};
   schema::Catalogue catalogue_;
   std::uint64_t next_ = 0;
-  std::vector<double> commit_s_;
+  std::vector<CommitTime> commits_;
 };
 
 }  // namespace

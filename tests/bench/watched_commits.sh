@@ -56,7 +56,7 @@ for before in 0 1000000; do
     fi
     wait $writer
     stop_watching
-    tail -2 csv
+    tail -4 csv
     [ -z "$watched" ] || answers
   done
 done

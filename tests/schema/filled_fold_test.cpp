@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <deque>
 #include <map>
+#include <optional>
 
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/campaign/filled_mesh.hpp"
@@ -74,8 +76,8 @@ Matrix3Xd points_of(const Json& list) {
 }
 
 // Folds a crease pattern along a tree of faces, as readers do, from the file's text alone: who
-// crosses an edge turns about it by its angle. Vertices that no face places stay NaN.
-Matrix3Xd refolded(const Json& fold, const Json& angles) {
+// crosses an edge turns about it by its angle. Nothing if a face is not reached.
+std::optional<Matrix3Xd> refolded(const Json& fold, const Json& angles) {
   const Matrix3Xd flat = points_of(fold["vertices_coords"]);
   const std::vector<std::vector<int>> faces = fold["faces_vertices"];
   std::map<std::pair<int, int>, std::size_t> edge_of;
@@ -110,6 +112,7 @@ Matrix3Xd refolded(const Json& fold, const Json& angles) {
       front.push_back(next->second);
     }
   }
+  if (std::find(reached.begin(), reached.end(), false) != reached.end()) return std::nullopt;
   return folded;
 }
 
@@ -123,20 +126,21 @@ TEST_P(FilledFold, FoldsAlongATreeOfFaces) {
   ASSERT_FALSE(fold_["file_frames"].empty());
   double worst_mm = 0;
   for (const Json& frame : fold_["file_frames"]) {
-    const Matrix3Xd folded = refolded(fold_, frame["edges_foldAngle"]);
-    ASSERT_FALSE(folded.hasNaN()) << "a panel that no crease reaches";
-    worst_mm = std::max(worst_mm, farthest_mm(folded, points_of(frame["vertices_coords"])));
+    const auto folded = refolded(fold_, frame["edges_foldAngle"]);
+    ASSERT_TRUE(folded) << "a panel that no crease reaches";
+    worst_mm = std::max(worst_mm, farthest_mm(*folded, points_of(frame["vertices_coords"])));
   }
   EXPECT_LE(worst_mm, 1e-8);
   // Without the last filler a panel is not reached; with a hinge 0.01 degrees off it shows.
   Json fewer = fold_;
   fewer["faces_vertices"].erase(fewer["faces_vertices"].size() - 1);
-  EXPECT_TRUE(refolded(fewer, fold_["edges_foldAngle"]).hasNaN());
+  EXPECT_FALSE(refolded(fewer, fold_["edges_foldAngle"]));
   Json off = fold_["file_frames"].back();
   const std::size_t hinge = fold_["edges_vertices"].size() - 3;
   off["edges_foldAngle"][hinge] = off["edges_foldAngle"][hinge].get<double>() + 0.01;
-  EXPECT_GE(farthest_mm(refolded(fold_, off["edges_foldAngle"]), points_of(off["vertices_coords"])),
-            1e-3);
+  EXPECT_GE(
+      farthest_mm(*refolded(fold_, off["edges_foldAngle"]), points_of(off["vertices_coords"])),
+      1e-3);
 }
 
 TEST_P(FilledFold, TrianglesLieInTheirHolesAndStayRigid) {
@@ -173,7 +177,7 @@ TEST_P(FilledFold, KnowsOnlyMountainsValleysAndBorders) {
     const double angle = fold_["edges_foldAngle"][e];
     const std::string letter = faces_at.at(std::minmax(a, b)) == 1 ? "B" : angle > 0 ? "V" : "M";
     EXPECT_EQ(fold_["edges_assignment"][e], letter) << a << " " << b;
-    if (letter == "B") EXPECT_EQ(angle, 0);
+    EXPECT_TRUE(letter != "B" || angle == 0);
     for (const Json& frame : fold_["file_frames"]) {
       EXPECT_GE(frame["edges_foldAngle"][e].get<double>() * angle, 0) << "changes its side";
     }

@@ -42,6 +42,7 @@ TEST(KitBores, LieInTheirPanelsAndClearOfOneAnother) {
   for (const Bore& bore : bores) {
     const double radius = bore.diameter_mm / 2;
     EXPECT_EQ(bore.diameter_mm, bore.spring < 0 ? 1.2 : 1.5);
+    EXPECT_FALSE(std::binary_search(kit.base.holes.begin(), kit.base.holes.end(), bore.facet));
     EXPECT_GE(depth(kit.sheet, bore.facet, bore.centre_mm), radius + 2 - 1e-9);
     for (const Bore& other : bores) {
       if (&other == &bore) continue;

@@ -46,6 +46,10 @@ for file in "${files[@]}"; do
   # shellcheck disable=SC2086
   check "$file" "--kerf 0.1 --bed 300 420 $bores" --kerf 0.1 --bed 300x420 $bores
 done
+# On a narrow bed pieces are turned.
+sheet=sheets/draw.fold
+check draw.json "--bed 200 400" --bed 200x400
+grep -q 'rotate(-90 ' kit$kits/*.svg || fail "nothing is turned on a narrow bed"
 # The catalogue's draw and its exported candidate are one kit.
 "$program" export a.db --draw "$draw" --format svg --kit --output one > names || fail "kit of a draw"
 "$program" export draw.json --format svg --kit --output other > other_names || fail "kit of a candidate"

