@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Format of the C++ files, that standard output has one door, and that files and functions are short and
-# no include points to a later folder; with --tidy also clang-tidy on the build in build/release.
+# Format of the C++ files, that standard output has one door, that files and functions are short and no
+# include points to a later folder, and that all files name one version; with --tidy also clang-tidy on the
+# build in build/release.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
@@ -11,6 +12,14 @@ if git grep -nE 'std::(printf|puts|putchar|cout)\b|fwrite\(|fput[sc]\(.*stdout|^
   exit 1
 fi
 python3 scripts/house.py --check
+# One version everywhere.
+version=$(sed -nE 's/^project\(misalign VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
+for place in 'CITATION.cff:^version: ' 'scripts/Containerfile:version="' 'scripts/conda/meta.yaml:version = "' \
+  'scripts/spack/spack_repo/misalign/packages/misalign/package.py:version("'; do
+  grep -q "${place#*:}$version" "${place%%:*}" || { echo "${place%%:*}: its version is not $version" >&2; exit 1; }
+done
+[ "$(sed -nE 's/^## \[([0-9.]+)\].*/\1/p' CHANGELOG.md | head -1)" = "$version" ] ||
+  { echo "CHANGELOG.md: its latest version is not $version" >&2; exit 1; }
 if [ "${1:-}" = --tidy ]; then
   clang-tidy -p build/release --quiet $(git ls-files 'solver/*.cpp' 'schema/*.cpp' 'search/*.cpp')
 fi

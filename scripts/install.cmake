@@ -1,5 +1,8 @@
 # What `cmake --install` puts where. The pages and completions are made by the program itself.
+# Parts, which become packages of their own (scripts/package.cmake): `program`, what nothing else is said of;
+# `dev`, for programs that link against the solver.
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS misalign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 file(GLOB SCHEMA_FILES CONFIGURE_DEPENDS schema/*.sql schema/*.json schema/README.md)
 install(FILES ${SCHEMA_FILES} DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema)
@@ -12,6 +15,29 @@ if(MISALIGN_PYTHON)
   install(TARGETS _misalign LIBRARY DESTINATION ${MISALIGN_PYTHON_DIR}/misalign COMPONENT python)
   install(FILES ${PYTHON_FILES} DESTINATION ${MISALIGN_PYTHON_DIR}/misalign COMPONENT python)
 endif()
+
+# find_package(misalign): the target misalign::solver, used as solver/example does. Left out are headers of what is
+# inside: the yardstick, and what needs xsimd or FLINT.
+set(CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/misalign)
+set_target_properties(misalign_solver PROPERTIES EXPORT_NAME solver)
+set_target_properties(misalign_options PROPERTIES EXPORT_NAME options)
+install(TARGETS misalign_solver misalign_options EXPORT misalignTargets COMPONENT dev
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/misalign)
+install(EXPORT misalignTargets NAMESPACE misalign:: DESTINATION ${CONFIG_DIR} COMPONENT dev)
+install(DIRECTORY solver DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/misalign COMPONENT dev
+        FILES_MATCHING PATTERN "*.hpp" PATTERN example EXCLUDE PATTERN reference EXCLUDE
+        REGEX "/(arb_model|expansion_test|lane_batch|panel_check)\\.hpp$" EXCLUDE
+        REGEX "/(proven_piece|shift_expansion|witness_polynomial)\\.hpp$" EXCLUDE)
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/misalignConfigVersion.cmake
+                                 COMPATIBILITY SameMajorVersion)
+configure_file(scripts/misalignConfig.cmake.in misalignConfig.cmake @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/misalignConfig.cmake scripts/FindFLINT.cmake
+              ${PROJECT_BINARY_DIR}/misalignConfigVersion.cmake
+        DESTINATION ${CONFIG_DIR} COMPONENT dev)
+install(FILES solver/example/CMakeLists.txt solver/example/fold_sheet.cpp
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libmisalign-dev/examples COMPONENT dev)
 
 set(COMPLETION ${PROJECT_BINARY_DIR}/completion)
 file(MAKE_DIRECTORY ${COMPLETION})

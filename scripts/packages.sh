@@ -4,7 +4,7 @@
 build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
   libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev libsundials-dev libflint-dev
-  libmatio-dev libdxflib-dev libcpp-httplib-dev pybind11-dev python3-dev help2man"
+  pkg-config libmatio-dev libdxflib-dev libcpp-httplib-dev pybind11-dev python3-dev help2man"
 # Arb, until it became part of FLINT 3.
 if [ "$(. /etc/os-release 2> /dev/null && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
   build_packages+=" libflint-arb-dev"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/campaign/filled_mesh.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
@@ -16,15 +17,21 @@ bool is_at(const Json& point, const Eigen::Vector2d& place_mm) {
 }
 
 bool is_mesh_of(const Pattern& pattern, const Json& fold) {
+  const auto fillers = read_fillers(fold, pattern);
+  if (!fillers) return false;
   const Eigen::Matrix2Xd vertices_mm = pattern.vertices_mm();
+  std::vector<Eigen::Vector2d> places_mm(vertices_mm.colwise().begin(),
+                                         vertices_mm.colwise().end());
+  for (const MeshFiller& one : *fillers) {
+    places_mm.push_back(solver::flat_apex_mm(one.filler, vertices_mm));
+  }
   const Json points = fold.value("vertices_coords", Json());
-  if (!points.is_array() || points.size() != static_cast<std::size_t>(vertices_mm.cols())) {
-    return false;
+  if (!points.is_array() || points.size() != places_mm.size()) return false;
+  for (std::size_t v = 0; v < places_mm.size(); ++v) {
+    if (!is_at(points[v], places_mm[v])) return false;
   }
-  for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
-    if (!is_at(points[static_cast<std::size_t>(v)], vertices_mm.col(v))) return false;
-  }
-  const Json mesh = perforated_mesh_json(pattern);
+  Json mesh = perforated_mesh_json(pattern);
+  add_fillers(pattern, *fillers, mesh);
   for (const auto& [key, value] : mesh.items()) {
     // Faces follow from the edges, so that they may be left out.
     if (key == "faces_vertices" && !fold.contains(key)) continue;

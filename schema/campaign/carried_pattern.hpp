@@ -14,7 +14,8 @@ inline constexpr const char* kCarriedPattern = "misalign:pattern";
 Json perforated_mesh_json(const Pattern& pattern);
 
 /// The carried pattern. Faults if it cannot be read, or is not that of the file's own vertices
-/// (1e-9 mm), edges, assignments and faces any more.
+/// (1e-9 mm), edges, assignments and faces any more; fillers that it lists (filled_mesh.hpp) are
+/// among those, and no part of the pattern.
 Pattern read_carried_pattern(const Json& fold, InputFaults& faults, Perforations perforations);
 
 }  // namespace misalign::schema

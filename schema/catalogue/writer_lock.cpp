@@ -10,6 +10,18 @@
 #include "schema/files/input.hpp"
 
 namespace misalign::schema {
+namespace {
+
+struct flock locked_byte() {
+  struct flock byte {};
+  byte.l_type = F_WRLCK;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = 1LL << 62;
+  byte.l_len = 1;
+  return byte;
+}
+
+}  // namespace
 
 WriterLock::WriterLock(const std::string& path, Missing missing)
     // Without waiting: a named pipe may be there.
@@ -53,11 +65,7 @@ void WriterLock::check_kind() const {
 }
 
 void WriterLock::lock() const {
-  struct flock byte {};
-  byte.l_type = F_WRLCK;
-  byte.l_whence = SEEK_SET;
-  byte.l_start = 1LL << 62;
-  byte.l_len = 1;
+  struct flock byte = locked_byte();
   if (::fcntl(descriptor_, F_OFD_SETLK, &byte) == 0) return;
   if (errno == EAGAIN || errno == EACCES) {
     throw UserError(kExitInUse, path_ +
@@ -81,6 +89,15 @@ void WriterLock::check_file_is_there() const {
                                     ": was removed or replaced while this campaign was writing it; "
                                     "put it back (its last copy holds what was committed until "
                                     "then), and the same command goes on from there");
+}
+
+bool is_being_written(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  struct flock byte = locked_byte();
+  const bool asked = ::fcntl(descriptor, F_OFD_GETLK, &byte) == 0;
+  ::close(descriptor);
+  return asked && byte.l_type != F_UNLCK;
 }
 
 }  // namespace misalign::schema

@@ -39,4 +39,8 @@ class WriterLock {
   int descriptor_;
 };
 
+/// Whether a process holds the lock of this file; false where it cannot be asked. Not while this
+/// process has a connection to the file: see ~WriterLock.
+bool is_being_written(const std::string& path);
+
 }  // namespace misalign::schema

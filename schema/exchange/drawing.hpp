@@ -1,19 +1,20 @@
-// Draws a pattern: the crease pattern as SVG for a cutter, and folded sheets as OBJ for a modeller.
+// Draws a pattern: the crease pattern for a cutter, and folded sheets as OBJ for a modeller.
 #pragma once
 
 #include <string>
 
 #include "schema/campaign/pattern_file.hpp"
+#include "schema/exchange/line_drawing.hpp"
 #include "solver/kinematics/mechanism.hpp"
 
 namespace misalign::schema {
 
-/// The crease pattern at true scale, a margin round it, one user unit a mm, seen from +z with y up:
-/// layers (groups with Inkscape's names) `cut` (black: perimeter and holes, closed outlines),
-/// `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them, `springs` (the
-/// diagonals, green) and `labels` (of the vertices, and the diagonals' numbers from 0).
-std::string crease_pattern_svg(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
-                               const solver::Mechanism& mechanism, const std::string& title);
+/// The crease pattern, a margin round it: layers `cut` (black: perimeter and holes, closed
+/// outlines), `mountain` (red) and `valley` (blue); and, hidden so that no cutter follows them,
+/// `springs` (the diagonals, green) and `labels` (of the vertices, and the diagonals' numbers from
+/// 0).
+LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& vertices_mm,
+                                   const solver::Mechanism& mechanism, const std::string& title);
 
 /// A folded sheet as Wavefront OBJ, 3 x N coordinates in mm, a quadrilateral for each kept facet.
 std::string folded_obj(const Pattern& base, const Eigen::Matrix3Xd& shape_mm,

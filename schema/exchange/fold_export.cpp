@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "schema/campaign/carried_pattern.hpp"
+#include "schema/campaign/filled_mesh.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -45,6 +46,72 @@ Json angles_json(const FoldingView& view, const std::vector<int>& crease_of_edge
   return list;
 }
 
+constexpr const char* kPlainDescription =
+    "The folded shapes are in file_frames. Where two panels share a vertex alone there is a ball "
+    "joint, for which this format has no word: who folds the pattern along a tree of creases "
+    "cannot "
+    "place panels that only ball joints hold. `misalign export --format fold --joined` writes "
+    "hinges for that.";
+constexpr const char* kJoinedDescription =
+    "The folded shapes are in file_frames. The last faces, those of misalign:fillers, are no "
+    "panels: two triangles each, in the corner of a hole, stand for a ball joint by three hinges, "
+    "so that all panels can be placed along a tree of creases. They are not part of the sheet.";
+
+// The fillers of a sheet, flat and in each of its frames.
+class Fillers {
+ public:
+  Fillers(const FoldingView& view, const solver::ShapedPath& path,
+          const std::vector<solver::Filler>& fillers)
+      : view_(view), path_(path), fillers_(fillers) {}
+
+  // As they are folded in a row: with the letters of their hinges there.
+  std::vector<MeshFiller> lettered(Index row) const {
+    std::vector<MeshFiller> lettered;
+    for (const solver::Filler& filler : fillers_) {
+      std::string hinges;
+      for (const double angle : folded(filler, row).angle_deg) hinges += angle > 0 ? 'V' : 'M';
+      lettered.push_back({filler, hinges});
+    }
+    return lettered;
+  }
+  void add_flat(Json& points) const {
+    for (const solver::Filler& filler : fillers_) {
+      const Eigen::Vector2d apex_mm = solver::flat_apex_mm(filler, flat_mm_);
+      points.push_back({apex_mm.x(), apex_mm.y()});
+    }
+  }
+  void add_folded(Index row, Json& points, Json& angles) const {
+    for (std::size_t i = 0; i < fillers_.size(); ++i) {
+      const solver::FoldedFiller shape = folded(fillers_[i], row);
+      points.push_back({shape.apex_mm.x(), shape.apex_mm.y(), shape.apex_mm.z()});
+      for (int k = 0; k < 3; ++k) angles.push_back(0.0);
+      const auto edges = hinge_edges(view_.base.base.sheet, fillers_[i], i);
+      for (std::size_t k = 0; k < edges.size(); ++k) angles[edges[k]] = shape.angle_deg[k];
+    }
+  }
+
+ private:
+  solver::FoldedFiller folded(const solver::Filler& filler, Index row) const {
+    return solver::folded_filler(filler, view_.base.base, flat_mm_,
+                                 path_.shapes_mm[static_cast<std::size_t>(row)]);
+  }
+
+  const FoldingView& view_;
+  const solver::ShapedPath& path_;
+  const std::vector<solver::Filler>& fillers_;
+  const Eigen::Matrix2Xd flat_mm_ = view_.base.base.sheet.vertices_mm + view_.shifts_mm;
+};
+
+Json frame_json(double pilot_deg) {
+  return {{"frame_title", "pilot at " + shown_number(pilot_deg) + " deg"},
+          {"frame_parent", 0},
+          {"frame_inherit", true},
+          {"frame_classes", {"foldedForm"}},
+          {"frame_attributes", {"3D", "orientable"}},
+          {"frame_unit", "mm"},
+          {"misalign:pilot_deg", pilot_deg}};
+}
+
 }  // namespace
 
 std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
@@ -62,37 +129,42 @@ std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPat
 }
 
 Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
-                      const std::vector<Index>& rows, const std::string& title, const Json& data) {
+                      const std::vector<Index>& rows, const std::string& title, const Json& data,
+                      const std::vector<solver::Filler>& chosen) {
   const solver::CreasePattern& sheet = view.base.base.sheet;
   const std::vector<int> creases = crease_of_edge(sheet, view.mechanism);
-  Json frames = Json::array();
+  const std::vector<solver::Filler> none;  // of a sheet of which nothing is shown folded
+  const Fillers fillers(view, path, rows.empty() ? none : chosen);
+  Json mesh = perforated_mesh_json(view.base), frames = Json::array();
+  const std::vector<MeshFiller> lettered =
+      rows.empty() ? std::vector<MeshFiller>{} : fillers.lettered(rows.back());
   for (const Index row : rows) {
-    const double pilot_deg = view.history.stations[row].pilot_deg;
-    frames.push_back({{"frame_title", "pilot at " + shown_number(pilot_deg) + " deg"},
-                      {"frame_parent", 0},
-                      {"frame_inherit", true},
-                      {"frame_classes", {"foldedForm"}},
-                      {"frame_attributes", {"3D", "orientable"}},
-                      {"frame_unit", "mm"},
-                      {"vertices_coords", coordinates_json(path.shapes_mm[row])},
-                      {"edges_foldAngle", angles_json(view, creases, row)},
-                      {"misalign:pilot_deg", pilot_deg}});
+    Json frame = frame_json(view.history.stations[row].pilot_deg);
+    Json points = coordinates_json(path.shapes_mm[row]), angles = angles_json(view, creases, row);
+    fillers.add_folded(row, points, angles);
+    frame["vertices_coords"] = std::move(points);
+    frame["edges_foldAngle"] = std::move(angles);
+    frames.push_back(std::move(frame));
   }
-  const Eigen::Matrix2Xd vertices_mm = sheet.vertices_mm + view.shifts_mm;
+  Json points = coordinates_json(sheet.vertices_mm + view.shifts_mm);
+  fillers.add_flat(points);
   Json fold = {{"file_spec", 1.2},
                {"file_creator", "misalign"},
                {"file_title", title},
+               {"file_description", chosen.empty() ? kPlainDescription : kJoinedDescription},
                {"file_classes", {"singleModel", "animation"}},
                {"frame_title", "crease pattern"},
                {"frame_classes", {"creasePattern"}},
                {"frame_attributes", {"2D", "orientable"}},
                {"frame_unit", "mm"},
-               {"vertices_coords", coordinates_json(vertices_mm)},
-               {"edges_foldAngle", angles_json(view, creases, rows.empty() ? -1 : rows.back())},
+               {"vertices_coords", points},
+               {"edges_foldAngle",
+                frames.empty() ? angles_json(view, creases, -1) : frames.back()["edges_foldAngle"]},
                {"file_frames", frames},
                {kCarriedPattern, pattern_json(view.base, view.shifts_mm)},
                {"misalign:data", data}};
-  fold.update(perforated_mesh_json(view.base));
+  if (!lettered.empty()) fold[kFillers] = add_fillers(view.base, lettered, mesh);
+  fold.update(mesh);
   return fold;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
+#include "solver/design/filler.hpp"
 #include "solver/design/shaped_path.hpp"
 
 namespace misalign::schema {
@@ -16,9 +17,10 @@ std::vector<Eigen::Index> rows_to_show(const FoldingView& view, const solver::Sh
 /// them and of the perimeter "B", with the fold angles (degrees, valley positive) of the last
 /// of `rows`, the deepest state that is good: what importers that know no frames fold to. A frame
 /// for each of `rows` follows, which inherits the mesh and restates coordinates and angles. It
-/// carries its pattern (see carried_pattern.hpp), and `data` as `misalign:data`.
+/// carries its pattern (see carried_pattern.hpp), and `data` as `misalign:data`. With fillers (of
+/// joining_fillers, for all of `rows`) these are in it too: see filled_mesh.hpp.
 Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
                       const std::vector<Eigen::Index>& rows, const std::string& title,
-                      const Json& data);
+                      const Json& data, const std::vector<solver::Filler>& fillers = {});
 
 }  // namespace misalign::schema

@@ -2,17 +2,17 @@
 import { show_when_wide } from "./chart.js";
 import { fault_map, kMostBars, places, where_chart } from "./fault_places.js";
 import { fault_bins, faults_chart, survival_chart } from "./faults.js";
-import { beyond_tiles, how_far, shown_tiles, tile } from "./figures.js";
-import { count, degrees, h, percent, plural } from "./format.js";
-import { add_saving, single } from "./save.js";
+import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
+import { by_id, count, degrees, h, percent, plural } from "./format.js";
+import { add_saving_once, single } from "./save.js";
 import { effective, sum, survival_points } from "./shares.js";
 import { fault_colour, fault_name, fault_order, fault_words } from "./words.js";
 
-function show_figures({ state, campaign, candidates }) {
+function show_figures(report) {
+  const { state, campaign, candidates } = report;
   const { rate, rate_low, rate_high } = state.acceptance ?? {};
   const known = rate !== null && rate !== undefined;
-  const box = document.getElementById("figures");
-  box.append(
+  show_tiles([
     tile("Draws", count(state.draws), how_far(state.complete, state.missing)),
     tile(
       "Accepted",
@@ -35,8 +35,9 @@ function show_figures({ state, campaign, candidates }) {
       state.draws_in_ledger - state.draws,
       "draws that the figures before do not count, but table and charts do",
     ),
+    ...live_tiles(report),
     ...shown_tiles(candidates),
-  );
+  ]);
 }
 
 function legend(faults) {
@@ -54,76 +55,83 @@ function legend(faults) {
   );
 }
 
+function first_faults_csv({ faults, campaign }) {
+  return {
+    heads: ["first_fault", "above_deg", "up_to_deg", "sampled", "share"],
+    rows: fault_bins(faults.rows, campaign.configuration).map((bin) => [
+      ...[bin.first_fault, bin.from, bin.to, bin.sampled],
+      single(bin.share),
+    ]),
+  };
+}
+
+function survival_csv({ faults, campaign }) {
+  const points = survival_points(faults.rows, campaign.configuration);
+  return {
+    heads: ["pilot_deg", "share_without_fault", "low_95", "high_95"],
+    rows: points.map(({ angle, share, low, high }) => [angle, ...[share, low, high].map(single)]),
+  };
+}
+
+function places_csv({ faults, sheet }) {
+  return {
+    heads: ["where", "first_fault", "sampled", "share"],
+    rows: places(faults.rows, sheet).list.flatMap((entry) =>
+      [...entry.faults].map(([fault, { sampled, share }]) => [
+        ...[entry.where, fault, sampled],
+        single(share),
+      ]),
+    ),
+  };
+}
+
 /** The two charts along the folding. */
-function show_along_the_folding(report, total, name) {
+function show_along_the_folding(report, total) {
   const { rows } = report.faults,
-    { configuration } = report.campaign,
-    box_of = (id) => document.getElementById(id);
+    { name, configuration } = report.campaign;
   const none = sum(rows.filter((row) => row.first_fault === "none"));
   const nowhere = sum(rows.filter((row) => row.first_fault !== "none" && row.fault_deg === null));
   const present = fault_order.filter(
     (fault) => fault !== "none" && rows.some((row) => row.first_fault === fault),
   );
-  box_of("faults-caption").append(
+  by_id("faults-caption").replaceChildren(
     `Without any fault to ${degrees(configuration.path.end_deg)}: ${plural(none, "sampled draw")}.` +
       (nowhere ? ` Without an angle: ${plural(nowhere, "sampled draw")}.` : ""),
     legend(present),
   );
   const points = survival_points(rows, configuration);
-  show_when_wide(box_of("faults"), (width) => faults_chart(rows, total, configuration, width));
-  show_when_wide(box_of("survival"), (width) => survival_chart(points, total, report, width));
-  save_chart("faults", `${name}-first-faults`, () => ({
-    heads: ["first_fault", "above_deg", "up_to_deg", "sampled", "share"],
-    rows: fault_bins(rows, configuration).map((bin) => [
-      ...[bin.first_fault, bin.from, bin.to, bin.sampled],
-      single(bin.share),
-    ]),
-  }));
-  save_chart("survival", `${name}-survival`, () => ({
-    heads: ["pilot_deg", "share_without_fault", "low_95", "high_95"],
-    rows: points.map(({ angle, share, low, high }) => [angle, ...[share, low, high].map(single)]),
-  }));
+  show_when_wide(by_id("faults"), (width) => faults_chart(rows, total, configuration, width));
+  show_when_wide(by_id("survival"), (width) => survival_chart(points, total, report, width));
+  add_saving_once(by_id("faults"), `${name}-first-faults`, () => first_faults_csv(report));
+  add_saving_once(by_id("survival"), `${name}-survival`, () => survival_csv(report));
 }
 
 /** The same faults by the diagonal or crease that shows them. */
-function show_places(report, name) {
+function show_places(report) {
   const { list, total } = places(report.faults.rows, report.sheet),
-    box_of = (id) => document.getElementById(id);
-  if (list.length === 0) {
-    for (const id of ["where", "map"]) box_of(id).closest("figure").hidden = true;
-    return;
-  }
-  box_of("where-caption").append(
+    { name } = report.campaign;
+  for (const id of ["where", "map"]) by_id(id).closest("figure").hidden = list.length === 0;
+  if (list.length === 0) return;
+  by_id("where-caption").replaceChildren(
     `${plural(total, "sampled draw")} failed at one diagonal or crease` +
       (list.length > kMostBars ? `; the ${kMostBars} commonest of ${list.length} places.` : "."),
     legend(fault_order.filter((fault) => list.some((entry) => entry.faults.has(fault)))),
   );
-  show_when_wide(box_of("where"), (width) => where_chart(list, width));
-  box_of("map").append(fault_map(list, report));
-  const rows = () => ({
-    heads: ["where", "first_fault", "sampled", "share"],
-    rows: list.flatMap(({ where, faults }) =>
-      [...faults].map(([fault, { sampled, share }]) => [where, fault, sampled, single(share)]),
-    ),
-  });
-  save_chart("where", `${name}-places`, rows);
-  save_chart("map", `${name}-map`, rows);
+  show_when_wide(by_id("where"), (width) => where_chart(list, width));
+  if (!by_id("map").matches(":hover")) by_id("map").replaceChildren(fault_map(list, report));
+  add_saving_once(by_id("where"), `${name}-places`, () => places_csv(report));
+  add_saving_once(by_id("map"), `${name}-map`, () => places_csv(report));
 }
 
-function save_chart(id, name, csv) {
-  const box = document.getElementById(id);
-  add_saving(box.closest(".card"), { name, csv, svg: () => box.querySelector("svg") });
-}
-
-/** Figures and charts. */
+/** Figures and charts, again whenever the report has changed. */
 export function show_acceptance(report) {
-  const { campaign, faults } = report,
+  const { faults } = report,
     total = sum(faults.rows),
-    note = document.getElementById("sample-note");
+    note = by_id("sample-note");
   show_figures(report);
+  by_id("acceptance-charts").hidden = total === 0;
   if (total === 0) {
     note.textContent = `First faults are known exactly for one draw in ${count(faults.every)}; there is none in this catalogue yet.`;
-    document.getElementById("acceptance-charts").hidden = true;
     return;
   }
   note.textContent =
@@ -132,6 +140,6 @@ export function show_acceptance(report) {
       ? `; of later ones up to one in ${count(faults.every_at_most)}, each weighed by the draws that it stands for: shares are known as well as from ${plural(Math.round(effective(faults.rows)), "draw")} of one weight. `
       : ". ") +
     "All other draws are rejected at whatever angle first shows anything certain against them, which says nothing about where they fail first.";
-  show_along_the_folding(report, total, campaign.name);
-  show_places(report, campaign.name);
+  show_along_the_folding(report, total);
+  show_places(report);
 }

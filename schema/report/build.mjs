@@ -1,6 +1,7 @@
 // One self-contained page: main.js and all it imports, bundled, and page.css put into page.html.
 //
 //   node build.mjs OUTPUT.html [DIRECTORY]      DIRECTORY holds node_modules; this one if left out
+import { createHash } from "node:crypto";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
@@ -54,10 +55,14 @@ const style = (await bundled("page.css", {})).outputFiles[0].text
   .replaceAll(/<\/(style)/gi, "<\\/$1");
 const notices = licences(code.metafile.inputs).replaceAll("<", "&lt;");
 
+// No other script runs in the page, wherever it comes from.
+const hash = `sha256-${createHash("sha256").update(script).digest("base64")}`;
+
 const page = readFileSync(join(here, "page.html"), "utf8")
+  .replace("@SCRIPT_HASH@", () => hash)
   .replace("/* page.css */", () => style)
   .replace("/* main.js */", () => script)
   .replace("<!-- licences -->", () => notices);
-for (const place of ["@REPORT_WORDS@", "@REPORT_DATA@"])
+for (const place of ["@REPORT_SERVER@", "@REPORT_WORDS@", "@REPORT_DATA@"])
   if (page.split(place).length !== 2) throw new Error(`${place} must occur exactly once`);
 writeFileSync(output, page);

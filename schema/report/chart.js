@@ -33,9 +33,25 @@ export function when_wide(box, draw) {
   return redraw;
 }
 
-/** Shows draw(width) in the box; the answer draws it anew. */
-export const show_when_wide = (box, draw) =>
-  when_wide(box, (width) => box.replaceChildren(draw(width)));
+const charts = new WeakMap(); // what boxes show
+
+/**
+ * Shows draw(width) in the box, in the place of what it showed, once nobody points at that; the answer
+ * draws it anew.
+ */
+export function show_when_wide(box, draw) {
+  const chart = charts.get(box);
+  if (chart) {
+    chart.draw = draw;
+    if (!box.matches(":hover")) chart.redraw();
+    else box.addEventListener("pointerleave", chart.redraw, { once: true });
+    return chart.redraw;
+  }
+  const made = { draw, redraw: null };
+  charts.set(box, made);
+  made.redraw = when_wide(box, (width) => box.replaceChildren(made.draw(width)));
+  return made.redraw;
+}
 
 /** Plot.plot with room on the left for the widest tick, and for a title along the axis. */
 export function plot_with_room(options) {

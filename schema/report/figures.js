@@ -1,5 +1,6 @@
 // The figures of the overview: a tile for each, and those that every campaign may have.
-import { count, h, plural } from "./format.js";
+import { by_id, count, degrees, h, number, plural } from "./format.js";
+import { noun } from "./whose.js";
 
 export function tile(term, value, more, title) {
   return h(
@@ -26,3 +27,35 @@ export const shown_tiles = ({ shown, total }) =>
   shown < total
     ? [tile("In this report", count(shown), `best of ${plural(total, "candidate")}`)]
     : [];
+
+/** What is known only while a server is asked: see watch.js. */
+export function live_tiles(report) {
+  const { live, state } = report;
+  if (!live) return [];
+  const [draw] = live.best.draw ?? [],
+    [from_deg] = live.best.deploys_from_deg ?? [],
+    margin_mm = live.best.miscut_margin_mm?.[0];
+  const margin = margin_mm > 0 ? `, margin ${number(margin_mm)} mm` : "";
+  return [
+    ...(state.ladder
+      ? []
+      : [tile("Draws a second", count(Math.round(live.draws_per_s)), live.speed_words)]),
+    tile(
+      "Best so far",
+      draw === undefined ? "–" : degrees(from_deg),
+      draw === undefined ? "no candidate yet" : `${noun(report)} ${draw}${margin}`,
+      "The largest pilot angle that a candidate deploys from; the more tolerant first among equals",
+    ),
+  ];
+}
+
+/** Those that have changed are put in the place of what they were: what is marked stays so. */
+export function show_tiles(tiles) {
+  const box = by_id("figures");
+  tiles.forEach((node, k) => {
+    const before = box.children[k];
+    if (!before) box.append(node);
+    else if (!before.isEqualNode(node)) before.replaceWith(node);
+  });
+  while (box.children.length > tiles.length) box.lastChild.remove();
+}

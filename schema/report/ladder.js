@@ -1,9 +1,9 @@
 // The overview of a splitting search: its figures, and the ladder of levels as a chart and a table.
 import { show_when_wide } from "./chart.js";
-import { beyond_tiles, how_far, shown_tiles, tile } from "./figures.js";
+import { beyond_tiles, how_far, live_tiles, show_tiles, shown_tiles, tile } from "./figures.js";
 import { by_id, count, degrees, fixed, h, number, percent } from "./format.js";
 import { ladder_chart } from "./ladder_chart.js";
-import { add_saving, single } from "./save.js";
+import { add_saving_once, single } from "./save.js";
 
 const kWaits = "No level is known yet: the pilot has not come to its end.";
 
@@ -46,11 +46,12 @@ function rate_tiles({ levels, populations }, from) {
   ];
 }
 
-function show_figures({ state, campaign, candidates }, ladder) {
+function show_figures(report, ladder) {
+  const { state, campaign, candidates } = report;
   const from = degrees(campaign.configuration.accept.deploys_from_deg),
     undecided = ladder.levels.reduce((total, level) => total + level.undecided, 0),
     beyond = (state.draws_in_ledger - state.draws) / ladder.numbers_of_population;
-  by_id("figures").append(
+  show_tiles([
     tile(
       "Populations",
       count(ladder.populations),
@@ -65,8 +66,9 @@ function show_figures({ state, campaign, candidates }, ladder) {
       Math.round(beyond),
       "populations that figures and ladder do not count; the table of candidates has theirs",
     ),
+    ...live_tiles(report),
     ...shown_tiles(candidates),
-  );
+  ]);
 }
 
 const angle_text = (deg) => (deg === null ? "" : String(Number(deg.toPrecision(6))));
@@ -165,7 +167,7 @@ const points_of = (levels) =>
     }));
 
 /** Nothing where no population has come to a level yet: the table says so. */
-function show_chart(points, { levels, populations }, name) {
+function show_chart(points, { levels, populations }, report) {
   const chart = by_id("ladder-chart"),
     card = chart.closest(".card"),
     ends = [levels[1], levels.at(-1)].map(({ deploys_from_deg }) => deploys_from_deg);
@@ -175,18 +177,16 @@ function show_chart(points, { levels, populations }, name) {
     ? "Each with its 95 % interval."
     : "There are no intervals yet.";
   show_when_wide(chart, (width) => ladder_chart(points, ends, populations, width));
-  add_saving(card, {
-    name: `${name}-ladder`,
-    csv: () => rows_of(levels),
-    svg: () => chart.querySelector("svg"),
-  });
+  add_saving_once(chart, `${report.campaign.name}-ladder`, () =>
+    rows_of(with_known_shares(report.state.ladder).levels),
+  );
 }
 
-function show_levels(ladder, name) {
+function show_levels(ladder, report) {
   const { levels } = ladder,
     missed = levels.find(({ rate }) => rate === 0);
-  show_chart(points_of(levels), ladder, name);
-  by_id("ladder-levels").append(table_of(levels));
+  show_chart(points_of(levels), ladder, report);
+  by_id("ladder-levels").replaceChildren(table_of(levels));
   by_id("ladder-words").textContent =
     (missed ? `No population has come to ${degrees(missed.deploys_from_deg)} or beyond. ` : "") +
     "Level 0 are the first draws. “Met here” counts each sheet in each population once; the catalogue keeps it once in all.";
@@ -198,7 +198,7 @@ const with_known_shares = (ladder) =>
     ? ladder
     : { ...ladder, levels: ladder.levels.map((level) => ({ ...level, rate: null })) };
 
-/** Figures, chart and table. */
+/** Figures, chart and table, again whenever the report has changed. */
 export function show_ladder(report) {
   const ladder = with_known_shares(report.state.ladder),
     [note, says] = [by_id("ladder-note"), by_id("ladder-says")],
@@ -214,5 +214,5 @@ export function show_ladder(report) {
     ? kWaits
     : "How rare draws are that deploy from each level: the product of the shares of particles that reached the next one, " +
       "in the mean of all populations. That mean is unbiased however few particles and moves there are; its interval comes from how much populations differ.";
-  if (!waits) show_levels(ladder, report.campaign.name);
+  if (!waits) show_levels(ladder, report);
 }

@@ -10,6 +10,7 @@ import { make_state } from "./state.js";
 import { make_table, save_rows } from "./table.js";
 import { is_order } from "./table_columns.js";
 import { set_up_theme } from "./theme.js";
+import { watch } from "./watch.js";
 import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./whose.js";
 
 /** Whose folding the page carries, in words. */
@@ -129,16 +130,23 @@ function answer_questions(state) {
   });
 }
 
+function show_words_instead(words) {
+  by_id("broken").textContent = words;
+  by_id("broken").hidden = false;
+  for (const section of document.querySelectorAll("section")) section.hidden = true;
+}
+
 /** The page's report, or null and a sentence instead of the page. */
 function report_or_words() {
   try {
-    return read_report();
+    const report = read_report();
+    if (report.watch?.problem === undefined) return report;
+    show_words_instead(report.watch.problem);
+    watch(report, () => {});
   } catch (error) {
-    by_id("broken").textContent = error.message;
-    by_id("broken").hidden = false;
-    for (const section of document.querySelectorAll("section")) section.hidden = true;
-    return null;
+    show_words_instead(error.message);
   }
+  return null;
 }
 
 function show_foot({ program, written_at, catalogue, campaign }) {
@@ -211,6 +219,7 @@ function main() {
     follow_the_address(candidates, table, state);
   }
   show_foot(report);
+  watch(report, show_overview);
 }
 
 main();

@@ -17,7 +17,9 @@ namespace {
 using Eigen::Index;
 
 constexpr const char* kPage = "report_page.html";
-constexpr std::string_view kPlaceOfWords = "@REPORT_WORDS@", kPlaceOfData = "@REPORT_DATA@";
+constexpr std::string_view kPlaceOfWords = "@REPORT_WORDS@", kPlaceOfData = "@REPORT_DATA@",
+                           kPlaceOfServer = "@REPORT_SERVER@";
+constexpr std::string_view kBeforePolicy = R"(http-equiv="Content-Security-Policy" content=")";
 
 std::string floats(const std::vector<double>& numbers) {
   return base64(std::vector<float>(numbers.begin(), numbers.end()));
@@ -78,6 +80,27 @@ Json rows_of(SQLite::Database& database, const std::string& columns_from_table, 
                                        ") OR draw IN (" + these + ") ORDER BY " + order);
   for (Json& row : rows) row["draw"] = row["draw"].dump();
   return rows;
+}
+
+// `server`: whom the page may ask, in the words of a Content-Security-Policy.
+std::string page_with(const Json& data, std::string_view server) {
+  const auto& files = carried_files();
+  const auto page = std::find_if(files.begin(), files.end(),
+                                 [](const CarriedFile& file) { return file.path == kPage; });
+  if (page == files.end()) {
+    throw UserError(
+        kExitFailure,
+        "this program was built without the report's page (MISALIGN_REPORT=OFF); build it "
+        "with Node.js and npm");
+  }
+  std::string text = page->text;
+  const auto put = [&](std::string_view place, std::string_view there) {
+    text.replace(text.find(place), place.size(), there);
+  };
+  put(kPlaceOfServer, server);
+  put(kPlaceOfWords, embedded(words_json()));
+  put(kPlaceOfData, embedded(data));  // after which nothing is looked for in the text
+  return text;
 }
 
 }  // namespace
@@ -231,23 +254,14 @@ Json let_go_json(const solver::DeploymentStudy& study) {
   return json;
 }
 
-std::string report_page(const Json& data) {
-  const auto& files = carried_files();
-  const auto page = std::find_if(files.begin(), files.end(),
-                                 [](const CarriedFile& file) { return file.path == kPage; });
-  if (page == files.end()) {
-    throw UserError(
-        kExitFailure,
-        "this program was built without the report's page (MISALIGN_REPORT=OFF); build it "
-        "with Node.js and npm");
-  }
-  std::string text = page->text;
-  const auto put = [&](std::string_view place, const Json& json) {
-    text.replace(text.find(place), place.size(), embedded(json));
-  };
-  put(kPlaceOfWords, words_json());
-  put(kPlaceOfData, data);  // after which nothing is looked for in the text
-  return text;
+std::string report_page(const Json& data) { return page_with(data, "'none'"); }
+
+ServedPage served_page(const Json& data) {
+  ServedPage page{page_with(data, "'self'"), ""};
+  const std::size_t begin = page.text.find(kBeforePolicy) + kBeforePolicy.size();
+  page.policy = page.text.substr(begin, page.text.find('"', begin) - begin);
+  page.policy += "; frame-ancestors 'none'";
+  return page;
 }
 
 }  // namespace misalign::schema

@@ -50,4 +50,11 @@ Json let_go_json(const solver::DeploymentStudy& study);
 /// The page with this data. UserError (1) if the program was built without the page.
 std::string report_page(const Json& data);
 
+/// A page that is given to a browser by a server, and may ask that server for data.
+struct ServedPage {
+  std::string text;
+  std::string policy;  ///< its own Content-Security-Policy as the server's, who also frames nobody
+};
+ServedPage served_page(const Json& data);
+
 }  // namespace misalign::schema

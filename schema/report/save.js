@@ -77,3 +77,10 @@ export function add_saving(card, { name, csv, svg, canvas }) {
     ),
   );
 }
+
+/** The same of a drawing in a box, once: what is saved is asked for when it is wanted. */
+export function add_saving_once(box, name, csv) {
+  const card = box.closest(".card");
+  if (card.querySelector(":scope > .saving")) return;
+  add_saving(card, { name, csv, svg: () => box.querySelector("svg") });
+}

@@ -8,9 +8,13 @@
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/deployment_json.hpp"
 #include "schema/exchange/drawing.hpp"
+#include "schema/exchange/dxf_pen.hpp"
 #include "schema/exchange/fold_export.hpp"
+#include "schema/exchange/mat_export.hpp"
 #include "schema/exchange/plate_stl.hpp"
+#include "schema/exchange/svg_pen.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/kit/kit_drawing.hpp"
 #include "search/checks/contact_study.hpp"
 #include "search/terminal/terminal.hpp"
 
@@ -23,10 +27,14 @@ const char* ending(SheetFormat format) {
       return ".json";
     case SheetFormat::csv:
       return ".csv";
+    case SheetFormat::mat:
+      return ".mat";
     case SheetFormat::fold:
       return ".fold";
     case SheetFormat::svg:
       return ".svg";
+    case SheetFormat::dxf:
+      return ".dxf";
     case SheetFormat::stl:
       return ".stl";
     case SheetFormat::obj:
@@ -86,9 +94,13 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
       return;
     case SheetFormat::json:
       return write_file(stem, data_of(folded, view, origin).dump(1) + "\n");
+    case SheetFormat::mat:
+      return write_file(
+          stem, schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
+                                   folded.metrics, folder_.sampling(), label.title, origin));
     case SheetFormat::svg:
-      return write_file(stem, schema::crease_pattern_svg(folder_.base(), folded.vertices_mm,
-                                                         folder_.mechanism(), label.title));
+    case SheetFormat::dxf:
+      return write_drawings(folded, label);
     case SheetFormat::fold:
       return write_file(stem, fold_text(folded, view, label, origin));
     case SheetFormat::obj:
@@ -131,7 +143,50 @@ std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::Foldi
   folder_.check_shapes(folded, rows, label.name);
   schema::Json data = data_of(folded, view, origin);
   data.erase("pattern");  // is beside it
-  return schema::folded_fold_json(view, folded.path, rows, label.title, data).dump() + "\n";
+  return schema::folded_fold_json(view, folded.path, rows, label.title, data,
+                                  fillers_of(folded, rows, label.name))
+             .dump() +
+         "\n";
+}
+
+// None unless they are asked for.
+std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
+                                                   const std::vector<Eigen::Index>& rows,
+                                                   const std::string& name) const {
+  if (!options_.joined) return {};
+  std::vector<const Eigen::Matrix3Xd*> shapes_mm;
+  for (const Eigen::Index row : rows) {
+    shapes_mm.push_back(&folded.path.shapes_mm[static_cast<std::size_t>(row)]);
+  }
+  auto fillers = solver::joining_fillers(folder_.base().base, folder_.mechanism(),
+                                         folded.vertices_mm, shapes_mm);
+  if (fillers) return std::move(*fillers);
+  throw schema::UserError(
+      schema::kExitUsage,
+      "--joined: no fillers can join the panels of " + name +
+          " (corners of its holes get wider on the way); take it out, and use the frames");
+}
+
+// A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
+void SheetFiles::write_drawings(const FoldedSheet& folded, const SheetLabel& label) const {
+  const auto text_of = [&](const schema::LineDrawing& drawing) {
+    return options_.format == SheetFormat::svg ? schema::svg_of(drawing) : schema::dxf_of(drawing);
+  };
+  const schema::Pattern& base = folder_.base();
+  if (!options_.kit) {
+    return write_file(label.stem, text_of(schema::crease_pattern_drawing(
+                                      base, folded.vertices_mm, folder_.mechanism(), label.title)));
+  }
+  const schema::KitSheet sheet{base.base, folded.vertices_mm, folded.shifts_mm,
+                               folder_.mechanism()};
+  std::vector<std::string> texts;
+  for (const auto& drawing : schema::kit_drawings(sheet, *options_.kit, label.title)) {
+    texts.push_back(text_of(drawing));
+  }
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
+               texts[k]);
+  }
 }
 
 void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingView& view,

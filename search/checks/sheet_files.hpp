@@ -10,28 +10,33 @@
 #include "schema/exchange/history_table.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
+#include "schema/kit/kit_options.hpp"
 #include "search/checks/deployer.hpp"
 #include "search/checks/release.hpp"
+#include "solver/design/filler.hpp"
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, fold, svg, obj, stl, mjcf, inp };
+enum class SheetFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
 
 struct SheetFilesOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
   SheetFormat format = SheetFormat::json;
   double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
+  bool joined = false;     ///< with `fold`: with fillers that join all panels
   bool creases = false;    ///< with `csv`: also the table of fold angles
   ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
   schema::MjcfOptions mjcf;
-  schema::DeckOptions deck;  ///< of `inp`
+  schema::DeckOptions deck;               ///< of `inp`
+  std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
   /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
   std::optional<double> trim_mm;
 
   bool in_states() const {
     return format == SheetFormat::fold || format == SheetFormat::obj || format == SheetFormat::stl;
   }
+  bool is_drawn() const { return format == SheetFormat::svg || format == SheetFormat::dxf; }
   bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
   /// What a SheetFolder has to look at between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
@@ -48,7 +53,8 @@ struct SheetLabel {
 };
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
-/// UserError (2) if one of them is the file that is read, or the plates are thicker than reaches D.
+/// UserError (2) if one of them is the file that is read, the plates are thicker than reaches D, or
+/// no fillers join the panels.
 class SheetFiles {
  public:
   SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options);
@@ -63,7 +69,11 @@ class SheetFiles {
   schema::Json deployment_of(const FoldedSheet& folded) const;
   std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
                         const SheetLabel& label, const schema::Json& origin) const;
+  std::vector<solver::Filler> fillers_of(const FoldedSheet& folded,
+                                         const std::vector<Eigen::Index>& rows,
+                                         const std::string& name) const;
   std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_drawings(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
                     const SheetLabel& label) const;
   void write_plates(const FoldedSheet& folded, const schema::FoldingView& view,

@@ -5,6 +5,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/checks/campaign_sheet.hpp"
+#include "search/checks/choice.hpp"
 #include "search/checks/deployment_functions.hpp"
 #include "search/checks/query_text.hpp"
 #include "search/draws/tolerance.hpp"
@@ -16,7 +17,6 @@
 #include "search/python/histories.hpp"
 #include "search/python/signals.hpp"
 #include "search/python/table_columns.hpp"
-#include "search/verbs/choice.hpp"
 
 namespace misalign::search::python {
 namespace {

@@ -50,13 +50,4 @@ void check_by(const Choice& choice) {
       "of them");
 }
 
-std::string text_of(const Choice& choice) {
-  std::string text;
-  if (choice.best) text += " --best " + std::to_string(*choice.best);
-  if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
-  if (choice.by) text += " --by " + shell_word(*choice.by);
-  if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
-  return text;
-}
-
 }  // namespace misalign::search

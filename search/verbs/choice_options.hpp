@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "search/verbs/choice.hpp"
+#include "search/checks/choice.hpp"
 
 namespace misalign::search {
 
@@ -16,8 +16,5 @@ ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice);
 
 /// UserError (2) where --by is given and nothing that it could sort for.
 void check_by(const Choice& choice);
-
-/// The options that were given, as a shell takes them: " --best 3 --where 'stroke_max < 0.05'".
-std::string text_of(const Choice& choice);
 
 }  // namespace misalign::search

@@ -13,6 +13,7 @@
 #include "search/checks/sheet_files.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
+#include "search/verbs/kit_options.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -25,6 +26,7 @@ struct ExportCall {
   OtherActuators actuators;
   ReleaseWish release;
   DeckWish deck;
+  KitWish kit;
   bool compat = false;
 };
 
@@ -107,13 +109,14 @@ void export_pattern(const ExportCall& call) {
 }
 
 // Options that say nothing about the format that is asked for are a mistake.
-void refuse_idle_options(const SheetFilesOptions& files, const CLI::App& verb) {
+void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
     if (verb.count(option) == 0 || has_sense) return;
     throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
                                                     with + "; take it out, or add that");
   };
   only_with("--step", files.in_states(), "--format fold, obj or stl");
+  only_with("--joined", files.format == SheetFormat::fold, "--format fold");
   only_with("--creases", files.format == SheetFormat::csv, "--format csv");
   for (const char* option : {"--from", "--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
@@ -121,6 +124,11 @@ void refuse_idle_options(const SheetFilesOptions& files, const CLI::App& verb) {
   only_with("--thickness", files.is_simulated() || files.format == SheetFormat::stl,
             "--format stl, mjcf or inp");
   only_with("--trim", files.format == SheetFormat::stl, "--format stl");
+  only_with("--kit", files.is_drawn(), "--format svg or dxf");
+  for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
+  only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
+            "--joint-bore or --spring-bore");
+  only_with("--dash-mm", kit.options.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == SheetFormat::mjcf, "--format mjcf");
   for (const char* option : {"--mesh", "--material"}) {
     only_with(option, files.format == SheetFormat::inp, "--format inp");
@@ -129,10 +137,11 @@ void refuse_idle_options(const SheetFilesOptions& files, const CLI::App& verb) {
 
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
-  refuse_idle_options(call.files, verb);
+  refuse_idle_options(call.files, call.kit, verb);
   settle(call.release, call.deck);
   call.files.release = call.release.release;
   call.files.deck = call.deck.deck;
+  call.files.kit = chosen_kit(call.kit);
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
     if (!chosen_by.empty()) throw only_of_a_catalogue(path, chosen_by);
@@ -158,8 +167,13 @@ constexpr const char* kExportFooter =
     "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
     "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
     "        diagonals are numbered from 0, as in the view diagonals\n"
-    "  fold  crease pattern and folded states, for Origami Simulator and the like\n"
+    "  mat   for MATLAB and Octave (MAT-file, level 5): coordinates, histories of diagonals,\n"
+    "        creases and vertices, springs, metrics; its variable readme names axes and units\n"
+    "  fold  crease pattern and folded states, for Origami Simulator and the like. Panels that\n"
+    "        ball joints alone hold are placed by the states; with --joined also by creases: two\n"
+    "        triangles in the corner of a hole make three hinges of a ball joint\n"
     "  svg   true scale: layers for a cutter, hidden ones for springs and labels\n"
+    "  dxf   the same for CAD (AutoCAD 2000, mm)\n"
     "  obj   one file for each folded state\n"
     "  stl   the same of plates with --thickness, tapered and trimmed as `contact` says: a\n"
     "        closed solid for each panel\n"
@@ -171,12 +185,25 @@ constexpr const char* kExportFooter =
     "campaign and the draw, or "
     "after the\n"
     "pattern file.\n\n"
+    "A kit to cut (svg and dxf, --kit; NAME-kit, with --bed NAME-kit-1, NAME-kit-2, ...):\n"
+    "  Panels that creases join are one part; those that ball joints alone hold lie beside it.\n"
+    "  Panel r1c2 is [1, 2] of pattern files and catalogues, A10 a vertex, s3 diagonal 3.\n"
+    "  Layers: cut and bore (closed contours), slit, score or dash (_mountain, _valley); not to\n"
+    "  be cut: engrave (numbers), hatch (waste), note (title, 100 mm gauge, tables).\n"
+    "  Where two holes meet, the part's contours touch in the ball joint's point. With --kerf\n"
+    "  they do not quite; slit cuts through there.\n"
+    "  Bores lie on the bisector of a panel's corner. --joint-bore: at each ball joint one in\n"
+    "  each of its two panels, for a loop of wire, --bore-edge off the edges. --spring-bore:\n"
+    "  one at each end of each diagonal, in the panel across the vertex, or at a ball joint in\n"
+    "  the one next to the hole; behind the joint's.\n\n"
     "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
     "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --best 1000 --format csv --output out\n"
     "  misalign export search/patterns/table1.json --format svg --output out\n"
+    "  misalign export search/patterns/table1.json --format dxf --kit --kerf 0.15 \\\n"
+    "    --joint-bore 1.2 --spring-bore 1.5 --bed 600x400 --output out\n"
     "  misalign export search/patterns/table1.json --format mjcf --from 90 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --sqlite-compat --output plain.db";
 
@@ -204,8 +231,10 @@ Action export_verb(CLI::App& verb) {
   verb.add_option("--format", files.format, "what to write, see above [json]")
       ->transform(one_of<SheetFormat>({{"json", SheetFormat::json},
                                        {"csv", SheetFormat::csv},
+                                       {"mat", SheetFormat::mat},
                                        {"fold", SheetFormat::fold},
                                        {"svg", SheetFormat::svg},
+                                       {"dxf", SheetFormat::dxf},
                                        {"obj", SheetFormat::obj},
                                        {"stl", SheetFormat::stl},
                                        {"mjcf", SheetFormat::mjcf},
@@ -214,6 +243,8 @@ Action export_verb(CLI::App& verb) {
                   "fold, obj and stl: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))
       ->type_name("DEG");
+  verb.add_flag("--joined", files.joined,
+                "fold: with triangles that stand for ball joints by hinges, see above");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
   add_trim(verb, files.trim_mm);
   add_other_actuators(verb, call->actuators);
@@ -223,6 +254,7 @@ Action export_verb(CLI::App& verb) {
       ->check(within(0, 1e6))
       ->type_name("N");
   add_deck(verb, call->deck);
+  add_kit(verb, call->kit);
   verb.add_option("--output", files.directory,
                   "directory, made if it is not there; with --sqlite-compat a new file")
       ->required()

@@ -37,6 +37,7 @@ Action status_verb(CLI::App& verb);
 Action stress_verb(CLI::App& verb);
 Action tolerance_verb(CLI::App& verb);
 Action verify_verb(CLI::App& verb);
+Action watch_verb(CLI::App& verb);
 
 struct Verb {
   const char* name;
@@ -63,6 +64,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"deploy", deploy_verb},
           {"stress", stress_verb},
           {"report", report_verb},
+          {"watch", watch_verb},
           {"bench", bench_verb},
           {"completion", completion_verb},
           {"help", help_verb}};

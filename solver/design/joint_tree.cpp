@@ -1,7 +1,8 @@
 #include "solver/design/joint_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "solver/design/together.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -77,22 +78,6 @@ class Growth {
   JointTree tree_;
 };
 
-// Which panels are kept together at a vertex.
-class Together {
- public:
-  explicit Together(std::size_t panels) : of_(panels) { std::iota(of_.begin(), of_.end(), 0); }
-  /// False if they were together before.
-  bool tie(int one, int other) {
-    const int from = of_[other], to = of_[one];
-    if (from == to) return false;
-    std::replace(of_.begin(), of_.end(), from, to);
-    return true;
-  }
-
- private:
-  std::vector<int> of_;
-};
-
 // The vertices that a joint keeps in place.
 std::vector<int> vertices_of(const Mechanism& mechanism, const Joint& joint) {
   if (joint.ball) return {mechanism.balls[joint.joint].vertex};
@@ -109,6 +94,7 @@ JointTree joint_tree(const Mechanism& mechanism, const Panels& panels) {
   for (const JointTree::Branch& branch : tree.branches) {
     (branch.ball ? ball_is_branch : tree.crease_is_branch)[branch.joint] = true;
   }
+  // Which panels are kept together at a vertex.
   std::vector<Together> at_vertex(mechanism.vertices, Together(panels.facets.size()));
   for (const bool branches : {true, false}) {
     for (const Joint& joint : joints) {

@@ -22,13 +22,30 @@ T* made(T* object) {
   return object;
 }
 
+// Silent where SUNDIALS lets its context speak (7): failures are what step() returns.
+SUNContext silent_context() {
+  SUNContext context = nullptr;
+#if SUNDIALS_VERSION_MAJOR < 7
+  SUNContext_Create(nullptr, &context);
+#else
+  SUNContext_Create(SUN_COMM_NULL, &context);
+  SUNContext_ClearErrHandlers(context);
+#endif
+  return made(context);
+}
+
+void silence([[maybe_unused]] void* cvode) {
+#if SUNDIALS_VERSION_MAJOR < 7
+  CVodeSetErrFile(cvode, nullptr);
+#endif
+}
+
 }  // namespace
 
 struct MotionIntegrator::Cvode {
   Cvode(Acceleration how, MotionMethod method, double farthest)
       : acceleration(std::move(how)), end(farthest) {
     const bool is_stiff = method == MotionMethod::backward_differences;
-    SUNContext_Create(nullptr, &context);
     y = made(N_VNew_Serial(2, context));
     passed = made(N_VNew_Serial(2, context));
     memory = made(CVodeCreate(is_stiff ? CV_BDF : CV_ADAMS, context));
@@ -68,7 +85,7 @@ struct MotionIntegrator::Cvode {
 
   const Acceleration acceleration;
   const double end;
-  SUNContext context = nullptr;
+  SUNContext context = silent_context();
   N_Vector y = nullptr, passed = nullptr;
   void* memory = nullptr;
   SUNNonlinearSolver iteration = nullptr;
@@ -85,7 +102,7 @@ MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod metho
   CVodeSetNonlinearSolver(memory, cvode_->iteration);
   if (cvode_->solver) CVodeSetLinearSolver(memory, cvode_->solver, cvode_->jacobian);
   CVodeSetUserData(memory, cvode_.get());
-  CVodeSetErrFile(memory, nullptr);  // failures are what step() returns
+  silence(memory);
   CVodeRootInit(memory, kEvents, Cvode::events);
   CVodeSetNoInactiveRootWarn(memory);
 }

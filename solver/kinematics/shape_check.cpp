@@ -9,27 +9,29 @@ namespace {
 
 using Eigen::Vector3d;
 
+// What is no number is the worst of all.
+void raise(double& worst, double value) {
+  if (value > worst || std::isnan(value)) worst = value;
+}
+
+double folded_deg(const Eigen::Matrix3Xd& vertices_mm, const FoldLine& fold,
+                  const std::vector<std::array<int, 4>>& panels) {
+  const Vector3d along = (vertices_mm.col(fold.b) - vertices_mm.col(fold.a)).normalized();
+  return fold_angle_deg(along, normal_of(vertices_mm, panels[fold.left]),
+                        normal_of(vertices_mm, panels[fold.right]));
+}
+
+}  // namespace
+
 Vector3d normal_of(const Eigen::Matrix3Xd& vertices_mm, const std::array<int, 4>& panel) {
   const Vector3d first = vertices_mm.col(panel[2]) - vertices_mm.col(panel[0]);
   const Vector3d second = vertices_mm.col(panel[3]) - vertices_mm.col(panel[1]);
   return first.cross(second).normalized();
 }
 
-// What is no number is the worst of all.
-void raise(double& worst, double value) {
-  if (value > worst || std::isnan(value)) worst = value;
-}
-
-// Valley positive, between -180 and 180.
-double fold_angle_deg(const Eigen::Matrix3Xd& vertices_mm, const FoldLine& fold,
-                      const std::vector<std::array<int, 4>>& panels) {
-  const Vector3d along = (vertices_mm.col(fold.b) - vertices_mm.col(fold.a)).normalized();
-  const Vector3d left = normal_of(vertices_mm, panels[fold.left]);
-  const Vector3d right = normal_of(vertices_mm, panels[fold.right]);
+double fold_angle_deg(const Vector3d& along, const Vector3d& left, const Vector3d& right) {
   return std::atan2(along.dot(right.cross(left)), left.dot(right)) * 180 / std::numbers::pi;
 }
-
-}  // namespace
 
 ShapeCheck::ShapeCheck(const Eigen::Matrix2Xd& flat_mm, std::vector<std::array<int, 4>> panels,
                        std::vector<FoldLine> folds)
@@ -44,7 +46,7 @@ void ShapeCheck::see(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd
                      const std::vector<double>& claimed_deg) {
   see_panels(vertices_mm, corners_mm);
   for (std::size_t i = 0; i < folds_.size(); ++i) {
-    const double within = fold_angle_deg(vertices_mm, folds_[i], panels_);
+    const double within = folded_deg(vertices_mm, folds_[i], panels_);
     const double angle = angles_deg_[i] + std::remainder(within - angles_deg_[i], 360);
     angles_deg_[i] = angle;
     raise(worst_.angle_deg, std::abs(angle - claimed_deg[i]));

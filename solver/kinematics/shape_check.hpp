@@ -9,6 +9,14 @@
 
 namespace misalign::solver {
 
+/// The unit normal of a panel, upwards on the flat sheet.
+Eigen::Vector3d normal_of(const Eigen::Matrix3Xd& vertices_mm, const std::array<int, 4>& panel);
+
+/// Between the unit normals of the panels on the left and on the right of a line, walking along it
+/// (a unit vector): within +-180, valleys positive.
+double fold_angle_deg(const Eigen::Vector3d& along, const Eigen::Vector3d& left,
+                      const Eigen::Vector3d& right);
+
 /// A fold line a -> b (vertices) between two panels, seen from +z on the flat sheet.
 struct FoldLine {
   int a, b;

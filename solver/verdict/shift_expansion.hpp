@@ -9,7 +9,7 @@
 
 #include <cstdint>
 #include <vector>
-#include <xsimd/memory/xsimd_aligned_allocator.hpp>
+#include <xsimd/xsimd.hpp>  // its allocator; xsimd 13 has no header for that alone
 
 #include "solver/verdict/model.hpp"
 

@@ -167,11 +167,12 @@ TEST_P(FoldExport, FramesInheritAndRestateWhatTheyMust) {
 
 // Keys of our own have a colon, as the format asks; all others are of FOLD 1.2.
 TEST_P(FoldExport, OwnKeysHaveAColon) {
-  const std::set<std::string> kFold = {
-      "file_spec",       "file_creator",   "file_title",       "file_classes",
-      "frame_title",     "frame_classes",  "frame_attributes", "frame_unit",
-      "vertices_coords", "edges_vertices", "edges_assignment", "edges_foldAngle",
-      "faces_vertices",  "file_frames",    "frame_parent",     "frame_inherit"};
+  const std::set<std::string> kFold = {"file_spec",       "file_creator",     "file_title",
+                                       "file_classes",    "file_description", "frame_title",
+                                       "frame_classes",   "frame_attributes", "frame_unit",
+                                       "vertices_coords", "edges_vertices",   "edges_assignment",
+                                       "edges_foldAngle", "faces_vertices",   "file_frames",
+                                       "frame_parent",    "frame_inherit"};
   const auto check = [&](const Json& frame) {
     for (const auto& [key, value] : frame.items()) {
       EXPECT_TRUE(kFold.contains(key) || key.find("misalign:") == 0) << key;

@@ -1,5 +1,5 @@
 // A spread of candidates against every other choice, and against near twins.
-#include "search/verbs/choice.hpp"
+#include "search/checks/choice.hpp"
 
 #include <gtest/gtest.h>
 

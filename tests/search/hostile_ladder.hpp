@@ -8,12 +8,12 @@
 #include "../schema/catalogue_fixture.hpp"
 #include "climb_on.hpp"
 #include "search/checks/campaign_sheet.hpp"
+#include "search/checks/choice.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
-#include "search/verbs/choice.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {

@@ -36,6 +36,27 @@ for fold in out/*.fold; do
       fail "$fold: $key is $(field again.json verdict.$key), was $(field replay.json verdict.$key)"
   done
 done
+# With fillers a reader that folds along a tree of faces places all panels; without it cannot, and what
+# sees nothing wrong must be able to. They are no part of the sheet, which folds as before.
+table1=$source_dir/search/patterns/table1.json
+"$program" export "$table1" --format fold --step 30 --output apart > /dev/null || fail "export table1"
+"$program" export "$table1" --format fold --step 30 --joined --output joined > /dev/null || fail "export --joined"
+"$program" export "$mesh" --diverse 3 --format fold --joined --output joined > /dev/null || fail "export --joined of a mesh"
+node "$web/fold_test.mjs" joined/*.fold || fail "FOLD files with fillers"
+node "$web/refold_test.mjs" joined/*.fold || fail "FOLD files with fillers, refolded"
+node "$web/refold_test.mjs" --apart apart/table1.fold || fail "FOLD files without fillers, refolded"
+[ "$(field joined/table1.fold '"misalign:fillers"[1].hole')" ] || fail "joined: fewer than two fillers"
+"$program" fold joined/table1.fold --json > again.json || fail "fold joined"
+"$program" fold "$table1" --json > plain.json
+for key in verdict diagonals creases; do
+  [ "$(field again.json $key)" = "$(field plain.json $key)" ] || fail "joined: other $key"
+done
+sed 's/"hinges":"[MV]*"/"hinges":"XXX"/' joined/table1.fold > edited.fold
+"$program" fold edited.fold > /dev/null 2> err
+[ $? = 3 ] && grep -q "were changed since" err || fail "joined, edited: $(cat err)"
+"$program" export "$file" --best 1 --joined --output none > /dev/null 2> err
+[ $? = 2 ] || fail "--joined without fold: $(cat err)"
+
 # Of other samples, too, and from the JSON.
 sed 's/"end_deg": 180/"end_deg": 112/; s/"sample_deg": 1/"sample_deg": 0.7/; s/"deploys_from_deg": 150/"deploys_from_deg": 70/' \
   "$campaign" > fine.json
@@ -151,7 +172,7 @@ sqlite3 twins.db "UPDATE candidate SET elongation = '{}' WHERE draw = $one"
 rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 1499)
   SELECT d FROM n WHERE d NOT IN (SELECT draw FROM candidate) LIMIT 1')
 sqlite3 twins.db "UPDATE candidate SET draw = $rejected WHERE draw = $other"
-for format in json csv fold svg obj mjcf inp; do
+for format in json csv mat fold svg obj mjcf inp; do
   "$program" export twins.db --draw "$rejected" --format $format --output twins > /dev/null 2> err
   [ $? = 3 ] || fail "a row that is no candidate, as $format: $(cat err)"
 done

@@ -1,4 +1,4 @@
-#include "search/verbs/choice.hpp"
+#include "search/checks/choice.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
+#include "search/terminal/shell_word.hpp"
 #include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
@@ -233,6 +234,15 @@ std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice
                                 " best` shows those that it holds, `misalign replay` any draw");
   }
   return draws;
+}
+
+std::string text_of(const Choice& choice) {
+  std::string text;
+  if (choice.best) text += " --best " + std::to_string(*choice.best);
+  if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
+  if (choice.by) text += " --by " + shell_word(*choice.by);
+  if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
+  return text;
 }
 
 }  // namespace misalign::search

@@ -34,4 +34,7 @@ std::string best_sql(SQLite::Database& database, const std::string& columns, con
 /// (2) if there are none, or it is no condition or column.
 std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice);
 
+/// The options that were given, as a shell takes them: " --best 3 --where 'stroke_max < 0.05'".
+std::string text_of(const Choice& choice);
+
 }  // namespace misalign::search

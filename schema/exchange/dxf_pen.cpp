@@ -1,0 +1,189 @@
+#include "schema/exchange/dxf_pen.hpp"
+
+#include <dxflib/dl_dxf.h>
+#include <dxflib/dl_writer_ascii.h>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "schema/files/input.hpp"
+#include "schema/files/memory_file.hpp"
+#include "schema/files/printable.hpp"
+
+namespace misalign::schema {
+namespace {
+
+constexpr int kMillimetres = 4, kMetric = 1;  // of $INSUNITS and $MEASUREMENT
+constexpr int kByLayer = 256;
+constexpr const char* kStyle = "STANDARD";
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw UserError(kExitFailure,
+                  "the DXF file cannot be made (" + why + "); free some memory and try again");
+}
+
+std::string capitals(std::string name) {
+  for (char& c : name) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return name;
+}
+
+// Words of unknown origin within a TEXT: one line, in ASCII, where %% and ^ would begin a code.
+std::string dxf_text(const std::string& words) {
+  const std::string line = printable(utf8(words));
+  std::string text;
+  for (std::size_t at = 0; at < line.size();) {
+    const auto byte = static_cast<unsigned char>(line[at]);
+    const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
+    if (length == 1) {
+      text += line[at];
+      if (byte == '^' || byte == '%') text += ' ';
+    } else {
+      unsigned code = byte & (0x7fU >> length);
+      for (std::size_t k = 1; k < length; ++k) {
+        code = code << 6 | (static_cast<unsigned char>(line[at + k]) & 0x3fU);
+      }
+      text += length < 4 ? fmt::format("\\U+{:04X}", code) : "?";
+    }
+    at += length;
+  }
+  return text;
+}
+
+class DxfPen {
+ public:
+  DxfPen(const LineDrawing& drawing, const std::string& path)
+      : drawing_(drawing), to_(dxf_.out(path.c_str(), DL_VERSION_2000)) {
+    if (!to_) refuse("no file in memory can be opened");
+  }
+
+  void write() {
+    write_header();
+    write_tables();
+    write_blocks();
+    to_->sectionEntities();
+    for (const LineLayer& layer : drawing_.layers) write_layer(layer);
+    to_->sectionEnd();
+    dxf_.writeObjects(*to_);
+    dxf_.writeObjectsEnd(*to_);
+    to_->dxfEOF();
+    to_->close();
+  }
+
+ private:
+  void write_header() {
+    const Eigen::Vector2d page_mm = drawing_.most_mm - drawing_.least_mm;
+    const auto whole = [&](const char* name, int value) {
+      to_->dxfString(9, name);
+      to_->dxfInt(70, value);
+    };
+    const auto corner = [&](const char* name, const Eigen::Vector2d& at_mm) {
+      to_->dxfString(9, name);
+      to_->dxfReal(10, at_mm.x());
+      to_->dxfReal(20, at_mm.y());
+    };
+    dxf_.writeHeader(*to_);
+    whole("$INSUNITS", kMillimetres);
+    whole("$MEASUREMENT", kMetric);
+    corner("$LIMMIN", Eigen::Vector2d::Zero());
+    corner("$LIMMAX", page_mm);
+    for (const char* name : {"$EXTMIN", "$EXTMAX"}) {
+      corner(name, name[4] == 'M' && name[5] == 'I' ? Eigen::Vector2d(0, 0) : page_mm);
+      to_->dxfReal(30, 0);
+    }
+    to_->sectionEnd();
+  }
+
+  void write_tables() {
+    constexpr const char* kLine = "CONTINUOUS";
+    constexpr double kText_mm = 2.5;
+    to_->sectionTables();
+    dxf_.writeVPort(*to_);
+    to_->tableLinetypes(3);
+    for (const char* name : {"BYBLOCK", "BYLAYER", kLine}) {
+      dxf_.writeLinetype(*to_, DL_LinetypeData(name, name, 0, 0, 0.0));
+    }
+    to_->tableEnd();
+    to_->tableLayers(static_cast<int>(drawing_.layers.size()) + 1);
+    dxf_.writeLayer(*to_, DL_LayerData("0", 0), DL_Attributes("", kBlack.aci, 0, kLine, 1.0));
+    for (const LineLayer& layer : drawing_.layers) {
+      dxf_.writeLayer(*to_, DL_LayerData(capitals(layer.name), 0, layer.hidden),
+                      DL_Attributes("", layer.colour.aci, 0, kLine, 1.0));
+    }
+    to_->tableEnd();
+    to_->tableStyle(1);
+    dxf_.writeStyle(*to_, DL_StyleData(kStyle, 0, 0.0, 1.0, 0.0, 0, kText_mm, "txt", ""));
+    to_->tableEnd();
+    dxf_.writeView(*to_);
+    dxf_.writeUcs(*to_);
+    to_->tableAppid(1);
+    dxf_.writeAppid(*to_, "ACAD");
+    to_->tableEnd();
+    dxf_.writeDimStyle(*to_, kText_mm, 0.5 * kText_mm, 0.25 * kText_mm, 0.25 * kText_mm, kText_mm);
+    dxf_.writeBlockRecord(*to_);
+    to_->tableEnd();
+    to_->sectionEnd();
+  }
+
+  void write_blocks() {
+    to_->sectionBlocks();
+    for (const char* name : {"*Model_Space", "*Paper_Space", "*Paper_Space0"}) {
+      dxf_.writeBlock(*to_, DL_BlockData(name, 0, 0.0, 0.0, 0.0));
+      dxf_.writeEndBlock(*to_, name);
+    }
+    to_->sectionEnd();
+  }
+
+  void write_layer(const LineLayer& layer) {
+    const DL_Attributes look(capitals(layer.name), kByLayer, -1, "BYLAYER", 1.0);
+    for (const DrawnPath& path : layer.paths) write_path(path, look);
+    for (const DrawnCircle& circle : layer.circles) {
+      const Eigen::Vector2d at = circle.centre_mm - drawing_.least_mm;
+      dxf_.writeCircle(*to_, DL_CircleData(at.x(), at.y(), 0, circle.radius_mm), look);
+    }
+    constexpr int kMiddle = 1, kBaseLine = 0;
+    constexpr double kRadPerDeg = 0.017453292519943295;
+    for (const DrawnText& text : layer.texts) {
+      const Eigen::Vector2d at = text.at_mm - drawing_.least_mm;
+      dxf_.writeText(*to_,
+                     DL_TextData(at.x(), at.y(), 0, at.x(), at.y(), 0, text.height_mm, 1, 0,
+                                 text.centred ? kMiddle : 0, kBaseLine, dxf_text(text.words),
+                                 kStyle, text.turned_deg * kRadPerDeg),
+                     look);
+    }
+  }
+
+  void write_path(const DrawnPath& path, const DL_Attributes& look) {
+    std::vector<Eigen::Vector2d> points = path.points_mm;
+    for (Eigen::Vector2d& point : points) point -= drawing_.least_mm;
+    if (points.size() == 2 && !path.closed) {
+      dxf_.writeLine(*to_,
+                     DL_LineData(points[0].x(), points[0].y(), 0, points[1].x(), points[1].y(), 0),
+                     look);
+      return;
+    }
+    dxf_.writePolyline(
+        *to_, DL_PolylineData(static_cast<int>(points.size()), 0, 0, path.closed ? 1 : 0), look);
+    for (const Eigen::Vector2d& point : points) {
+      dxf_.writeVertex(*to_, DL_VertexData(point.x(), point.y(), 0, 0));
+    }
+    dxf_.writePolylineEnd(*to_);
+  }
+
+  const LineDrawing& drawing_;
+  DL_Dxf dxf_;
+  const std::unique_ptr<DL_WriterA> to_;
+};
+
+}  // namespace
+
+std::string dxf_of(const LineDrawing& drawing) {
+  // dxflib writes to a path, and what it makes is to appear whole under its name, or not at all.
+  const MemoryFile file("the DXF file");
+  DxfPen(drawing, file.path()).write();
+  const std::string text = file.bytes();
+  // dxflib does not say when memory ran out.
+  if (!text.ends_with("EOF\n")) refuse("it was not written to its end");
+  return text;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,26 @@
+// A folded sheet as the variables of a MAT-file, for MATLAB and Octave: histories, coordinates,
+// springs.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "schema/exchange/folding_json.hpp"
+#include "solver/design/actuation.hpp"
+
+namespace misalign::schema {
+
+/// What the file's own `readme` says, before what is the sheet's: the variables with their axes and
+/// units.
+extern const char* const kMatReadme;
+
+/// The bytes of a MAT-file (see mat_file). With S rows, flat first; V vertices, C creases, D
+/// diagonals; vertices, panels and diagonals counted from 1. Every number is the one that
+/// folding_json, folded_pattern_json and actuation_history_json write. `origin` as in origin_json,
+/// empty for a pattern file; `path` is the file's name in sentences. UserError (1).
+std::string folded_mat(const std::string& path, const FoldingView& view,
+                       const solver::ShapedPath& shaped, const solver::Actuation& actuation,
+                       const std::optional<solver::Metrics>& metrics, const Sampling& sampling,
+                       const std::string& title, const Json& origin);
+
+}  // namespace misalign::schema

@@ -1,0 +1,209 @@
+#include "schema/kit/kit_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/kit/kit_layout.hpp"
+#include "schema/kit/kit_notes.hpp"
+#include "schema/kit/part_piece.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+
+void refuse_options(const KitOptions& options) {
+  if (options.gap_mm < options.kerf_mm) {
+    throw UserError(kExitUsage, fmt::format("--gap {:g}: less than the kerf of {:g} mm (parts "
+                                            "would be cut into one another); take a larger gap",
+                                            options.gap_mm, options.kerf_mm));
+  }
+  if (options.crease == CreaseCut::dash && options.dash_mm <= options.kerf_mm) {
+    throw UserError(kExitUsage, fmt::format("--dash-mm {:g},{:g}: a cut no longer than the kerf of "
+                                            "{:g} mm (nothing would be left to draw); take longer "
+                                            "ones",
+                                            options.dash_mm, options.bridge_mm, options.kerf_mm));
+  }
+}
+
+std::string listed(const std::string& what, const std::vector<std::string>& names) {
+  return fmt::format("{}: {}", what, fmt::join(names, ", "));
+}
+
+class Kit {
+ public:
+  Kit(const KitSheet& sheet, const KitOptions& options, const std::string& title)
+      : sheet_(sheet), options_(options), title_(title), bores_(kit_bores(sheet, options)) {}
+
+  std::vector<LineDrawing> drawings() {
+    std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
+    if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
+    if (sheet_.shifts_mm.isZero(0)) notes_.emplace_back("no vertex is shifted");
+    if (options_.bed_mm) parts = fitted(parts);
+    std::vector<KitPiece> pieces;
+    for (const KitPart& part : parts) {
+      pieces.push_back(part_piece(sheet_, part, bores_, options_));
+    }
+    return laid_out(std::move(pieces));
+  }
+
+ private:
+  // Panels that no crease holds.
+  void note_loose_panels(const std::vector<KitPart>& parts) {
+    std::vector<std::string> names;
+    for (std::size_t p = 1; p < parts.size(); ++p) {
+      for (const int f : parts[p].facets) names.push_back(sheet_.panel_label(f));
+    }
+    if (!names.empty()) notes_.push_back(listed("held by ball joints alone", names));
+  }
+
+  std::vector<std::string> sentences(std::size_t bed, std::size_t beds) const {
+    const char* creases = options_.crease == CreaseCut::cut     ? "creases cut"
+                          : options_.crease == CreaseCut::score ? "creases scored"
+                                                                : "creases perforated";
+    std::vector<std::string> lines = {
+        title_, fmt::format("kit to cut, mm, sheet {} of {}; {}; kerf {:g}", bed + 1, beds, creases,
+                            options_.kerf_mm)};
+    lines.insert(lines.end(), notes_.begin(), notes_.end());
+    return lines;
+  }
+
+  // What is left of a bed for parts, below its margin and above its heading.
+  Vector2d room_mm() const {
+    const Vector2d inside = *options_.bed_mm - Vector2d::Constant(2 * options_.margin_mm);
+    constexpr std::size_t kMany = 999;
+    const double heading_mm =
+        kit_heading(sentences(kMany, kMany), std::max(inside.x(), kLeastHeading_mm)).size_mm().y();
+    return {inside.x(), inside.y() - heading_mm - options_.gap_mm};
+  }
+
+  LayoutBox box_of(const KitPart& part) const {
+    const PartOutline outline = part_outline(sheet_, part, options_.kerf_mm);
+    return {outline.most_mm() - outline.least_mm(), true};
+  }
+  bool fit(const std::vector<KitPart>& parts, const Vector2d& room_mm) const {
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const KitPart& part) { return fits_bed(box_of(part), room_mm); });
+  }
+
+  // Parts that are too large for the bed cut along creases.
+  std::vector<KitPart> fitted(const std::vector<KitPart>& parts) {
+    refuse_bed();
+    std::vector<KitPart> pieces;
+    for (const KitPart& part : parts) {
+      std::vector<KitPart> cut = in_pieces(part, room_mm());
+      if (cut.size() > 1) note_cuts(part, cut);
+      pieces.insert(pieces.end(), cut.begin(), cut.end());
+    }
+    return pieces;
+  }
+
+  void refuse_bed() const {
+    const Vector2d inside = *options_.bed_mm - Vector2d::Constant(2 * options_.margin_mm);
+    if (inside.x() >= kLeastHeading_mm && room_mm().y() > 0) return;
+    throw UserError(kExitUsage,
+                    fmt::format("--bed {:g}x{:g}: too small for the title and a gauge of 100 mm "
+                                "(they take {:g} x {:g} mm, and --margin {:g} round it); take a "
+                                "larger bed",
+                                options_.bed_mm->x(), options_.bed_mm->y(), kLeastHeading_mm,
+                                inside.y() - room_mm().y(), options_.margin_mm));
+  }
+
+  // In the fewest cells of a grid in which everything fits.
+  std::vector<KitPart> in_pieces(const KitPart& part, const Vector2d& room_mm) const {
+    const auto [rows, columns] = rows_and_columns(sheet_, part);
+    for (int cells = 1; cells <= rows * columns; ++cells) {
+      for (int down = 1; down <= std::min(cells, rows); ++down) {
+        if (cells % down != 0 || cells / down > columns) continue;
+        std::vector<KitPart> pieces = divided(sheet_, part, down, cells / down);
+        if (fit(pieces, room_mm)) return pieces;
+      }
+    }
+    for (const KitPart& panel : divided(sheet_, part, rows, columns)) {
+      const LayoutBox box = box_of(panel);
+      if (fits_bed(box, room_mm)) continue;
+      throw UserError(
+          kExitUsage,
+          fmt::format("--bed {:g}x{:g}: panel {} does not fit, turned neither (it has {:.1f} x "
+                      "{:.1f} mm, and margin and heading leave {:.1f} x {:.1f}); take a larger bed",
+                      options_.bed_mm->x(), options_.bed_mm->y(),
+                      sheet_.panel_label(panel.facets[0]), box.size_mm.x(), box.size_mm.y(),
+                      room_mm.x(), room_mm.y()));
+    }
+    return {};  // not reached: single panels fit
+  }
+
+  void note_cuts(const KitPart& part, const std::vector<KitPart>& pieces) {
+    for (const int c : part.creases) {
+      const bool kept = std::any_of(pieces.begin(), pieces.end(), [&](const KitPart& piece) {
+        return std::binary_search(piece.creases.begin(), piece.creases.end(), c);
+      });
+      if (!kept) cuts_.push_back(c);
+    }
+  }
+
+  std::vector<LineDrawing> laid_out(std::vector<KitPiece> pieces) const {
+    const double gap_mm = options_.gap_mm;
+    const Vector2d margin = Vector2d::Constant(options_.margin_mm);
+    Vector2d room(0, INFINITY);
+    if (options_.bed_mm) room = room_mm();
+    for (KitPiece& block : kit_tables(sheet_, bores_, cuts_, room.y()))
+      pieces.push_back(std::move(block));
+    std::vector<LayoutBox> boxes;
+    for (const KitPiece& piece : pieces) boxes.push_back({piece.size_mm(), piece.may_turn});
+    if (!options_.bed_mm) room.x() = std::max(sheet_width_mm(boxes, gap_mm), kLeastHeading_mm);
+    const std::vector<LaidOut> laid = lay_out(boxes, room, gap_mm);
+    std::size_t beds = 1;
+    Vector2d used(0, 0);
+    for (std::size_t k = 0; k < laid.size(); ++k) {
+      const Vector2d& size = boxes[k].size_mm;
+      beds = std::max(beds, static_cast<std::size_t>(laid[k].bed) + 1);
+      used = used.cwiseMax(laid[k].at_mm + (laid[k].turned ? size.reverse().eval() : size));
+    }
+    if (!options_.bed_mm) room.x() = std::max(used.x(), kLeastHeading_mm);
+    std::vector<KitPiece> sheets;
+    for (std::size_t bed = 0; bed < beds; ++bed) {
+      const KitPiece heading = kit_heading(sentences(bed, beds), room.x());
+      const Vector2d page =
+          options_.bed_mm ? *options_.bed_mm
+                          : Vector2d(2 * margin +
+                                     Vector2d(room.x(), used.y() + gap_mm + heading.size_mm().y()));
+      sheets.push_back(empty_piece({0, 0}, page));
+      sheets.back().drawing.title = title_;
+      sheets.back().add(heading, margin, false);
+    }
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      KitPiece& sheet = sheets[static_cast<std::size_t>(laid[k].bed)];
+      const double height = laid[k].turned ? boxes[k].size_mm.x() : boxes[k].size_mm.y();
+      sheet.add(pieces[k],
+                {margin.x() + laid[k].at_mm.x(),
+                 sheet.drawing.most_mm.y() - margin.y() - laid[k].at_mm.y() - height},
+                laid[k].turned);
+    }
+    std::vector<LineDrawing> drawings;
+    for (KitPiece& sheet : sheets) {
+      std::erase_if(sheet.drawing.layers, [](const LineLayer& layer) { return layer.is_empty(); });
+      drawings.push_back(std::move(sheet.drawing));
+    }
+    return drawings;
+  }
+
+  const KitSheet& sheet_;
+  const KitOptions& options_;
+  const std::string title_;
+  const std::vector<Bore> bores_;
+  std::vector<std::string> notes_;
+  std::vector<int> cuts_;  // creases along which parts were cut to fit the bed
+};
+
+}  // namespace
+
+std::vector<LineDrawing> kit_drawings(const KitSheet& sheet, const KitOptions& options,
+                                      const std::string& title) {
+  refuse_options(options);
+  return Kit(sheet, options, title).drawings();
+}
+
+}  // namespace misalign::schema

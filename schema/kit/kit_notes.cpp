@@ -1,0 +1,152 @@
+#include "schema/kit/kit_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "schema/files/printable.hpp"
+#include "schema/kit/panel_room.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kNote_mm = 2.5, kNoteLine_mm = 4.5;  // of a capital; from line to line
+
+using Row = std::vector<std::string>;
+
+// Words within a number of letters; a longer word is a line of its own.
+std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < sentence.size();) {
+    const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
+    const std::string word = sentence.substr(at, end - at);
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) {
+      lines.emplace_back();
+    }
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    at = end + 1;
+  }
+  return lines;
+}
+
+DrawnText written(double x, double y, const std::string& words) {
+  return {{x, y}, words, kNote_mm, false, 0};
+}
+
+// Rows below a line of headings, in columns as wide as their widest words.
+KitPiece table(const std::string& caption, const Row& heads, const std::vector<Row>& rows) {
+  constexpr double kBetween_mm = 3;
+  std::vector<double> starts(1, 0.0);
+  for (std::size_t c = 0; c < heads.size(); ++c) {
+    double width = text_width(heads[c]);
+    for (const Row& row : rows) width = std::max(width, text_width(row[c]));
+    starts.push_back(starts.back() + width * kNote_mm + kBetween_mm);
+  }
+  const double width = std::max(starts.back() - kBetween_mm, text_width(caption) * kNote_mm);
+  const double height = static_cast<double>(rows.size() + 2) * kNoteLine_mm;
+  KitPiece piece = empty_piece({0, 0}, {width, height});
+  LineLayer& note = piece.on(KitLayer::note);
+  double y = height - kNote_mm;
+  note.texts.push_back(written(0, y, caption));
+  const auto add = [&](const Row& row) {
+    y -= kNoteLine_mm;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      note.texts.push_back(written(starts[c], y, row[c]));
+    }
+  };
+  add(heads);
+  const double under = y - 0.4 * (kNoteLine_mm - kNote_mm);
+  note.paths.push_back({{{0, under}, {width, under}}, false});
+  for (const Row& row : rows) add(row);
+  return piece;
+}
+
+void add_blocks(const std::string& caption, const Row& heads, const std::vector<Row>& rows,
+                double most_height_mm, std::vector<KitPiece>& pieces) {
+  constexpr double kMostRows = 25;
+  const auto most =
+      static_cast<std::size_t>(std::clamp(most_height_mm / kNoteLine_mm - 2, 1.0, kMostRows));
+  for (std::size_t first = 0; first < rows.size(); first += most) {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(most, rows.size() - first));
+    pieces.push_back(table(first == 0 ? caption : caption + ", continued", heads,
+                           std::vector<Row>(begin, begin + count)));
+  }
+}
+
+std::vector<Row> shift_rows(const KitSheet& sheet) {
+  std::vector<Row> rows;
+  for (Eigen::Index v = 0; v < sheet.shifts_mm.cols(); ++v) {
+    if (sheet.shifts_mm.col(v).isZero(0)) continue;
+    rows.push_back({solver::vertex_label(static_cast<int>(v)),
+                    fmt::format("{:+.4f}", sheet.shifts_mm(0, v)),
+                    fmt::format("{:+.4f}", sheet.shifts_mm(1, v))});
+  }
+  return rows;
+}
+
+std::vector<Row> spring_rows(const KitSheet& sheet, const std::vector<Bore>& bores) {
+  std::vector<Row> rows;
+  std::map<int, const Bore*> first_end;
+  for (const Bore& bore : bores) {
+    if (bore.spring < 0) continue;
+    const auto [at, is_first] = first_end.try_emplace(bore.spring, &bore);
+    if (is_first) continue;
+    const Bore& from = *at->second;
+    rows.push_back(
+        {"s" + std::to_string(bore.spring), solver::line_label(from.vertex, bore.vertex),
+         fmt::format("{:.3f}", (sheet.point(from.vertex) - sheet.point(bore.vertex)).norm()),
+         fmt::format("{:.3f}", (from.centre_mm - bore.centre_mm).norm())});
+  }
+  return rows;
+}
+
+}  // namespace
+
+KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm) {
+  constexpr double kGauge_mm = 100, kTick_mm = 4;
+  const auto letters = static_cast<std::size_t>(width_mm / (kNote_mm * text_width("x")));
+  std::vector<std::string> lines;
+  for (const std::string& sentence : sentences) {
+    for (std::string& line : wrapped(printable(utf8(sentence)), letters)) {
+      lines.push_back(shortened(line, std::max<std::size_t>(letters, 20)));
+    }
+  }
+  const double height = static_cast<double>(lines.size()) * kNoteLine_mm + kTick_mm;
+  KitPiece piece = empty_piece({0, 0}, {width_mm, height});
+  LineLayer& note = piece.on(KitLayer::note);
+  double y = height - kNote_mm;
+  for (const std::string& line : lines) {
+    note.texts.push_back(written(0, y, line));
+    y -= kNoteLine_mm;
+  }
+  const double middle = 0.5 * kTick_mm;
+  note.paths.push_back({{{0, middle}, {kGauge_mm, middle}}, false});
+  for (const double x : {0.0, kGauge_mm}) {
+    note.paths.push_back({{{x, 0}, {x, kTick_mm}}, false});
+  }
+  note.texts.push_back(written(kGauge_mm + kNote_mm, middle - 0.5 * kNote_mm, "100 mm"));
+  return piece;
+}
+
+std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<Bore>& bores,
+                                 const std::vector<int>& cuts, double most_height_mm) {
+  std::vector<KitPiece> pieces;
+  add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, pieces);
+  add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "bores"}, spring_rows(sheet, bores),
+             most_height_mm, pieces);
+  std::vector<Row> hinges;
+  for (const int c : cuts) {
+    const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];
+    hinges.push_back({solver::line_label(crease.a, crease.b), sheet.panel_label(crease.left),
+                      sheet.panel_label(crease.right)});
+  }
+  add_blocks("cut for the bed: to be hinged", {"crease", "panel", "panel"}, hinges, most_height_mm,
+             pieces);
+  return pieces;
+}
+
+}  // namespace misalign::schema

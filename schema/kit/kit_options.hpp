@@ -1,0 +1,27 @@
+// What a builder chooses of a kit to cut.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace misalign::schema {
+
+/// What is made of a crease.
+enum class CreaseCut {
+  cut,    ///< every panel is a part of its own, to be hinged by tape or textile
+  score,  ///< a line
+  dash,   ///< a perforation: cuts with bridges between
+};
+
+struct KitOptions {
+  CreaseCut crease = CreaseCut::score;
+  double kerf_mm = 0;                                   ///< what the beam or the mill takes away
+  double dash_mm = 4, bridge_mm = 1;                    ///< of a perforation, as they come out
+  std::optional<double> joint_bore_mm, spring_bore_mm;  ///< diameters
+  double bore_edge_mm = 2;  ///< what is left between a bore and an edge, or another bore
+  double gap_mm = 5;        ///< between parts
+  double margin_mm = 5;     ///< round all of them
+  std::optional<Eigen::Vector2d> bed_mm;  ///< width and height of the machine's
+};
+
+}  // namespace misalign::schema

@@ -1,0 +1,193 @@
+#include "schema/kit/kit_outline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// The next vertex along an opening's side, from `from` by way of `at`: where the way branches, the
+// first edge counter-clockwise from where it came, so that what is outside stays one region.
+int next_vertex(const KitSheet& sheet, int from, int at, const std::vector<int>& ways) {
+  const Vector2d back = sheet.point(from) - sheet.point(at);
+  const auto turned = [&](int to) {
+    const Vector2d on = sheet.point(to) - sheet.point(at);
+    const double angle = std::atan2(cross(back, on), back.dot(on));
+    return angle > 0 ? angle : angle + 2 * std::numbers::pi;
+  };
+  return *std::min_element(ways.begin(), ways.end(),
+                           [&](int a, int b) { return turned(a) < turned(b); });
+}
+
+bool meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
+  const auto side = [](const Vector2d& p, const Vector2d& q, const Vector2d& r) {
+    return cross(q - p, r - p) > 0;
+  };
+  return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
+}
+
+bool is_simple(const Ring& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;  // neighbours
+      if (meet(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) return false;
+    }
+  }
+  return true;
+}
+
+// Where a corner lies once both its edges (unit directions) are moved to their right: one point, or
+// two where the mitre is cut off.
+std::vector<Vector2d> moved_corner(const Vector2d& corner, const Vector2d& in, const Vector2d& out,
+                                   double distance_mm) {
+  const Vector2d right_in(in.y(), -in.x()), right_out(out.y(), -out.x());
+  const Vector2d middle = right_in + right_out;  // length 2 cos(half the turn)
+  const double square = middle.squaredNorm();
+  const bool is_convex = cross(in, out) > 0;
+  if (!is_convex || square * kMitreLimit * kMitreLimit >= 4) {
+    return {corner + 2 * distance_mm / square * middle};
+  }
+  const Vector2d away = (in - out).normalized();
+  const auto on_line = [&](const Vector2d& right, const Vector2d& along) {
+    const double way = (kMitreLimit - right.dot(away)) / along.dot(away);
+    return Vector2d(corner + distance_mm * (right + way * along));
+  };
+  return {on_line(right_in, in), on_line(right_out, out)};
+}
+
+std::vector<Vector2d> moved_corner(const Ring& ring, std::size_t i, double distance_mm) {
+  const std::size_t n = ring.size();
+  const Vector2d &before = ring[(i + n - 1) % n], &at = ring[i], &after = ring[(i + 1) % n];
+  return moved_corner(at, (at - before).normalized(), (after - at).normalized(), distance_mm);
+}
+
+Ring ring_of(const KitSheet& sheet, const std::vector<int>& walk) {
+  Ring ring;
+  for (const int v : walk) ring.push_back(sheet.point(v));
+  return ring;
+}
+
+// The widest kerf for which each of these contours can still be cut.
+double widest_kerf_mm(const std::vector<Ring>& rings, double too_wide_mm) {
+  double fits = 0, fails = too_wide_mm;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (fits + fails);
+    const bool fit = std::all_of(rings.begin(), rings.end(), [&](const Ring& ring) {
+      return offset_ring(ring, 0.5 * middle).has_value();
+    });
+    (fit ? fits : fails) = middle;
+  }
+  return fits;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> part_walks(const KitSheet& sheet, const KitPart& part) {
+  const auto& pattern = sheet.base.sheet;
+  std::vector<bool> inside(static_cast<std::size_t>(pattern.facet_count()), false);
+  for (const int f : part.facets) inside[static_cast<std::size_t>(f)] = true;
+  const auto is_inside = [&](int f) { return f >= 0 && inside[static_cast<std::size_t>(f)]; };
+  std::map<int, std::vector<int>> ways;  // along the contours, from each vertex on them
+  for (const solver::Edge& edge : pattern.edges) {
+    if (is_inside(edge.left) == is_inside(edge.right)) continue;
+    const bool on_left = is_inside(edge.left);
+    ways[on_left ? edge.a : edge.b].push_back(on_left ? edge.b : edge.a);
+  }
+  std::vector<std::vector<int>> walks;
+  while (!ways.empty()) {
+    const int first = ways.begin()->first, second = ways.begin()->second.front();
+    std::vector<int> walk;
+    int from = first, to = second;
+    do {
+      walk.push_back(from);
+      std::vector<int>& left = ways[from];
+      left.erase(std::find(left.begin(), left.end(), to));
+      if (left.empty()) ways.erase(from);
+      // The way back to the first edge is taken already.
+      std::vector<int> open = ways.contains(to) ? ways[to] : std::vector<int>();
+      if (to == first) open.push_back(second);
+      const int next = next_vertex(sheet, from, to, open);
+      from = to;
+      to = next;
+    } while (from != first || to != second);
+    walks.push_back(std::move(walk));
+  }
+  std::stable_partition(walks.begin(), walks.end(), [&](const std::vector<int>& walk) {
+    return signed_area_mm2(ring_of(sheet, walk)) > 0;
+  });
+  return walks;
+}
+
+std::optional<Ring> offset_ring(const Ring& ring, double distance_mm) {
+  if (distance_mm == 0) return ring;
+  const std::size_t n = ring.size();
+  std::vector<std::vector<Vector2d>> corners(n);
+  for (std::size_t i = 0; i < n; ++i) corners[i] = moved_corner(ring, i, distance_mm);
+  Ring moved;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2d along = ring[(i + 1) % n] - ring[i];
+    if ((corners[(i + 1) % n].front() - corners[i].back()).dot(along) <= 0) return std::nullopt;
+    moved.insert(moved.end(), corners[i].begin(), corners[i].end());
+  }
+  if (!is_simple(moved)) return std::nullopt;
+  return moved;
+}
+
+Eigen::Vector2d PartOutline::least_mm() const {
+  Vector2d least = rings[0][0];
+  for (const Vector2d& point : rings[0]) least = least.cwiseMin(point);
+  return least;
+}
+
+Eigen::Vector2d PartOutline::most_mm() const {
+  Vector2d most = rings[0][0];
+  for (const Vector2d& point : rings[0]) most = most.cwiseMax(point);
+  return most;
+}
+
+PartOutline part_outline(const KitSheet& sheet, const KitPart& part, double kerf_mm) {
+  const std::vector<std::vector<int>> walks = part_walks(sheet, part);
+  std::vector<Ring> drawn;
+  for (const auto& walk : walks) drawn.push_back(ring_of(sheet, walk));
+  PartOutline outline;
+  std::map<int, std::vector<Vector2d>> ends_at;  // of slits, by vertex
+  for (std::size_t r = 0; r < drawn.size(); ++r) {
+    const std::optional<Ring> moved = offset_ring(drawn[r], 0.5 * kerf_mm);
+    if (!moved) {
+      throw UserError(
+          kExitUsage,
+          fmt::format("--kerf {:g}: too wide for the contours of the part with panel {} "
+                      "(one of their edges would vanish); at most {:.4g} mm fit",
+                      kerf_mm, sheet.panel_label(part.facets[0]),
+                      0.999 * widest_kerf_mm(drawn, kerf_mm)));
+    }
+    outline.rings.push_back(*moved);
+    if (kerf_mm == 0) continue;
+    for (std::size_t i = 0; i < walks[r].size(); ++i) {
+      ends_at[walks[r][i]].push_back(moved_corner(drawn[r], i, 0.5 * kerf_mm).front());
+    }
+  }
+  for (const auto& [vertex, ends] : ends_at) {
+    if (ends.size() == 2) outline.slits.push_back({ends[0], sheet.point(vertex), ends[1]});
+  }
+  return outline;
+}
+
+double signed_area_mm2(const Ring& ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    twice += cross(ring[i], ring[(i + 1) % ring.size()]);
+  }
+  return 0.5 * twice;
+}
+
+}  // namespace misalign::schema

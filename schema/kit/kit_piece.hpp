@@ -1,0 +1,39 @@
+// What is moved about as one when a kit is laid out: a part, or a block of notes, on the kit's
+// layers.
+#pragma once
+
+#include <string>
+
+#include "schema/exchange/line_drawing.hpp"
+
+namespace misalign::schema {
+
+/// In the order in which a machine should follow them, what holds a part last.
+enum class KitLayer {
+  hatch,  ///< waste: falls out; not cut
+  note,   ///< title, gauge and tables
+  engrave,
+  score_mountain,
+  score_valley,
+  dash_mountain,
+  dash_valley,
+  bore,
+  slit,  ///< through a ball joint, where two openings touch
+  cut,
+};
+
+struct KitPiece {
+  LineDrawing drawing;  ///< with every layer
+  bool may_turn = false;
+
+  LineLayer& on(KitLayer layer) { return drawing.layers[static_cast<std::size_t>(layer)]; }
+  Eigen::Vector2d size_mm() const { return drawing.most_mm - drawing.least_mm; }
+  /// The other's lines too, their page's lower left corner at a point; turned by a quarter,
+  /// counter-clockwise, if that is asked for.
+  void add(const KitPiece& other, const Eigen::Vector2d& at_mm, bool turned);
+};
+
+/// Nothing yet, on every layer.
+KitPiece empty_piece(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm);
+
+}  // namespace misalign::schema

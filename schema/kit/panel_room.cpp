@@ -1,0 +1,62 @@
+#include "schema/kit/panel_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/kit/kit_outline.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kClear_mm = 1;  // between words, and to edges and bores
+
+}  // namespace
+
+double text_width(const std::string& words) {
+  constexpr double kLetter = 0.95;
+  return kLetter * static_cast<double>(words.size());
+}
+
+PanelRoom::PanelRoom(const KitSheet& sheet, int facet, const std::vector<Bore>& bores) {
+  for (const int v : sheet.base.sheet.facets[static_cast<std::size_t>(facet)]) {
+    corners_.push_back(sheet.point(v));
+  }
+  middle_mm_ = 0.25 * (corners_[0] + corners_[1] + corners_[2] + corners_[3]);
+  size_mm_ = std::sqrt(signed_area_mm2(corners_));
+  for (const Bore& bore : bores) {
+    if (bore.facet == facet) bores_.push_back({bore.centre_mm, 0.5 * bore.diameter_mm});
+  }
+}
+
+bool PanelRoom::has_room_for(const Box& box) const {
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Vector2d along = (corners_[(k + 1) % 4] - corners_[k]).normalized(),
+                   inward(-along.y(), along.x());
+    // Of the box's corners the one farthest out.
+    const double depth = inward.dot(box.middle - corners_[k]) - inward.cwiseAbs().dot(box.half);
+    if (depth < kClear_mm) return false;
+  }
+  for (const DrawnCircle& bore : bores_) {
+    const Vector2d off = (bore.centre_mm - box.middle).cwiseAbs() - box.half;
+    if (off.cwiseMax(0).norm() < bore.radius_mm + kClear_mm) return false;
+  }
+  return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
+    const Vector2d apart = (other.middle - box.middle).cwiseAbs() - other.half - box.half;
+    return apart.maxCoeff() < kClear_mm;
+  });
+}
+
+std::optional<DrawnText> PanelRoom::place(const std::string& words, double height_mm,
+                                          const std::vector<Vector2d>& middles_mm) {
+  const Vector2d half = 0.5 * height_mm * Vector2d(text_width(words), 1);
+  for (const Vector2d& middle : middles_mm) {
+    if (!has_room_for({middle, half})) continue;
+    taken_.push_back({middle, half});
+    return DrawnText{middle - Vector2d(0, half.y()), words, height_mm, true};
+  }
+  return std::nullopt;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,40 @@
+// Where in a panel there is still room to engrave.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "schema/exchange/line_drawing.hpp"
+#include "schema/kit/kit_bores.hpp"
+
+namespace misalign::schema {
+
+/// How wide words are, in heights of a capital: a bound for common typefaces.
+double text_width(const std::string& words);
+
+class PanelRoom {
+ public:
+  /// A panel without what its bores take.
+  PanelRoom(const KitSheet& sheet, int facet, const std::vector<Bore>& bores);
+
+  /// Words with their middle at the first of the points where they fit; they take that room.
+  std::optional<DrawnText> place(const std::string& words, double height_mm,
+                                 const std::vector<Eigen::Vector2d>& middles_mm);
+
+  const Eigen::Vector2d& middle_mm() const { return middle_mm_; }
+  double size_mm() const { return size_mm_; }
+
+ private:
+  struct Box {
+    Eigen::Vector2d middle, half;
+  };
+  bool has_room_for(const Box& box) const;
+
+  std::vector<Eigen::Vector2d> corners_;
+  Eigen::Vector2d middle_mm_;
+  double size_mm_;  // root of the area
+  std::vector<DrawnCircle> bores_;
+  std::vector<Box> taken_;
+};
+
+}  // namespace misalign::schema

@@ -1,0 +1,201 @@
+#include "schema/kit/part_piece.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "schema/kit/panel_room.hpp"
+#include "solver/pattern/crease_pattern.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kPanelNumber_mm = 5, kMark_mm = 2.5;  // heights, where panels are large enough
+constexpr double kPanelNumberPart = 0.09, kMarkPart = 0.045;  // of a panel's size, at most
+
+// Points round a middle, the nearest first.
+std::vector<Vector2d> rings_round(const Vector2d& middle, double first_mm, double step_mm,
+                                  int rings, int directions) {
+  std::vector<Vector2d> points;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / directions;
+      points.emplace_back(middle +
+                          (first_mm + ring * step_mm) * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return points;
+}
+
+class Marks {
+ public:
+  Marks(const KitSheet& sheet, const KitPart& part, const std::vector<Bore>& bores,
+        LineLayer& engraved)
+      : sheet_(sheet), engraved_(engraved) {
+    for (const int f : part.facets) rooms_.emplace(f, PanelRoom(sheet, f, bores));
+  }
+
+  // In the middle, or as near as bores let it; smaller where there is no room.
+  void add_panel_numbers() {
+    constexpr double kSmaller = 0.8, kLeast_mm = 0.5;
+    for (auto& [facet, room] : rooms_) {
+      const std::string words = sheet_.panel_label(facet);
+      std::vector<Vector2d> middles = {room.middle_mm()};
+      for (const Vector2d& point :
+           rings_round(room.middle_mm(), 0.05 * room.size_mm(), 0.05 * room.size_mm(), 8, 16)) {
+        middles.push_back(point);
+      }
+      double height_mm = std::min(kPanelNumber_mm, kPanelNumberPart * room.size_mm());
+      auto text = room.place(words, height_mm, middles);
+      while (!text && (height_mm *= kSmaller) > kLeast_mm) {
+        text = room.place(words, height_mm, middles);
+      }
+      // Every panel has its number, over whatever there is.
+      engraved_.texts.push_back(text ? *text : DrawnText{room.middle_mm(), words, height_mm, true});
+    }
+  }
+
+  void add_spring_numbers(const std::vector<Bore>& bores) {
+    for (const Bore& bore : bores) {
+      const auto room = rooms_.find(bore.facet);
+      if (bore.spring < 0 || room == rooms_.end()) continue;
+      const double height_mm = mark_height_mm(room->second);
+      add(room->second, "s" + std::to_string(bore.spring),
+          rings_round(bore.centre_mm, 0.5 * bore.diameter_mm + height_mm, 0.5 * height_mm, 6, 24));
+    }
+  }
+
+  // Each vertex once, in the panel in which its label is nearest to it.
+  void add_vertex_labels() {
+    constexpr int kSteps = 40;
+    constexpr double kFarthest = 0.4;  // of a panel's size
+    std::map<int, std::vector<int>> panels_at;
+    for (const auto& [facet, room] : rooms_) {
+      for (const int v : sheet_.base.sheet.facets[static_cast<std::size_t>(facet)]) {
+        panels_at[v].push_back(facet);
+      }
+    }
+    for (const auto& [vertex, panels] : panels_at) {
+      bool placed = false;
+      for (int step = 1; step <= kSteps && !placed; ++step) {
+        for (std::size_t k = 0; k < panels.size() && !placed; ++k) {
+          PanelRoom& room = rooms_.at(panels[k]);
+          const PanelCorner corner(sheet_, panels[k], vertex);
+          placed =
+              add(room, solver::vertex_label(vertex),
+                  {corner.at_mm + kFarthest * room.size_mm() * step / kSteps * corner.bisector});
+        }
+      }
+    }
+  }
+
+ private:
+  static double mark_height_mm(const PanelRoom& room) {
+    return std::min(kMark_mm, kMarkPart * room.size_mm());
+  }
+  bool add(PanelRoom& room, const std::string& words, const std::vector<Vector2d>& middles_mm) {
+    const auto text = room.place(words, mark_height_mm(room), middles_mm);
+    if (text) engraved_.texts.push_back(*text);
+    return text.has_value();
+  }
+
+  const KitSheet& sheet_;
+  LineLayer& engraved_;
+  std::map<int, PanelRoom> rooms_;
+};
+
+void add_creases(const KitSheet& sheet, const KitPart& part, const KitOptions& options,
+                 KitPiece& piece) {
+  const bool dashed = options.crease == CreaseCut::dash;
+  for (const int c : part.creases) {
+    const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];
+    const Vector2d from = sheet.point(crease.a), to = sheet.point(crease.b);
+    const bool valley = sheet.mechanism.is_valley(crease);
+    if (!dashed) {
+      piece.on(valley ? KitLayer::score_valley : KitLayer::score_mountain)
+          .paths.push_back({{from, to}, false});
+      continue;
+    }
+    auto& paths = piece.on(valley ? KitLayer::dash_valley : KitLayer::dash_mountain).paths;
+    for (DrawnPath& dash : perforation(from, to, options)) paths.push_back(std::move(dash));
+  }
+}
+
+}  // namespace
+
+KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const std::vector<Bore>& bores,
+                    const KitOptions& options) {
+  const PartOutline outline = part_outline(sheet, part, options.kerf_mm);
+  KitPiece piece = empty_piece(outline.least_mm(), outline.most_mm());
+  piece.may_turn = true;
+  for (const Ring& ring : outline.rings) piece.on(KitLayer::cut).paths.push_back({ring, true});
+  for (const auto& slit : outline.slits) piece.on(KitLayer::slit).paths.push_back({slit, false});
+  for (std::size_t r = 1; r < outline.rings.size(); ++r) {
+    for (DrawnPath& line : hatching(outline.rings[r])) {
+      piece.on(KitLayer::hatch).paths.push_back(std::move(line));
+    }
+  }
+  for (const Bore& bore : bores) {
+    if (!std::binary_search(part.facets.begin(), part.facets.end(), bore.facet)) continue;
+    piece.on(KitLayer::bore)
+        .circles.push_back({bore.centre_mm, 0.5 * (bore.diameter_mm - options.kerf_mm)});
+  }
+  add_creases(sheet, part, options, piece);
+  Marks marks(sheet, part, bores, piece.on(KitLayer::engrave));
+  marks.add_panel_numbers();
+  marks.add_spring_numbers(bores);
+  marks.add_vertex_labels();
+  return piece;
+}
+
+std::vector<DrawnPath> perforation(const Vector2d& from_mm, const Vector2d& to_mm,
+                                   const KitOptions& options) {
+  constexpr double kRounding = 1e-9;  // of a count: a crease that a whole number fits exactly
+  const double length_mm = (to_mm - from_mm).norm();
+  const double count = std::floor(
+      (length_mm - options.bridge_mm) / (options.dash_mm + options.bridge_mm) + kRounding);
+  if (count < 1) return {};
+  const double bridge_mm = (length_mm - count * options.dash_mm) / (count + 1);
+  const Vector2d along = (to_mm - from_mm) / length_mm;
+  std::vector<DrawnPath> dashes;
+  for (int k = 0; k < static_cast<int>(count); ++k) {
+    const double begin_mm = bridge_mm + k * (options.dash_mm + bridge_mm) + 0.5 * options.kerf_mm;
+    const double end_mm = begin_mm + options.dash_mm - options.kerf_mm;
+    dashes.push_back({{from_mm + begin_mm * along, from_mm + end_mm * along}, false});
+  }
+  return dashes;
+}
+
+std::vector<DrawnPath> hatching(const Ring& ring) {
+  constexpr double kPitch_mm = 5, kClear_mm = 1;  // between lines, and to the contour
+  const Vector2d along = Vector2d(1, 1).normalized(), across(-along.y(), along.x());
+  double least = INFINITY, most = -INFINITY;
+  for (const Vector2d& point : ring) {
+    least = std::min(least, across.dot(point));
+    most = std::max(most, across.dot(point));
+  }
+  std::vector<DrawnPath> lines;
+  for (double at = std::ceil(least / kPitch_mm) * kPitch_mm; at < most; at += kPitch_mm) {
+    std::vector<std::array<double, 2>> ends;  // where it enters and leaves, how much to keep off
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector2d &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      const double u = across.dot(p) - at, v = across.dot(q) - at;
+      if ((u > 0) == (v > 0)) continue;
+      ends.push_back({along.dot(p) + u / (u - v) * along.dot(q - p),
+                      kClear_mm * (q - p).norm() / std::abs(u - v)});
+    }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+      const double from = ends[k][0] + ends[k][1], to = ends[k + 1][0] - ends[k + 1][1];
+      if (to - from < kClear_mm) continue;  // a dot
+      lines.push_back({{at * across + from * along, at * across + to * along}, false});
+    }
+  }
+  return lines;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,25 @@
+// A part as it is cut, scored, bored and engraved.
+#pragma once
+
+#include <vector>
+
+#include "schema/kit/kit_bores.hpp"
+#include "schema/kit/kit_outline.hpp"
+#include "schema/kit/kit_piece.hpp"
+
+namespace misalign::schema {
+
+/// Where the sheet has it; its page is the box round its outer contour.
+KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const std::vector<Bore>& bores,
+                    const KitOptions& options);
+
+/// The cuts of a perforation between two points, as they are drawn: as many of the length that is
+/// asked for, less the kerf, as there is room for with bridges of at least theirs. It begins and
+/// ends with a bridge; all bridges are equal.
+std::vector<DrawnPath> perforation(const Eigen::Vector2d& from_mm, const Eigen::Vector2d& to_mm,
+                                   const KitOptions& options);
+
+/// Slanting lines within a contour.
+std::vector<DrawnPath> hatching(const Ring& ring);
+
+}  // namespace misalign::schema

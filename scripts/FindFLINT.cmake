@@ -1,0 +1,18 @@
+# FLINT::flint, with Arb: in FLINT 3 it is a part of FLINT, before that a library of its own. Also installed,
+# for who links against the solver.
+find_path(FLINT_INCLUDE_DIR flint/flint.h)
+find_library(FLINT_LIBRARY flint)
+set(FLINT_PARTS FLINT_LIBRARY FLINT_INCLUDE_DIR)
+if(FLINT_INCLUDE_DIR AND NOT EXISTS ${FLINT_INCLUDE_DIR}/flint/arb.h)
+  find_path(ARB_INCLUDE_DIR arb.h)
+  find_library(ARB_LIBRARY NAMES flint-arb arb)
+  list(APPEND FLINT_PARTS ARB_LIBRARY ARB_INCLUDE_DIR)
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(FLINT REQUIRED_VARS ${FLINT_PARTS})
+mark_as_advanced(FLINT_LIBRARY FLINT_INCLUDE_DIR ARB_LIBRARY ARB_INCLUDE_DIR)
+if(FLINT_FOUND AND NOT TARGET FLINT::flint)
+  add_library(FLINT::flint INTERFACE IMPORTED)
+  target_include_directories(FLINT::flint INTERFACE ${FLINT_INCLUDE_DIR} ${ARB_INCLUDE_DIR})
+  target_link_libraries(FLINT::flint INTERFACE ${ARB_LIBRARY} ${FLINT_LIBRARY})
+endif()

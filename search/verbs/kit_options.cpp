@@ -1,0 +1,82 @@
+#include "search/verbs/kit_options.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "search/verbs/options.hpp"
+
+namespace misalign::search {
+namespace {
+
+constexpr double kMost_mm = 1e5;
+
+CLI::Validator a_bed() {
+  return CLI::Validator(
+      [](std::string& text) {
+        static const std::regex form(R"(\d{1,6}(\.\d+)?x\d{1,6}(\.\d+)?)");
+        if (std::regex_match(text, form)) return std::string();
+        return text + " is no width and height in mm, such as 600x400";
+      },
+      "");
+}
+
+}  // namespace
+
+void add_kit(CLI::App& verb, KitWish& wish) {
+  schema::KitOptions& kit = wish.options;
+  const auto add_mm = [&](const char* name, auto& value, const std::string& meaning, double least) {
+    verb.add_option(name, value, meaning)->check(within(least, kMost_mm))->type_name("MM");
+  };
+  verb.add_flag("--kit", wish.wanted, "svg and dxf: numbered parts to cut, see above");
+  verb.add_option("--crease", kit.crease,
+                  "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
+                  "[score]")
+      ->transform(one_of<schema::CreaseCut>({{"cut", schema::CreaseCut::cut},
+                                             {"score", schema::CreaseCut::score},
+                                             {"dash", schema::CreaseCut::dash}}));
+  verb.add_option_function<std::vector<double>>(
+          "--dash-mm",
+          [&kit](const std::vector<double>& lengths) {
+            kit.dash_mm = lengths[0];
+            kit.bridge_mm = lengths[1];
+          },
+          fmt::format("with --crease dash: length of a cut, and least of a bridge [{:g},{:g}]",
+                      kit.dash_mm, kit.bridge_mm))
+      ->delimiter(',')
+      ->expected(2)
+      ->check(within(1e-2, kMost_mm))
+      ->type_name("CUT,BRIDGE");
+  add_mm("--kerf", kit.kerf_mm,
+         fmt::format("with --kit: what the cut takes away, half of it on each side [{:g}]",
+                     kit.kerf_mm),
+         0);
+  add_mm("--joint-bore", kit.joint_bore_mm, "with --kit: diameter of bores at ball joints [none]",
+         1e-2);
+  add_mm("--spring-bore", kit.spring_bore_mm, "with --kit: diameter of bores for springs [none]",
+         1e-2);
+  add_mm("--bore-edge", kit.bore_edge_mm,
+         fmt::format("with --kit: what is left between a bore and edges, or another bore [{:g}]",
+                     kit.bore_edge_mm),
+         0);
+  add_mm("--gap", kit.gap_mm, fmt::format("with --kit: between parts [{:g}]", kit.gap_mm), 0);
+  verb.add_option("--bed", wish.bed,
+                  "with --kit: width and height of the machine's bed, mm; a file for each, larger "
+                  "parts cut along creases [one sheet for all]")
+      ->check(a_bed())
+      ->type_name("WxH");
+  add_mm("--margin", kit.margin_mm,
+         fmt::format("with --kit: round all parts [{:g}]", kit.margin_mm), 0);
+}
+
+std::optional<schema::KitOptions> chosen_kit(const KitWish& wish) {
+  if (!wish.wanted) return std::nullopt;
+  schema::KitOptions kit = wish.options;
+  if (!wish.bed.empty()) {
+    const std::size_t by = wish.bed.find('x');
+    kit.bed_mm.emplace(std::stod(wish.bed.substr(0, by)), std::stod(wish.bed.substr(by + 1)));
+  }
+  return kit;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,28 @@
+// The options of a kit to cut.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "schema/kit/kit_options.hpp"
+
+namespace misalign::search {
+
+struct KitWish {
+  bool wanted = false;
+  schema::KitOptions options;
+  std::string bed;  ///< "600x400"
+};
+
+/// --kit, and what goes with it alone.
+void add_kit(CLI::App& verb, KitWish& wish);
+inline constexpr std::array kKitOptions = {"--crease",     "--dash-mm",     "--kerf",
+                                           "--joint-bore", "--spring-bore", "--bore-edge",
+                                           "--gap",        "--bed",         "--margin"};
+
+/// With the bed, if one is asked for; nothing without --kit.
+std::optional<schema::KitOptions> chosen_kit(const KitWish& wish);
+
+}  // namespace misalign::search

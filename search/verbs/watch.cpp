@@ -1,0 +1,104 @@
+// `misalign watch`: the report's page of a catalogue while a search writes it, on this machine.
+#include <signal.h>
+#include <spdlog/spdlog.h>
+
+#include <atomic>
+#include <ctime>
+#include <exception>
+#include <thread>
+
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+#include "search/watch/loopback.hpp"
+#include "search/watch/page_server.hpp"
+#include "search/watch/watched_catalogue.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct WatchCall {
+  std::string path, address = "127.0.0.1";
+  std::optional<int> port;
+};
+
+sigset_t end_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM}) sigaddset(&set, signal);
+  return set;
+}
+
+// Until SIGINT or SIGTERM, of which a second one ends the program at once, or until `ended`.
+void wait_for_the_end(const std::atomic<bool>& ended) {
+  const sigset_t signals = end_signals();
+  constexpr timespec kLook{0, 200'000'000};
+  while (!ended && sigtimedwait(&signals, nullptr, &kLook) < 0) {
+  }
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+void serve(PageServer& server, const Answerer& answer) {
+  std::atomic<bool> ended = false;
+  std::exception_ptr failure;
+  std::thread serving([&] {
+    try {
+      server.serve(answer);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    ended = true;
+  });
+  wait_for_the_end(ended);
+  server.stop();
+  serving.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+void watch(const WatchCall& call) {
+  const std::string address = loopback_address(call.address, call.port.value_or(kUsualPort));
+  WatchedCatalogue catalogue(call.path);
+  const sigset_t signals = end_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before there are threads, which inherit it
+  PageServer server(address, call.port);
+  put(url_of(address, server.place().port) + "\n");
+  std::fflush(stdout);
+  if (!catalogue.exists()) {
+    spdlog::info("{}: there is no such file yet; the page waits for it",
+                 schema::printable(call.path));
+  }
+  spdlog::info("open this address in a browser of this machine; Ctrl-C ends");
+  serve(server, [&](const PageRequest& request) {
+    return request.path == kLivePath ? catalogue.live() : catalogue.page();
+  });
+}
+
+}  // namespace
+
+Action watch_verb(CLI::App& verb) {
+  verb.description("the report's page while a campaign runs");
+  verb.footer(
+      "Prints the page's address, and serves it until Ctrl-C. The page is that of `misalign\n"
+      "report`; its figures and charts move while a search writes the catalogue, and say when it\n"
+      "is complete. The search may run already, begin later, end and go on. It never waits for\n"
+      "this: the catalogue is only read, in short looks. Only programs on this machine reach the\n"
+      "page; those of its other users do, too. To look from another machine, with the same port\n"
+      "at both ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n\n"
+      "Examples:\n  misalign watch results/miura-6x6-1a2b3c4d.db\n"
+      "  misalign watch results/miura-6x6-1a2b3c4d.db --port 8080");
+  auto call = std::make_shared<WatchCall>();
+  verb.add_option("CATALOGUE", call->path, "catalogue file, on a local disk")->required();
+  verb.add_option("--port", call->port,
+                  "TCP port; 0: any that is free [" + std::to_string(kUsualPort) +
+                      ", or any if that is taken]")
+      ->check(counted(0, 65535))
+      ->type_name("N");
+  verb.add_option("--address", call->address, "loopback address to listen on [127.0.0.1]")
+      ->type_name("ADDRESS");
+  return [call] {
+    watch(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

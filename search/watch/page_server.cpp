@@ -1,0 +1,133 @@
+#include "search/watch/page_server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "schema/files/input.hpp"
+#include "search/terminal/failure.hpp"
+
+namespace misalign::search {
+namespace {
+
+// A client that says nothing, or reads nothing, has one of the threads for so long.
+constexpr int kThreads = 32, kPatience_s = 2;
+
+const httplib::Headers& headers_of_all() {
+  static const httplib::Headers headers = {{"Cache-Control", "no-store"},
+                                           {"Cross-Origin-Opener-Policy", "same-origin"},
+                                           {"Cross-Origin-Resource-Policy", "same-origin"},
+                                           {"Referrer-Policy", "no-referrer"},
+                                           {"X-Content-Type-Options", "nosniff"},
+                                           {"X-Frame-Options", "DENY"}};
+  return headers;
+}
+
+PageRequest request_of(const httplib::Request& request) {
+  PageRequest made;
+  made.method = request.method;
+  made.path = request.path;
+  const auto [first, last] = request.headers.equal_range("Host");
+  for (auto header = first; header != last; ++header) made.hosts.push_back(header->second);
+  // Of several the first; a browser sends one.
+  made.origin = request.get_header_value("Origin");
+  made.fetch_site = request.get_header_value("Sec-Fetch-Site");
+  made.has_range = request.has_header("Range");
+  return made;
+}
+
+// By a provider: what is set as a body is compressed, for seconds where it is large.
+void give(const PageAnswer& answer, httplib::Response& response) {
+  response.status = answer.status;
+  response.set_header("Content-Security-Policy", answer.policy);
+  const auto body = answer.body;
+  response.set_content_provider(
+      body->size(), answer.type,
+      [body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+        return sink.write(body->data() + offset, length);
+      });
+}
+
+}  // namespace
+
+class PageServer::Impl {
+ public:
+  Impl(const std::string& address, std::optional<int> port) {
+    // Not the library's own options, with which two programs may have one port.
+    server_.set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    server_.set_default_headers(headers_of_all());
+    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    server_.set_keep_alive_max_count(1);
+    server_.set_keep_alive_timeout(kPatience_s);
+    server_.set_read_timeout(kPatience_s);
+    server_.set_write_timeout(kPatience_s);
+    server_.set_payload_max_length(0);
+    place_ = {address, bound(address, port)};
+  }
+
+  int bound(const std::string& address, std::optional<int> port) {
+    const int wanted = port.value_or(kUsualPort);
+    if (wanted > 0 && server_.bind_to_port(address, wanted)) return wanted;
+    if (wanted == 0 || !port) {
+      const int free = server_.bind_to_any_port(address);
+      if (free > 0) return free;
+    }
+    throw schema::UserError(
+        schema::kExitFailure,
+        fmt::format("{}: cannot listen on {} (is it taken, or below 1024?); choose another --port",
+                    address, wanted > 0 ? fmt::format("port {}", wanted) : "any port"));
+  }
+
+  void serve(const Answerer& answer) {
+    server_.set_pre_routing_handler([&](const httplib::Request& got, httplib::Response& response) {
+      const PageAnswer answered = answer_to(request_of(got), answer);
+      if (answered.status == 405) response.set_header("Allow", "GET, HEAD");
+      give(answered, response);
+      return httplib::Server::HandlerResponse::Handled;
+    });
+    const bool served = server_.listen_after_bind();
+    has_ended_ = true;
+    if (!served) {
+      throw schema::UserError(schema::kExitFailure,
+                              "connections cannot be taken any more; start it again");
+    }
+  }
+
+  PageAnswer answer_to(const PageRequest& request, const Answerer& answer) const {
+    try {
+      const std::optional<Refusal> refused = refusal(request, place_);
+      return refused ? problem_answer(refused->status, refused->sentence) : answer(request);
+    } catch (const std::exception& error) {
+      return problem_answer(500, failure_of(error).sentence);
+    }
+  }
+
+  void stop() {
+    while (!server_.is_running() && !has_ended_) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    server_.stop();
+  }
+
+  const PagePlace& place() const { return place_; }
+
+ private:
+  httplib::Server server_;
+  PagePlace place_;
+  std::atomic<bool> has_ended_ = false;
+};
+
+PageServer::PageServer(const std::string& address, std::optional<int> port)
+    : impl_(std::make_unique<Impl>(address, port)) {}
+PageServer::~PageServer() = default;
+PagePlace PageServer::place() const { return impl_->place(); }
+void PageServer::serve(const Answerer& answer) { impl_->serve(answer); }
+void PageServer::stop() { impl_->stop(); }
+
+}  // namespace misalign::search

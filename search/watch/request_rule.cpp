@@ -1,0 +1,61 @@
+#include "search/watch/request_rule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace misalign::search {
+namespace {
+
+std::string lower(std::string text) {
+  for (char& letter : text) {
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return text;
+}
+
+// The names under which this place is asked for; without the port where HTTP leaves it out.
+std::vector<std::string> own_hosts(const PagePlace& place) {
+  std::vector<std::string> hosts;
+  const bool six = place.address.find(':') != std::string::npos;
+  for (const std::string& name :
+       {std::string("127.0.0.1"), std::string("localhost"), std::string("[::1]"),
+        six ? "[" + place.address + "]" : place.address}) {
+    hosts.push_back(fmt::format("{}:{}", name, place.port));
+    if (place.port == 80) hosts.push_back(name);
+  }
+  return hosts;
+}
+
+}  // namespace
+
+std::optional<Refusal> refusal(const PageRequest& request, const PagePlace& place) {
+  const std::vector<std::string> ours = own_hosts(place);
+  const auto is_ours = [&](const std::string& host) {
+    return std::find(ours.begin(), ours.end(), lower(host)) != ours.end();
+  };
+  if (request.hosts.size() != 1 || !is_ours(request.hosts[0])) {
+    return Refusal{421, fmt::format("this is asked for under another name than {}; open "
+                                    "http://{}/ (through ssh -L with the same port at both ends)",
+                                    ours[0], ours[0])};
+  }
+  const bool own_origin =
+      request.origin.empty() || lower(request.origin) == "http://" + lower(request.hosts[0]);
+  const bool own_site = request.fetch_site.empty() || request.fetch_site == "same-origin" ||
+                        request.fetch_site == "none";
+  if (!own_origin || !own_site) {
+    return Refusal{403, "a page of another site asks for this; open it by its address instead"};
+  }
+  if (request.method != "GET" && request.method != "HEAD") {
+    return Refusal{405, "this page is read only; ask with GET or HEAD"};
+  }
+  if (request.path != kPagePath && request.path != kLivePath) {
+    return Refusal{404,
+                   fmt::format("there is no such page; there are {} and {}", kPagePath, kLivePath)};
+  }
+  if (request.has_range) return Refusal{416, "answers are given whole; ask without Range"};
+  return {};
+}
+
+}  // namespace misalign::search

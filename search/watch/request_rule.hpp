@@ -1,0 +1,38 @@
+// Which requests are answered: those of this machine's own browser, for the page and its data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace misalign::search {
+
+/// What a request says that matters here; absent headers are empty.
+struct PageRequest {
+  std::string method, path;
+  std::vector<std::string> hosts;  ///< every Host header
+  std::string origin, fetch_site;  ///< Origin, Sec-Fetch-Site
+  bool has_range = false;
+};
+
+/// Where the page is served.
+struct PagePlace {
+  std::string address;  ///< in numbers
+  int port;
+};
+
+struct Refusal {
+  int status;
+  std::string sentence;
+};
+
+/// The paths that are answered.
+inline constexpr const char *kPagePath = "/", *kLivePath = "/live";
+
+/// Why a request is refused; nothing for GET and HEAD of a known path, asked of this very place. A
+/// page of another site reaches the loopback address too, under a name of its own that leads here
+/// (DNS rebinding), or as a request across origins: 421 and 403. Else 404 another path, 405 another
+/// method, 416 a part of an answer.
+std::optional<Refusal> refusal(const PageRequest& request, const PagePlace& place);
+
+}  // namespace misalign::search

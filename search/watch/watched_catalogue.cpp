@@ -1,0 +1,160 @@
+#include "search/watch/watched_catalogue.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "schema/files/file_bytes.hpp"
+#include "schema/files/file_name.hpp"
+#include "schema/files/storage.hpp"
+#include "schema/report/report.hpp"
+#include "search/ranks/build_info.hpp"
+#include "search/terminal/failure.hpp"
+#include "search/watch/live_state.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+// Of one core's time, whoever asks how often: ranks need the cores.
+constexpr double kShareForLive = 0.05, kShareForPages = 0.2;
+constexpr double kLeastRest_s = 0.5;
+
+constexpr const char* kHtml = "text/html; charset=utf-8";
+
+ReportCall call_for(const std::string& path) {
+  ReportCall call;
+  call.path = path;
+  call.output = "report.html";
+  return call;
+}
+
+// SQLite's file format, bytes 18 and 19: 1 a rollback journal, 2 a write-ahead log.
+bool has_write_ahead_log(const std::string& path) {
+  std::string begin(20, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin[18] == 2;
+}
+
+void check_storage(const std::string& path) {
+  const schema::FileSystem system = schema::file_system_of(schema::end_of_links(path));
+  if (system.storage != schema::Storage::network) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      path + ": lies on storage that machines share (" + system.name +
+          "; there a reader would keep the search from writing); watch a catalogue on a local "
+          "disk, or ask for `misalign status` now and then");
+}
+
+PageAnswer html_answer(int status, const schema::ServedPage& page) {
+  return {status, kHtml, std::make_shared<const std::string>(page.text), page.policy};
+}
+
+}  // namespace
+
+WatchedCatalogue::WatchedCatalogue(const std::string& path) : call_(call_for(path)) {
+  page_.waits = true;
+  page_about("");
+  check_storage(path);
+  const FileMark mark = FileMark::of(path);
+  if (mark.exists()) {
+    check_readable(mark);
+    const auto database = schema::open_for_reading(path);
+    schema::read_campaign_of(*database, path);
+    return;
+  }
+  const auto directory = std::filesystem::absolute(path).parent_path();
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(directory, ignored)) {
+    throw schema::UserError(schema::kExitBadInput, path +
+                                                       ": there is no such directory; name a "
+                                                       "catalogue that is, or will be, there");
+  }
+}
+
+PageAnswer WatchedCatalogue::page() {
+  return answer(page_, kShareForPages, [this](const FileMark& mark) {
+    try {
+      check_readable(mark);
+      Json data = report_of_catalogue(call_);
+      data["watch"] = {{"live", kLivePath}};
+      return html_answer(200, schema::served_page(data));
+    } catch (const std::exception& error) {
+      return page_about(failure_of(error).sentence);
+    }
+  });
+}
+
+PageAnswer WatchedCatalogue::live() {
+  return answer(live_, kShareForLive, [this](const FileMark& mark) {
+    try {
+      check_readable(mark);
+      const auto database = schema::open_for_reading(call_.path);
+      Json live = live_state_json(*database, schema::read_campaign_of(*database, call_.path));
+      live["writing"] = mark.is_written();
+      live["read_at_s"] = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+      return json_answer(200, live.dump(-1, ' ', false, Json::error_handler_t::replace));
+    } catch (const std::exception& error) {
+      return problem_answer(503, failure_of(error).sentence);
+    }
+  });
+}
+
+PageAnswer WatchedCatalogue::answer(Kept& kept, double share_of_time, const Maker& make) {
+  const auto told = [&](bool also_old) {
+    const std::lock_guard own(kept.asking);
+    const bool rests = also_old || Clock::now() < kept.rests_until;
+    return rests ? kept.answer : PageAnswer();
+  };
+  if (PageAnswer answer = told(false); answer.body) return answer;
+  std::unique_lock reading(reading_, std::try_to_lock);
+  if (!reading.owns_lock()) {
+    if (PageAnswer answer = told(!kept.waits); answer.body) return answer;
+    reading.lock();
+    if (PageAnswer answer = told(false); answer.body) return answer;
+  }
+  const auto begin = Clock::now();
+  const FileMark mark = FileMark::of(call_.path);
+  if (kept.answer.body && kept.mark.is_like(mark)) return kept.answer;
+  PageAnswer made = make(mark);
+  const std::chrono::duration<double> took = Clock::now() - begin;
+  const std::chrono::duration<double> rest(std::max(kLeastRest_s, took.count() / share_of_time));
+  const std::lock_guard own(kept.asking);
+  kept.mark = mark;
+  kept.answer = made;
+  kept.rests_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(rest);
+  return made;
+}
+
+// The page without a campaign: it says what is wrong, and waits until all is well.
+PageAnswer WatchedCatalogue::page_about(const std::string& problem) const {
+  const Json data = {
+      {"format", 1},
+      {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
+      {"catalogue", call_.path},
+      {"watch", {{"live", kLivePath}, {"problem", problem}}}};
+  return html_answer(503, schema::served_page(data));
+}
+
+// What a reader would wait for, or make the writer wait for, is not even opened.
+void WatchedCatalogue::check_readable(const FileMark& mark) const {
+  const std::string& path = call_.path;
+  check_storage(path);
+  if (!mark.exists()) {
+    throw schema::UserError(
+        schema::kExitBadInput,
+        path + ": there is no such file yet; `misalign search` with --catalogue makes it");
+  }
+  if (mark.is_written() && !has_write_ahead_log(path)) {
+    throw schema::UserError(
+        schema::kExitInUse,
+        path +
+            ": is being written without a log (a search that begins, or one with --storage "
+            "network, while which nobody reads); wait for it, or watch one on a local disk");
+  }
+}
+
+}  // namespace misalign::search

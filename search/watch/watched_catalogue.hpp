@@ -1,0 +1,53 @@
+// A catalogue that is looked at again and again while a search may be writing it.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "search/checks/report_data.hpp"
+#include "search/watch/file_mark.hpp"
+#include "search/watch/page_answer.hpp"
+
+namespace misalign::search {
+
+/// Nobody who writes the catalogue waits for it: it is open only while it is being read, which is
+/// done when somebody asks and the file has changed, by one at a time, in short transactions, and
+/// never for more than a small share of the time: who asks in between is told what was read last.
+/// What goes wrong with the file is what is told, as long as it does. For any number of threads.
+class WatchedCatalogue {
+ public:
+  /// UserError: 1 the program carries no page; 2 the file system is shared; 3 it is no catalogue,
+  /// is damaged, or not even its directory is there; 4 it is being written where nobody may read
+  /// meanwhile; 5 a newer schema. A file that is not there yet is waited for.
+  explicit WatchedCatalogue(const std::string& path);
+
+  bool exists() const { return FileMark::of(call_.path).exists(); }
+  /// The report's page, which asks for live() every second.
+  PageAnswer page();
+  /// JSON: live_state_json with "writing": whether a search is at work, "read_at_s": when this was
+  /// read, in seconds that only go on; or, with status 503, {"problem": a sentence}.
+  PageAnswer live();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Kept {
+    std::mutex asking;   // of what follows
+    bool waits = false;  // for others that read, rather than telling what is old
+    PageAnswer answer;   // without a body before the first time
+    FileMark mark;
+    Clock::time_point rests_until;
+  };
+  using Maker = std::function<PageAnswer(const FileMark& mark)>;
+  PageAnswer answer(Kept& kept, double share_of_time, const Maker& make);
+  PageAnswer page_about(const std::string& problem) const;
+  void check_readable(const FileMark& mark) const;
+
+  const ReportCall call_;
+  std::mutex reading_;  // the file is open
+  Kept page_, live_;
+};
+
+}  // namespace misalign::search

@@ -1,0 +1,112 @@
+// Bores: in their panels, clear of edges and of one another; what does not fit is refused with what
+// would.
+#include "schema/kit/kit_bores.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "kit_fixture.hpp"
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+
+// Least distance to the lines of a panel's edges; negative outside.
+double depth(const KitSheet& sheet, int facet, const Vector2d& at) {
+  double least = INFINITY;
+  const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(facet)];
+  for (std::size_t k = 0; k < 4; ++k) {
+    Eigen::Matrix2d m;
+    m << sheet.point(v[(k + 1) % 4]) - sheet.point(v[k]), at - sheet.point(v[k]);
+    least = std::min(least, m.determinant() / m.col(0).norm());
+  }
+  return least;
+}
+
+KitOptions bores_of(std::optional<double> joint, std::optional<double> spring, double edge = 2) {
+  KitOptions options;
+  options.joint_bore_mm = joint;
+  options.spring_bore_mm = spring;
+  options.bore_edge_mm = edge;
+  return options;
+}
+
+TEST(KitBores, LieInTheirPanelsAndClearOfOneAnother) {
+  const KitFixture kit(8, 8);
+  const auto bores = kit_bores(kit.sheet, bores_of(1.2, 1.5));
+  ASSERT_EQ(bores.size(), 2 * (kit.mechanism.balls.size() + kit.mechanism.diagonals.size()));
+  std::map<int, int> joints;                   // by vertex
+  std::map<std::pair<int, int>, int> springs;  // by spring and vertex
+  for (const Bore& bore : bores) {
+    const double radius = bore.diameter_mm / 2;
+    EXPECT_EQ(bore.diameter_mm, bore.spring < 0 ? 1.2 : 1.5);
+    EXPECT_FALSE(std::binary_search(kit.base.holes.begin(), kit.base.holes.end(), bore.facet));
+    EXPECT_GE(depth(kit.sheet, bore.facet, bore.centre_mm), radius + 2 - 1e-9);
+    for (const Bore& other : bores) {
+      if (&other == &bore) continue;
+      EXPECT_GE((other.centre_mm - bore.centre_mm).norm(),
+                radius + other.diameter_mm / 2 + (other.facet == bore.facet ? 2 - 1e-9 : 0));
+    }
+    ++(bore.spring < 0 ? joints[bore.vertex] : springs[{bore.spring, bore.vertex}]);
+  }
+  for (const solver::BallJoint& ball : kit.mechanism.balls) EXPECT_EQ(joints[ball.vertex], 2);
+  for (std::size_t d = 0; d < kit.mechanism.diagonals.size(); ++d) {
+    for (const int v : {kit.mechanism.diagonals[d].from, kit.mechanism.diagonals[d].to}) {
+      EXPECT_EQ((springs[{static_cast<int>(d), v}]), 1);
+    }
+  }
+}
+
+// In the panel across the vertex a spring pulls along the diagonal, or nearly.
+TEST(KitBores, SpringsAtWholeVerticesGoOnAlongTheirDiagonals) {
+  const KitFixture kit(4, 4);
+  int whole = 0;
+  for (const Bore& bore : kit_bores(kit.sheet, bores_of({}, 1.5))) {
+    const solver::Diagonal& diagonal =
+        kit.mechanism.diagonals[static_cast<std::size_t>(bore.spring)];
+    const int other = diagonal.from == bore.vertex ? diagonal.to : diagonal.from;
+    if (bore.vertex == kit.mechanism.balls.at(0).vertex) continue;
+    const Vector2d along = (kit.sheet.point(bore.vertex) - kit.sheet.point(other)).normalized();
+    EXPECT_GT(along.dot((bore.centre_mm - kit.sheet.point(bore.vertex)).normalized()), 0.8);
+    ++whole;
+  }
+  EXPECT_EQ(whole, 6);  // of eight ends two are at the ball joint
+}
+
+TEST(KitBores, WhatDoesNotFitIsRefusedWithWhatWould) {
+  const KitFixture kit(4, 4);
+  for (const auto& [joint, spring] :
+       {std::pair<std::optional<double>, std::optional<double>>{80, {}}, {{}, 80}, {60, 70}}) {
+    try {
+      kit_bores(kit.sheet, bores_of(joint, spring));
+      FAIL() << "bores as large as panels";
+    } catch (const UserError& error) {
+      EXPECT_EQ(error.exit_code(), kExitUsage);
+      const std::string words = error.what();
+      const auto fits = [&](const std::string& option) -> std::optional<double> {
+        const std::size_t at = words.rfind(option);
+        if (at == std::string::npos) return std::nullopt;
+        return std::stod(words.substr(at + option.size()));
+      };
+      const auto small_joint = fits("--joint-bore "), small_spring = fits("--spring-bore ");
+      EXPECT_EQ(small_joint.has_value(), joint.has_value()) << words;
+      EXPECT_NO_THROW(kit_bores(kit.sheet, bores_of(small_joint, small_spring))) << words;
+      const auto more = [](std::optional<double> bore) {
+        return bore ? std::optional(1.02 * *bore) : bore;
+      };
+      EXPECT_THROW(kit_bores(kit.sheet, bores_of(more(small_joint), more(small_spring))), UserError)
+          << words;
+    }
+  }
+  EXPECT_THROW(kit_bores(kit.sheet, bores_of(1, {}, 60)), UserError);
+  KitOptions within_kerf = bores_of(1, {});
+  within_kerf.kerf_mm = 1;
+  EXPECT_THROW(kit_bores(kit.sheet, within_kerf), UserError);
+  within_kerf.kerf_mm = 0.99;
+  EXPECT_NO_THROW(kit_bores(kit.sheet, within_kerf));
+}
+
+}  // namespace
+}  // namespace misalign::schema

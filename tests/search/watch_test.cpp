@@ -1,0 +1,152 @@
+// Whom `misalign watch` answers, where it listens, and how it notices that a catalogue has changed.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "schema/catalogue/writer_lock.hpp"
+#include "schema/files/input.hpp"
+#include "search/watch/file_mark.hpp"
+#include "search/watch/loopback.hpp"
+#include "search/watch/request_rule.hpp"
+#include "tests/folder.hpp"
+
+namespace misalign::search {
+namespace {
+
+constexpr int kPort = 8617;
+const PagePlace kPlace{"127.0.0.1", kPort};
+
+PageRequest asked(const std::string& host = "127.0.0.1:8617") {
+  return {"GET", "/", {host}, "", "", false};
+}
+
+int status_of(const PageRequest& request, const PagePlace& place = kPlace) {
+  const std::optional<Refusal> refused = refusal(request, place);
+  return refused ? refused->status : 200;
+}
+
+TEST(RequestRule, AnswersItsOwnNamesAlone) {
+  for (const char* host : {"127.0.0.1:8617", "localhost:8617", "LocalHost:8617", "[::1]:8617"}) {
+    EXPECT_EQ(status_of(asked(host)), 200) << host;
+  }
+  for (const char* host :
+       {"", "127.0.0.1", "localhost", "127.0.0.1:80", "127.0.0.1:8617.", "evil.example",
+        "evil.example:8617", "localhost.evil.example:8617", "127.0.0.1:8617@evil",
+        "localhost:8617,evil.example", " localhost:8617", "127.0.0.2:8617"}) {
+    EXPECT_EQ(status_of(asked(host)), 421) << host;
+  }
+  PageRequest none = asked();
+  none.hosts.clear();
+  EXPECT_EQ(status_of(none), 421);
+  none.hosts = {"localhost:8617", "evil.example"};
+  EXPECT_EQ(status_of(none), 421) << "two names";
+}
+
+TEST(RequestRule, KnowsItsOtherAddress) {
+  EXPECT_EQ(status_of(asked("127.0.0.2:8617"), {"127.0.0.2", kPort}), 200);
+  EXPECT_EQ(status_of(asked("[::1]:9"), {"::1", 9}), 200);
+  EXPECT_EQ(status_of(asked("localhost"), {"127.0.0.1", 80}), 200) << "HTTP's own port is not said";
+}
+
+TEST(RequestRule, RefusesOtherSites) {
+  const auto with = [](const std::string& origin, const std::string& site) {
+    PageRequest request = asked();
+    request.origin = origin;
+    request.fetch_site = site;
+    return status_of(request);
+  };
+  EXPECT_EQ(with("http://127.0.0.1:8617", "same-origin"), 200);
+  EXPECT_EQ(with("", "none"), 200);
+  for (const char* origin :
+       {"null", "http://evil.example", "https://127.0.0.1:8617", "http://localhost:8617",
+        "http://127.0.0.1:9999", "http://127.0.0.1:8617.evil.example"}) {
+    EXPECT_EQ(with(origin, ""), 403) << origin;
+  }
+  for (const char* site : {"cross-site", "same-site", "x"}) EXPECT_EQ(with("", site), 403) << site;
+}
+
+TEST(RequestRule, ReadsKnownPathsAlone) {
+  const auto with = [](const std::string& method, const std::string& path, bool range = false) {
+    PageRequest request = asked();
+    request.method = method;
+    request.path = path;
+    request.has_range = range;
+    return status_of(request);
+  };
+  EXPECT_EQ(with("GET", "/"), 200);
+  EXPECT_EQ(with("HEAD", "/live"), 200);
+  EXPECT_EQ(with("GET", "/live", true), 416);
+  for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "PATCH", "get", ""}) {
+    EXPECT_EQ(with(method, "/"), 405) << method;
+  }
+  for (const char* path : {"", "//", "/live/", "/../etc/passwd", "/index.html", "/live\n"}) {
+    EXPECT_EQ(with("GET", path), 404) << path;
+  }
+}
+
+TEST(Loopback, IsTheOnlyAddress) {
+  EXPECT_EQ(loopback_address("localhost", kPort), "127.0.0.1");
+  EXPECT_EQ(loopback_address("127.0.0.1", kPort), "127.0.0.1");
+  EXPECT_EQ(loopback_address("127.1.2.3", kPort), "127.1.2.3");
+  EXPECT_EQ(loopback_address("::1", kPort), "::1");
+  for (const char* other : {"0.0.0.0", "::", "*", "", "10.0.0.1", "192.168.1.5", "128.0.0.1",
+                            "::ffff:10.0.0.1", "fe80::1", "no.such.name.invalid"}) {
+    try {
+      const std::string address = loopback_address(other, kPort);
+      ADD_FAILURE() << other << " is taken for " << address;
+    } catch (const schema::UserError& error) {
+      EXPECT_EQ(error.exit_code(), schema::kExitUsage) << other;
+      EXPECT_NE(std::string(error.what()).find("ssh -L 8617:127.0.0.1:8617"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(url_of("127.0.0.1", 80), "http://127.0.0.1:80/");
+  EXPECT_EQ(url_of("::1", kPort), "http://[::1]:8617/");
+}
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+// As if it had been written long ago.
+void age(const std::string& path) {
+  std::filesystem::last_write_time(
+      path, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+}
+
+TEST(FileMark, NoticesCommitsReplacementAndTheWriter) {
+  const Folder folder("watch_test");
+  const std::string path = folder.file("a.db"), log = path + "-wal";
+  EXPECT_FALSE(FileMark::of(path).exists());
+  write(path, "catalogue");
+  EXPECT_FALSE(FileMark::of(path).is_like(FileMark::of(path))) << "it may have changed this moment";
+  age(path);
+  const FileMark before = FileMark::of(path);
+  EXPECT_TRUE(before.exists());
+  EXPECT_FALSE(before.is_written());
+  EXPECT_TRUE(before.is_like(FileMark::of(path)));
+  write(log, "commit");
+  EXPECT_FALSE(before.is_like(FileMark::of(path))) << "a log";
+  age(log);
+  const FileMark logged = FileMark::of(path);
+  EXPECT_TRUE(logged.is_like(FileMark::of(path)));
+  write(log, "COMMIT");  // as many bytes
+  EXPECT_FALSE(logged.is_like(FileMark::of(path))) << "the log written again";
+  std::filesystem::remove(log);
+  write(folder.file("b.db"), "catalogue");
+  age(folder.file("b.db"));
+  std::filesystem::last_write_time(folder.file("b.db"), std::filesystem::last_write_time(path));
+  std::filesystem::rename(folder.file("b.db"), path);
+  EXPECT_FALSE(before.is_like(FileMark::of(path))) << "another file of the same size and time";
+  const FileMark resting = FileMark::of(path);
+  {
+    const schema::WriterLock lock(path);
+    EXPECT_TRUE(FileMark::of(path).is_written());
+    EXPECT_FALSE(resting.is_like(FileMark::of(path))) << "a search has begun";
+  }
+  EXPECT_FALSE(FileMark::of(path).is_written());
+  EXPECT_TRUE(resting.is_like(FileMark::of(path)));
+}
+
+}  // namespace
+}  // namespace misalign::search

@@ -1,0 +1,556 @@
+"""Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
+
+    SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D] [--edge E]
+    [--bed W H] [--plain] [--wrong] [--numbers] KIT... [--spoil HOW...]
+
+The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
+thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
+measured. Geometry is its own: shoelace, distances of parallel lines."""
+
+import argparse
+import itertools
+import json
+import math
+import random
+import re
+import sys
+
+from kit_drawing import Drawing
+
+NEAR = 0.01  # mm, of what the issue asks
+CUTS = ("cut", "slit", "score_mountain", "score_valley", "dash_mountain", "dash_valley")
+
+
+def sides(points, closed=True):
+    return list(zip(points, points[1:] + points[:1] if closed else points[1:]))
+
+
+def shoelace(ring):
+    return 0.5 * sum(p[0] * q[1] - p[1] * q[0] for p, q in sides(ring))
+
+
+def inside(point, ring):
+    x, y = point
+    return sum((p[1] > y) != (q[1] > y) and x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
+               for p, q in sides(ring)) % 2 == 1
+
+
+def beyond(point, p, q):
+    """How far a point lies to the left of a line."""
+    length = math.dist(p, q)
+    return ((q[0] - p[0]) * (point[1] - p[1]) - (q[1] - p[1]) * (point[0] - p[0])) / length
+
+
+def cross_each_other(a, b, c, d):
+    return beyond(c, a, b) * beyond(d, a, b) < -1e-12 and beyond(a, c, d) * beyond(b, c, d) < -1e-12
+
+
+def box(points):
+    return [f(p[k] for p in points) for f in (min, max) for k in (0, 1)]
+
+
+class Sheet:
+    """What the FOLD file has: the truth."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf8") as file:
+            fold = json.load(file)
+        self.points = [tuple(point) for point in fold["vertices_coords"]]
+        row = sorted(fold["faces_vertices"][0])
+        across = row[2] - row[0]  # vertices in a row of the sheet
+        self.faces = {}
+        for face in fold["faces_vertices"]:
+            ring = [self.points[v] for v in face]
+            if shoelace(ring) < 0:
+                face = face[::-1]
+            self.faces["r%dc%d" % divmod(min(face), across)] = face
+        self.assigned = {frozenset(edge): letter
+                         for edge, letter in zip(fold["edges_vertices"], fold["edges_assignment"])}
+        pattern = fold["misalign:pattern"]
+        self.shifts = pattern.get("displacements_mm", {})
+        self.diagonals = fold["misalign:data"]["diagonals"]
+        rim = {v for edge, faces in self.faces_of_edges().items() if len(faces) == 1 for v in edge}
+        self.area = sum(shoelace([self.points[v] for v in face]) for face in self.faces.values())
+        at = {v: [label for label, face in self.faces.items() if v in face] for v in rim}
+        perimeter = self.perimeter()
+        self.balls = {v: labels for v, labels in at.items() if len(labels) == 2 and v not in perimeter and
+                      not any(set(labels) <= set(faces) for faces in self.faces_of_edges().values())}
+
+    def faces_of_edges(self):
+        found = {}
+        for label, face in self.faces.items():
+            for edge in sides(face):
+                found.setdefault(frozenset(edge), []).append(label)
+        return found
+
+    def perimeter(self):
+        """Its vertices: on the longest walk along edges of one face."""
+        walks = self.walks(set(self.faces))
+        return set(max(walks, key=lambda walk: abs(shoelace([self.points[v] for v in walk]))))
+
+    def walks(self, labels):
+        """Contours of some faces, their material on the left; holes that touch are apart."""
+        inner = {edge for label in labels for edge in sides(self.faces[label])}
+        ways = {}
+        for a, b in inner:
+            if (b, a) not in inner:
+                ways.setdefault(a, []).append(b)
+        walks = []
+        while ways:
+            a = next(iter(ways))
+            walk, b = [], ways[a][0]
+            first = (a, b)
+            while True:
+                walk.append(a)
+                back = self.angle(b, a)
+                choices = ways.get(b, [])
+                choice = min(choices, key=lambda c: (self.angle(b, c) - back) % (2 * math.pi) or 7)
+                a, b = b, choice
+                if (a, b) == first:
+                    break
+            for p, q in sides(walk):
+                ways[p].remove(q)
+                if not ways[p]:
+                    del ways[p]
+            walks.append(walk)
+        return walks
+
+    def angle(self, at, to):
+        (x, y), (u, v) = self.points[at], self.points[to]
+        return math.atan2(v - y, u - x)
+
+    def components(self):
+        """Labels of faces that edges join."""
+        groups = {label: {label} for label in self.faces}
+        for faces in self.faces_of_edges().values():
+            if len(faces) == 2 and groups[faces[0]] is not groups[faces[1]]:
+                both = groups[faces[0]] | groups[faces[1]]
+                for label in both:
+                    groups[label] = both
+        return list({id(group): group for group in groups.values()}.values())
+
+
+class Part:
+    """One part of the drawing: its contours, what lies within, and where on the sheet it comes from."""
+
+    def __init__(self, drawing, outer):
+        self.drawing, self.outer = drawing, outer
+        self.inner = []
+        self.labels = set()
+        self.residual = math.inf
+
+    def holds(self, point):
+        return inside(point, self.outer) and not any(inside(point, ring) for ring in self.inner)
+
+    def rings(self):
+        return [self.outer] + self.inner
+
+    def find(self, sheet, kerf):
+        """The turn and the shift that put the sheet's part, grown by half a kerf, on this one; the worst misfit."""
+        wanted = sheet.walks(self.labels)
+        wanted.sort(key=lambda walk: -abs(shoelace([sheet.points[v] for v in walk])))
+        drawn = sorted(self.rings(), key=lambda ring: -abs(shoelace(ring)))
+        if sorted(map(len, wanted)) != sorted(map(len, drawn)):
+            return f"contours of {sorted(map(len, drawn))} corners, not {sorted(map(len, wanted))}"
+        for turned in (False, True):
+            points = [(-y, x) if turned else (x, y) for x, y in sheet.points]
+            rows = []
+            for ring in drawn:
+                rows.append(min((self.shifted_lines(walk, ring, points, kerf, 0.0, 0.0) for walk in wanted),
+                                key=lambda found: found[0])[1])
+            a = [line for lines in rows for line in lines]
+            if not a:
+                continue
+            # Least squares for the shift (two unknowns) of distances along normals.
+            sxx, sxy, syy = (sum(l[i] * l[j] for l in a) for i, j in ((0, 0), (0, 1), (1, 1)))
+            bx, by = (sum(l[i] * l[2] for l in a) for i in (0, 1))
+            det = sxx * syy - sxy * sxy
+            shift = ((syy * bx - sxy * by) / det, (sxx * by - sxy * bx) / det)
+            worst = max(abs(l[2] - l[0] * shift[0] - l[1] * shift[1]) for l in a)
+            if worst < self.residual:
+                self.residual, self.turned, self.shift = worst, turned, shift
+                self.sheet_points = [(x + shift[0], y + shift[1]) for x, y in points]
+        return None if self.residual <= NEAR else f"off by {self.residual:.4f} mm"
+
+    @staticmethod
+    def shifted_lines(walk, ring, points, kerf, *_):
+        """Of the rotation of the walk whose sides are parallel to the ring's: how unlike, and (nx, ny, distance)."""
+        if len(walk) != len(ring):
+            return math.inf, []
+        wanted = [points[v] for v in walk]
+        best = (math.inf, [])
+        drawn_sides = sides(ring)
+        forward = shoelace(ring) > 0
+        if (shoelace(wanted) > 0) != forward:
+            return best
+        for k in range(len(ring)):
+            lines, unlike = [], 0.0
+            for (p, q), (r, s) in zip(sides(wanted[k:] + wanted[:k]), drawn_sides):
+                length, along = math.dist(p, q), math.dist(r, s)
+                t = ((q[0] - p[0]) / length, (q[1] - p[1]) / length)
+                unlike += math.dist(t, ((s[0] - r[0]) / along, (s[1] - r[1]) / along)) + 1e-3 * abs(length - along)
+                if unlike > best[0]:
+                    break
+                normal = (t[1], -t[0])  # away from the material
+                for a in (r, s):  # both ends: parallel, too
+                    lines.append((*normal, (a[0] - p[0]) * normal[0] + (a[1] - p[1]) * normal[1] - kerf / 2))
+            else:
+                best = (unlike, lines)
+        return best
+
+
+class Check:
+    def __init__(self, sheet, drawings, wish):
+        self.sheet, self.drawings, self.wish = sheet, drawings, wish
+        self.faults = [fault for drawing in drawings for fault in drawing.faults]
+        self.parts = []
+        self.worst = dict.fromkeys(("length", "offset", "bore"), 0.0)
+
+    def expect(self, good, words):
+        if not good:
+            self.faults.append(words)
+
+    def run(self):
+        for drawing in self.drawings:
+            self.contours(drawing)
+        self.numbering()
+        for part in self.parts:
+            fault = part.find(self.sheet, self.wish.kerf)
+            self.expect(fault is None, f"part {sorted(part.labels)[:3]}: {fault}")
+            self.worst["offset"] = max(self.worst["offset"], part.residual)
+        if self.faults:
+            return
+        self.whole_parts()
+        self.areas()
+        self.creases()
+        self.bores()
+        self.places()
+        self.notes()
+
+    def contours(self, drawing):
+        """Closed, simple, none twice; which of them are parts."""
+        rings = []
+        for points, closed in drawing.paths.get("cut", []):
+            self.expect(closed, "an open contour")
+            self.expect(len(points) >= 3, "a contour of two points")
+            rings.append(points)
+            for (i, (a, b)), (j, (c, d)) in itertools.combinations(enumerate(sides(points)), 2):
+                self.expect(not cross_each_other(a, b, c, d), f"a contour crosses itself at {a}")
+        seen = set()
+        for layer in CUTS:
+            for points, closed in drawing.paths.get(layer, []):
+                for p, q in sides(points, closed):
+                    key = frozenset((round(x, 4), round(y, 4)) for x, y in (p, q))
+                    self.expect(key not in seen, f"a line twice: {p} {q}")
+                    self.expect(len(key) == 2, f"a line of no length at {p}")
+                    seen.add(key)
+        parts = [Part(drawing, ring) for ring in rings if shoelace(ring) > 0]
+        for ring in rings:
+            if shoelace(ring) > 0:
+                continue
+            owners = [part for part in parts if all(inside(point, part.outer) for point in ring)]
+            self.expect(len(owners) == 1, "an opening in no part")
+            for part in owners:
+                part.inner.append(ring)
+        self.parts += parts
+
+    def numbering(self):
+        numbers = [(drawing, text) for drawing in self.drawings for text in drawing.texts.get("engrave", [])
+                   if re.fullmatch(r"r\d+c\d+", text[2])]
+        words = [text[2] for _, text in numbers]
+        self.expect(len(set(words)) == len(words), "a panel's number twice")
+        self.expect(set(words) == set(self.sheet.faces), "numbers of other panels than the sheet has")
+        for drawing, text in numbers:
+            owners = [part for part in self.parts if part.drawing is drawing and part.holds(text[:2])]
+            self.expect(len(owners) == 1, f"number {text[2]} is in no part")
+            for part in owners:
+                part.labels.add(text[2])
+        for part in self.parts:
+            self.expect(part.labels, "a part without a number")
+
+    def on_panel(self, part, label):
+        return [part.sheet_points[v] for v in self.sheet.faces[label]]
+
+    def whole_parts(self):
+        """Parts are what creases join (cut: panels; on a bed: pieces of that), and marks lie on their panels."""
+        wanted = [{label} for label in self.sheet.faces] if self.wish.crease == "cut" else self.sheet.components()
+        for part in self.parts:
+            homes = [group for group in wanted if part.labels <= group]
+            self.expect(len(homes) == 1, f"a part of {sorted(part.labels)}")
+            self.expect(self.wish.bed or part.labels in wanted, f"a piece of a part: {sorted(part.labels)}")
+        for drawing in self.drawings:
+            for x, y, words, turned in drawing.texts.get("engrave", []):
+                part = next((part for part in self.parts if part.drawing is drawing and part.holds((x, y))), None)
+                self.expect(part, f"{words} is on no part")
+                if part is None:
+                    continue
+                self.expect(abs(turned - (90 if part.turned else 0)) < 1e-9, f"{words} is turned by {turned}")
+                panel = next((label for label in part.labels if inside((x, y), self.on_panel(part, label))), None)
+                self.expect(panel, f"{words} is on no panel")
+                if panel is None:
+                    continue
+                if words.startswith("r"):
+                    self.expect(panel == words, f"number {words} is on panel {panel}")
+                if words.startswith("A"):
+                    self.expect(int(words[1:]) - 1 in self.sheet.faces[panel], f"{words} is on panel {panel}")
+
+    def areas(self):
+        if self.wish.kerf:
+            return
+        drawn = sum(shoelace(ring) for part in self.parts for ring in part.rings())
+        self.area_off = abs(drawn - self.sheet.area)
+        self.expect(self.area_off < 1e-4 * len(self.parts), f"areas sum to {drawn}, not {self.sheet.area}")
+
+    def creases(self):
+        """Every crease of every part, on its layer, from vertex to vertex."""
+        for part in self.parts:
+            both = [edge for edge, faces in self.sheet.faces_of_edges().items()
+                    if len(faces) == 2 and set(faces) <= part.labels]
+            if self.wish.crease == "cut":
+                self.expect(not both, "a crease is not cut")
+                continue
+            for letter, kind in (("M", "mountain"), ("V", "valley")):
+                lines = [points for points, _ in part.drawing.paths.get(f"{self.wish.crease}_{kind}", [])
+                         if inside(self.middle(points), part.outer)]
+                wanted = [edge for edge in both if self.sheet.assigned[edge] == letter]
+                for edge in wanted:
+                    p, q = (part.sheet_points[v] for v in sorted(edge))
+                    here = [line for line in lines if all(self.on_line(at, p, q) for at in line)]
+                    lines = [line for line in lines if line not in here]
+                    (self.scored if self.wish.crease == "score" else self.dashed)(here, p, q)
+                self.expect(not lines, f"{len(lines)} lines that are no {kind}")
+
+    @staticmethod
+    def middle(points):
+        return tuple(sum(p[k] for p in points) / len(points) for k in (0, 1))
+
+    @staticmethod
+    def on_line(at, p, q):
+        return abs(beyond(at, p, q)) < NEAR and math.dist(at, p) + math.dist(at, q) < math.dist(p, q) + NEAR
+
+    def scored(self, lines, p, q):
+        self.expect(len(lines) == 1, f"{len(lines)} lines on a crease")
+        for line in lines:
+            off = abs(math.dist(*line) - math.dist(p, q))
+            self.worst["length"] = max(self.worst["length"], off)
+            self.expect(off < NEAR, f"a crease is {off} mm too long or short")
+
+    def dashed(self, lines, p, q):
+        """Bridges first and last, all equal and at least as long as asked for; cuts as long as asked for."""
+        dash, bridge = self.wish.dash
+        self.expect(len(lines) == int((math.dist(p, q) - bridge) / (dash + bridge) + 1e-9), "too few cuts")
+        spots = sorted(sorted(math.dist(p, at) for at in line) for line in lines)
+        ends = [0.0] + [at for spot in spots for at in spot] + [math.dist(p, q)]
+        for begin, end in spots:
+            self.expect(abs(end - begin + self.wish.kerf - dash) < NEAR, "a cut of another length")
+        bridges = [b - a - (self.wish.kerf if 0 < i < len(spots) else self.wish.kerf / 2)
+                   for i, (a, b) in enumerate(zip(ends[::2], ends[1::2]))]
+        self.expect(min(bridges) > bridge - NEAR and max(bridges) - min(bridges) < NEAR, f"bridges: {bridges}")
+
+    def bores(self):
+        joint, spring, edge, kerf = self.wish.joint_bore, self.wish.spring_bore, self.wish.edge, self.wish.kerf
+        found = {}
+        for drawing in self.drawings:
+            for x, y, radius in drawing.circles.get("bore", []):
+                part = next((part for part in self.parts if part.drawing is drawing and part.holds((x, y))), None)
+                label = part and next((l for l in part.labels if inside((x, y), self.on_panel(part, l))), None)
+                self.expect(label, "a bore in no panel")
+                if label is None:
+                    continue
+                panel = self.on_panel(part, label)
+                diameter = 2 * radius + kerf
+                off, size = min((abs(diameter - size), size) for size in (joint, spring) if size)
+                self.worst["bore"] = max(self.worst["bore"], off)
+                self.expect(off < NEAR, f"a bore of {diameter} mm")
+                depth = min(beyond((x, y), p, q) for p, q in sides(panel))
+                self.expect(depth >= size / 2 + edge - NEAR, f"a bore leaves {depth - size / 2} mm of {label}")
+                corner = min(self.sheet.faces[label], key=lambda v: math.dist(part.sheet_points[v], (x, y)))
+                for other in found.get(label, []):
+                    apart = math.dist(other[:2], (x, y)) - (other[2] + size) / 2
+                    self.expect(apart >= edge - NEAR, f"bores {apart} mm apart in {label}")
+                found.setdefault(label, []).append((x, y, size, corner, math.dist(part.sheet_points[corner], (x, y))))
+        if joint:
+            for vertex, labels in self.sheet.balls.items():
+                for label in labels:
+                    near = sorted((bore for bore in found.get(label, []) if bore[3] == vertex), key=lambda b: b[4])
+                    self.expect(near and near[0][2] == joint, f"no joint's bore in {label} at A{vertex + 1}")
+        if spring:
+            wanted = sorted(int(v[1:]) - 1 for d in self.sheet.diagonals for v in (d["from"], d["to"]))
+            there = [bore[3] for bores in found.values() for bore in bores]
+            if joint:
+                there = list(there)
+                for vertex in self.sheet.balls:
+                    there.remove(vertex), there.remove(vertex)
+            self.expect(sorted(there) == wanted, "springs' bores at other corners")
+            words = sorted(text[2] for drawing in self.drawings for text in drawing.texts.get("engrave", [])
+                           if text[2].startswith("s"))
+            self.expect(words == sorted(2 * [f"s{d['diagonal']}" for d in self.sheet.diagonals]), "springs' numbers")
+        count = sum(map(len, found.values()))
+        self.expect(count == (2 * len(self.sheet.balls) if joint else 0) +
+                    (2 * len(self.sheet.diagonals) if spring else 0), f"{count} bores")
+
+    def places(self):
+        """Parts keep apart, and on their bed."""
+        for drawing in self.drawings:
+            boxes = [box(part.outer) for part in self.parts if part.drawing is drawing]
+            if self.wish.bed:
+                self.expect(math.dist(drawing.size, self.wish.bed) < 1e-6, f"a page of {drawing.size}")
+            for b in boxes:
+                self.expect(min(b[0], b[1], drawing.size[0] - b[2], drawing.size[1] - b[3]) > 5 - 1e-6,
+                            "a part in the margin")
+            for a, b in itertools.combinations(boxes, 2):
+                apart = max(a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3])
+                self.expect(apart > 5 - 1e-6, f"parts {apart} mm apart")
+
+    def notes(self):
+        for drawing in self.drawings:
+            gauges = [points for points, _ in drawing.paths.get("note", [])
+                      if abs(math.dist(*points[:2]) - 100) < 1e-5]
+            self.expect(len(gauges) == 1, "no gauge of 100 mm")
+            hatched = [points for points, _ in drawing.paths.get("hatch", [])]
+            parts = [part for part in self.parts if part.drawing is drawing]
+            for ends in hatched:
+                self.expect(any(inside(at, ring) for part in parts for ring in part.inner for at in [self.middle(ends)])
+                            and not any(part.holds(at) for part in parts for at in ends), "hatching on a part")
+            for part in parts:
+                for ring in part.inner:
+                    self.expect(sum(inside(self.middle(ends), ring) for ends in hatched) > 2, "waste without hatching")
+        rows = {}
+        for drawing in self.drawings:
+            for x, y, words, _ in drawing.texts.get("note", []):
+                rows.setdefault((drawing.path, round(y, 3)), []).append((x, words))
+        lines = [[words for _, words in sorted(row)] for row in rows.values()]
+        for vertex, shift in self.sheet.shifts.items():
+            good = any(line[k:k + 1] == [vertex] and len(line) > k + 2 and
+                       all(abs(float(line[k + 1 + i]) - shift[i]) < 1e-4 for i in (0, 1))
+                       for line in lines for k in range(len(line)))
+            self.expect(good, f"the shift of {vertex} is not in the table")
+
+
+def same(one, other):
+    """What differs between two kits that are to be the same drawings."""
+    for a, b in zip(one, other):
+        for kind in ("paths", "circles", "texts"):
+            first, second = getattr(a, kind), getattr(b, kind)
+            if {k for k in first if first[k]} != {k for k in second if second[k]}:
+                yield f"{kind} on layers {sorted(first)} and {sorted(second)}"
+                continue
+            for layer in first:
+                if len(first[layer]) != len(second[layer]):
+                    yield f"{len(first[layer])} and {len(second[layer])} {kind} on {layer}"
+                for p, q in zip(first[layer], second[layer]):
+                    flat = [[n for at in item[0] for n in at] if kind == "paths" else
+                            [n for n in item if not isinstance(n, str)] for item in (p, q)]
+                    words = [[n for n in item if isinstance(n, (str, bool))] for item in (p, q)]
+                    if words[0] != words[1] or len(flat[0]) != len(flat[1]) or \
+                            any(abs(m - n) > 1e-5 for m, n in zip(*flat)):
+                        yield f"{kind} on {layer}: {p} and {q}"
+
+
+def spoil(drawing, how):
+    """One thing that a check is to see."""
+    random.seed(1)
+    cut = drawing.paths["cut"]
+    engrave = drawing.texts["engrave"]
+
+    def move(layer, item, by):
+        points, closed = drawing.paths[layer][item]
+        drawing.paths[layer][item] = ([(points[0][0] + by, points[0][1])] + points[1:], closed)
+
+    def rename(pick, change):
+        k = next(i for i, text in enumerate(engrave) if pick(text[2]))
+        x, y, words, turned = engrave[k]
+        engrave[k] = change(x, y, words, turned)
+
+    panel = lambda words: words.startswith("r")
+    {
+        "open": lambda: cut.__setitem__(0, (cut[0][0], False)),
+        "twice": lambda: drawing.paths["score_valley"].append(drawing.paths["score_valley"][0]),
+        "corner": lambda: move("cut", 0, 0.05),
+        "crease": lambda: move("score_mountain", 0, 0.05),
+        "valley": lambda: drawing.paths["score_valley"].append(drawing.paths["score_mountain"].pop()),
+        "number": lambda: rename(panel, lambda x, y, words, t: (x, y, engrave[-1][2], t)),
+        "swapped": lambda: rename(lambda w: w == "r0c1", lambda x, y, w, t: (engrave[0][0], engrave[0][1], w, t)),
+        "label": lambda: rename(lambda w: w == "A1", lambda x, y, w, t: (x, y, "A20", t)),
+        "opening": lambda: cut.pop(),
+        "knot": lambda: cut.__setitem__(0, (cut[0][0][:2] + cut[0][0][2:9][::-1] + cut[0][0][9:], True)),
+        "hatch": lambda: drawing.paths["hatch"].append(([engrave[0][:2], engrave[1][:2]], False)),
+        "gauge": lambda: drawing.paths.pop("note"),
+        "shift": lambda: drawing.texts.__setitem__(
+            "note", [t if not re.fullmatch(r"[+-]0\.4000", t[2]) else (*t[:2], "+0.3000", t[3])
+                     for t in drawing.texts["note"]]),
+        "bore": lambda: drawing.circles["bore"].__setitem__(
+            0, (drawing.circles["bore"][0][0] + 1, *drawing.circles["bore"][0][1:])),
+        "bores": lambda: drawing.circles["bore"].pop(),
+        "far": lambda: drawing.__setattr__("size", (0.5 * drawing.size[0], drawing.size[1])),
+        "scale": lambda: drawing.paths.__setitem__(
+            "cut", [([(1.0002 * x, 1.0002 * y) for x, y in points], closed) for points, closed in cut]),
+    }[how]()
+
+
+def arguments():
+    words = argparse.ArgumentParser()
+    words.add_argument("sheet")
+    words.add_argument("kit", nargs="+")
+    for name in ("--kerf", "--joint-bore", "--spring-bore"):
+        words.add_argument(name, type=float, default=0)
+    words.add_argument("--edge", type=float, default=2)
+    words.add_argument("--crease", default="score")
+    words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
+    words.add_argument("--bed", nargs=2, type=float)
+    for name in ("--plain", "--wrong", "--numbers"):
+        words.add_argument(name, action="store_true")
+    words.add_argument("--spoil", nargs="*", default=[])
+    return words
+
+
+def spoilt(sheet, wish):
+    for how in wish.spoil:
+        drawing = Drawing(wish.kit[0])
+        spoil(drawing, how)
+        check = Check(sheet, [drawing], wish)
+        check.run()
+        if not check.faults:
+            yield f"nothing sees that it is spoilt ({how})"
+
+
+def faults_of(wish):
+    sheet = Sheet(wish.sheet)
+    if wish.spoil:
+        yield from spoilt(sheet, wish)
+        return
+    kits = {ending: [Drawing(path) for path in wish.kit if path.endswith(ending)] for ending in (".dxf", ".svg")}
+    if kits[".dxf"] and kits[".svg"]:
+        yield from same(kits[".dxf"], kits[".svg"])
+    for ending, drawings in kits.items():
+        if wish.plain:
+            yield from (fault for drawing in drawings for fault in drawing.faults)
+        if not drawings or wish.plain:
+            continue
+        check = Check(sheet, drawings, wish)
+        check.run()
+        yield from (f"{ending[1:]}: {fault}" for fault in check.faults)
+        if wish.numbers and not check.faults:
+            area = "" if wish.kerf else f", areas within {check.area_off:.1e} mm2"
+            worst = check.worst
+            print(f"{ending[1:]}: {len(drawings)} sheets, {len(check.parts)} parts, {len(sheet.faces)} panels; "
+                  f"contours within {worst['offset']:.1e} mm, creases within {worst['length']:.1e} mm, "
+                  f"bores within {worst['bore']:.1e} mm{area}")
+
+
+def main():
+    words, bad = arguments(), False
+    for line in sys.stdin:
+        wish = words.parse_args(line.split())
+        if wish.numbers:
+            print(line.strip())
+        faults = list(faults_of(wish))
+        if wish.wrong:
+            faults = [] if faults else ["what is wrong goes unseen"]
+        for fault in faults[:20]:
+            print(f"{line.strip()}: {fault}")
+        bad = bad or bool(faults)
+    sys.exit(bad)
+
+
+main()

@@ -1,0 +1,224 @@
+# The page of a campaign that runs: what it answers, whom it does not answer, and what becomes of it when its
+# catalogue does not. With a third argument, the directory of tests/report with its packages, also in a browser.
+. "$(dirname "$0")/lib.sh"
+web=${3:-}
+watchers=()
+trap 'kill "${watchers[@]}" $search 2> /dev/null; rm -rf "$work"' EXIT
+search=
+
+# watched CATALOGUE OPTION...: begins to serve it; $url and $watcher.
+watched() {
+  : > url
+  "$program" watch "$@" --port 0 > url 2> watch-err &
+  watcher=$!
+  watchers+=("$watcher")
+  for wait in {1..100}; do
+    [ -s url ] && break
+    sleep 0.05
+  done
+  url=$(cat url)
+  port=${url##*:}
+  port=${port%/}
+  [ -n "$url" ] || fail "watch $*: $(cat watch-err)"
+}
+ended() {  # by this signal: exit code 0
+  kill "-$1" "$watcher"
+  wait "$watcher"
+  local got=$?
+  [ $got = 0 ] || fail "ended by $1: exit $got: $(cat watch-err)"
+}
+get() { curl -sS --max-time 20 -o body -w '%{http_code}' "$@" 2> curl-err; }
+# answers STATUS CURL_ARGUMENT...
+answers() {
+  local wanted=$1 got
+  shift
+  got=$(get "$@")
+  [ "$got" = "$wanted" ] || fail "$*: $got, not $wanted: $(head -c 300 body)"
+}
+live() { field body "$1"; }
+
+quick_campaign quick.json
+
+# Refused at the door: another address, a port that is no number, a place that is not there, what is no catalogue.
+refused() {  # CODE SENTENCE ARGUMENT...
+  local wanted=$1 sentence=$2
+  shift 2
+  timeout 10 "$program" watch "$@" > out 2> err
+  local got=$?
+  [ $got = "$wanted" ] && [ ! -s out ] || fail "watch $*: exit $got: $(cat out err)"
+  grep -q -- "$sentence" err || fail "watch $*: no '$sentence': $(cat err)"
+}
+for address in 0.0.0.0 :: 10.0.0.1 example.com; do
+  refused 2 "is no loopback address.*ssh -L" run.db --address "$address"
+done
+refused 2 "is not a whole number" run.db --port 65536
+refused 3 "there is no such directory" nowhere/run.db
+refused 3 "is no catalogue" quick.json
+
+# Waits for a catalogue that is not there yet, and serves it once a search has made it.
+watched run.db
+answers 503 "${url}live"
+live problem | grep -q "there is no such file yet" || fail "a file that is not there yet: $(cat body)"
+answers 503 "$url"
+grep -q "there is no such file yet" body || fail "the page of a file that is not there yet"
+"$program" search quick.json --catalogue run.db --draws 1000000000 --unit-draws 2000 --progress none > /dev/null 2>&1 &
+search=$!
+begun run.db candidate
+for wait in {1..100}; do
+  [ "$(get "${url}live")" = 200 ] && [ "$(live state.draws)" -gt 0 ] && break
+  sleep 0.1
+done
+[ "$(live writing)" = 1 ] || fail "that a search runs is not said"
+before=$(live state.draws) total=$(live total)
+# Its numbers are those of `status`, and they move.
+for wait in {1..60}; do
+  sleep 0.2
+  answers 200 "${url}live"
+  [ "$(live state.draws)" -gt "$before" ] && break
+done
+[ "$(live state.draws)" -gt "$before" ] && [ "$(live total)" -gt "$total" ] || fail "nothing moves"
+[ "$(live 'best.deploys_from_deg[0]')" = 30.0 ] || fail "the best of all: $(live best)"
+[ "$(live 'angles[0][0]')" = 20.0 ] || fail "the first of the angles: $(live angles)"
+[ "$(live faults.every)" = 1024 ] || fail "the fault sample"
+
+# The page, and whom it may ask.
+answers 200 -D heads "$url"
+for head in "Cache-Control: no-store" "Cross-Origin-Resource-Policy: same-origin" "Referrer-Policy: no-referrer" \
+  "X-Content-Type-Options: nosniff" "X-Frame-Options: DENY" "script-src 'sha256-" "connect-src 'self'" "frame-ancestors 'none'"; do
+  grep -qi "$head" heads || fail "no $head: $(cat heads)"
+done
+grep -qi "access-control" heads && fail "other sites may read it"
+"$program" report run.db --rows 0 --details 0 --output plain.html > /dev/null || fail "report"
+grep -q "connect-src 'none'" plain.html || fail "a page in a file may ask somebody"
+grep -o '"watch":{[^}]*}' plain.html && fail "a page in a file is told to ask"
+
+# Whom it does not answer.
+answers 421 -H "Host: evil.example" "$url"
+answers 421 -H "Host: evil.example:$port" "${url}live"
+answers 421 -H "Host:" "$url"
+answers 421 -H "Host: 127.0.0.1:1" "$url"
+answers 200 -H "Host: localhost:$port" "${url}live"
+answers 403 -H "Origin: http://evil.example" "${url}live"
+answers 403 -H "Origin: null" "${url}live"
+answers 403 -H "Sec-Fetch-Site: cross-site" "${url}live"
+answers 403 -H "Sec-Fetch-Site: same-site" "$url"
+answers 200 -H "Sec-Fetch-Site: same-origin" -H "Origin: ${url%/}" "${url}live"
+answers 405 -d x=1 "${url}live"
+answers 405 -X DELETE "$url"
+answers 405 -X OPTIONS -H "Origin: ${url%/}" "$url"
+answers 416 -H "Range: bytes=0-9,20-29" "$url"
+for path in ../../../etc/passwd %2e%2e/%2e%2e/etc/passwd run.db live/ "live%00" favicon.ico; do
+  answers 404 --path-as-is "$url$path"
+done
+answers 200 -I "$url"
+# On no other address than its own.
+for address in $(hostname -I 2> /dev/null); do
+  case $address in *:*) continue ;; esac
+  get --connect-timeout 1 "http://$address:$port/" > /dev/null && fail "it answers on $address"
+done
+
+# Those who say nothing, or too slowly, are in nobody's way.
+for slow in 1 2 3 4 5 6 7 8; do
+  (exec 3<> "/dev/tcp/127.0.0.1/$port" && printf 'GET / HT' >&3 && sleep 5) 2> /dev/null &
+  watchers+=($!)
+done
+answers 200 --max-time 5 "${url}live"
+printf 'NONSENSE\r\n\r\n' > "/dev/tcp/127.0.0.1/$port"
+answers 200 "${url}live"
+
+# A second one finds another port, unless it is told which.
+refused 1 "cannot listen on port $port" run.db --port "$port"
+
+if [ -n "$web" ]; then
+  node "$web/watch_test.mjs" campaign "$url" || fail "the page in a browser"
+fi
+
+# Ends with the search under way, and afterwards says that none is.
+kill -INT $search
+wait $search
+search=
+sleep 0.6
+answers 200 "${url}live"
+[ "$(live writing)" = 0 ] && [ "$(live state.complete)" = 0 ] || fail "after the search: $(live writing)"
+[ "$(live state.draws)" = "$("$program" status run.db --json > status.json; field status.json draws)" ] || fail "other draws than status"
+sound_so_far run.db
+# The file of a search that has ended is one plain file, with the page open or not.
+"$program" search quick.json --catalogue run.db --draws 1000 --progress none > /dev/null 2>&1 || fail "a search that is done"
+sleep 0.6
+answers 200 "${url}live"
+[ "$(live state.complete)" = 1 ] || fail "that it is complete"
+
+# Texts of a file that is not ours are texts.
+cp run.db odd.db
+hostile='</script><script>alert(1)</script><img src=x onerror=alert(2)>'
+sqlite3 odd.db "UPDATE campaign SET name = '$hostile' || char(27) || ']0;x'; UPDATE fault_sample SET \"where\" = '$hostile';
+  UPDATE fault_sample SET first_fault = '$hostile' WHERE first_fault = 'not_monotone'" || fail "no odd catalogue"
+run_url=$url run_watcher=$watcher
+watched odd.db
+answers 200 "$url"
+grep -q 'alert(1)' body || fail "the texts of the catalogue are missing"
+grep -q '</script><script>alert\|<img' body && fail "a text of the catalogue becomes a part of the page"
+answers 200 -D heads "${url}live"
+[ "$(live 'faults.rows[0].where')" = "$hostile" ] || fail "a text of the catalogue: $(live 'faults.rows[0]')"
+grep -qi "^content-type: application/json" heads || fail "data that are no JSON: $(cat heads)"
+[ -z "$web" ] || node "$web/watch_test.mjs" hostile "$url" || fail "hostile texts in a browser"
+sqlite3 odd.db "UPDATE campaign SET configuration = json_set(configuration, '\$.name', '$hostile')"
+for wait in {1..100}; do  # a page is not made anew at once
+  [ "$(get "$url")" = 503 ] && break
+  sleep 0.1
+done
+grep -q 'alert(1)' body || fail "the page says nothing of a hostile name: $(head -c 300 body)"
+grep -q '</script><script>alert\|<img' body && fail "a sentence becomes a part of the page"
+[ -z "$web" ] || node "$web/watch_test.mjs" problem "$url" || fail "a hostile sentence in a browser"
+ended INT
+url=$run_url watcher=$run_watcher
+
+# Damaged, replaced, gone, back: a sentence each, and the server stays.
+mv run.db away.db
+sleep 0.6
+answers 503 "${url}live"
+live problem | grep -q "there is no such file" || fail "gone: $(cat body)"
+head -c 5000 /dev/urandom > run.db
+sleep 0.6
+answers 503 "${url}live"
+live problem | grep -q "is no catalogue" || fail "another file: $(cat body)"
+{ head -c 30000 away.db; head -c 60000 /dev/urandom; } > run.db
+sleep 0.6
+answers 503 "${url}live"
+[ -n "$(live problem)" ] || fail "damaged: $(cat body)"
+answers 503 "$url"
+cp "$source_dir/tests/fixtures/catalogue-1.db" run.db
+sleep 0.6
+answers 200 "${url}live"
+[ "$(live state.identity)" != "$(field status.json identity)" ] || fail "replaced by an older one"
+rm -f run.db
+mv away.db run.db
+sleep 0.6
+answers 200 "${url}live"
+[ "$(live state.identity)" = "$(field status.json identity)" ] || fail "back again"
+ended INT
+
+# Where readers would keep the writer waiting it is not even opened.
+cat > statfs.c << 'END'
+#include <sys/vfs.h>
+int statfs(const char* path, struct statfs* found) { (void)path; found->f_type = 0x6969; return 0; }
+int statfs64(const char* path, struct statfs64* found) { (void)path; found->f_type = 0x6969; return 0; }
+END
+cc -D_GNU_SOURCE -shared -fPIC -o statfs.so statfs.c || fail "no statfs of our own"
+LD_PRELOAD=$PWD/statfs.so refused 2 "lies on storage that machines share (nfs" run.db
+"$program" search quick.json --catalogue net.db --storage network --draws 1000000000 --progress none > /dev/null 2>&1 &
+search=$!
+for wait in {1..100}; do
+  [ -s net.db ] && [ -e net.db-journal ] && break
+  sleep 0.05
+done
+sleep 0.5
+refused 4 "is being written without a log" net.db
+kill $search
+wait $search
+search=
+watched net.db
+answers 200 "${url}live"
+ended TERM
+[ -s watch-err ] || fail "nothing is said on standard error"
+finish
