@@ -124,6 +124,7 @@ def memory():
 
 def ctrl_c():
     """From the signal to KeyboardInterrupt, s."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which shells turn off in the background
     campaign = misalign.read(DEFAULT)
     one = campaign.shifts(range(100_000))
     for name, threshold_deg in (("with a threshold", 170), ("without", None)):

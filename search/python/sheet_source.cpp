@@ -2,6 +2,8 @@
 
 #include <fstream>
 
+#include "search/draws/tolerance.hpp"
+
 namespace misalign::search::python {
 namespace {
 
@@ -12,8 +14,14 @@ bool is_database(const std::string& path) {
   return start == schema::kDatabaseHeader;
 }
 
+double safe_amplitude_mm(const schema::Pattern& pattern) {
+  return largest_miscut_mm(pattern.base.sheet,
+                           Eigen::Matrix2Xd::Zero(2, pattern.base.sheet.vertex_count()));
+}
+
 std::shared_ptr<SheetSource> pattern_source(ChosenSheet sheet) {
-  SheetSource source{std::move(sheet), {}, {}, {}, ""};
+  SheetSource source{std::move(sheet), {}, {}, {}, "", 0};
+  source.safe_mm = safe_amplitude_mm(source.sheet.base);
   const schema::Sampling& sampling = source.sheet.sampling;
   source.criterion.bumps = sampling.between_samples;
   source.usual = solver::interior_vertices(source.pattern());
@@ -36,8 +44,9 @@ std::shared_ptr<SheetSource> source_of(schema::Campaign campaign) {
   const solver::Criterion criterion = campaign.criterion();
   std::vector<int> usual = campaign.misalignment.vertices;
   std::string key = schema::identity_json(campaign).dump();
+  const double safe_mm = safe_amplitude_mm(campaign.pattern);
   return std::make_shared<SheetSource>(SheetSource{std::move(sheet), criterion, std::move(campaign),
-                                                   std::move(usual), std::move(key)});
+                                                   std::move(usual), std::move(key), safe_mm});
 }
 
 std::shared_ptr<SheetSource> read_source(const std::string& path) {

@@ -15,6 +15,7 @@ struct SheetSource {
   std::optional<schema::Campaign> campaign;  ///< none for a pattern
   std::vector<int> usual;  ///< vertices that its sheets are expected to shift, ascending
   std::string key;         ///< the same for equal sources
+  double safe_mm;          ///< below it no facet loses its convexity, whatever is shifted
 
   const solver::CreasePattern& pattern() const { return sheet.base.base.sheet; }
   int vertices() const { return pattern().vertex_count(); }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace misalign::search::python {
 namespace {
@@ -40,12 +39,6 @@ std::string form_of(const SheetSource& source, const char* sheets) {
                      source.vertices(), sheets, source.vertices());
 }
 
-double safe_amplitude_mm(const SheetSource& source) {
-  std::vector<int> all(static_cast<std::size_t>(source.vertices()));
-  std::iota(all.begin(), all.end(), 0);
-  return solver::largest_safe_amplitude_mm(source.pattern(), all);
-}
-
 void check(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm, const std::string& whose) {
   for (Eigen::Index v = 0; v < shifts_mm.cols(); ++v) {
     if (shifts_mm.col(v).allFinite()) continue;
@@ -73,8 +66,7 @@ ShiftBlocks::ShiftBlocks(const py::object& shifts_mm, const SheetSource& source)
       array_(array_of(shifts_mm, {-1, source.vertices(), 2}, form_of(source, "N, "))),
       is_ready_(py::array_t<double, py::array::c_style>::check_(array_)),
       sheets_(static_cast<std::uint64_t>(array_.shape(0))),
-      per_sheet_(2 * static_cast<std::size_t>(source.vertices())),
-      safe_mm_(safe_amplitude_mm(source)) {}
+      per_sheet_(2 * static_cast<std::size_t>(source.vertices())) {}
 
 const double* ShiftBlocks::rows(std::uint64_t first, std::uint64_t count) {
   if (is_ready_) return static_cast<const double*>(array_.data()) + first * per_sheet_;
@@ -95,11 +87,12 @@ double ShiftBlocks::ternary_mm() {
     if (amplitude_mm == 0) amplitude_mm = std::abs(*at);
     if (!(std::abs(*at) == amplitude_mm)) return 0;
   }
-  return amplitude_mm < safe_mm_ ? amplitude_mm : 0;
+  return amplitude_mm < source_.safe_mm ? amplitude_mm : 0;
 }
 
 bool ShiftBlocks::pack(const double* rows, std::uint64_t first, std::uint64_t count,
                        const std::vector<int>& shifted, Draws& block) const {
+  const double safe_mm = source_.safe_mm;
   block.clear();
   std::vector<char> is_packed(per_sheet_ / 2, 0);
   for (const int vertex : shifted) is_packed[static_cast<std::size_t>(vertex)] = 1;
@@ -113,7 +106,7 @@ bool ShiftBlocks::pack(const double* rows, std::uint64_t first, std::uint64_t co
     bool is_safe = true, is_shifted_elsewhere = false;
     for (const int vertex : shifted) {
       const double x = rows[2 * vertex], y = rows[2 * vertex + 1];
-      is_safe &= std::abs(x) < safe_mm_ && std::abs(y) < safe_mm_;  // which NaN is not
+      is_safe &= std::abs(x) < safe_mm && std::abs(y) < safe_mm;  // which NaN is not
       *to++ = x;
       *to++ = y;
     }

@@ -37,7 +37,6 @@ class ShiftBlocks {
   pybind11::array_t<double> made_;
   std::uint64_t sheets_;
   std::size_t per_sheet_;
-  double safe_mm_;  // below it no facet loses its convexity, whichever vertices are shifted
 };
 
 /// The shifts of one sheet, [V, 2] in mm, as 2 x V. UserError (2).

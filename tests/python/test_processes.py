@@ -78,6 +78,7 @@ class Processes(unittest.TestCase):
         np.testing.assert_array_equal(histories[1], catalogue.histories([0, 1])[1])
 
     def interrupted(self, call):
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # which shells turn off in the background
         timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         try:

@@ -64,8 +64,8 @@ def judge(pattern: Pattern | Campaign, shifts_mm: npt.ArrayLike,
     Verdicts are those of the program, whatever the machine.
 
     Works on one core and without Python's lock: threads judge side by side. Ctrl-C ends it within a
-    second, but for the time (seconds on large sheets) in which a pattern is made ready for a threshold. What
-    was made ready is kept for the next call, for the last four.
+    second. What is made ready for a pattern and a threshold (a tenth of a second, less on small sheets) is
+    kept for the next call, for the last four.
 
     `misalign.Error` (2) for another shape, shifts that are not finite or so large that a facet is not
     convex any more, and no such threshold. `misalign.UndecidedError` where a threshold is asked for and a sheet
