@@ -3,15 +3,12 @@
 #include <dxflib/dl_dxf.h>
 #include <dxflib/dl_writer_ascii.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <cstring>
 #include <memory>
 
 #include "schema/files/input.hpp"
+#include "schema/files/memory_file.hpp"
 #include "schema/files/printable.hpp"
 
 namespace misalign::schema {
@@ -25,34 +22,6 @@ constexpr const char* kStyle = "STANDARD";
   throw UserError(kExitFailure,
                   "the DXF file cannot be made (" + why + "); free some memory and try again");
 }
-
-// A file without a name, in memory: dxflib writes to a path, and what it makes is to appear whole
-// under its name, or not at all.
-class MemoryFile {
- public:
-  MemoryFile() : descriptor_(memfd_create("misalign-dxf", MFD_CLOEXEC)) {
-    if (descriptor_ < 0) refuse(std::strerror(errno));
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { close(descriptor_); }
-
-  std::string path() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
-  std::string text() const {
-    std::string all;
-    std::array<char, 65536> part;
-    for (;;) {
-      const ssize_t count =
-          pread(descriptor_, part.data(), part.size(), static_cast<off_t>(all.size()));
-      if (count < 0) refuse(std::strerror(errno));
-      if (count == 0) return all;
-      all.append(part.data(), static_cast<std::size_t>(count));
-    }
-  }
-
- private:
-  const int descriptor_;
-};
 
 std::string capitals(std::string name) {
   for (char& c : name) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -209,9 +178,9 @@ class DxfPen {
 }  // namespace
 
 std::string dxf_of(const LineDrawing& drawing) {
-  const MemoryFile file;
+  const MemoryFile file("the DXF file");
   DxfPen(drawing, file.path()).write();
-  const std::string text = file.text();
+  const std::string text = file.bytes();
   // dxflib does not say when memory ran out.
   if (!text.ends_with("EOF\n")) refuse("it was not written to its end");
   return text;
