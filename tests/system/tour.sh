@@ -28,21 +28,22 @@ for word; do
   case $previous in -o) out=$word ;; -MF) depends=$word ;; esac
   previous=$word
 done
-case $out in CMakeFiles/misalign*) ;; *) exec "$@" ;; esac
+case $out in CMakeFiles/misalign* | CMakeFiles/_misalign*) ;; *) exec "$@" ;; esac
 : > "$out"
 [ -z "$depends" ] || : > "$depends"
 END
 cat > stand-ins/link << END
 #!/bin/sh
-# COMPILER OPTION...: the program under test.
+# COMPILER OPTION...: the program under test, and the Python module beside it.
 for word; do
   [ "\$previous" = -o ] && out=\$word
   previous=\$word
 done
-[ "\$out" = misalign ] || exec "\$@"
-cp "$work/stand-ins/misalign" misalign
+case \$out in misalign | python/misalign/_misalign.*) ;; *) exec "\$@" ;; esac
+cp "$work/stand-ins/\$(basename "\$out")" "\$out"
 END
 cp "$program" stand-ins/misalign
+[ ! -d "$build/python" ] || cp "$build"/python/misalign/_misalign.*.so stand-ins
 if [ -d "$build/report/node_modules" ]; then
   cp -r "$build/report/node_modules" stand-ins/node_modules
   printf '#!/bin/sh\n[ "$1" = ci ] && cp -r "%s" .\n' "$work/stand-ins/node_modules" > stand-ins/npm
