@@ -57,6 +57,9 @@ if(TARGET _misalign)  # the module is made for one version of Python
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${PYTHON_NEXT}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-pandas)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/scripts/python3-misalign/postinst
+                                                ${PROJECT_SOURCE_DIR}/scripts/python3-misalign/prerm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "folding and judging of misaligned origami in Python
 What misalign computes and keeps, as NumPy arrays and pandas tables: paths of
 patterns, verdicts of many sheets at once, candidates of catalogues.")
