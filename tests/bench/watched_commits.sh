@@ -25,6 +25,7 @@ ask() {
 }
 watch() {  # FILE
   : > times
+  rm -f url
   "$program" watch "$1" --port 0 > url 2> /dev/null &
   clients+=($!)
   until [ -s url ]; do sleep 0.1; done
