@@ -42,7 +42,7 @@ if [ $# -lt 2 ]; then
   # No errors and no warnings; the initial upload to Debian that it misses is none of ours.
   timed "lintian" within "$maker" 'lintian --allow-root --fail-on error,warning \
     --suppress-tags initial-upload-closes-no-bugs misalign/build/package/packages/*.deb'
-  cp "$maker"/root/misalign/build/package/packages/*.deb "$debs"
+  cp "$maker/root/misalign/build/package/packages/"*.deb "$debs"
 else
   cp "$2"/*.deb "$debs"
 fi
@@ -77,8 +77,8 @@ if compgen -G "$debs/python3-misalign_*" > /dev/null; then
   timed "the Python module" within "$user" 'apt-get install -y --no-install-recommends ./debs/python3-misalign_*.deb \
       python3-pandas > /dev/null
     cd /tmp
-    python3 -c "import glob, misalign
-catalogue = misalign.Catalogue(glob.glob(\"/root/results/*.db\")[0])
+    python3 -c "import glob, os, misalign
+catalogue = misalign.Catalogue(glob.glob(os.path.expanduser(\"~/results/*.db\"))[0])
 print(len(catalogue.candidates()), \"candidates\")"'
 fi
 timed "removal" within "$user" 'apt-get purge -y misalign libmisalign-dev "python3-misalign*" > /dev/null
