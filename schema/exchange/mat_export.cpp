@@ -6,6 +6,7 @@
 
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/mat_file.hpp"
+#include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
 namespace {
