@@ -183,7 +183,7 @@ void Catalogue::take_over(SQLite::Database& other, const std::vector<DrawRange>&
       for (const DrawRange& unit : units) copier.copy(unit);
       if (!campaign_.splitting) return;
       take_over_levels(other);
-      keep_each_sheet_once(*database_, {0, kEndOfDraws}, campaign_.stop.accepted);
+      keep_each_sheet_once(*database_, campaign_, mechanism_, {0, kEndOfDraws});
     });
   });
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "schema/catalogue/population_rows.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -31,6 +32,25 @@ bool goes_farther(const CertificateRow& row, const CertificateRow& other) {
   return std::pair(row.contact, row.certified_deg) > std::pair(other.contact, other.certified_deg);
 }
 
+// For the candidate of that number, the same sheet, if there is one that has no better certificate.
+// False if it has a fault.
+bool take_over(CertificateRow row, SQLite::Database& into, const Campaign& campaign,
+               const solver::Mechanism& mechanism, std::uint64_t draw) {
+  const auto shifts_mm = stored_shifts(into, campaign, draw);
+  if (!shifts_mm) return true;
+  if (certificate_fault(campaign, mechanism, *shifts_mm, row)) return false;
+  const auto there = read_certificate(into, draw);
+  if (there && !goes_farther(row, *there) &&
+      !certificate_fault(campaign, mechanism, *shifts_mm, *there)) {
+    return true;
+  }
+  if (std::exchange(row.draw, draw) != draw) {
+    row.hash = certificate_hash(campaign.pattern, *shifts_mm, row);
+  }
+  write_certificates(into, {row});
+  return true;
+}
+
 }  // namespace
 
 CheckedCertificates check_certificates(SQLite::Database& database, const Campaign& campaign) {
@@ -53,20 +73,19 @@ CheckedCertificates check_certificates(SQLite::Database& database, const Campaig
   return checked;
 }
 
+void hand_on_certificate(SQLite::Database& database, const Campaign& campaign,
+                         const solver::Mechanism& mechanism, std::uint64_t from, std::uint64_t to) {
+  if (auto row = read_certificate(database, from)) {
+    take_over(std::move(*row), database, campaign, mechanism, to);
+  }
+}
+
 std::uint64_t copy_certificates(SQLite::Database& from, SQLite::Database& into,
                                 const Campaign& campaign, const solver::Mechanism& mechanism) {
   std::uint64_t faulty = 0;
   each_certificate(from, [&](const CertificateRow& row) {
-    const auto shifts_mm = stored_shifts(into, campaign, row.draw);
-    if (!shifts_mm) return;
-    if (certificate_fault(campaign, mechanism, *shifts_mm, row)) {
-      ++faulty;
-      return;
-    }
-    const auto there = read_certificate(into, row.draw);
-    const bool stays = there && !goes_farther(row, *there) &&
-                       !certificate_fault(campaign, mechanism, *shifts_mm, *there);
-    if (!stays) write_certificates(into, {row});
+    const auto draw = number_in(into, from, row.draw);
+    if (draw && !take_over(row, into, campaign, mechanism, *draw)) ++faulty;
   });
   return faulty;
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/since.hpp"
+#include "schema/catalogue/yield.hpp"
 #include "solver/verdict/score.hpp"
 
 namespace misalign::schema {
@@ -36,7 +38,7 @@ bool adds_up(SQLite::Statement& row, const std::vector<LevelCount>& before) {
          std::isfinite(seconds);
 }
 
-// Takes the rows of candidates away that `statement` selects, with their yields.
+// Takes the rows of candidates away that `statement` selects, with their yields and certificates.
 void drop(SQLite::Database& database, SQLite::Statement statement) {
   struct Row {
     std::int64_t draw, unit;
@@ -240,17 +242,36 @@ CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& le
   return sum;
 }
 
-void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
-                          const std::optional<std::uint64_t>& most) {
+std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
+                                       std::uint64_t draw) {
+  if (version_of(from) < kSplittingSince) return draw;
+  SQLite::Statement theirs = prepared(from, "SELECT hash FROM sheet WHERE draw = ?");
+  theirs.bind(1, stored(draw));
+  if (!reading(from, [&] { return theirs.executeStep(); })) return draw;
+  SQLite::Statement ours(into, "SELECT min(draw) FROM sheet WHERE hash = ?");
+  bind_value(ours, 1, theirs.getColumn(0));
+  ours.executeStep();
+  return ours.getColumn(0).isNull() ? std::nullopt : std::optional(draw_of(ours.getColumn(0)));
+}
+
+void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
+                          const solver::Mechanism& mechanism, const DrawRange& added) {
   SQLite::Statement again(
       database,
-      "SELECT draw, unit, deploys_from_sample, hash FROM sheet AS more JOIN candidate USING (draw) "
-      "WHERE hash IN (SELECT hash FROM sheet WHERE draw >= ? AND draw < ?) "
-      "AND EXISTS (SELECT 1 FROM sheet AS least WHERE least.hash = more.hash AND least.draw < "
-      "more.draw)");
+      "SELECT draw, unit, deploys_from_sample, hash, least FROM sheet JOIN candidate USING (draw) "
+      "JOIN (SELECT hash, min(draw) AS least FROM sheet WHERE hash IN "
+      "(SELECT hash FROM sheet WHERE draw >= ? AND draw < ?) GROUP BY hash) USING (hash) "
+      "WHERE draw > least");
   again.bind(1, stored(added.lo));
   again.bind(2, stored(added.hi));
+  while (again.executeStep()) {
+    const std::uint64_t draw = draw_of(again.getColumn(0)), least = draw_of(again.getColumn(4));
+    hand_on_certificate(database, campaign, mechanism, draw, least);
+    hand_on_yields(database, draw, least);
+  }
+  again.reset();
   drop(database, std::move(again));
+  const std::optional<std::uint64_t>& most = campaign.stop.accepted;
   if (!most) return;
   SQLite::Statement beyond(
       database,

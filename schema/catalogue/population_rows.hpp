@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "schema/campaign/campaign.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "schema/catalogue/digest.hpp"
 
@@ -62,10 +63,16 @@ std::string sheet_hash(const std::string& displacements_mm);
 /// The part of the digest that a population's survivors make.
 CandidateSum sum_of_levels(std::uint64_t unit, const std::vector<LevelCount>& levels);
 
-/// Of candidates that are the same sheet only the one with the least number stays, and of all no
-/// more than `most`, those with the least numbers. Looks at sheets of which one lies in `added`.
-/// Their units' counts and digests follow. Within a transaction; throws SQLite::Exception.
-void keep_each_sheet_once(SQLite::Database& database, const DrawRange& added,
-                          const std::optional<std::uint64_t>& most);
+/// The number that another catalogue's candidate has in this one: of a splitting search its
+/// sheet's, none where that is not kept here; of any other its own.
+std::optional<std::uint64_t> number_in(SQLite::Database& into, SQLite::Database& from,
+                                       std::uint64_t draw);
+
+/// Of candidates that are the same sheet only the one with the least number stays, to which what is
+/// known of the others goes (certificates, yields), and of all no more than stop.accepted, those
+/// with the least numbers. Looks at sheets of which one lies in `added`. Their units' counts and
+/// digests follow. Within a transaction; throws SQLite::Exception.
+void keep_each_sheet_once(SQLite::Database& database, const Campaign& campaign,
+                          const solver::Mechanism& mechanism, const DrawRange& added);
 
 }  // namespace misalign::schema

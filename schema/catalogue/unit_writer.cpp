@@ -101,7 +101,7 @@ void UnitWriter::write_unit(const UnitRecord& unit, std::int64_t run) {
   }
   for (const LevelCount& level : unit.levels) write_level(level, lo);
   if (!campaign_.splitting) return;
-  keep_each_sheet_once(database_, unit.range, campaign_.stop.accepted);
+  keep_each_sheet_once(database_, campaign_, mechanism_, unit.range);
   drop_pieces(database_, static_cast<std::uint32_t>(unit.range.lo / kNumbersOfPopulation));
 }
 

@@ -1,6 +1,7 @@
 #include "schema/catalogue/yield.hpp"
 
 #include "schema/campaign/share_interval.hpp"
+#include "schema/catalogue/population_rows.hpp"
 #include "schema/catalogue/since.hpp"
 
 namespace misalign::schema {
@@ -21,6 +22,20 @@ constexpr const char* kColumns =
     "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high, \"commit\", "
     "made_at";
 constexpr int kColumnCount = 10;
+
+// Rows of a catalogue, each for the candidate whose number `renumber` says, if any.
+template <class Renumber>
+void copy(SQLite::Database& from, SQLite::Database& into, const std::string& which,
+          const Renumber& renumber) {
+  SQLite::Statement select =
+      prepared(from, std::string("SELECT ") + kColumns + " FROM yield " + which);
+  SQLite::Statement insert(into, kInsert);
+  copy_rows(from, select, insert, [&] {
+    const std::optional<std::uint64_t> draw = renumber(draw_of(select.getColumn(0)));
+    draw ? insert.bind(1, stored(*draw)) : insert.bind(1);  // null: of no candidate
+    for (int k = 1; k < kColumnCount; ++k) bind_value(insert, k + 1, select.getColumn(k));
+  });
+}
 
 }  // namespace
 
@@ -98,12 +113,13 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
 
 void copy_yields(SQLite::Database& from, SQLite::Database& into) {
   if (!reading(from, [&] { return has_yields(from); })) return;
-  SQLite::Statement select =
-      prepared(from, std::string("SELECT ") + kColumns + " FROM yield ORDER BY draw, amplitude_mm");
-  SQLite::Statement insert(into, kInsert);
-  copy_rows(from, select, insert, [&] {
-    for (int k = 0; k < kColumnCount; ++k) bind_value(insert, k + 1, select.getColumn(k));
-  });
+  copy(from, into, "ORDER BY draw, amplitude_mm",
+       [&](std::uint64_t draw) { return number_in(into, from, draw); });
+}
+
+void hand_on_yields(SQLite::Database& database, std::uint64_t from, std::uint64_t to) {
+  copy(database, database, "WHERE draw = " + std::to_string(from),
+       [to](std::uint64_t) { return to; });
 }
 
 }  // namespace misalign::schema

@@ -110,7 +110,7 @@ TEST_F(CertificateTest, GoWithTheirCandidate) {
     // 102 is the same sheet as 5, found again.
     database->exec("INSERT INTO sheet (draw, hash) VALUES (5, zeroblob(16)), (102, zeroblob(16))");
     SQLite::Transaction transaction(*database);
-    keep_each_sheet_once(*database, {0, kEndOfDraws}, {});
+    keep_each_sheet_once(*database, campaign_, mechanism_, {0, kEndOfDraws});
     transaction.commit();
   }
   EXPECT_EQ(count("candidate WHERE draw = 102"), 0);

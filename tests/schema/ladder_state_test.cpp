@@ -3,6 +3,7 @@
 #include "schema/catalogue/ladder_state.hpp"
 
 #include "catalogue_fixture.hpp"
+#include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 
 namespace misalign::schema {
@@ -263,6 +264,116 @@ TEST_F(LadderTest, JoinedCataloguesKeepTheLeastNumber) {
     EXPECT_EQ(read_ladder(*open_for_reading(path("joined.db")), kEndOfDraws).rate()->mean,
               1.0 / 64);
   }
+}
+
+// What is known of the last population's sheets, some of which earlier ones turn out to have met.
+class KnownSheets : public LadderTest {
+ protected:
+  static constexpr std::uint64_t kThree = 3 * kTenBillion;  // sheets 3, 4 and 2
+
+  CertificateRow certificate(const Candidate& of, double certified_deg) const {
+    solver::Certificate made{certified_deg, solver::CertificateEnd::to_the_end, -1, false, {}, {}};
+    made.pieces.push_back({0, certified_deg, true, 0.25, solver::flat_state<double>(mechanism_)});
+    return certificate_row(campaign, mechanism_, of.draw, of.shifts_mm, made, 0.5);
+  }
+  // Of every candidate that is there, the farther and the more the later its population is.
+  void study(const std::vector<Candidate>& candidates, double certified_deg,
+             const std::string& name) const {
+    Catalogue catalogue = open_of(campaign, name);
+    for (const Candidate& candidate : candidates) {
+      const auto sheet = static_cast<double>(candidate.metrics.deploys_from_sample - 170);
+      catalogue.keep(std::vector{certificate(candidate, certified_deg + sheet)});
+      catalogue.keep(std::vector<Yield>{{candidate.draw, 0.1, 10, 5, 0}}, "b");
+      const auto trials = static_cast<std::uint64_t>(100 * certified_deg + sheet);
+      catalogue.keep(std::vector<Yield>{{candidate.draw, 0.05, trials, 9, 0}}, "b");
+    }
+    catalogue.close();
+  }
+  // That of the four sheets 2, 3 and 4 are known, as they were in population 3, under these
+  // numbers.
+  void expect_known(const std::string& name, const std::vector<Candidate>& under) const {
+    const auto database = open_for_reading(path(name));
+    for (const Candidate& candidate : under) {
+      const int sheet = candidate.metrics.deploys_from_sample - 170;
+      EXPECT_EQ(read_certificate(*database, candidate.draw), certificate(candidate, 100 + sheet));
+      const auto trials = static_cast<std::uint64_t>(10000 + sheet);
+      EXPECT_EQ(read_yields(*database, candidate.draw),
+                (std::vector<Yield>{{candidate.draw, 0.05, trials, 9, 0},
+                                    {candidate.draw, 0.1, 10, 5, 0}}));
+    }
+    EXPECT_EQ(count("certificate", name), static_cast<std::int64_t>(under.size()));
+    EXPECT_EQ(count("yield", name), static_cast<std::int64_t>(2 * under.size()));
+    EXPECT_TRUE(check_ledger(*database, campaign).empty());
+    EXPECT_TRUE(check_certificates(*database, campaign).findings.empty());
+  }
+
+  const Campaign campaign = climbed();
+  const std::vector<UnitRecord> units = populations();
+};
+
+TEST_F(KnownSheets, KeepWhatIsKnownUnderASmallerNumber) {
+  write(campaign, {units[2]}, true);
+  study(units[2].candidates, 100, "a.db");
+  const auto go_on = [&](const UnitRecord& unit) {
+    Catalogue catalogue = open_of(campaign);
+    catalogue.begin_run(kRun, {{0, 4 * kTenBillion}, {}, {}});
+    catalogue.commit({unit});
+    catalogue.end_run("stopped");
+  };
+  go_on(units[1]);
+  expect_known("a.db", {units[1].candidates[0], units[1].candidates[1], units[2].candidates[1]});
+  go_on(units[0]);
+  expect_known("a.db", {units[0].candidates[1], units[1].candidates[1], units[2].candidates[1]});
+}
+
+TEST_F(KnownSheets, AreJoinedWhicheverIsFirst) {
+  write(campaign, {units[2]}, true, "late.db");
+  study(units[2].candidates, 100, "late.db");
+  write(campaign, {units[0], units[1]}, true, "early.db");
+  // Less is known under the smaller number.
+  study({units[0].candidates[1]}, 90, "early.db");
+  for (const bool late_first : {false, true}) {
+    std::filesystem::remove(path("joined.db"));
+    {
+      Catalogue catalogue = open_of(campaign, "joined.db");
+      const std::string names[] = {late_first ? "late.db" : "early.db",
+                                   late_first ? "early.db" : "late.db"};
+      for (const std::string& name : names) {
+        const auto other = open_for_reading(path(name));
+        catalogue.take_over(*other, units_done(*other));
+      }
+      catalogue.begin_run(kRun, {{0, 4 * kTenBillion}, {}, {}});
+      for (const std::string& name : names) {
+        const auto other = open_for_reading(path(name));
+        catalogue.take_over_yields(*other);
+        EXPECT_EQ(catalogue.take_over_certificates(*other), 0u);
+      }
+      catalogue.end_run("merged");
+    }
+    expect_known("joined.db",
+                 {units[0].candidates[1], units[1].candidates[1], units[2].candidates[1]});
+  }
+}
+
+// A certificate that was changed is not made good by a new number.
+TEST_F(KnownSheets, SpoiltCertificatesStayBehind) {
+  write(campaign, {units[2]}, true, "late.db");
+  study(units[2].candidates, 100, "late.db");
+  change_rows(path("late.db"), "UPDATE certificate SET proof = zeroblob(length(proof))");
+  std::filesystem::copy_file(path("late.db"), path("more.db"));
+  {
+    Catalogue catalogue = open_of(campaign, "more.db");
+    catalogue.begin_run(kRun, {{0, 4 * kTenBillion}, {}, {}});
+    catalogue.commit({units[0]});
+    catalogue.end_run("stopped");
+  }
+  EXPECT_EQ(count("certificate", "more.db"), 2);
+  EXPECT_FALSE(read_certificate(*open_for_reading(path("more.db")), 90));
+  write(campaign, {units[0]}, true, "early.db");
+  Catalogue early = open_of(campaign, "early.db");
+  EXPECT_EQ(early.take_over_certificates(*open_for_reading(path("late.db"))), 1u);
+  early.close();
+  EXPECT_EQ(count("certificate", "early.db"), 0);
 }
 
 // Of no more than two the first two, although later populations were there first.
