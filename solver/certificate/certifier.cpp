@@ -1,6 +1,7 @@
 #include "solver/certificate/certifier.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/certificate/conditions.hpp"
@@ -19,6 +20,11 @@ constexpr double kSqrt2 = 1.41421356;
 constexpr double kGradedUntil_deg = 62;
 /// Pieces that would be shorter are none.
 constexpr double kShortest_deg = 2e-6;
+/// None is known that comes to more than 120: who creeps so is not let go on for hours.
+constexpr std::size_t kMostPieces = 10000;
+/// Tries of a piece; from so many on each is at most half as long as the one before. From 180
+/// degrees to kShortest_deg that takes 27 more, and 6 from the closing piece on.
+constexpr int kManyTries = 40, kMostTries = kManyTries + 27 + 6 + 2;
 /// Of a closing piece: so much less than kClosing_deg as rounding angles takes.
 constexpr double kClosingPiece_deg = 0.9 * kClosing_deg;
 
@@ -56,10 +62,11 @@ class March {
 
   Certificate run() {
     if (!begin()) return certificate_;
-    while (at_deg() < certificate_.asked_deg) {
+    while (at_deg() < certificate_.asked_deg && certificate_.pieces.size() < kMostPieces) {
       if (!go_on()) return certificate_;
     }
-    certificate_.end = CertificateEnd::to_the_end;
+    certificate_.end = at_deg() < certificate_.asked_deg ? CertificateEnd::unclear_slope
+                                                         : CertificateEnd::to_the_end;
     return certificate_;
   }
 
@@ -121,8 +128,21 @@ class March {
     }
     certificate_.where = -1;
     accept(std::move(tube));
-    width_deg_ = to_deg * std::min(1.0, prover_.better_length());
+    begin_next(to_deg * std::min(1.0, prover_.better_length()));
     return true;
+  }
+
+  // From the end of the last piece on.
+  void begin_next(double width_deg) {
+    width_deg_ = width_deg;
+    tries_ = 0;
+    may_widen_ = true;
+  }
+  // Once more from there: shorter than what was tried, and so at last at most half as long. There
+  // are no more than kMostTries of them, since what is shorter than kShortest_deg ends the march.
+  void shorten(double tried_deg, double width_deg) {
+    width_deg_ = tries_ < kManyTries ? width_deg : std::min(width_deg, kShorterPiece * tried_deg);
+    assert(width_deg_ < tried_deg);
   }
 
   PathPiece piece_to(double to_deg) const {
@@ -144,25 +164,23 @@ class March {
     return last_.chart.state_at(x.data(), s);
   }
 
-  // One piece more, or the end.
+  // One try: a piece more, a width for the next try, or the end.
   bool go_on() {
-    for (;;) {
-      const double to = std::min(at_deg() + width_deg_, farthest_deg());
-      if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {
-        certificate_.end = CertificateEnd::fold_limit;
-        return false;
-      }
-      PathTube tube;
-      const double width = to - at_deg();
-      const TubeEnd end =
-          prover_.prove(piece_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
-      if (end != TubeEnd::proven || !join(last_, tube)) {
-        width_deg_ = width * (end == TubeEnd::proven ? kShorterPiece
-                                                     : std::min(0.8, prover_.better_length()));
-        continue;
-      }
-      return look_at(std::move(tube));
+    const double to = std::min(at_deg() + width_deg_, farthest_deg());
+    if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {
+      certificate_.end = CertificateEnd::fold_limit;
+      return false;
     }
+    ++tries_;
+    assert(tries_ <= kMostTries);
+    PathTube tube;
+    const double width = to - at_deg();
+    const TubeEnd end =
+        prover_.prove(piece_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
+    if (end == TubeEnd::proven && join(last_, tube)) return look_at(std::move(tube));
+    shorten(width, width * (end == TubeEnd::proven ? kShorterPiece
+                                                   : std::min(0.8, prover_.better_length())));
+    return true;
   }
 
   // What stands in the way first, and how far from s = -1 on nothing does.
@@ -195,7 +213,7 @@ class March {
     const Obstacle first = first_obstacle(tube, prover_.find_slopes(tube), resolution);
     if (first.until == 1) {
       accept(std::move(tube));
-      width_deg_ = width * prover_.better_length();
+      begin_next(width * prover_.better_length());
       return true;
     }
     if (width <= kClosing_deg && first.happens) {
@@ -206,16 +224,18 @@ class March {
     }
     const double good_deg = first.until > -1 ? tube.chart.angle_deg_until(first.until) : from;
     if (good_deg - from > 0.1 * kClosing_deg) {
-      width_deg_ = good_deg - from - 0.02 * kClosing_deg;
+      shorten(width, good_deg - from - 0.02 * kClosing_deg);
       return true;
     }
     // On a shorter piece rates of change are better known.
     if (width > kClosing_deg) {
-      width_deg_ = std::max(kShorterPiece * width, kClosingPiece_deg);
+      shorten(width, std::max(kShorterPiece * width, kClosingPiece_deg));
       return true;
     }
-    // It may need all of the closing interval to happen.
-    if (width < 0.8 * kClosing_deg && from + width < farthest_deg()) {
+    // It may need all of the closing interval to happen: once, since next to a fold limit there may
+    // be no such piece.
+    if (may_widen_ && width < 0.8 * kClosing_deg && from + width < farthest_deg()) {
+      may_widen_ = false;
       width_deg_ = kClosingPiece_deg;
       return true;
     }
@@ -246,7 +266,10 @@ class March {
   Certificate certificate_;
   PathTube last_;
   std::vector<int> directions_;
-  double width_deg_ = 0;
+  double width_deg_ = 0;  // of the next try
+  // Since the last piece: tries, and whether one may still be longer than the one before.
+  int tries_ = 0;
+  bool may_widen_ = true;
 };
 
 }  // namespace

@@ -22,11 +22,13 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
                                      const std::vector<int>& directions);
 
 /// How far from s = -1 on something holds, up to `end`: `holds(from, to)` says it of a part. Parts
-/// are halved until they are no longer than `resolution`.
+/// are halved until they are no longer than `resolution`; where something all but fails for long,
+/// not all of them are looked at.
 template <class Holds>
 double holds_until(const Holds& holds, double end, double resolution) {
+  constexpr int kMostParts = 100000;
   double from = -1, step = 2;
-  while (from < end) {
+  for (int parts = 0; from < end && parts < kMostParts; ++parts) {
     const double to = std::min(end, from + step);
     if (holds(from, to)) {
       from = to;

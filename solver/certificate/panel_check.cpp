@@ -53,14 +53,17 @@ bool are_apart_along(const ComparedPanels& panels, const Eigen::Vector3d& direct
 }
 
 // On a part of the stretch; with directions of their own on both halves where one does not do.
+// `parts` counts them: panels that all but touch for long would need all of them.
 bool are_panels_apart(const ComparedPanels& panels, const Corners& a, const Corners& b,
-                      double middle, double half) {
+                      double middle, double half, int& parts) {
   constexpr double kShortest = 0x1p-26;
+  constexpr int kMostParts = 10000;
+  if (++parts > kMostParts) return false;
   const auto direction = separating_direction(panels, corners_at(a, middle), corners_at(b, middle));
   if (direction && are_apart_along(panels, *direction, a, b, middle, half)) return true;
   if (!direction || half < kShortest) return false;
-  return are_panels_apart(panels, a, b, middle - half / 2, half / 2) &&
-         are_panels_apart(panels, a, b, middle + half / 2, half / 2);
+  return are_panels_apart(panels, a, b, middle - half / 2, half / 2, parts) &&
+         are_panels_apart(panels, a, b, middle + half / 2, half / 2, parts);
 }
 
 }  // namespace
@@ -75,7 +78,8 @@ Proof PanelCheck::are_apart(const PieceProver& prover, const ProvenPiece& piece,
                             const ProvenStretch& stretch) const {
   const auto corners = prover.place_panels(piece, stretch, shape_, panels_);
   for (const ComparedPanels& panels : compared_) {
-    if (!are_panels_apart(panels, corners[panels.a], corners[panels.b], 0, 1)) {
+    int parts = 0;
+    if (!are_panels_apart(panels, corners[panels.a], corners[panels.b], 0, 1, parts)) {
       return Proof::unclear;
     }
   }
