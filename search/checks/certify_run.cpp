@@ -17,6 +17,8 @@
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
+#include "search/terminal/count_text.hpp"
+#include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
@@ -30,6 +32,7 @@ struct Sheet {
   double asked_deg = 0;
   Eigen::Matrix2Xd shifts_mm = {};  // of a splitting campaign; a plain one's are made again
   std::optional<CertifiedSheet> done = {};
+  std::string end = {};  // of the certificate that is checked
 };
 
 double deploys_from_deg(SQLite::Database& database, const schema::Campaign& campaign,
@@ -72,6 +75,7 @@ class CertifyZero {
       if (chosen.insert(draw).second) add(draw);
     }
     report_.check.of = options.check ? open_.size() : 0;
+    if (options.check && open_.empty()) throw nothing_to_check();
     // The writer's lock must not end with another connection of this process: see WriterLock.
     if (!options.check) database_.reset();
   }
@@ -121,6 +125,14 @@ class CertifyZero {
   }
 
  private:
+  UserError nothing_to_check() const {
+    return {schema::kExitBadInput,
+            fmt::format("{}: of {} none has a certificate, so that there is nothing to check; make "
+                        "them: misalign certify {} --all",
+                        options_.path, count_text(sheets_.size(), "candidate"),
+                        shell_word(options_.path))};
+  }
+
   void add(std::uint64_t draw) {
     Sheet sheet{draw};
     auto row = schema::read_certificate(*database_, draw);
@@ -151,7 +163,7 @@ class CertifyZero {
     return answers(row, asked_deg, options_.contact);
   }
 
-  SheetOrder order_of(const Sheet& sheet) {
+  SheetOrder order_of(Sheet& sheet) {
     SheetOrder order{sheet.draw, sheet.asked_deg, sheet.shifts_mm};
     if (options_.check) {
       order.stored = schema::read_certificate(*database_, sheet.draw);
@@ -160,6 +172,7 @@ class CertifyZero {
         throw schema::damaged(*database_,
                               name_of_draw(sheet.draw) + " has lost its certificate meanwhile");
       }
+      sheet.end = order.stored->end;
     } else if (!ready_.campaign.splitting) {
       order.shifts_mm = shifts_of_draw(ready_.campaign, sheet.draw);
     }
@@ -170,7 +183,11 @@ class CertifyZero {
     if (options_.check) {
       report_.check.checked += done.size();
       for (auto& one : done) {
-        if (one.answer.finding) report_.check.findings.push_back(std::move(*one.answer.finding));
+        if (one.answer.finding) {
+          report_.check.findings.push_back(std::move(*one.answer.finding));
+        } else {
+          ++report_.check.ends[sheets_[open_[one.sheet]].end];
+        }
       }
       return;
     }

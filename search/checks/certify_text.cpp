@@ -37,9 +37,9 @@ std::string reason(const schema::CertificateRow& row) {
     case CertificateEnd::contact:
       return "beyond, the panels " + row.place + " are not proven apart";
     case CertificateEnd::fold_limit:
-      return "there the path comes to a fold limit, or nearly";
+      return "there the proof stops, as it does next to a fold limit";
     case CertificateEnd::unclear_slope:
-      return "a diagonal or a crease stands still there, or nearly";
+      return "beyond, a diagonal or a crease is not proven to go on";
     case CertificateEnd::flat_branch:
       return "next to flat the branch cannot be proven";
   }
@@ -90,6 +90,35 @@ std::string summary_of(const std::vector<CertifiedSheet>& sheets) {
   return text + "\n";
 }
 
+bool is_proven(const std::string& end) {
+  const auto known = solver::certificate_end(end);
+  return known && solver::is_proven(*known);
+}
+
+// How many, and which: "3 (reversal 2, to_the_end 1)"; empty of none.
+std::string ends_text(const CertificateCheck& check, bool proven) {
+  std::uint64_t count = 0;
+  std::string names;
+  for (const auto& [end, certificates] : check.ends) {
+    if (is_proven(end) != proven) continue;
+    count += certificates;
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", end, certificates);
+  }
+  return count == 0 ? "" : fmt::format("{} ({})", count, names);
+}
+
+// What is proven of why they end.
+std::string ends_text(const CertificateCheck& check) {
+  const std::string proven = ends_text(check, true), others = ends_text(check, false);
+  std::string text;
+  if (!proven.empty()) text += "what ends it is proven of " + proven + "\n";
+  if (!others.empty()) {
+    text += "what ends it is not proven of " + others +
+            ": there the proof stops, for whatever reason\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 CertifiedSheet certified_sheet(std::string name, schema::CertificateRow row, bool is_new) {
@@ -136,13 +165,14 @@ std::string check_text(const CertificateCheck& check) {
   text += count_text(check.checked, "certificate") + " checked";
   if (check.checked < check.of) text += fmt::format(" of {} (stopped)", check.of);
   if (check.checked > 0 && check.findings.empty()) {
-    text += check.checked == 1 ? ": it holds" : ": all hold";
+    text += check.checked == 1 ? ": it holds, up to its certified angle"
+                               : ": all hold, up to their certified angles";
   }
   if (!check.findings.empty()) text += fmt::format(": {} do not hold", check.findings.size());
   if (check.without > 0) {
     text += fmt::format("; {} without a certificate", count_text(check.without, "sheet"));
   }
-  return text + "\n";
+  return text + "\n" + ends_text(check);
 }
 
 Json check_json(const CertificateCheck& check) {
@@ -154,11 +184,13 @@ Json check_json(const CertificateCheck& check) {
                         {"to_deg", interval ? Json(interval->to_deg) : Json()},
                         {"what", finding.what}});
   }
-  return {{"checked", check.checked},
-          {"of", check.of},
-          {"without", check.without},
-          {"findings", findings},
-          {"good", check.findings.empty()}};
+  Json ends = {{"proven", Json::object()}, {"unproven", Json::object()}};
+  for (const auto& [end, certificates] : check.ends) {
+    ends[is_proven(end) ? "proven" : "unproven"][end] = certificates;
+  }
+  return {{"checked", check.checked}, {"of", check.of},
+          {"without", check.without}, {"ends", ends},
+          {"findings", findings},     {"good", check.findings.empty()}};
 }
 
 }  // namespace misalign::search

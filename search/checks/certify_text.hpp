@@ -1,6 +1,7 @@
 // What `misalign certify` says of certificates, as text and as JSON.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct CertificateCheck {
   std::uint64_t checked = 0, of = 0;
   std::uint64_t without = 0;  ///< candidates that have no certificate
   std::vector<CertificateFinding> findings;
+  std::map<std::string, std::uint64_t> ends = {};  ///< of those that hold, by name
 };
 
 std::string check_text(const CertificateCheck& check);

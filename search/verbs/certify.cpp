@@ -101,11 +101,20 @@ int run_on_pattern(const CertifyCall& call) {
   SheetCertifier certifier(sheet.base, model, call.options.contact);
   if (call.options.check) {
     const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
+    if (!row) {
+      const std::string file = shell_word(call.options.path);
+      throw UserError(schema::kExitBadInput,
+                      call.options.path +
+                          ": it holds no certificate, so that there is nothing to check; make "
+                          "one: misalign certify " +
+                          file + " --json > certified.json");
+    }
     CertificateCheck check;
-    check.checked = check.of = row.has_value();
-    check.without = !row;
-    if (row) {
-      if (auto finding = certifier.check(sheet.shifts_mm, *row)) check.findings = {*finding};
+    check.checked = check.of = 1;
+    if (auto finding = certifier.check(sheet.shifts_mm, *row)) {
+      check.findings = {*finding};
+    } else {
+      check.ends = {{row->end, 1}};
     }
     call.json ? put_json(check_json(check)) : put(check_text(check));
     return check.findings.empty() ? 0 : schema::kExitCheckFailed;
@@ -132,15 +141,17 @@ constexpr const char* kCertifyFooter =
     "signs and stay below 180 degrees, and that every diagonal only grows or only shrinks. What "
     "it\n"
     "proves in full, and what not: solver/certificate/README.md. It ends for one of these "
-    "reasons:\n"
+    "reasons,\n"
+    "of which the first four are proven, to within 1e-4 degrees:\n"
     "  to_the_end     it reaches the angle that was asked for\n"
-    "  reversal       a diagonal turns back: proven, to within 1e-4 degrees\n"
-    "  over_folded    a crease is folded past 180 degrees: proven\n"
-    "  sign_changed   a crease becomes flat: proven\n"
-    "  contact        panels meet, or are not proven not to (--contact)\n"
-    "  fold_limit     the path comes to a fold limit\n"
+    "  reversal       a diagonal turns back\n"
+    "  over_folded    a crease is folded past 180 degrees\n"
+    "  sign_changed   a crease becomes flat\n"
+    "or because the proof goes no farther, as it does where\n"
+    "  contact        panels meet, or nearly (--contact)\n"
+    "  fold_limit     the path comes to a fold limit, or nearly\n"
     "  unclear_slope  a diagonal or a crease stands still, or nearly\n"
-    "  flat_branch    nothing is certified, not even next to flat\n\n"
+    "  flat_branch    the branch cannot be proven: nothing is certified, not even next to flat\n\n"
     "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
     "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
     "the\n"
@@ -149,8 +160,10 @@ constexpr const char* kCertifyFooter =
     "--check makes none: hash and columns, then every claim in arithmetic of many bits that "
     "shares\n"
     "nothing with what made it. Slow: seconds for 6 x 6. Of all candidates unless some are chosen. "
-    "Exit code 6 if a\n"
-    "claim does not hold.\n\n"
+    "It\n"
+    "says of how many certificates it is proven too what ends them, and of how many the proof "
+    "only\n"
+    "stops. Exit code 6 if a claim does not hold, 3 if there is no certificate.\n\n"
     "Examples:\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --best 10\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --all --ranks all\n"

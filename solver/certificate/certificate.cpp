@@ -107,6 +107,11 @@ std::optional<CertificateEnd> certificate_end(std::string_view name) {
   return std::nullopt;
 }
 
+bool is_proven(CertificateEnd end) {
+  return end == CertificateEnd::to_the_end || end == CertificateEnd::reversal ||
+         end == CertificateEnd::over_folded || end == CertificateEnd::sign_changed;
+}
+
 std::string encode(const Mechanism& mechanism, const Certificate& certificate) {
   std::string bytes;
   put_bits(bytes, kVersion);

@@ -28,6 +28,9 @@ inline constexpr int kCertificateEnds = 8;
 /// "to_the_end", ...: as in files.
 const char* name_of(CertificateEnd end);
 std::optional<CertificateEnd> certificate_end(std::string_view name);
+/// Whether a certificate that ends so proves that it happens, by its closing interval or by having
+/// come to the angle asked for. Of the other ends it claims only that its proof goes no farther.
+bool is_proven(CertificateEnd end);
 
 /// An interval of pilot angles, and the state in its middle.
 struct PathPiece {

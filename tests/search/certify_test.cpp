@@ -7,6 +7,8 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_task.hpp"
+#include "solver/certificate/certificate_check.hpp"
+#include "solver/verdict/path_record.hpp"
 
 namespace misalign::search {
 namespace {
@@ -144,6 +146,31 @@ TEST(FarFromTheBase, CertificatesBeginWithThePathsOwnStates) {
   }
 }
 
+// There a diagonal turns back less than 1e-5 degrees before its fold limit, and no closing interval
+// has room: what is shorter proves nothing, and what is longer cannot be proven.
+TEST(NextToAFoldLimit, CertificatesEnd) {
+  const std::pair<const char*, std::uint64_t> kSheets[] = {{"miura-4x4", 308},
+                                                           {"miura-6x6", 992187}};
+  for (const auto& [name, draw] : kSheets) {
+    const schema::Campaign campaign = schema::read_campaign_file(
+        MISALIGN_SOURCE_DIR "/search/campaigns/" + std::string(name) + ".json");
+    const solver::Model model = model_of(campaign);
+    const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, draw);
+    SheetCertifier certifier(campaign.pattern, model);
+    const schema::CertificateRow row = certifier.certify(draw, shifts_mm, 180);
+    EXPECT_EQ(row.end, "unclear_slope") << name;
+    // What the path's own turning point says, whose angle is found by arc length.
+    const double limit_deg =
+        solver::record_path(model, campaign.pattern.base.sheet.vertices_mm + shifts_mm)
+            .path.fold_limit_deg;
+    EXPECT_LT(row.certified_deg, limit_deg) << name;
+    EXPECT_GT(row.certified_deg, limit_deg - 1e-4) << name;
+    if (draw == 308) {
+      EXPECT_FALSE(certifier.check(shifts_mm, row));
+    }
+  }
+}
+
 TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
   schema::CertificateRow row;
   row.asked_deg = 170;
@@ -158,6 +185,18 @@ TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
   row.end = "contact";  // without panels it may go farther
   EXPECT_TRUE(answers(row, 170, true));
   EXPECT_FALSE(answers(row, 170, false));
+}
+
+// Whether the second opinion asks for an interval in which what ends a certificate happens.
+bool needs_closing(solver::CertificateEnd end) {
+  const schema::Campaign campaign = campaign_to_certify();
+  const solver::Model model = model_of(campaign);
+  solver::Certificate nothing;
+  nothing.asked_deg = end == solver::CertificateEnd::to_the_end ? 0 : 90;
+  nothing.end = end;
+  const auto fault =
+      solver::check_certificate(model, campaign.pattern.base.sheet.vertices_mm, nothing);
+  return fault && fault->what.find("needs a closing piece") != std::string::npos;
 }
 
 TEST(CertificateText, NeverSaysMoreThanIsCertified) {
@@ -213,14 +252,35 @@ TEST(CertificateText, OfManyIsASummary) {
 }
 
 TEST(CertificateText, OfACheckSaysWhatHasNone) {
-  CertificateCheck check{2, 2, 1, {}};
-  EXPECT_EQ(check_text(check), "2 certificates checked: all hold; 1 sheet without a certificate\n");
+  CertificateCheck check{2, 2, 1, {}, {{"to_the_end", 2}}};
+  EXPECT_EQ(check_text(check),
+            "2 certificates checked: all hold, up to their certified angles; 1 sheet without a "
+            "certificate\nwhat ends it is proven of 2 (to_the_end 2)\n");
   EXPECT_EQ(check_json(check)["good"], true);
   check = {1, 3, 0, {{9, {}, "why"}}};
   const std::string text = check_text(check);
   EXPECT_NE(text.find("draw 9: why\n"), std::string::npos) << text;
   EXPECT_NE(text.find("of 3 (stopped)"), std::string::npos) << text;
   EXPECT_EQ(check_json(check)["good"], false);
+}
+
+// An end is proven by a closing interval, or by having come to the angle that was asked for.
+TEST(CertificateText, OfACheckSaysWhichEndsAreProven) {
+  CertificateCheck check{8, 8, 0, {}};
+  for (int k = 0; k < solver::kCertificateEnds; ++k) {
+    const auto end = static_cast<solver::CertificateEnd>(k);
+    check.ends[solver::name_of(end)] = 1;
+    const bool by_itself = end == solver::CertificateEnd::to_the_end;
+    EXPECT_EQ(solver::is_proven(end), by_itself || needs_closing(end)) << solver::name_of(end);
+  }
+  EXPECT_EQ(
+      check_text(check),
+      "8 certificates checked: all hold, up to their certified angles\n"
+      "what ends it is proven of 4 (over_folded 1, reversal 1, sign_changed 1, to_the_end 1)\n"
+      "what ends it is not proven of 4 (contact 1, flat_branch 1, fold_limit 1, unclear_slope "
+      "1): there the proof stops, for whatever reason\n");
+  EXPECT_EQ(check_json(check)["ends"]["proven"].size(), 4u);
+  EXPECT_EQ(check_json(check)["ends"]["unproven"]["fold_limit"], 1);
 }
 
 // As the search goes: accepted ones alone, up to their D, with what `certify` would make.

@@ -88,6 +88,25 @@ TEST(CertificateCheck, passes_the_papers_sheet) {
   EXPECT_FALSE(fault) << fault->what;
 }
 
+// A proof that is cut short is one, up to where it was cut; why it ends there it does not prove.
+TEST(CertificateCheck, passes_what_was_cut_short_without_proving_why) {
+  const CertifiedSheet& sheet = reversing();
+  Certificate cut = sheet.certificate;
+  cut.pieces.pop_back();
+  cut.closing.reset();
+  cut.end = CertificateEnd::fold_limit;
+  cut.where = -1;
+  EXPECT_EQ(sheet.fault_of(cut), "");
+  EXPECT_FALSE(is_proven(cut.end));
+  for (const CertificateEnd event : {CertificateEnd::reversal, CertificateEnd::over_folded,
+                                     CertificateEnd::sign_changed, CertificateEnd::to_the_end}) {
+    cut.end = event;
+    cut.where = event == CertificateEnd::to_the_end ? -1 : sheet.certificate.where;
+    EXPECT_NE(sheet.fault_of(cut), "");
+    EXPECT_TRUE(is_proven(event));
+  }
+}
+
 TEST(CertificateCheck, proves_that_panels_do_not_meet) {
   const TestSheet sheet(6, 6);
   const FlatVertices vertices_mm = sheet.shifted(golden("table1_odd.json").at("displacements_mm"));
