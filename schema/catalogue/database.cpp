@@ -7,6 +7,7 @@
 #include "schema/catalogue/catalogue_layout.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/older_schema.hpp"
+#include "schema/files/file_name.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -60,11 +61,11 @@ UserError damaged(const SQLite::Database& database, const std::string& why) {
 }
 
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
+  constexpr const char* kSuggestion = "name a catalogue that `misalign search` wrote";
+  check_is_file(path, kSuggestion);
   std::error_code ignored;  // what may not be looked at is not there
   if (!std::filesystem::is_regular_file(path, ignored)) {
-    throw UserError(
-        kExitBadInput,
-        path + ": there is no such file; name a catalogue that `misalign search` wrote");
+    throw UserError(kExitBadInput, path + ": there is no such file; " + kSuggestion);
   }
   try {
     auto database = connect(path, Access::read);

@@ -27,6 +27,20 @@ int give_new_name(const std::string& from, const std::string& to) {
   return error;
 }
 
+const char* what_it_is(std::filesystem::file_type type) {
+  using Type = std::filesystem::file_type;
+  switch (type) {
+    case Type::directory:
+      return "a directory";
+    case Type::fifo:
+      return "a pipe";
+    case Type::socket:
+      return "a socket";
+    default:
+      return "a device";
+  }
+}
+
 }  // namespace
 
 int rename_to_new(const std::string& from, const std::string& to) {
@@ -61,13 +75,31 @@ bool is_taken(const std::string& path) {
   return ::lstat(path.c_str(), &found) == 0;
 }
 
+void check_is_file(const std::string& path, const std::string& suggestion) {
+  const auto refuse = [&](const std::string& what) {
+    throw UserError(kExitBadInput, path + ": " + what + "; " + suggestion);
+  };
+  if (path.find('\0') != std::string::npos) {
+    refuse("can be no file (a zero is among its letters, and names end there)");
+  }
+  std::error_code error;
+  const auto type = std::filesystem::status(path, error).type();
+  if (error == std::errc::too_many_symbolic_link_levels) {
+    refuse("is a link that leads nowhere (links go round in a circle)");
+  }
+  using Type = std::filesystem::file_type;
+  // What may not be looked at is not there.
+  if (type == Type::regular || type == Type::not_found || type == Type::none) return;
+  refuse(std::string("is ") + what_it_is(type) + " (no regular file)");
+}
+
 std::string end_of_links(const std::string& path) {
   std::filesystem::path end = path;
   std::error_code error;
   for (int k = 0; std::filesystem::is_symlink(end, error); ++k) {
     if (k == kMostLinks) {
       throw UserError(kExitFailure, path +
-                                        ": cannot be written (its links lead in a circle); name "
+                                        ": leads nowhere (links go round in a circle); name "
                                         "another file");
     }
     end = end.parent_path() / std::filesystem::read_symlink(end, error);
