@@ -6,20 +6,44 @@ that knows cells. The pictures go to results/figures/. The catalogue is one of c
 in results/ that `scripts/run.sh` has made, if none is named.
 """
 
-# %% What is needed
-import math
+# %% What is asked for, before all that takes time
+import argparse
 import sys
 from pathlib import Path
 
-import matplotlib
+parser = argparse.ArgumentParser(description="Draws the paper's figures 12 and 13, how rare sheets are, and which metrics "
+                                 "go together, into results/figures/, in half a minute.")
+parser.add_argument("catalogue", metavar="CATALOGUE", nargs="?", type=Path,
+                    help="of candidates of 6 x 6 panels [the newest of miura-6x6 in results/]")
+asked = parser.parse_args([] if hasattr(sys, "ps1") else None)  # cell by cell there is no command line
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "build/release/python"))  # where the build leaves it; an installed one comes first
+catalogues = [asked.catalogue] if asked.catalogue else sorted(
+    (ROOT / "results").glob("miura-6x6-*.db"), key=lambda path: path.stat().st_mtime)[-1:]
+if not catalogues:
+    parser.error("there is no catalogue in results/ (of miura-6x6); run scripts/run.sh, or name one")
+
+# %% What is needed
+try:
+    import misalign
+
+    catalogue = misalign.Catalogue(catalogues[0])
+except ImportError as error:
+    parser.error(f"{error}; scripts/run.sh builds the package")
+except misalign.Error as error:
+    parser.error(str(error))
+try:
+    import matplotlib
+    import pandas  # of which candidates() makes its table
+except ImportError as error:
+    parser.error(f"{error} (figures are drawn with it); install python3-matplotlib and python3-pandas, or their like")
+
+import math
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
-
-ROOT = Path(__file__).resolve().parent.parent
-sys.path.append(str(ROOT / "build/release/python"))  # where the build leaves it; an installed one comes first
-import misalign
 
 PICTURES = ROOT / "results/figures"
 SHRINKS, GROWS, INK, PALE = "#c0392b", "#1f6fb2", "#222222", "#9a9a9a"
@@ -152,11 +176,7 @@ save(figure, "shares")
 
 
 # %% Which metrics of candidates go together: Spearman's rank correlations
-catalogues = [Path(name) for name in sys.argv[1:]] or sorted(
-    (ROOT / "results").glob("miura-6x6-*.db"), key=lambda path: path.stat().st_mtime)[-1:]
-if not catalogues:
-    raise SystemExit("no catalogue in results/ (of miura-6x6); run scripts/run.sh, or name one")
-with misalign.Catalogue(catalogues[0]) as catalogue:
+with catalogue:
     candidates = catalogue.candidates()
 
 METRICS = ["deploys_from_deg", "fold_limit_deg", "miscut_margin_mm", "slope_min_mm_per_deg",

@@ -4,7 +4,7 @@
 build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
   libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev libsundials-dev libflint-dev
-  pkg-config libmatio-dev libdxflib-dev libcpp-httplib-dev pybind11-dev python3-dev help2man"
+  pkg-config libmatio-dev libdxflib-dev libcpp-httplib-dev pybind11-dev python3-dev python3-numpy help2man"
 # Arb, until it became part of FLINT 3.
 if [ "$(. /etc/os-release 2> /dev/null && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
   build_packages+=" libflint-arb-dev"
@@ -15,7 +15,7 @@ if ! node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' 2> /de
   build_packages+=" nodejs npm"
 fi
 test_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev calculix-ccx sqlite3
-  clang-format procps mandoc zsh chromium python3 python3-numpy python3-pandas python3-matplotlib mypy
+  clang-format procps mandoc zsh chromium python3 python3-pandas python3-matplotlib mypy
   python3-ezdxf octave curl"
 hosts_packages="iproute2 mount"  # tests/cluster
 slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster

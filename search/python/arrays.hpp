@@ -4,10 +4,37 @@
 #include <pybind11/numpy.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
+#include "schema/files/input.hpp"
+
 namespace misalign::search::python {
+
+/// Whether an entry of an array, or of one in a list, is masked.
+inline bool is_masked(const pybind11::handle& given) {
+  namespace py = pybind11;
+  if (py::isinstance<py::array>(given)) {
+    return py::module_::import("numpy").attr("ma").attr("is_masked")(given).cast<bool>();
+  }
+  return (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) &&
+         std::any_of(given.begin(), given.end(), is_masked);
+}
+
+/// What NumPy makes of numbers that somebody gives, by this function of its. UserError (2) if
+/// some are masked, of which NumPy would take what lies under the mask.
+inline pybind11::array array_of_given(const pybind11::object& given, const char* name,
+                                      const char* maker = "asarray") {
+  if (is_masked(given)) {
+    throw schema::UserError(schema::kExitUsage,
+                            std::string(name) +
+                                ": has masked entries (there is no number there); fill them, or "
+                                "leave those rows out");
+  }
+  return pybind11::module_::import("numpy").attr(maker)(given);
+}
 
 /// A row for each entry, of equal length.
 template <class Value, std::size_t Columns>

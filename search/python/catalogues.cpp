@@ -1,6 +1,8 @@
 // `_misalign.Catalogue`: read-only, one connection for each call, so that threads and forks share
 // none.
+#include <fcntl.h>
 #include <pybind11/stl.h>
+#include <sys/stat.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
@@ -23,10 +25,30 @@ namespace {
 
 namespace py = pybind11;
 
+// Which file a name leads to. One that is made after another is removed may get its number, but not
+// its time of birth, where the file system keeps that.
+struct FileIdentity {
+  bool operator==(const FileIdentity&) const = default;
+  std::uint64_t device = 0, number = 0;
+  std::int64_t born_s = 0, born_ns = 0;
+
+  static FileIdentity of(const std::string& path) {
+    struct statx found {};
+    if (statx(AT_FDCWD, path.c_str(), 0, STATX_INO | STATX_BTIME, &found) != 0) return {};
+    const std::uint64_t device = std::uint64_t{found.stx_dev_major} << 32 | found.stx_dev_minor;
+    return {device, found.stx_ino, found.stx_btime.tv_sec, found.stx_btime.tv_nsec};
+  }
+};
+
 class Catalogue {
  public:
   explicit Catalogue(std::string path) : path_(std::move(path)) {
-    source_ = unlocked([&] { return source_of(schema::read_campaign_of(*open(), path_)); });
+    unlocked([&] {
+      const auto database = schema::open_for_reading(path_);
+      file_ = FileIdentity::of(path_);
+      identity_ = identity_of(*database);
+      source_ = source_of(schema::read_campaign_of(*database, path_));
+    });
   }
 
   std::shared_ptr<SheetSource> sheet() const { return source_; }
@@ -117,7 +139,24 @@ class Catalogue {
   }
 
  private:
-  std::unique_ptr<SQLite::Database> open() const { return schema::open_for_reading(path_); }
+  static std::string identity_of(SQLite::Database& database) {
+    return schema::reading(
+        database, [&] { return database.execAndGet("SELECT identity FROM campaign").getString(); });
+  }
+
+  // The file that was opened first: source_ is of its campaign.
+  std::unique_ptr<SQLite::Database> open() const {
+    auto database = schema::open_for_reading(path_);
+    const auto refuse = [&](const std::string& what) {
+      return schema::UserError(schema::kExitOtherCampaign,
+                               path_ + ": " + what +
+                                   " was opened (it was replaced); open it again with "
+                                   "misalign.Catalogue");
+    };
+    if (identity_of(*database) != identity_) throw refuse("holds another campaign than when it");
+    if (FileIdentity::of(path_) != file_) throw refuse("is another file than the one that");
+    return database;
+  }
 
   std::vector<Eigen::Matrix2Xd> shifts_of(const std::vector<std::uint64_t>& draws) const {
     const auto database = open();
@@ -129,6 +168,8 @@ class Catalogue {
   }
 
   const std::string path_;
+  FileIdentity file_;
+  std::string identity_;
   std::shared_ptr<SheetSource> source_;
 };
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "schema/files/input.hpp"
+#include "search/python/arrays.hpp"
 
 namespace misalign::search::python {
 
@@ -17,7 +17,7 @@ inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
     return schema::UserError(schema::kExitUsage,
                              "draws: " + why + "; give whole numbers from 0 to 2^63 - 1");
   };
-  const py::array all = py::module_::import("numpy").attr("atleast_1d")(draws);
+  const py::array all = array_of_given(draws, "draws", "atleast_1d");
   if (all.ndim() != 1) throw refuse("has " + std::to_string(all.ndim()) + " axes, not one");
   if (all.size() == 0) return {};
   const char kind = all.dtype().kind();

@@ -8,6 +8,7 @@ namespace misalign::search::python {
 namespace {
 
 bool is_database(const std::string& path) {
+  if (path.find('\0') != std::string::npos) return false;  // no file at all
   std::ifstream file(path, std::ios::binary);
   std::string start(schema::kDatabaseHeader.size(), ' ');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -60,6 +61,40 @@ std::shared_ptr<SheetSource> read_source(const std::string& path) {
     return source_of(schema::read_campaign_file(path));
   }
   return pattern_source(sheet_of_pattern_file(path));
+}
+
+std::string text_of(const SheetSource& source) {
+  if (source.campaign) return schema::Json{{"campaign", campaign_json(*source.campaign)}}.dump();
+  const ChosenSheet& sheet = source.sheet;
+  return schema::Json{{"name", sheet.pattern},
+                      {"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
+                      {"sampling", schema::sampling_json(sheet.sampling)},
+                      {"exported", sheet.exported}}
+      .dump();
+}
+
+std::shared_ptr<SheetSource> source_of_text(const std::string& text) {
+  const schema::Json json = schema::Json::parse(text);
+  if (json.contains("campaign")) {
+    return source_of(schema::read_campaign(json["campaign"], "a pickled campaign"));
+  }
+  schema::InputFaults faults;
+  schema::Pattern pattern = schema::read_pattern(json.at("pattern"), "pattern",
+                                                 schema::Displacements::allowed, {}, faults);
+  schema::ObjectReader reader(json.at("sampling"), "sampling", faults);
+  schema::Sampling sampling;
+  reader.number("sample_deg", sampling.sample_deg, 0, 180, "pickle it again");
+  reader.number("end_deg", sampling.end_deg, 0, 180, "pickle it again");
+  schema::read_between_samples(reader, sampling.between_samples);
+  faults.refuse("a pickled pattern");
+  const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
+  return pattern_source({std::move(pattern),
+                         sampling,
+                         {},
+                         shifts_mm,
+                         {},
+                         json.at("name").get<std::string>(),
+                         json.at("exported")});
 }
 
 }  // namespace misalign::search::python

@@ -28,4 +28,8 @@ std::shared_ptr<SheetSource> read_source(const std::string& path);
 /// A catalogue's campaign.
 std::shared_ptr<SheetSource> source_of(schema::Campaign campaign);
 
+/// All of a source, for pickles: whatever file it was read from need not be there any more.
+std::string text_of(const SheetSource& source);
+std::shared_ptr<SheetSource> source_of_text(const std::string& text);
+
 }  // namespace misalign::search::python

@@ -107,7 +107,10 @@ py::array_t<double> shifts(const SheetSource& source, const py::object& draws) {
 void bind_sheets(py::module_& module) {
   py::class_<SheetSource, std::shared_ptr<SheetSource>>(module, "Sheet")
       .def("describe", &describe)
-      .def("shifts", &shifts, py::arg("draws"));
+      .def("shifts", &shifts, py::arg("draws"))
+      .def(py::pickle(&text_of, [](const std::string& text) {
+        return unlocked([&] { return source_of_text(text); });
+      }));
   module.def(
       "read", [](const std::string& path) { return unlocked([&] { return read_source(path); }); },
       py::arg("path"));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "search/python/arrays.hpp"
+
 namespace misalign::search::python {
 namespace {
 
@@ -21,7 +23,7 @@ std::string shape_of(const py::array& array) {
 
 py::array array_of(const py::object& shifts_mm, const std::vector<py::ssize_t>& shape,
                    const std::string& form) {
-  const py::array array = py::module_::import("numpy").attr("asarray")(shifts_mm);
+  const py::array array = array_of_given(shifts_mm, "shifts_mm");
   const char kind = array.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u') throw no_shifts("holds what are no numbers", form);
   const auto axes = static_cast<py::ssize_t>(shape.size());

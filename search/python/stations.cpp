@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "search/python/arrays.hpp"
+
 namespace misalign::search::python {
 
 namespace py = pybind11;
@@ -16,7 +18,7 @@ std::optional<std::vector<double>> stations_of(const py::object& stations) {
         schema::kExitUsage,
         "stations: " + why + "; give pilot angles in degrees, ascending, from 0 to 180");
   };
-  const py::array all = py::module_::import("numpy").attr("atleast_1d")(stations);
+  const py::array all = array_of_given(stations, "stations", "atleast_1d");
   const char kind = all.dtype().kind();
   if (all.ndim() != 1) throw refuse("has " + std::to_string(all.ndim()) + " axes, not one");
   if (all.size() == 0) throw refuse("is empty");

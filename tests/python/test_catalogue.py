@@ -1,12 +1,15 @@
 """Catalogues beside the program's own answers."""
 
+import json
+import os
 import pickle
+import shutil
 import sqlite3
 import unittest
 
 import numpy as np
 
-from fixture import CATALOGUE, SMALL, program_json
+from fixture import CATALOGUE, SMALL, program, program_json
 
 import misalign
 
@@ -86,6 +89,51 @@ class Catalogues(unittest.TestCase):
                 call()
         self.assertEqual(self.catalogue.campaign.name, "miura-4x4")
         self.assertEqual(pickle.loads(pickle.dumps(misalign.Catalogue(CATALOGUE))).campaign.name, "miura-4x4")
+
+    def calls_of(self, catalogue):
+        return (catalogue.candidates, catalogue.query, lambda: catalogue.shifts([1]), lambda: catalogue.histories([1]),
+                lambda: catalogue.replay(1), lambda: catalogue.springs(1), lambda: catalogue.tolerance(1, 0.01, 5))
+
+    def test_a_file_that_is_replaced(self):
+        """Whatever is asked is of the file that was opened, or refused."""
+        with open(SMALL, encoding="utf-8") as file:
+            other = json.load(file)
+        other["seed"] = 2
+        with open("other.json", "w", encoding="utf-8") as file:
+            json.dump(other, file)
+        program("search", "other.json", "--draws", 3000, "--catalogue", "other.db", "--progress", "none")
+        shutil.copy(CATALOGUE, "again.db")
+        shutil.copy(CATALOGUE, "turned.db")
+        catalogue = misalign.Catalogue("turned.db")
+        pickled = pickle.dumps(catalogue)
+        for replacement, words in (("other.db", "another campaign"), ("again.db", "another file")):
+            shutil.copy(replacement, "new.db")
+            os.replace("new.db", "turned.db")
+            for call in self.calls_of(catalogue):
+                with self.assertRaisesRegex(misalign.Error, f"^turned.db: .*{words}.* was opened .*; open it") as caught:
+                    call()
+                self.assertEqual(caught.exception.exit_code, 5)
+            anew = misalign.Catalogue("turned.db")
+            for call in self.calls_of(anew):
+                call()
+            if replacement == "other.db":
+                self.assertNotEqual(anew.campaign.identity, catalogue.campaign.identity)
+                with self.assertRaisesRegex(misalign.Error, "another campaign than when it was pickled"):
+                    pickle.loads(pickled)
+        self.assertEqual(pickle.loads(pickled).campaign.identity, catalogue.campaign.identity)
+        # The same file with another content.
+        shutil.copyfile("other.db", "turned.db")
+        with self.assertRaisesRegex(misalign.Error, "another campaign"):
+            anew.candidates()
+
+    def test_a_file_that_grows(self):
+        program("search", SMALL, "--draws", 2000, "--catalogue", "growing.db", "--progress", "none")
+        catalogue = misalign.Catalogue("growing.db")
+        before = len(catalogue.candidates())
+        program("search", SMALL, "--draws", 6000, "--catalogue", "growing.db", "--progress", "none")
+        self.assertGreater(len(catalogue.candidates()), before)
+        for call in self.calls_of(catalogue):
+            call()
 
     def test_nothing_is_changed(self):
         with open(CATALOGUE, "rb") as file:

@@ -2,13 +2,14 @@
 
 import os
 import pickle
+import subprocess
 import sys
 import unittest
 from unittest import mock
 
 import numpy as np
 
-from fixture import CATALOGUE, SMALL, TABLE1
+from fixture import CATALOGUE, PACKAGE, SMALL, TABLE1
 
 import misalign
 
@@ -31,6 +32,38 @@ class Sentences(unittest.TestCase):
         self.refused(3, "", misalign.read, os.curdir)
         with self.assertRaises(TypeError):
             misalign.read(3)
+
+    def test_what_is_no_file(self):
+        """A name ends at no zero, and what is there is named."""
+        for bad in (CATALOGUE + "\0x", "\0", CATALOGUE + "\0"):
+            self.refused(3, "zero is among its letters", misalign.Catalogue, bad)
+            self.refused(3, "cannot be opened", misalign.read, bad)
+        os.mkfifo("pipe.db")
+        self.refused(3, "pipe.db: is a pipe", misalign.Catalogue, "pipe.db")
+        self.refused(3, "is a directory", misalign.Catalogue, os.curdir)
+        os.symlink("circle.db", "circle.db")
+        self.refused(3, "links go round in a circle", misalign.Catalogue, "circle.db")
+
+    def test_masks(self):
+        """What is masked is no number, whatever lies under the mask."""
+        campaign = misalign.read(SMALL)
+        catalogue = misalign.Catalogue(CATALOGUE)
+        shifts_mm = campaign.shifts(range(3))
+        masked = np.ma.masked_array(shifts_mm, mask=np.zeros(shifts_mm.shape, dtype=bool))
+        np.testing.assert_array_equal(misalign.judge(campaign, masked, 100), misalign.judge(campaign, shifts_mm, 100))
+        masked[1, 6, 0] = np.ma.masked
+        for bad in (masked, list(masked), [list(sheet) for sheet in masked], (masked[1],)):
+            for threshold in (None, 100):
+                self.refused(2, "^shifts_mm: has masked entries", misalign.judge, campaign, bad, threshold)
+        self.refused(2, "^shifts_mm: has masked", campaign.pattern.fold, shifts_mm=masked[1])
+        draws = np.ma.masked_array([0, 1], mask=[False, True])
+        for call in (catalogue.shifts, catalogue.histories, campaign.shifts):
+            self.refused(2, "^draws: has masked", call, draws)
+            self.refused(2, "^draws: has masked", call, [0, np.ma.masked])
+        for call in (catalogue.replay, catalogue.springs):
+            self.refused(2, "^draws: has masked", call, draws[1])
+        self.refused(2, "^stations: has masked", campaign.pattern.fold, np.ma.masked_less([10., 20.], 15))
+        self.assertEqual(len(campaign.shifts(np.ma.masked_array([0, 1]))), 2)
 
     def test_shifts(self):
         campaign = misalign.read(SMALL)
@@ -100,6 +133,13 @@ class Sentences(unittest.TestCase):
     def test_without_pandas(self):
         with mock.patch.dict(sys.modules, {"pandas": None}):
             self.refused(1, "pandas is not there", misalign.Catalogue(CATALOGUE).candidates)
+
+    def test_without_numpy(self):
+        code = "import sys; sys.modules['numpy'] = None; import misalign"
+        done = subprocess.run([sys.executable, "-c", code], env={**os.environ, "PYTHONPATH": str(PACKAGE)},
+                              capture_output=True, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stderr.splitlines()[-1], "^ImportError: misalign: NumPy is not there, .*; install it")
 
     def test_errors_travel(self):
         error = misalign.Error("a sentence; do this", 3)

@@ -1,7 +1,9 @@
 """Threads, forks, Ctrl-C, and memory."""
 
+import copy
 import multiprocessing
 import os
+import pickle
 import resource
 import signal
 import threading
@@ -11,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from fixture import CATALOGUE, SMALL
+from fixture import CATALOGUE, SMALL, SOURCE, TABLE1, program
 
 import misalign
 
@@ -25,7 +27,55 @@ def judged_in_a_child(draws):
     return judged(draws).tolist()
 
 
+def reached_deg(source, shifts_mm):
+    return misalign.judge(source, shifts_mm).deploys_from_deg
+
+
 class Processes(unittest.TestCase):
+    def same(self, one, other):
+        """Of patterns and campaigns: all that they say, and what they judge."""
+        self.assertIs(type(one), type(other))
+        for name in [name for name in vars(one) if name not in ("_sheet", "pattern")]:
+            np.testing.assert_array_equal(getattr(one, name), getattr(other, name), name)
+        if isinstance(one, misalign.Campaign):
+            np.testing.assert_array_equal(one.shifts([0, 5]), other.shifts([0, 5]))
+            return self.same(one.pattern, other.pattern)
+        with self.assertRaises(ValueError):
+            other.vertices_mm[0, 0] = 1
+        folding, again = one.fold([10, 60]), other.fold([10, 60])
+        np.testing.assert_array_equal(folding.length_mm, again.length_mm)
+        self.assertEqual((folding.deploys_from_deg, folding.first_fault, folding.fold_limit_deg),
+                         (again.deploys_from_deg, again.first_fault, again.fold_limit_deg))
+
+    def test_pickles_and_copies(self):
+        patterns = SOURCE / "search/patterns"
+        catalogue = misalign.Catalogue(CATALOGUE)
+        best = int(catalogue.candidates(limit=1).draw[0])
+        program("export", CATALOGUE, "--draw", best, "--output", "pickled")
+        program("export", CATALOGUE, "--draw", best, "--format", "fold", "--output", "pickled")
+        sources = [misalign.read(path) for path in (
+            TABLE1, SMALL, patterns / "turned-quads-6x6.fold", patterns / "turned-quads-6x6.json",
+            patterns / "miura-graded-6x6.json", "search/campaigns/angle-array-6x6.json",
+            "search/campaigns/miura-8x8-rare.json", f"pickled/miura-4x4-{best}.json",
+            f"pickled/miura-4x4-{best}.fold")]
+        self.assertIsNotNone(sources[-1].exported)
+        for source in sources + [sources[1].pattern, catalogue.campaign]:
+            with self.subTest(repr(source)):
+                if getattr(source, "is_splitting", False):
+                    self.same(source.pattern, pickle.loads(pickle.dumps(source)).pattern)
+                    continue
+                for copied in (pickle.loads(pickle.dumps(source)), copy.deepcopy(source), copy.copy(source)):
+                    self.same(source, copied)
+        self.assertEqual(catalogue.campaign.identity, pickle.loads(pickle.dumps(catalogue.campaign)).identity)
+
+    def test_campaigns_go_to_processes_that_share_nothing(self):
+        campaign = misalign.read(SMALL)
+        shifts_mm = campaign.shifts(range(100))
+        with multiprocessing.get_context("spawn").Pool(2) as pool:
+            found = pool.starmap(reached_deg, [(campaign, shifts_mm), (campaign.pattern, shifts_mm)])
+        for reached in found:
+            np.testing.assert_array_equal(reached, reached_deg(campaign, shifts_mm))
+
     def test_threads(self):
         campaign = misalign.read(SMALL)
         catalogue = misalign.Catalogue(CATALOGUE)

@@ -18,6 +18,12 @@ Everywhere angles are in degrees and lengths in mm, as the last word of a name s
 sheets, S stations (pilot angles), V vertices, F facets, C creases, D diagonals.
 """
 
+try:
+    import numpy as _numpy  # noqa: F401
+except ImportError as _error:
+    raise ImportError("misalign: NumPy is not there, which its arrays are made with (a package of its own); install "
+                      "it for this Python, such as python3-numpy of Debian") from _error
+
 from misalign._campaign import Campaign
 from misalign._catalogue import Catalogue
 from misalign._error import Error, UndecidedError

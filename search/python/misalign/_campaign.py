@@ -23,6 +23,8 @@ class Campaign:
     `is_splitting`   whether populations climb instead of plain draws
     `configuration`  every key of the file, resolved
 
+    A pickle or a copy holds all of it, and needs no file.
+
     >>> campaign = misalign.read("search/campaigns/miura-4x4.json")
     >>> campaign.threshold_deg, campaign.amplitude_mm, campaign.levels
     (150.0, 0.4, 'ternary')
@@ -48,6 +50,9 @@ class Campaign:
 
     def __repr__(self) -> str:
         return f"<misalign.Campaign {self.name} ({self.identity[:8]})>"
+
+    def __reduce__(self) -> tuple[type[Campaign], tuple[_misalign.Sheet]]:
+        return type(self), (self._sheet,)
 
     def shifts(self, draws: npt.ArrayLike | range) -> npt.NDArray[np.float64]:
         """The shifts of these draws, [N, V, 2] in mm: seed and number alone determine them.

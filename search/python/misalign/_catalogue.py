@@ -42,6 +42,14 @@ def _arrays(said: Any) -> Any:
     return values
 
 
+def _reopened(kind: type[Catalogue], path: str, identity: str) -> Catalogue:
+    catalogue = kind(path)
+    if catalogue.campaign.identity != identity:
+        raise Error(f"{path}: holds another campaign than when it was pickled (it was replaced); open it again with "
+                    "misalign.Catalogue", 5)
+    return catalogue
+
+
 class Catalogue:
     """What a campaign found, to read: nothing in it is changed, and a search may write meanwhile.
 
@@ -50,7 +58,7 @@ class Catalogue:
 
     Every call opens the file anew and sees it at one moment; so threads and forks may share a catalogue. `close`,
     or leaving a `with`, refuses further calls. `misalign.Error`: 3 no such file, none of this program, or
-    damaged; 5 of a newer schema; 2 for what cannot be asked.
+    damaged; 5 of a newer schema, or another file than the one that was opened; 2 for what cannot be asked.
 
     >>> with misalign.Catalogue("miura-4x4.db") as catalogue:
     ...     best = catalogue.candidates(limit=3)
@@ -75,8 +83,8 @@ class Catalogue:
     def __repr__(self) -> str:
         return f"<misalign.Catalogue {self.path}: {self.campaign.name}>"
 
-    def __reduce__(self) -> tuple[type[Catalogue], tuple[str]]:
-        return type(self), (self.path,)
+    def __reduce__(self) -> tuple[Any, tuple[type[Catalogue], str, str]]:
+        return _reopened, (type(self), self.path, self.campaign.identity)
 
     def close(self) -> None:
         """Refuses further calls; `campaign` can still be used. Closing twice does nothing."""

@@ -15,7 +15,7 @@ class Error(Exception):
     """One sentence that says what is wrong, why, and what to do: the program's own.
 
     `exit_code` is what `misalign` would exit with: 1 disk or memory, 2 wrong arguments, 3 a bad input file,
-    5 a catalogue of a newer schema, 6 a failed check.
+    5 a catalogue of a newer schema or one that was replaced, 6 a failed check.
 
     >>> try:
     ...     misalign.read("search/patterns/README.md")

@@ -12,7 +12,7 @@ from misalign._campaign import Campaign
 from misalign._error import UndecidedError
 from misalign._pattern import Pattern
 
-#: Names of the faults, by their numbers in `Verdicts.fault`.
+#: Names of the faults, by their numbers in `Verdicts.first_fault`.
 faults: tuple[str, ...] = _misalign.faults
 
 
@@ -20,24 +20,29 @@ class Verdicts:
     """Verdicts on N sheets. Made by `misalign.judge`.
 
     `deploys_from_deg`  [N], float64: D, the largest sample up to which everything is in order
-    `fault`             [N], uint8: what ends that, an index into `misalign.faults`
+    `first_fault`       [N], uint8: what ends that, an index into `misalign.faults` (which has the names that
+                        `Folding.first_fault` says); `fault` is an older name of the same array
     `where`             [N], int32: the diagonal that shows it (of over_folded and assignment_flipped the
                         crease) by its number in the pattern, or -1
 
     >>> pattern = misalign.read("search/patterns/table1.json")
     >>> verdicts = misalign.judge(pattern, -pattern.shifts_mm[np.newaxis])
-    >>> misalign.faults[verdicts.fault[0]], pattern.diagonal_labels[verdicts.where[0]]
+    >>> misalign.faults[verdicts.first_fault[0]], pattern.diagonal_labels[verdicts.where[0]]
     ('not_monotone', 'A33-A39')
     """
 
-    def __init__(self, deploys_from_deg: npt.NDArray[np.float64], fault: npt.NDArray[np.uint8],
+    def __init__(self, deploys_from_deg: npt.NDArray[np.float64], first_fault: npt.NDArray[np.uint8],
                  where: npt.NDArray[np.int32]) -> None:
         self.deploys_from_deg = deploys_from_deg
-        self.fault = fault
+        self.first_fault = first_fault
         self.where = where
 
+    @property
+    def fault(self) -> npt.NDArray[np.uint8]:
+        return self.first_fault
+
     def __len__(self) -> int:
-        return len(self.fault)
+        return len(self.first_fault)
 
     def __repr__(self) -> str:
         return f"<misalign.Verdicts on {len(self)} sheets>"

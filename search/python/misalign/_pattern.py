@@ -15,7 +15,8 @@ from misalign._folding import Folding
 class Pattern:
     """A sheet with its holes, and shifts of its own: what a pattern file holds. Made by `misalign.read`.
 
-    Vertices and facets are numbered from 0, vertex 0 is called "A1". Arrays cannot be written to.
+    Vertices and facets are numbered from 0, vertex 0 is called "A1". Arrays cannot be written to. A pickle or a
+    copy holds all of it, and needs no file.
 
     `name`             of the file, without its ending, or of the campaign
     `vertices_mm`      [V, 2]: x and y of the correct, flat sheet, without shifts
@@ -71,6 +72,9 @@ class Pattern:
 
     def __repr__(self) -> str:
         return f"<misalign.Pattern {self.name}: {len(self.vertices_mm)} vertices, {len(self.holes)} holes>"
+
+    def __reduce__(self) -> tuple[type[Pattern], tuple[_misalign.Sheet]]:
+        return type(self), (self._sheet,)
 
     def fold(self, stations: npt.ArrayLike | None = None, shifts_mm: npt.ArrayLike | None = None) -> Folding:
         """Follows the folding path of the sheet, past faults, as far as it goes.
