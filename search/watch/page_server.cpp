@@ -9,11 +9,13 @@
 
 #include "schema/files/input.hpp"
 #include "search/terminal/failure.hpp"
+#include "search/watch/connection_patience.hpp"
 
 namespace misalign::search {
 namespace {
 
-// A client that says nothing, or reads nothing, has one of the threads for so long.
+// A client that says nothing, or reads nothing, has one of the threads for so long; one that says
+// or reads a little now and then as ConnectionPatience has it.
 constexpr int kThreads = 32, kPatience_s = 2;
 
 const httplib::Headers& headers_of_all() {
@@ -85,7 +87,9 @@ class PageServer::Impl {
   }
 
   void serve(const Answerer& answer) {
+    ConnectionPatience patience(place_.port, kThreads);
     server_.set_pre_routing_handler([&](const httplib::Request& got, httplib::Response& response) {
+      patience.heard(got.remote_port);
       const PageAnswer answered = answer_to(request_of(got), answer);
       if (answered.status == 405) response.set_header("Allow", "GET, HEAD");
       give(answered, response);

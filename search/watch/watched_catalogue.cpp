@@ -1,6 +1,7 @@
 #include "search/watch/watched_catalogue.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,13 @@ constexpr double kLeastRest_s = 0.5;
 
 constexpr const char* kHtml = "text/html; charset=utf-8";
 
+// This thread's on a core: who waits, such as for a lock, keeps none busy.
+double core_time_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 ReportCall call_for(const std::string& path) {
   ReportCall call;
   call.path = path;
@@ -37,6 +45,10 @@ bool has_write_ahead_log(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   return begin[18] == 2;
+}
+
+void check_kind(const std::string& path) {
+  schema::check_is_file(path, "name a catalogue that `misalign search` wrote, or will write");
 }
 
 void check_storage(const std::string& path) {
@@ -58,6 +70,7 @@ PageAnswer html_answer(int status, const schema::ServedPage& page) {
 WatchedCatalogue::WatchedCatalogue(const std::string& path) : call_(call_for(path)) {
   page_.waits = true;
   page_about("");
+  check_kind(path);
   check_storage(path);
   const FileMark mark = FileMark::of(path);
   if (mark.exists()) {
@@ -103,7 +116,7 @@ PageAnswer WatchedCatalogue::live() {
   });
 }
 
-PageAnswer WatchedCatalogue::answer(Kept& kept, double share_of_time, const Maker& make) {
+PageAnswer WatchedCatalogue::answer(Kept& kept, double share_of_core, const Maker& make) {
   const auto told = [&](bool also_old) {
     const std::lock_guard own(kept.asking);
     const bool rests = also_old || Clock::now() < kept.rests_until;
@@ -116,12 +129,13 @@ PageAnswer WatchedCatalogue::answer(Kept& kept, double share_of_time, const Make
     reading.lock();
     if (PageAnswer answer = told(false); answer.body) return answer;
   }
-  const auto begin = Clock::now();
+  const double begin_s = core_time_s();
   const FileMark mark = FileMark::of(call_.path);
-  if (kept.answer.body && kept.mark.is_like(mark)) return kept.answer;
+  // What went wrong may be over without a change of the file, such as a lock.
+  if (kept.answer.status == 200 && kept.mark.is_like(mark)) return kept.answer;
   PageAnswer made = make(mark);
-  const std::chrono::duration<double> took = Clock::now() - begin;
-  const std::chrono::duration<double> rest(std::max(kLeastRest_s, took.count() / share_of_time));
+  const double took_s = core_time_s() - begin_s;
+  const std::chrono::duration<double> rest(std::max(kLeastRest_s, took_s / share_of_core));
   const std::lock_guard own(kept.asking);
   kept.mark = mark;
   kept.answer = made;
@@ -142,6 +156,7 @@ PageAnswer WatchedCatalogue::page_about(const std::string& problem) const {
 // What a reader would wait for, or make the writer wait for, is not even opened.
 void WatchedCatalogue::check_readable(const FileMark& mark) const {
   const std::string& path = call_.path;
+  check_kind(path);
   check_storage(path);
   if (!mark.exists()) {
     throw schema::UserError(

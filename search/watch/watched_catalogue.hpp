@@ -15,8 +15,9 @@ namespace misalign::search {
 
 /// Nobody who writes the catalogue waits for it: it is open only while it is being read, which is
 /// done when somebody asks and the file has changed, by one at a time, in short transactions, and
-/// never for more than a small share of the time: who asks in between is told what was read last.
-/// What goes wrong with the file is what is told, as long as it does. For any number of threads.
+/// never for more than a small share of a core's time: who asks in between is told what was read
+/// last. What goes wrong with the file is what is told, as long as it does. For any number of
+/// threads.
 class WatchedCatalogue {
  public:
   /// UserError: 1 the program carries no page; 2 the file system is shared; 3 it is no catalogue,
@@ -41,7 +42,7 @@ class WatchedCatalogue {
     Clock::time_point rests_until;
   };
   using Maker = std::function<PageAnswer(const FileMark& mark)>;
-  PageAnswer answer(Kept& kept, double share_of_time, const Maker& make);
+  PageAnswer answer(Kept& kept, double share_of_core, const Maker& make);
   PageAnswer page_about(const std::string& problem) const;
   void check_readable(const FileMark& mark) const;
 

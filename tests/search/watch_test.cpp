@@ -1,5 +1,9 @@
 // Whom `misalign watch` answers, where it listens, and how it notices that a catalogue has changed.
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -8,6 +12,7 @@
 
 #include "schema/catalogue/writer_lock.hpp"
 #include "schema/files/input.hpp"
+#include "search/watch/connection_patience.hpp"
 #include "search/watch/file_mark.hpp"
 #include "search/watch/loopback.hpp"
 #include "search/watch/request_rule.hpp"
@@ -104,6 +109,85 @@ TEST(Loopback, IsTheOnlyAddress) {
   }
   EXPECT_EQ(url_of("127.0.0.1", 80), "http://127.0.0.1:80/");
   EXPECT_EQ(url_of("::1", kPort), "http://[::1]:8617/");
+}
+
+// Both ends of a connection to this process.
+struct Pair {
+  int client, server;
+  int client_port = 0;
+};
+
+class Patience : public testing::Test {
+ protected:
+  Patience() {
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof place;
+    bind(listening_, reinterpret_cast<sockaddr*>(&place), size);
+    listen(listening_, 9);
+    getsockname(listening_, reinterpret_cast<sockaddr*>(&place_), &size);
+  }
+  ~Patience() override {
+    for (const int descriptor : descriptors_) close(descriptor);
+    close(listening_);
+  }
+  int port() const { return ntohs(place_.sin_port); }
+
+  Pair connected() {
+    sockaddr_in own{};
+    socklen_t size = sizeof own;
+    Pair pair{socket(AF_INET, SOCK_STREAM, 0), -1};
+    EXPECT_EQ(connect(pair.client, reinterpret_cast<const sockaddr*>(&place_), size), 0);
+    pair.server = accept(listening_, nullptr, nullptr);
+    getsockname(pair.client, reinterpret_cast<sockaddr*>(&own), &size);
+    pair.client_port = ntohs(own.sin_port);
+    descriptors_.insert(descriptors_.end(), {pair.client, pair.server});
+    return pair;
+  }
+
+ private:
+  const int listening_ = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in place_{};
+  std::vector<int> descriptors_;
+};
+
+bool is_open(const Pair& pair) {
+  char byte;
+  return recv(pair.server, &byte, 1, MSG_PEEK | MSG_DONTWAIT) != 0;
+}
+
+// Whether the server's end is shut within minutes.
+bool ends(const Pair& pair) {
+  pollfd event{pair.server, POLLIN, 0};
+  return poll(&event, 1, 100'000) == 1 && !is_open(pair);
+}
+
+TEST_F(Patience, EndsWhoseRequestIsNotWhole) {
+  const Pair slow = connected(), heard = connected();
+  ConnectionPatience patience(port(), 32, {0.5, 1e9});
+  patience.heard(heard.client_port);
+  EXPECT_TRUE(ends(slow));
+  const Pair later = connected();
+  EXPECT_TRUE(ends(later));
+  EXPECT_TRUE(is_open(heard)) << "older than who was ended";
+}
+
+TEST_F(Patience, EndsAnAnswerThatTakesTooLong) {
+  const Pair pair = connected();
+  ConnectionPatience patience(port(), 32, {1e9, 0.3});
+  patience.heard(pair.client_port);
+  EXPECT_TRUE(ends(pair));
+}
+
+TEST_F(Patience, LeavesWhoWaitsInTheQueue) {
+  const Pair first = connected(), behind = connected();
+  ConnectionPatience patience(port(), 1, {0.3, 1e9});
+  EXPECT_TRUE(ends(first));
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  EXPECT_TRUE(is_open(behind)) << "the first is still served, if only to be closed";
+  close(first.server);  // which it is now
+  EXPECT_TRUE(ends(behind));
 }
 
 void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }

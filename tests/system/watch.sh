@@ -55,6 +55,12 @@ refused 2 "is not a whole number" run.db --port 65536
 refused 3 "there is no such directory" nowhere/run.db
 refused 3 "is no catalogue" quick.json
 
+mkfifo pipe.db
+ln -s circle.db circle.db
+refused 3 "pipe.db: is a pipe" pipe.db
+refused 3 "circle.db: is a link that leads nowhere (links go round in a circle)" circle.db
+refused 3 "is a directory" .
+
 # Waits for a catalogue that is not there yet, and serves it once a search has made it.
 watched run.db
 answers 503 "${url}live"
@@ -123,6 +129,31 @@ for slow in 1 2 3 4 5 6 7 8; do
   watchers+=($!)
 done
 answers 200 --max-time 5 "${url}live"
+# More of them than there are threads, each saying a byte now and then: none gets its request whole.
+cat > loris.py << 'END'
+import socket, sys, time
+open_now = [socket.create_connection(("127.0.0.1", int(sys.argv[1]))) for _ in range(40)]
+request = iter("GET / HTTP/1.1\r\nHost: x\r\nX: " + 1000 * "a")
+while open_now:
+    byte = next(request).encode()
+    for one in list(open_now):
+        try:
+            one.sendall(byte)
+        except OSError:
+            open_now.remove(one)
+    open(sys.argv[2], "a").close()
+    time.sleep(0.3)
+END
+python3 loris.py "$port" slow-ones &
+watchers+=($!)
+slow_ones=$!
+for wait in {1..200}; do
+  [ -e slow-ones ] && break
+  sleep 0.05
+done
+answers 200 --max-time 100 "${url}live"
+wait $slow_ones  # until each was left
+answers 200 "${url}live"
 printf 'NONSENSE\r\n\r\n' > "/dev/tcp/127.0.0.1/$port"
 answers 200 "${url}live"
 
@@ -147,6 +178,29 @@ sound_so_far run.db
 sleep 0.6
 answers 200 "${url}live"
 [ "$(live state.complete)" = 1 ] || fail "that it is complete"
+
+# Locked by another program: a sentence as long as that lasts.
+mkfifo to-lock
+sqlite3 run.db < to-lock > locked &
+watchers+=($!)
+locker=$!
+exec 8> to-lock
+echo "PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; SELECT count(*) FROM run; SELECT 'held';" >&8
+for wait in {1..200}; do
+  grep -q held locked && break
+  sleep 0.05
+done
+touch run.db  # so that it is looked at again
+sleep 0.6
+answers 503 --max-time 100 "${url}live"
+live problem | grep -q "locked" || fail "locked: $(cat body)"
+exec 8>&-
+wait $locker
+for wait in {1..60}; do  # not for long: nothing was read, so there is little to rest from
+  [ "$(get "${url}live")" = 200 ] && break
+  sleep 1
+done
+[ "$(live state.complete)" = 1 ] || fail "the lock is gone, and it says $(cat body)"
 
 # Texts of a file that is not ours are texts.
 cp run.db odd.db
