@@ -26,6 +26,14 @@ std::string ends(int from, int to) {
   return fmt::format(",{},{}", solver::vertex_label(from), solver::vertex_label(to));
 }
 
+bool is_shown(double pilot_deg, const FoldingView& view, double every_deg) {
+  constexpr double kSame_deg = 1e-9;
+  if (every_deg == 0) return true;
+  const double reached_deg = view.history.verdict.deploys_from_sample * view.sample_deg;
+  return std::abs(std::remainder(pilot_deg, every_deg)) < kSame_deg ||
+         std::abs(pilot_deg - reached_deg) < kSame_deg;
+}
+
 }  // namespace
 
 std::string diagonal_columns(const RowKey& key) {
@@ -35,7 +43,7 @@ std::string diagonal_columns(const RowKey& key) {
 }
 
 std::string diagonal_rows(const RowKey& key, const FoldingView& view,
-                          const solver::Actuation& actuation) {
+                          const solver::Actuation& actuation, double every_deg) {
   const std::string sheet = csv_cell(key.value) + ",";
   std::vector<std::string> names;  // of the diagonals: what no row changes
   for (std::size_t d = 0; d < view.mechanism.diagonals.size(); ++d) {
@@ -46,6 +54,7 @@ std::string diagonal_rows(const RowKey& key, const FoldingView& view,
   }
   std::string text;
   for (std::size_t row = 0; row < actuation.pilot_deg.size(); ++row) {
+    if (!is_shown(actuation.pilot_deg[row], view, every_deg)) continue;
     const auto at = static_cast<Index>(row);
     const std::string station = sheet + shown_number(actuation.pilot_deg[row]);
     for (std::size_t d = 0; d < names.size(); ++d) {
@@ -70,7 +79,7 @@ std::string crease_columns(const RowKey& key) {
   return key.name + ",pilot_deg,crease,from_vertex,to_vertex,assignment,fold_angle_deg\n";
 }
 
-std::string crease_rows(const RowKey& key, const FoldingView& view) {
+std::string crease_rows(const RowKey& key, const FoldingView& view, double every_deg) {
   const std::string sheet = csv_cell(key.value) + ",";
   std::vector<std::string> names;
   for (std::size_t i = 0; i < view.mechanism.creases.size(); ++i) {
@@ -80,6 +89,7 @@ std::string crease_rows(const RowKey& key, const FoldingView& view) {
   }
   std::string text;
   const auto add_station = [&](double pilot_deg, Index row) {
+    if (!is_shown(pilot_deg, view, every_deg)) return;
     const std::string station = sheet + shown_number(pilot_deg);
     for (std::size_t i = 0; i < names.size(); ++i) {
       text += station + names[i];

@@ -18,16 +18,17 @@ struct RowKey {
 /// 0), hole_row, hole_column, from_vertex, to_vertex, length_mm, elongation (a share: 0.02 = 2 %),
 /// force_n, energy_n_mm, moment_n_mm, mechanical_advantage.
 std::string diagonal_columns(const RowKey& key);
-/// The lines of one sheet, flat first. Force, energy and moment are those of the diagonal's own
+/// The lines of one sheet, flat first, at every sample, or where `every_deg` is not 0 at its
+/// multiples and at D. Force, energy and moment are those of the diagonal's own
 /// spring: over the diagonals of a station, energies and moments add up to the sheet's. The
 /// mechanical advantage is the sheet's, the same in all rows of a station, and empty when flat.
 std::string diagonal_rows(const RowKey& key, const FoldingView& view,
-                          const solver::Actuation& actuation);
+                          const solver::Actuation& actuation, double every_deg = 0);
 
 /// Line of the columns' names: KEY, pilot_deg, crease (numbered from 0 as in `fold --json`),
 /// from_vertex, to_vertex, assignment, fold_angle_deg (valley positive).
 std::string crease_columns(const RowKey& key);
-/// The lines of one sheet, flat first.
-std::string crease_rows(const RowKey& key, const FoldingView& view);
+/// The lines of one sheet, at the same angles.
+std::string crease_rows(const RowKey& key, const FoldingView& view, double every_deg = 0);
 
 }  // namespace misalign::schema

@@ -246,7 +246,10 @@ void SheetFiles::write_file(const std::string& stem, const std::string& text) co
 
 SheetTables::SheetTables(const SheetFolder& folder, const SheetFilesOptions& options,
                          const std::string& stem, const std::string& key)
-    : folder_(folder), key_{key, ""}, diagonals_(path_of(options, stem)) {
+    : folder_(folder),
+      every_deg_(options.every_deg),
+      key_{key, ""},
+      diagonals_(path_of(options, stem)) {
   diagonals_.file.write(schema::diagonal_columns(key_));
   if (!options.creases) return;
   creases_.emplace(path_of(options, stem + "-creases"));
@@ -256,8 +259,8 @@ SheetTables::SheetTables(const SheetFolder& folder, const SheetFilesOptions& opt
 void SheetTables::add(const FoldedSheet& folded, const std::string& key) {
   const schema::FoldingView view = folder_.view(folded);
   key_.value = key;
-  diagonals_.file.write(schema::diagonal_rows(key_, view, folded.actuation));
-  if (creases_) creases_->file.write(schema::crease_rows(key_, view));
+  diagonals_.file.write(schema::diagonal_rows(key_, view, folded.actuation, every_deg_));
+  if (creases_) creases_->file.write(schema::crease_rows(key_, view, every_deg_));
 }
 
 void SheetTables::publish() {

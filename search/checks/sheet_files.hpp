@@ -26,6 +26,7 @@ struct SheetFilesOptions {
   double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
   bool joined = false;     ///< with `fold`: with fillers that join all panels
   bool creases = false;    ///< with `csv`: also the table of fold angles
+  double every_deg = 0;    ///< with `csv`: as in diagonal_rows()
   ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
   schema::MjcfOptions mjcf;
   schema::DeckOptions deck;               ///< of `inp`
@@ -106,6 +107,7 @@ class SheetTables {
   };
 
   const SheetFolder& folder_;
+  const double every_deg_;
   schema::RowKey key_;
   Table diagonals_;
   std::optional<Table> creases_;

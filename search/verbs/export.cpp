@@ -117,7 +117,9 @@ void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, con
   };
   only_with("--step", files.in_states(), "--format fold, obj or stl");
   only_with("--joined", files.format == SheetFormat::fold, "--format fold");
-  only_with("--creases", files.format == SheetFormat::csv, "--format csv");
+  for (const char* option : {"--creases", "--every"}) {
+    only_with(option, files.format == SheetFormat::csv, "--format csv");
+  }
   for (const char* option : {"--from", "--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
@@ -166,7 +168,8 @@ constexpr const char* kExportFooter =
     "  csv   one table of all draws, a row for each draw, degree and diagonal: length,\n"
     "        elongation (a share: 0.02 = 2 %), the spring's force, energy and moment (over\n"
     "        the diagonals they add up to the sheet's), the sheet's mechanical advantage;\n"
-    "        diagonals are numbered from 0, as in the view diagonals\n"
+    "        diagonals are numbered from 0, as in the view diagonals. --every 10: only flat,\n"
+    "        10, 20, 30 deg ... and D, in a tenth of the room\n"
     "  mat   for MATLAB and Octave (MAT-file, level 5): coordinates, histories of diagonals,\n"
     "        creases and vertices, springs, metrics; its variable readme names axes and units\n"
     "  fold  crease pattern and folded states, for Origami Simulator and the like. Panels that\n"
@@ -200,7 +203,8 @@ constexpr const char* kExportFooter =
     "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"
     "    --where \"stroke_max < 0.08\" --format fold --step 5 --output out\n"
-    "  misalign export results/miura-6x6-1a2b3c4d.db --best 1000 --format csv --output out\n"
+    "  misalign export results/miura-6x6-1a2b3c4d.db --best 1000 --format csv --every 5 --output "
+    "out\n"
     "  misalign export search/patterns/table1.json --format svg --output out\n"
     "  misalign export search/patterns/table1.json --format dxf --kit --kerf 0.15 \\\n"
     "    --joint-bore 1.2 --spring-bore 1.5 --bed 600x400 --output out\n"
@@ -246,6 +250,10 @@ Action export_verb(CLI::App& verb) {
   verb.add_flag("--joined", files.joined,
                 "fold: with triangles that stand for ball joints by hinges, see above");
   verb.add_flag("--creases", files.creases, "with csv: also NAME-creases.csv, of fold angles");
+  verb.add_option("--every", files.every_deg,
+                  "csv: only samples that are multiples of this, flat and D [every sample]")
+      ->check(within(0.01, 180))
+      ->type_name("DEG");
   add_trim(verb, files.trim_mm);
   add_other_actuators(verb, call->actuators);
   add_release(verb, call->release);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -110,6 +111,33 @@ TEST_F(HistoryTable, HasARowForEachStopAndCrease) {
     const double angle_deg = stop == 0 ? 0.0 : crease["fold_angle_deg"][stop - 1].get<double>();
     EXPECT_NEAR(std::stod(rows[k].at("fold_angle_deg")), angle_deg, 1e-9);
   }
+}
+
+// Fewer angles: of the rows of all angles those at multiples, the flat ones and those at D.
+TEST_F(HistoryTable, IsThinnedToMultiplesAndD) {
+  const auto angles_of = [](const std::vector<Row>& rows) {
+    std::vector<double> angles_deg;
+    for (const Row& row : rows) {
+      const double angle_deg = std::stod(row.at("pilot_deg"));
+      if (angles_deg.empty() || angles_deg.back() != angle_deg) angles_deg.push_back(angle_deg);
+    }
+    return angles_deg;
+  };
+  solver::FoldingHistory history = path_.history;
+  history.verdict.deploys_from_sample = 37;
+  const FoldingView view{pattern_, pattern_.shifts_mm, mechanism_, history, 1};
+  const std::vector<std::pair<double, std::vector<double>>> kinds = {
+      {15, {0, 15, 30, 37}}, {7.5, {0, 15, 30, 37}}, {37, {0, 37}}, {180, {0, 37}}};
+  const auto all = rows_of(diagonal_columns(key_) + diagonal_rows(key_, view, actuation_));
+  for (const auto& [every_deg, angles_deg] : kinds) {
+    const auto rows =
+        rows_of(diagonal_columns(key_) + diagonal_rows(key_, view, actuation_, every_deg));
+    EXPECT_EQ(angles_of(rows), angles_deg) << every_deg;
+    for (const Row& row : rows) EXPECT_NE(std::find(all.begin(), all.end(), row), all.end());
+    EXPECT_EQ(angles_of(rows_of(crease_columns(key_) + crease_rows(key_, view, every_deg))),
+              angles_deg);
+  }
+  EXPECT_EQ(diagonal_rows(key_, view, actuation_, 1), diagonal_rows(key_, view, actuation_));
 }
 
 // A pattern's name is whatever its file's is.

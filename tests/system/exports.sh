@@ -122,6 +122,17 @@ holds "creases" "(SELECT count(DISTINCT crease) = 16 AND min(CAST(crease AS INTE
 holds "fold angles" "(SELECT count(*) = 16 FROM json_each(readfile('replay.json'), '\$.creases') AS c JOIN creases AS t
   ON t.crease = c.value ->> 'crease' WHERE t.draw = $best AND t.pilot_deg = '90' AND
   abs(t.fold_angle_deg - (c.value ->> '\$.fold_angle_deg[89]')) < 1e-8)"
+# Thinned: flat, multiples and D of the same rows.
+"$program" export "$file" --where "stroke_max > 0.01" --format csv --creases --every 30 --output thin > /dev/null || fail "export csv --every"
+sqlite3 joined.db '.mode csv' '.import thin/miura-4x4.csv thin' '.import thin/miura-4x4-creases.csv thin_creases'
+for table in "thin long" "thin_creases creases"; do
+  read -r thin whole <<< "$table"
+  holds "--every 30 in $thin" "(SELECT count(*) > 100 FROM $thin) AND NOT EXISTS (SELECT * FROM $thin EXCEPT SELECT * FROM $whole)
+    AND (SELECT count(*) FROM $thin) = (SELECT count(*) FROM $whole JOIN candidate AS c USING (draw)
+    WHERE CAST(pilot_deg AS REAL) IN (0, 30, 60, 90, 120, 150, 180, c.deploys_from_deg))"
+done
+"$program" export "$file" --draw "$best" --every 30 --output none > /dev/null 2> err
+[ $? = 2 ] && grep -q -e "--every has no meaning without --format csv" err || fail "--every without csv: $(cat err)"
 # All ways of writing a candidate number its diagonals as the view does.
 for text in "out/miura-4x4-$best.json" soft.json; do
   [ -e "$text" ] || "$program" export "$file" --draw "$best" --output out > /dev/null
