@@ -12,7 +12,7 @@ if [ "${3:-}" != inside ]; then
     echo "SKIPPED: network namespaces cannot be made here (${why%%$'\n'*})"
     exit 0
   fi
-  exec timeout --foreground -s KILL 280 "${world[@]}" bash "$hosts_script" "$1" "$2" inside
+  exec timeout --foreground -s KILL 5000 "${world[@]}" bash "$hosts_script" "$1" "$2" inside
 fi
 . "$(dirname "$hosts_script")/../system/lib.sh"
 unset OMPI_MCA_pml OMPI_MCA_btl  # here there is a network
@@ -56,18 +56,16 @@ quick_campaign $campaign
 placed=$("${across[@]}" -n 3 sh -c 'echo $(hostname): $(ls)' | sort | xargs)
 [ "$placed" = "host1: quick.json host1: quick.json host2:" ] || { fail "ranks and files are on $placed"; finish; }
 
-# As much as one rank does in ten seconds on this machine: the link is cut before the end, also where the
-# second of two runs is slow to start.
-"$program" search $campaign --catalogue calm.db --max-time 10 --progress none > /dev/null 2>&1
-draws=$(sql calm.db 'SELECT sum(draws) FROM unit')
+search=("$program" search $campaign --unit-draws 50 --progress none)
+draws=20000
+"${search[@]}" --draws $draws --catalogue calm.db > /dev/null 2>&1
 expected=$(digest_of calm.db)
-search=("$program" search $campaign --draws "$draws" --unit-draws 50 --progress none --catalogue)
 
 sent_by_host2() { ip -s link show port2 | awk '/RX:/ { getline; print $1 }'; }
 
 # Undisturbed: the same digest, and the candidates of host2 came over the link.
 sent_before=$(sent_by_host2)
-"${across[@]}" -n 3 "${search[@]}" across.db > across.log 2>&1 || fail "across two hosts: $(cat across.log)"
+"${across[@]}" -n 3 "${search[@]}" --draws $draws --catalogue across.db > across.log 2>&1 || fail "across two hosts: $(cat across.log)"
 sound across.db "$draws"
 [ "$(digest_of across.db)" = "$expected" ] || fail "across two hosts: another digest"
 found_by_host2=$(sql across.db 'SELECT coalesce(sum(length(displacements_mm)), 0) FROM candidate, unit
@@ -76,13 +74,11 @@ found_by_host2=$(sql across.db 'SELECT coalesce(sum(length(displacements_mm)), 0
 [ $(($(sent_by_host2) - sent_before)) -gt "$found_by_host2" ] || fail "host2's candidates went another way"
 
 # Two runs, and no packet of either arrives any more: the interfaces stay up, no connection is closed.
-"${across[@]}" -n 3 "${search[@]}" plain.db > plain.log 2>&1 &
-"${across[@]}" "${keepalive[@]}" -n 3 "${search[@]}" keepalive.db > keepalive.log 2>&1 &
+# Without an end, so that the link is cut before it.
+"${across[@]}" -n 3 "${search[@]}" --draws 1000000000 --catalogue plain.db > plain.log 2>&1 &
+"${across[@]}" "${keepalive[@]}" -n 3 "${search[@]}" --draws 1000000000 --catalogue keepalive.db > keepalive.log 2>&1 &
 for run in plain keepalive; do
-  for wait in {1..1200}; do
-    [ "$(sql $run.db 'SELECT count(DISTINCT worker) FROM unit' 2> /dev/null)" = 3 ] && break
-    sleep 0.05
-  done
+  eventually "$run: three workers" gives_1 $run.db 'SELECT count(DISTINCT worker) = 3 FROM unit'
 done
 ip link set port2 nomaster
 cut=$SECONDS
@@ -93,13 +89,14 @@ launchers_of_keepalive() {
   pgrep -f '^orted .*oob_tcp_keepalive_time'
 }
 
-# ended NAME COMMAND...: waits until COMMAND, which prints process ids, prints none; at most 30 s after the cut.
+# ended NAME COMMAND...: waits until COMMAND, which prints process ids, prints none: sooner than without those
+# options, a quarter of an hour.
 ended() {
-  local name=$1 left
+  local name=$1
   shift
-  while left=$("$@" | wc -l) && [ "$left" -gt 0 ] && [ $((SECONDS - cut)) -lt 30 ]; do sleep 0.2; done
-  echo "$name: $left left $((SECONDS - cut)) s after the cut"
-  [ "$left" = 0 ] || fail "$name linger"
+  none_left() { [ "$("$@" | wc -l)" = 0 ]; }
+  eventually "$name linger" none_left "$@"
+  echo "$name: none left $((SECONDS - cut)) s after the cut"
 }
 [ "$(ranks_of '(plain|keepalive)' | wc -l)" = 6 ] || fail "two runs of three ranks were to be cut"
 ended "ranks, keepalive" ranks_of keepalive
@@ -112,10 +109,14 @@ left=$(pgrep -x 'mpirun|orted'; ranks_of '(plain|keepalive)')
 [ -z "$left" ] || kill -KILL $left
 wait 2> /dev/null
 ip link set port2 master switch
+# On to where both of them have been.
+draws=$(for run in plain keepalive; do sql $run.db 'SELECT max(hi) + 1000 FROM unit'; done | sort -n | tail -1)
+"${search[@]}" --draws "$draws" --catalogue further.db > /dev/null 2>&1
+expected=$(digest_of further.db)
 for run in plain keepalive; do
   "$program" status $run.db --check > /dev/null
   [ $? = 75 ] || fail "$run: status --check after the cut"
-  "${across[@]}" "${keepalive[@]}" -n 3 "${search[@]}" $run.db > $run-resumed.log 2>&1 ||
+  "${across[@]}" "${keepalive[@]}" -n 3 "${search[@]}" --draws "$draws" --catalogue $run.db > $run-resumed.log 2>&1 ||
     fail "$run: resume: $(cat $run-resumed.log)"
   sound $run.db "$draws"
   [ "$(digest_of $run.db)" = "$expected" ] || fail "$run: cut and resumed: another digest"

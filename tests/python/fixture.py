@@ -15,6 +15,8 @@ sys.path.insert(0, str(PACKAGE))
 
 CAMPAIGNS = SOURCE / "search/campaigns"
 TABLE1 = str(SOURCE / "search/patterns/table1.json")
+PATIENCE_S = 600  # no test fails for want of time: only what is stuck is given up
+
 SMALL = str(CAMPAIGNS / "miura-4x4.json")
 CATALOGUE = "miura-4x4.db"  # in the directory of the tests, which run.py fills
 

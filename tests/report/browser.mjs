@@ -6,6 +6,9 @@ import { pathToFileURL } from "node:url";
 // By require, which also looks along NODE_PATH: the packages may lie in a build directory.
 const { chromium } = createRequire(import.meta.url)("playwright-core");
 
+/** No check fails for want of time: it waits for what is to happen, and only what is stuck is given up. */
+export const kPatience_ms = 600000;
+
 export function open_browser(more = [], options = {}) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
@@ -17,6 +20,7 @@ export function open_browser(more = [], options = {}) {
       "--disable-gpu-compositing", // WebGL alone in software: the page itself is drawn faster without
       ...more,
     ],
+    timeout: kPatience_ms,
     ...options,
   });
 }
@@ -33,7 +37,7 @@ export async function open_page(browser, report, options = {}) {
   });
   await context.setOffline(true);
   const page = await context.newPage();
-  page.setDefaultTimeout(10000);
+  page.setDefaultTimeout(kPatience_ms);
   page.on("pageerror", (error) => problems.push(`error: ${error.message}`));
   page.on("console", (message) => {
     if (

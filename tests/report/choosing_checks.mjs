@@ -1,5 +1,6 @@
 // Around the table and the scatter: what all columns take, yields, and rows without details.
 import assert from "node:assert/strict";
+import { kPatience_ms } from "./browser.mjs";
 import { by, eventually, state, unfiltered } from "./reading.mjs";
 
 export async function no_detail_checks(page, data) {
@@ -96,7 +97,7 @@ export async function layout_checks(page, data) {
         `hidden columns and the sign of them at ${width} px`,
       );
     }
-    for (let i = 0; i < 9 && (await more.isVisible()); ++i) {
+    for (const end = Date.now() + kPatience_ms; (await more.isVisible()) && Date.now() < end; ) {
       await more.click({ timeout: 2000 }).catch(() => {}); // it goes with the last column
       await page.evaluate(
         () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),

@@ -63,7 +63,7 @@ export const state = (page) =>
   }));
 export const eventually = async (page, wanted, what) => {
   try {
-    await page.waitForFunction(wanted.test, wanted.with, { timeout: 5000 });
+    await page.waitForFunction(wanted.test, wanted.with);
   } catch {
     assert.fail(what);
   }

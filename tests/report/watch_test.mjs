@@ -2,11 +2,10 @@
 // of one that cannot be read because of such a text:
 //   node watch_test.mjs campaign|hostile|problem URL
 import assert from "node:assert/strict";
-import { open_browser } from "./browser.mjs";
+import { kPatience_ms, open_browser } from "./browser.mjs";
 import { by, check, summary } from "./reading.mjs";
 
 const [what, url] = process.argv.slice(2);
-const kPatience_ms = 15000;
 const browser = await open_browser();
 
 async function open(whole = true) {
@@ -120,7 +119,7 @@ async function campaign_checks() {
     const written = await page.locator("#foot").textContent();
     // A page that took long to make is made anew only after a while; until then the old one comes again.
     let loaded = written;
-    for (const end = Date.now() + 30000; loaded === written && Date.now() < end; ) {
+    for (const end = Date.now() + kPatience_ms; loaded === written && Date.now() < end; ) {
       await load.waitFor({ state: "visible" });
       await Promise.all([page.waitForEvent("load"), load.click()]);
       await page.waitForFunction(() => window.misalign !== undefined);

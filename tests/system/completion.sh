@@ -76,10 +76,7 @@ settle
 while IFS= read -r line; do
   rm -f finished; : > offered
   zpty -w -n shell $'\C-u'"$line"$'\t\C-f'
-  for (( wait = 0; wait < 1000; ++wait )); do
-    [[ -e finished ]] && break
-    sleep 0.01
-  done
+  while [[ ! -e finished ]]; do sleep 0.01; done
   print -r -- "$line: ${(j: :)${(ou)${(f)"$(<offered)"}}}"
 done
 zpty -d shell
@@ -89,7 +86,7 @@ END
   for verb in $verbs; do echo "misalign $verb --"; done
   printf '%s\n' "misalign search --storage " "misalign search --storage=l" "misalign query found.db " \
     "misalign status "
-} | timeout 60 zsh -f try.zsh > offers 2> err || fail "zsh: $(cat err)"
+} | timeout $patience_s zsh -f try.zsh > offers 2> err || fail "zsh: $(cat err)"
 # offers_for LINE: what zsh offered.
 offers_for() { grep -F -- "$1: " offers | head -1 | sed 's/^[^:]*: //' | tr ' ' '\n' | sed 's/=$//' | sort -u; }
 for verb in $verbs; do

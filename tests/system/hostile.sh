@@ -8,7 +8,7 @@ search --catalogue a.db --draws 2000 || fail "a search"
 refused() {
   local code=$1 words=$2 got
   shift 2
-  timeout 60 "$@" > out 2> err
+  timeout $patience_s "$@" > out 2> err
   got=$?
   [ $got = "$code" ] || { fail "$*: exit $got"; cat err; }
   grep -q -- "$words" err || { fail "$*: no '$words'"; cat err; }

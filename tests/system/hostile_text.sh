@@ -137,10 +137,7 @@ for closed in "0<&-" "2>&-" "0<&- 1>&- 2>&-"; do
 done
 "$program" search $campaign --catalogue held.db --draws 1000000000 --progress plain 0<&- 1>&- 2>&- &
 search=$!
-for wait in {1..200}; do
-  [ -e held.db-wal ] && break
-  sleep 0.05
-done
+eventually "a search without descriptors" test -e held.db-wal
 for descriptor in 0 1 2; do
   [ "$(readlink /proc/$search/fd/$descriptor)" = /dev/null ] ||
     fail "descriptor $descriptor is $(readlink /proc/$search/fd/$descriptor)"

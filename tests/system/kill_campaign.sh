@@ -42,20 +42,19 @@ while [ $kills -lt "$kills_wanted" ] || [ $rounds = 0 ]; do
     fi
     start_ms=$(date +%s%3N)
     # Ranks that have lost their mpirun end by themselves. mpirun 4.1 itself now and then waits for ever
-    # for a rank that died while it was being started.
+    # for a rank that died while it was being started: alone for five seconds, it is killed.
     alone=0
-    for wait in {1..600}; do
+    none_left() {
       if ranks_of > /dev/null; then
         alone=0
-      else
-        kill -0 $launcher 2> /dev/null || break
-        alone=$((alone + 1))
-        [ $alone -gt 100 ] && break
+        return 1
       fi
-      sleep 0.05
-    done
+      alone=$((alone + 1))
+      ! kill -0 $launcher 2> /dev/null || [ $alone -gt 100 ]
+    }
+    eventually "the end of all ranks" none_left
     if ranks_of > left; then
-      fail "left 30 s after $signal to $victim: $(xargs ps -o pid=,stat=,wchan:20=,args= -p < left)"
+      fail "left after $signal to $victim: $(xargs ps -o pid=,stat=,wchan:20=,args= -p < left)"
       # shellcheck disable=SC2086
       [ -z "${STACKS:-}" ] || for pid in $(cat left); do gdb -batch -ex 'thread apply all bt' -p $pid 2> /dev/null; done
       pkill -KILL -f -- "$PWD/killed.db"

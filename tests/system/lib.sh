@@ -35,14 +35,22 @@ sql() { sqlite3 -readonly "$1" "$2"; }
 # field FILE PATH: what JSON has there; true is 1.
 field() { sqlite3 :memory: "SELECT json_extract(readfile('$1'), '\$.$2')"; }
 
-# begun FILE [TABLE]: waits until the catalogue's run has begun, or that table has a row.
-begun() {
-  for wait in {1..400}; do
-    [ "$(sql "$1" "SELECT count(*) > 0 FROM ${2:-run}" 2> /dev/null)" = 1 ] && return
+# No test fails for want of time: it waits for what is to happen, and only what is stuck is given up.
+patience_s=600
+
+# eventually WHAT COMMAND...: tries until it succeeds.
+eventually() {
+  local what=$1 begin=$SECONDS
+  shift
+  until "$@"; do
+    [ $((SECONDS - begin)) -lt $patience_s ] || { fail "$what: not within $patience_s s"; return 1; }
     sleep 0.05
   done
-  fail "$1: no row in ${2:-run} after 20 s"
 }
+# gives_1 FILE SQL: whether it does, as soon as it can be asked.
+gives_1() { [ "$(sql "$1" "$2" 2> /dev/null)" = 1 ]; }
+# begun FILE [TABLE [ROWS]]: waits until the catalogue's run has begun, or that table has a row, or so many.
+begun() { eventually "$1: rows in ${2:-run}" gives_1 "$1" "SELECT count(*) >= ${3:-1} FROM ${2:-run}"; }
 
 digest_of() { "$program" status "$1" --json | sed -n 's/.*"digest": "\(.*\)".*/\1/p'; }
 

@@ -36,15 +36,15 @@ alone
 # Text files: links and FIFOs beside the output are not theirs, and a database is not replaced.
 echo precious > precious
 ln -s precious page.html.part
-timeout 60 "$program" report a.db --output page.html > out 2> err || { fail "report beside a link"; cat err; }
+timeout $patience_s "$program" report a.db --output page.html > out 2> err || { fail "report beside a link"; cat err; }
 [ "$(cat precious)" = precious ] && [ -h page.html.part ] || fail "report followed a link beside it"
 rm -f page.html page.html.part
 mkfifo page.html.part
-timeout 60 "$program" report a.db --output page.html > out 2> err || { fail "report beside a FIFO"; cat err; }
+timeout $patience_s "$program" report a.db --output page.html > out 2> err || { fail "report beside a FIFO"; cat err; }
 [ -s page.html ] && [ -p page.html.part ] || fail "report and a FIFO beside it"
 rm -f page.html page.html.part
 mkfifo page.html
-timeout 60 "$program" report a.db --output page.html > out 2> err
+timeout $patience_s "$program" report a.db --output page.html > out 2> err
 [ $? = 1 ] && grep -q "no file" err || { fail "report into a FIFO"; cat err; }
 rm -f page.html
 ln -s one page.html

@@ -23,7 +23,7 @@ OMPI_MCA_pml=none "$program" search $campaign --catalogue alone.db --draws 200 -
   fail "alone, where MPI cannot begin: $(cat err)"
 
 # A parent that ignores its children's ends hands that on; the program waits for mpirun all the same.
-timeout 60 perl -e '$SIG{CHLD} = "IGNORE"; exec @ARGV' "$program" search $campaign --ranks 2 \
+timeout $patience_s perl -e '$SIG{CHLD} = "IGNORE"; exec @ARGV' "$program" search $campaign --ranks 2 \
   --catalogue ranks-2.db --draws 1700 --progress none > /dev/null 2>&1 < /dev/null || fail "children ignored: exit code $?"
 
 # What is in standard input is for others.
@@ -69,10 +69,16 @@ done
 taskset -c 0 "$program" search $campaign --catalogue quiet.db --draws 200 2>&1 | grep "one core" && fail "said on one core"
 
 # On a terminal: the live line, as alone, within its width.
-script -qec "stty cols 60; '$program' search $campaign --ranks 2 --catalogue bar.db --draws 1000000 --max-time 1" \
-  /dev/null < /dev/null | tr '\r' '\n' > shown
-grep $'draws.*\x1b\\[K' shown | sed $'s/\x1b\\[K//' > lines
-[ "$(wc -l < lines)" -ge 2 ] || fail "no live line: $(cat -v shown)"
+script -qec "stty cols 60; echo \$\$ > pid; exec '$program' search $campaign --ranks 2 --catalogue bar.db --draws 1000000000" \
+  /dev/null > shown < /dev/null &
+terminal=$!
+live_lines() {
+  tr '\r' '\n' < shown | grep $'draws.*\x1b\\[K' | sed $'s/\x1b\\[K//' > lines
+  [ "$(wc -l < lines)" -ge 2 ]
+}
+eventually "two live lines" live_lines
+kill -USR1 "$(cat pid)"
+wait $terminal
 while IFS= read -r line; do [ ${#line} -lt 60 ] || fail "a live line of ${#line} columns: $line"; done < lines
 
 # said: what is on standard error but the line that every run begins with.
@@ -99,8 +105,7 @@ grep -q "^USR1.db: stopped, " out || fail "USR1: no summary: $(cat out err)"
 search=$!
 begun usr2.db
 kill -USR2 $search
-for wait in {1..100}; do grep -q "draws/s" err && break; sleep 0.05; done
-grep -q "draws/s" err || fail "no status line after SIGUSR2: $(cat err)"
+eventually "a status line after SIGUSR2" grep -q "draws/s" err
 kill -TERM $search
 wait $search || fail "TERM after USR2: exit $?"
 
@@ -132,16 +137,11 @@ code=$?
   fail "a lost rank: exit $code: $(cat err)"
 { "$program" search $campaign --ranks 2 --catalogue lost.db --draws 1000000000 --progress none & } > /dev/null 2>&1
 search=$!
-for wait in {1..400}; do
-  [ "$(sql lost.db 'SELECT count(*) FROM run')" = 2 ] && break
-  sleep 0.05
-done
+begun lost.db run 2
 kill -KILL $search
 { wait $search; } 2> /dev/null
-for wait in {1..200}; do
-  "$program" search $campaign --catalogue lost.db --max-time 0.1 --progress none > /dev/null 2> err && break
-  sleep 0.05
-done
-[ -z "$(said)" ] || fail "the catalogue of a starter that was killed is still held: $(cat err)"
+free() { "$program" search $campaign --catalogue lost.db --max-time 0.1 --progress none > /dev/null 2> err; }
+eventually "the catalogue of a starter that was killed is free" free
+[ -z "$(said)" ] || fail "after a starter that was killed: $(cat err)"
 sound_so_far lost.db
 finish

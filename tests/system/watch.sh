@@ -12,10 +12,8 @@ watched() {
   "$program" watch "$@" --port 0 > url 2> watch-err &
   watcher=$!
   watchers+=("$watcher")
-  for wait in {1..100}; do
-    [ -s url ] && break
-    sleep 0.05
-  done
+  url_or_ended() { [ -s url ] || ! kill -0 $watcher 2> /dev/null; }
+  eventually "watch $*" url_or_ended
   url=$(cat url)
   port=${url##*:}
   port=${port%/}
@@ -27,7 +25,7 @@ ended() {  # by this signal: exit code 0
   local got=$?
   [ $got = 0 ] || fail "ended by $1: exit $got: $(cat watch-err)"
 }
-get() { curl -sS --max-time 20 -o body -w '%{http_code}' "$@" 2> curl-err; }
+get() { curl -sS --max-time $patience_s -o body -w '%{http_code}' "$@" 2> curl-err; }
 # answers STATUS CURL_ARGUMENT...
 answers() {
   local wanted=$1 got
@@ -36,6 +34,13 @@ answers() {
   [ "$got" = "$wanted" ] || fail "$*: $got, not $wanted: $(head -c 300 body)"
 }
 live() { field body "$1"; }
+# says STATUS PATH SQL: whether ${url}PATH is answered with that, and SQL of its JSON j is 1. A catalogue is not
+# looked at again at once: what becomes of it is said eventually.
+says() {
+  [ "$(get "$url$2")" = "$1" ] && [ "$(sqlite3 :memory: "SELECT $3 FROM (SELECT readfile('body') AS j)" 2> /dev/null)" = 1 ]
+}
+page_is() { [ "$(get "$url")" = "$1" ]; }
+becomes() { eventually "$1: $2 with $3" says "$2" live "$3"; }  # WHAT STATUS SQL
 
 quick_campaign quick.json
 
@@ -43,7 +48,7 @@ quick_campaign quick.json
 refused() {  # CODE SENTENCE ARGUMENT...
   local wanted=$1 sentence=$2
   shift 2
-  timeout 10 "$program" watch "$@" > out 2> err
+  timeout $patience_s "$program" watch "$@" > out 2> err
   local got=$?
   [ $got = "$wanted" ] && [ ! -s out ] || fail "watch $*: exit $got: $(cat out err)"
   grep -q -- "$sentence" err || fail "watch $*: no '$sentence': $(cat err)"
@@ -70,24 +75,15 @@ grep -q "there is no such file yet" body || fail "the page of a file that is not
 "$program" search quick.json --catalogue run.db --draws 1000000000 --unit-draws 2000 --progress none > /dev/null 2>&1 &
 search=$!
 begun run.db candidate
-for wait in {1..100}; do
-  [ "$(get "${url}live")" = 200 ] && [ "$(live state.draws)" -gt 0 ] && break
-  sleep 0.1
-done
-[ "$(live writing)" = 1 ] || fail "that a search runs is not said"
-before=$(live state.draws) total=$(live total)
+becomes "a search" 200 "j ->> '$.writing' AND j ->> '$.state.draws' > 0 AND j ->> '$.total' > 0"
 # Its numbers are those of `status`, and they move.
-for wait in {1..60}; do
-  sleep 0.2
-  answers 200 "${url}live"
-  [ "$(live state.draws)" -gt "$before" ] && break
-done
-[ "$(live state.draws)" -gt "$before" ] && [ "$(live total)" -gt "$total" ] || fail "nothing moves"
+becomes "nothing moves" 200 "j ->> '$.state.draws' > $(live state.draws) AND j ->> '$.total' > $(live total)"
 [ "$(live 'best.deploys_from_deg[0]')" = 30.0 ] || fail "the best of all: $(live best)"
 [ "$(live 'angles[0][0]')" = 20.0 ] || fail "the first of the angles: $(live angles)"
 [ "$(live faults.every)" = 1024 ] || fail "the fault sample"
 
 # The page, and whom it may ask.
+eventually "the page of a search" page_is 200
 answers 200 -D heads "$url"
 for head in "Cache-Control: no-store" "Cross-Origin-Resource-Policy: same-origin" "Referrer-Policy: no-referrer" \
   "X-Content-Type-Options: nosniff" "X-Frame-Options: DENY" "script-src 'sha256-" "connect-src 'self'" "frame-ancestors 'none'"; do
@@ -120,15 +116,15 @@ answers 200 -I "$url"
 # On no other address than its own.
 for address in $(hostname -I 2> /dev/null); do
   case $address in *:*) continue ;; esac
-  get --connect-timeout 1 "http://$address:$port/" > /dev/null && fail "it answers on $address"
+  get "http://$address:$port/" > /dev/null && fail "it answers on $address"
 done
 
 # Those who say nothing, or too slowly, are in nobody's way.
 for slow in 1 2 3 4 5 6 7 8; do
-  (exec 3<> "/dev/tcp/127.0.0.1/$port" && printf 'GET / HT' >&3 && sleep 5) 2> /dev/null &
+  { exec 3<> "/dev/tcp/127.0.0.1/$port" && printf 'GET / HT' >&3 && exec sleep infinity; } 2> /dev/null &
   watchers+=($!)
 done
-answers 200 --max-time 5 "${url}live"
+answers 200 "${url}live"
 # More of them than there are threads, each saying a byte now and then: none gets its request whole.
 cat > loris.py << 'END'
 import socket, sys, time
@@ -147,13 +143,9 @@ END
 python3 loris.py "$port" slow-ones &
 watchers+=($!)
 slow_ones=$!
-for wait in {1..200}; do
-  [ -e slow-ones ] && break
-  sleep 0.05
-done
-answers 200 --max-time 100 "${url}live"
-wait $slow_ones  # until each was left
+eventually "slow ones" test -e slow-ones
 answers 200 "${url}live"
+wait $slow_ones  # until each was left
 printf 'NONSENSE\r\n\r\n' > "/dev/tcp/127.0.0.1/$port"
 answers 200 "${url}live"
 
@@ -168,16 +160,12 @@ fi
 kill -INT $search
 wait $search
 search=
-sleep 0.6
-answers 200 "${url}live"
-[ "$(live writing)" = 0 ] && [ "$(live state.complete)" = 0 ] || fail "after the search: $(live writing)"
+becomes "after the search" 200 "NOT j ->> '$.writing' AND NOT j ->> '$.state.complete'"
 [ "$(live state.draws)" = "$("$program" status run.db --json > status.json; field status.json draws)" ] || fail "other draws than status"
 sound_so_far run.db
 # The file of a search that has ended is one plain file, with the page open or not.
 "$program" search quick.json --catalogue run.db --draws 1000 --progress none > /dev/null 2>&1 || fail "a search that is done"
-sleep 0.6
-answers 200 "${url}live"
-[ "$(live state.complete)" = 1 ] || fail "that it is complete"
+becomes "that it is complete" 200 "j ->> '$.state.complete'"
 
 # Locked by another program: a sentence as long as that lasts.
 mkfifo to-lock
@@ -186,21 +174,12 @@ watchers+=($!)
 locker=$!
 exec 8> to-lock
 echo "PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; SELECT count(*) FROM run; SELECT 'held';" >&8
-for wait in {1..200}; do
-  grep -q held locked && break
-  sleep 0.05
-done
+eventually "a lock" grep -q held locked
 touch run.db  # so that it is looked at again
-sleep 0.6
-answers 503 --max-time 100 "${url}live"
-live problem | grep -q "locked" || fail "locked: $(cat body)"
+becomes "locked" 503 "j ->> '$.problem' GLOB '*locked*'"
 exec 8>&-
 wait $locker
-for wait in {1..60}; do  # not for long: nothing was read, so there is little to rest from
-  [ "$(get "${url}live")" = 200 ] && break
-  sleep 1
-done
-[ "$(live state.complete)" = 1 ] || fail "the lock is gone, and it says $(cat body)"
+becomes "unlocked" 200 "j ->> '$.state.complete'"
 
 # Texts of a file that is not ours are texts.
 cp run.db odd.db
@@ -217,10 +196,7 @@ answers 200 -D heads "${url}live"
 grep -qi "^content-type: application/json" heads || fail "data that are no JSON: $(cat heads)"
 [ -z "$web" ] || node "$web/watch_test.mjs" hostile "$url" || fail "hostile texts in a browser"
 sqlite3 odd.db "UPDATE campaign SET configuration = json_set(configuration, '\$.name', '$hostile')"
-for wait in {1..100}; do  # a page is not made anew at once
-  [ "$(get "$url")" = 503 ] && break
-  sleep 0.1
-done
+eventually "a page of a hostile name" page_is 503
 grep -q 'alert(1)' body || fail "the page says nothing of a hostile name: $(head -c 300 body)"
 grep -q '</script><script>alert\|<img' body && fail "a sentence becomes a part of the page"
 [ -z "$web" ] || node "$web/watch_test.mjs" problem "$url" || fail "a hostile sentence in a browser"
@@ -228,28 +204,19 @@ ended INT
 url=$run_url watcher=$run_watcher
 
 # Damaged, replaced, gone, back: a sentence each, and the server stays.
+identity=$(field status.json identity)
 mv run.db away.db
-sleep 0.6
-answers 503 "${url}live"
-live problem | grep -q "there is no such file" || fail "gone: $(cat body)"
+becomes "gone" 503 "j ->> '$.problem' GLOB '*there is no such file*'"
 head -c 5000 /dev/urandom > run.db
-sleep 0.6
-answers 503 "${url}live"
-live problem | grep -q "is no catalogue" || fail "another file: $(cat body)"
+becomes "another file" 503 "j ->> '$.problem' GLOB '*is no catalogue*'"
 { head -c 30000 away.db; head -c 60000 /dev/urandom; } > run.db
-sleep 0.6
-answers 503 "${url}live"
-[ -n "$(live problem)" ] || fail "damaged: $(cat body)"
-answers 503 "$url"
+becomes "damaged" 503 "j ->> '$.problem' NOT GLOB '*is no catalogue*'"
+eventually "the page of a damaged one" page_is 503
 cp "$source_dir/tests/fixtures/catalogue-1.db" run.db
-sleep 0.6
-answers 200 "${url}live"
-[ "$(live state.identity)" != "$(field status.json identity)" ] || fail "replaced by an older one"
+becomes "replaced by an older one" 200 "j ->> '$.state.identity' != '$identity'"
 rm -f run.db
 mv away.db run.db
-sleep 0.6
-answers 200 "${url}live"
-[ "$(live state.identity)" = "$(field status.json identity)" ] || fail "back again"
+becomes "back again" 200 "j ->> '$.state.identity' = '$identity'"
 ended INT
 
 # Where readers would keep the writer waiting it is not even opened.
@@ -262,11 +229,8 @@ cc -D_GNU_SOURCE -shared -fPIC -o statfs.so statfs.c || fail "no statfs of our o
 LD_PRELOAD=$PWD/statfs.so refused 2 "lies on storage that machines share (nfs" run.db
 "$program" search quick.json --catalogue net.db --storage network --draws 1000000000 --progress none > /dev/null 2>&1 &
 search=$!
-for wait in {1..100}; do
-  [ -s net.db ] && [ -e net.db-journal ] && break
-  sleep 0.05
-done
-sleep 0.5
+net_is_written() { [ -s net.db ] && [ -e net.db-journal ]; }
+eventually "a search without a log" net_is_written
 refused 4 "is being written without a log" net.db
 kill $search
 wait $search
