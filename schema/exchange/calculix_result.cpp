@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <istream>
+#include <string_view>
+#include <unordered_map>
 
 #include "solver/pattern/half_angle.hpp"
 
@@ -13,13 +15,30 @@ namespace {
 
 using Eigen::Vector3d;
 
+// As Fortran writes it: 1.2-103 is 1.2E-103. What is no number, such as a field of stars, is NaN.
+double number_in(std::string text) {
+  const std::size_t sign = text.find_last_of("+-");
+  if (sign != std::string::npos && sign > 0 && text[sign - 1] >= '0' && text[sign - 1] <= '9') {
+    text.insert(sign, "E");
+  }
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_whole = end != text.c_str() &&
+                        std::string_view(end).find_first_not_of(" \r") == std::string_view::npos;
+  return is_whole ? value : std::nan("");
+}
+
+bool is_result(double value) { return std::abs(value) <= kLargestResult; }
+
 // Numbers stand in columns, without a blank between where they are negative.
 double column(const std::string& line, std::size_t begin, std::size_t width) {
-  if (line.size() < begin + width) return 0;
-  return std::strtod(line.substr(begin, width).c_str(), nullptr);
+  if (line.size() < begin + width) return std::nan("");
+  return number_in(line.substr(begin, width));
 }
+// 0, which is no node and no element, where no such number stands.
 int whole_column(const std::string& line, std::size_t begin, std::size_t width) {
-  return static_cast<int>(column(line, begin, width));
+  const double value = column(line, begin, width);
+  return value > 0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : 0;
 }
 
 double von_mises(const std::array<double, 6>& s) {
@@ -28,8 +47,9 @@ double von_mises(const std::array<double, 6>& s) {
                    3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
-// Of one expanded node: ccx makes three of a shell's at its corners, two in the middles.
-struct NodePlace {
+// One expanded node: ccx makes three of a shell's at its corners, two in the middles.
+struct Node {
+  Vector3d at_mm;
   int panel = -1;
   bool outside = false;
   Eigen::Vector2d flat_mm;
@@ -67,6 +87,7 @@ class StressReader {
   enum class Block { none, nodes, elements, stresses };
   struct Frame {
     double time_s = 0;
+    bool is_sound = true;
     StressAt outside, anywhere;
     std::vector<double> panels_mpa;
   };
@@ -74,7 +95,7 @@ class StressReader {
   void see_entry(const std::string& line);
   void end_block();
   void place_nodes();
-  void see_stress(const NodePlace& place, double stress_mpa);
+  void see_stress(const Node& node, double stress_mpa);
 
   const SimulatedSheet& sheet_;
   const PanelMesh& mesh_;
@@ -82,8 +103,7 @@ class StressReader {
   Block block_ = Block::none;
   int element_ = 0;
   bool placed_ = false;
-  std::vector<Vector3d> nodes_mm_;
-  std::vector<NodePlace> places_;  // by a node's number
+  std::unordered_map<int, Node> nodes_;  // by their numbers, which may be any
   Frame frame_;
   StressHistory history_;
 };
@@ -91,45 +111,50 @@ class StressReader {
 void StressReader::see_entry(const std::string& line) {
   const bool is_continued = line[2] == '2';
   if (block_ == Block::nodes) {
-    const auto node = static_cast<std::size_t>(std::max(0, whole_column(line, 3, 10)));
-    if (node >= nodes_mm_.size()) nodes_mm_.resize(node + 1, Vector3d::Zero());
-    nodes_mm_[node] = {column(line, 13, 12), column(line, 25, 12), column(line, 37, 12)};
+    const Vector3d at_mm(column(line, 13, 12), column(line, 25, 12), column(line, 37, 12));
+    if (is_result(at_mm.cwiseAbs().sum())) nodes_[whole_column(line, 3, 10)].at_mm = at_mm;
   } else if (block_ == Block::elements && !is_continued) {
     element_ = whole_column(line, 3, 10);
   } else if (block_ == Block::elements) {
-    places_.resize(nodes_mm_.size());
     const int panel = mesh_.panel_of_element(element_);
     if (panel < 0 || panel >= static_cast<int>(sheet_.panels.corners.size())) return;  // a spring
     for (std::size_t at = 3; at + 10 <= line.size(); at += 10) {
-      const auto node = static_cast<std::size_t>(std::max(0, whole_column(line, at, 10)));
-      if (node < places_.size()) places_[node].panel = panel;
+      const auto node = nodes_.find(whole_column(line, at, 10));
+      if (node != nodes_.end()) node->second.panel = panel;
     }
   } else if (block_ == Block::stresses) {
-    const auto node = static_cast<std::size_t>(std::max(0, whole_column(line, 3, 10)));
-    if (node >= places_.size() || places_[node].panel < 0) return;
+    const auto node = nodes_.find(whole_column(line, 3, 10));
+    if (node == nodes_.end() || node->second.panel < 0) return;
     std::array<double, 6> stress;
     for (std::size_t k = 0; k < 6; ++k) stress[k] = column(line, 13 + 12 * k, 12);
-    see_stress(places_[node], von_mises(stress));
+    see_stress(node->second, von_mises(stress));
   }
 }
 
-void StressReader::see_stress(const NodePlace& place, double stress_mpa) {
+void StressReader::see_stress(const Node& node, double stress_mpa) {
+  frame_.is_sound = frame_.is_sound && is_result(stress_mpa);
   const auto raise = [&](StressAt& most) {
     if (stress_mpa > most.stress_mpa) {
-      most = {stress_mpa, frame_.time_s, place.panel, place.flat_mm};
+      most = {stress_mpa, frame_.time_s, node.panel, node.flat_mm};
     }
   };
   raise(frame_.anywhere);
-  if (!place.outside) return;
+  if (!node.outside) return;
   raise(frame_.outside);
-  double& panel_mpa = frame_.panels_mpa[static_cast<std::size_t>(place.panel)];
+  double& panel_mpa = frame_.panels_mpa[static_cast<std::size_t>(node.panel)];
   panel_mpa = std::max(panel_mpa, stress_mpa);
 }
 
 void StressReader::end_block() {
   if (block_ == Block::elements) place_nodes();
+  if (block_ == Block::stresses) {
+    const double before_s = history_.time_s.empty() ? 0 : history_.time_s.back();
+    history_.is_sound = history_.is_sound && frame_.is_sound && is_result(frame_.time_s) &&
+                        frame_.time_s >= before_s;
+  }
   // A hair later: times are written with six digits.
-  if (block_ == Block::stresses && frame_.time_s <= options_.until_s * (1 + 1e-5)) {
+  if (block_ == Block::stresses && history_.is_sound &&
+      frame_.time_s <= options_.until_s * (1 + 1e-5)) {
     history_.time_s.push_back(frame_.time_s);
     history_.outside_mpa.push_back(frame_.outside.stress_mpa);
     history_.anywhere_mpa.push_back(frame_.anywhere.stress_mpa);
@@ -152,21 +177,20 @@ void StressReader::end_block() {
 
 // Panels are flat at the start: from there to the flat sheet by the two edges at corner 0.
 void StressReader::place_nodes() {
-  placed_ = std::any_of(places_.begin(), places_.end(), [](const auto& p) { return p.panel >= 0; });
-  for (std::size_t node = 0; node < places_.size(); ++node) {
-    NodePlace& place = places_[node];
-    if (place.panel < 0) continue;
-    const auto& corners = sheet_.panels.corners[static_cast<std::size_t>(place.panel)];
+  for (auto& [number, node] : nodes_) {
+    if (node.panel < 0) continue;
+    placed_ = true;
+    const auto& corners = sheet_.panels.corners[static_cast<std::size_t>(node.panel)];
     const Vector3d origin = sheet_.start_mm.col(corners[0]);
     Eigen::Matrix<double, 3, 2> edges;
     edges << sheet_.start_mm.col(corners[1]) - origin, sheet_.start_mm.col(corners[3]) - origin;
     const Eigen::Vector2d shares =
-        (edges.transpose() * edges).inverse() * edges.transpose() * (nodes_mm_[node] - origin);
+        (edges.transpose() * edges).inverse() * edges.transpose() * (node.at_mm - origin);
     const Eigen::Vector2d flat0 = sheet_.flat_mm.col(corners[0]);
-    place.flat_mm = flat0 + shares[0] * (sheet_.flat_mm.col(corners[1]) - flat0) +
-                    shares[1] * (sheet_.flat_mm.col(corners[3]) - flat0);
-    place.outside = std::all_of(corners.begin(), corners.end(), [&](int v) {
-      return (sheet_.flat_mm.col(v) - place.flat_mm).norm() > options_.disc_mm;
+    node.flat_mm = flat0 + shares[0] * (sheet_.flat_mm.col(corners[1]) - flat0) +
+                   shares[1] * (sheet_.flat_mm.col(corners[3]) - flat0);
+    node.outside = std::all_of(corners.begin(), corners.end(), [&](int v) {
+      return (sheet_.flat_mm.col(v) - node.flat_mm).norm() > options_.disc_mm;
     });
   }
 }
@@ -196,7 +220,7 @@ void MotionReader::feed(const std::string& text) {
 void MotionReader::see_line(const std::string& line) {
   const std::size_t time = line.find("and time");
   if (time != std::string::npos) {
-    const double time_s = std::strtod(line.c_str() + time + 8, nullptr);
+    const double time_s = number_in(line.substr(time + 8));
     const bool has_corners = line.find("displacements") != std::string::npos;
     if (has_corners) row_ = {time_s, 0, 0, 0, 0, 0};
     block_ = has_corners                                         ? Block::corners
@@ -208,9 +232,9 @@ void MotionReader::see_line(const std::string& line) {
   } else if (block_ == Block::corners) {
     see_corner(line);
   } else if (block_ == Block::strain) {
-    row_.strain_n_mm = std::strtod(line.c_str(), nullptr);
+    row_.strain_n_mm = number_in(line);
   } else if (block_ == Block::kinetic) {
-    row_.kinetic_n_mm = std::strtod(line.c_str(), nullptr);
+    row_.kinetic_n_mm = number_in(line);
     add_row();
     block_ = Block::none;
   }
@@ -265,7 +289,13 @@ void MotionReader::add_row() {
         (place(diagonal.from) - place(diagonal.to)).norm() - sheet_.relaxed_mm(diagonal);
     row_.springs_n_mm += sheet_.stiffness_n_per_mm / 2 * pulled_mm * pulled_mm;
   }
-  rows_.push_back(row_);
+  const bool is_later = rows_.empty() || row_.time_s >= rows_.back().time_s;
+  const bool is_good = is_later && is_result(corners_mm_.cwiseAbs().sum()) &&
+                       is_result(row_.time_s) && is_result(row_.pilot_deg) &&
+                       is_result(row_.springs_n_mm) && is_result(row_.strain_n_mm) &&
+                       is_result(row_.kinetic_n_mm);
+  is_sound_ = is_sound_ && is_good;
+  if (is_sound_) rows_.push_back(row_);
 }
 
 StressHistory read_stresses(std::istream& file, const std::string& name,

@@ -13,6 +13,9 @@
 
 namespace misalign::schema {
 
+/// What is larger, or no number at all, is no result: ccx has lost its way there.
+inline constexpr double kLargestResult = 1e30;
+
 /// The start, or one increment. A crease's fold angle is the one between its panels' normals, each
 /// the cross product of the panel's diagonals: panels bend.
 struct ElasticRow {
@@ -29,8 +32,9 @@ class MotionReader {
 
   /// What came since; the last line may be a part of one.
   void feed(const std::string& text);
-  /// The first is the start.
+  /// The first is the start; the last is before the first one that is no result.
   const std::vector<ElasticRow>& rows() const { return rows_; }
+  bool is_sound() const { return is_sound_; }
 
  private:
   enum class Block { none, corners, strain, kinetic };
@@ -48,6 +52,7 @@ class MotionReader {
   ElasticRow row_;
   Eigen::Matrix3Xd corners_mm_;  // of each panel its four
   std::vector<ElasticRow> rows_;
+  bool is_sound_ = true;  // no increment was none
 };
 
 /// Von Mises stress at a node, and where that is on the flat sheet.
@@ -58,6 +63,7 @@ struct StressAt {
 };
 
 struct StressHistory {
+  bool is_sound = true;  ///< if not, it ends before the first frame that is no result
   /// Of each time that was written: the largest outside the discs, and anywhere.
   std::vector<double> time_s, outside_mpa, anywhere_mpa;
   std::optional<StressAt> outside, anywhere;  ///< the largest of all times

@@ -17,8 +17,9 @@ const fact = (value, words) => h("div", {}, h("dt", {}, words), h("dd", {}, h("s
 function outcome_of({ outcome, deployed_s }, decoded) {
   const last_s = `${number(decoded.stress.motion.at(-1)[0])} s`;
   if (deployed_s !== null) return [`${number(deployed_s)} s`, "deployed after"];
-  return outcome === "failed"
-    ? [last_s, "not deployed; CalculiX gave up after"]
+  if (outcome === "failed") return [last_s, "not deployed; CalculiX gave up after"];
+  return outcome === "stopped"
+    ? [last_s, "not deployed when the run was stopped, after"]
     : [last_s, "not deployed when the run ended, after"];
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "schema/exchange/calculix_result.hpp"
 #include "schema/files/base64.hpp"
 #include "solver/pattern/outline.hpp"
 
@@ -9,7 +10,7 @@ namespace misalign::schema {
 namespace {
 
 constexpr const char* kSuggestion = "name the NAME-stress.json that `misalign stress` writes";
-constexpr double kMost = 1e30;
+constexpr double kMost = kLargestResult;
 
 // The value of a key that must be there; null where it is not.
 const Json& part(ObjectReader& reader, const std::string& key) {
@@ -108,8 +109,9 @@ std::vector<std::pair<std::array<int, 2>, double>> panels(ObjectReader& top) {
 
 Json run(ObjectReader& top) {
   const std::string outcome = text(top, "outcome");
-  if (outcome != "deployed" && outcome != "failed" && outcome != "time_limit") {
-    top.faults().add("outcome", "must be deployed, failed or time_limit", kSuggestion);
+  if (outcome != "deployed" && outcome != "failed" && outcome != "time_limit" &&
+      outcome != "stopped") {
+    top.faults().add("outcome", "must be deployed, failed, time_limit or stopped", kSuggestion);
   }
   ObjectReader material(part(top, "material"), "material", top.faults());
   return {{"from_deg", number(top, "from_deg", 0, 180)},

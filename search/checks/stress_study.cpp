@@ -1,7 +1,6 @@
 #include "search/checks/stress_study.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,14 +11,6 @@ namespace {
 
 using schema::ElasticRow;
 using schema::Json;
-
-// What an earlier run of the same job left, which ccx would add to, or we would read.
-void remove_results(const std::string& directory, const std::string& job) {
-  for (const char* ending : {".dat", ".frd", ".sta", ".cvg", ".12d", ".log"}) {
-    std::error_code ignored;
-    std::filesystem::remove(job_file(directory, job, ending), ignored);
-  }
-}
 
 // What has been added to a file since it was last looked at.
 class GrowingFile {
@@ -46,6 +37,19 @@ void cut_after_deployment(const StressStudyOptions& options, StressStudy& study)
   if (deployed == study.rows.end()) return;
   study.deployed_s = deployed->time_s;
   study.rows.erase(deployed + 1, study.rows.end());
+}
+
+// A start without an increment is no motion.
+void check_begun(const StressStudy& study, const schema::MotionReader& motion,
+                 const std::string& log) {
+  if (study.rows.size() > 1) return;
+  const std::string end = study.was_stopped ? "was stopped"
+                          : motion.is_sound()
+                              ? "ended with " + std::to_string(study.calculix.exit_code)
+                              : "wrote what is no number, or none that can be,";
+  throw schema::UserError(
+      schema::kExitFailure,
+      "ccx " + end + " before the end of its first increment; " + log + " is what it said");
 }
 
 Json at_json(const schema::SimulatedSheet& sheet, const std::optional<schema::StressAt>& at) {
@@ -89,41 +93,38 @@ std::optional<double> StressStudy::rigid_pilot_deg(double time_s) const {
 
 StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
                          const std::string& directory, const std::string& job,
-                         const std::function<void(const ElasticRow&)>& show) {
-  find_calculix();
-  remove_results(directory, job);
-  schema::write_text_file(job_file(directory, job, ".inp"),
+                         const std::function<bool(const ElasticRow&)>& goes_on) {
+  const std::string ccx = find_calculix();
+  const RunDirectory run(directory, job);
+  schema::write_text_file(job_file(run.path(), job, ".inp"),
                           schema::calculix_deck(sheet, options.deck));
   const schema::PanelMesh mesh(options.deck.elements);
   schema::MotionReader motion(sheet, mesh);
-  GrowingFile dat(job_file(directory, job, ".dat"));
+  GrowingFile dat(job_file(run.path(), job, ".dat"));
   std::size_t seen = 0;
   const auto is_flat = [&](const ElasticRow& row) { return row.widest_deg < options.flat_deg; };
   StressStudy study;
-  study.calculix = run_calculix(directory, job, [&] {
+  study.calculix = run_calculix(ccx, run.path(), job, [&] {
     motion.feed(dat.news());
     const auto& rows = motion.rows();
-    show(rows.back());
     const bool deployed =
         std::any_of(rows.begin() + static_cast<std::ptrdiff_t>(seen), rows.end(), is_flat);
     seen = rows.size();
-    return !deployed;
+    return goes_on(rows.back()) && motion.is_sound() && !deployed;
   });
   motion.feed(dat.news());
   study.rows = motion.rows();
-  study.gave_up = !study.calculix.was_stopped && study.calculix.exit_code != 0;
-  if (study.rows.size() < 2) {
-    throw schema::UserError(schema::kExitFailure,
-                            "ccx ended with " + std::to_string(study.calculix.exit_code) +
-                                " before its first increment; " + job_file(directory, job, ".log") +
-                                " says why");
-  }
+  std::ifstream frd(job_file(run.path(), job, ".frd"));
+  run.publish();
+  study.was_stopped = !goes_on(study.rows.back());
+  check_begun(study, motion, job_file(directory, job, ".log"));
   cut_after_deployment(options, study);
   schema::StressOptions stress = options.stress;
   stress.until_s = study.rows.back().time_s;
-  const std::string frd = job_file(directory, job, ".frd");
-  std::ifstream file(frd);
-  study.stress = schema::read_stresses(file, frd, sheet, mesh, stress);
+  study.stress = schema::read_stresses(frd, job_file(directory, job, ".frd"), sheet, mesh, stress);
+  const bool has_failed = !study.calculix.was_stopped && study.calculix.exit_code != 0;
+  study.gave_up =
+      !motion.is_sound() || !study.stress.is_sound || (has_failed && !study.was_stopped);
   return study;
 }
 
@@ -153,9 +154,10 @@ Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
           {"time_limit_s", options.deck.end_s},
           {"damping_per_s", options.deck.damping_per_s},
           {"disc_mm", options.stress.disc_mm},
-          {"outcome", study.deployed_s ? "deployed"
-                      : study.gave_up  ? "failed"
-                                       : "time_limit"},
+          {"outcome", study.deployed_s    ? "deployed"
+                      : study.was_stopped ? "stopped"
+                      : study.gave_up     ? "failed"
+                                          : "time_limit"},
           {"deployed_s", study.deployed_s ? Json(*study.deployed_s) : Json()},
           {"largest_outside_discs", at_json(sheet, study.stress.outside)},
           {"largest_anywhere_mesh_dependent", at_json(sheet, study.stress.anywhere)},

@@ -26,7 +26,8 @@ struct StressStudy {
   std::vector<schema::ElasticRow> rows;  ///< up to the deployed one
   schema::StressHistory stress;
   std::optional<double> deployed_s;
-  /// Whether ccx gave up before the end of time: a numerical failure.
+  bool was_stopped = false;  ///< by whom it was shown to
+  /// Whether ccx gave up before the end of time, or wrote what is no number: a numerical failure.
   bool gave_up = false;
   CalculixEnd calculix;
   /// Of the same sheet with rigid panels, from the same start until it is flat or turns round.
@@ -36,11 +37,13 @@ struct StressStudy {
   std::optional<double> rigid_pilot_deg(double time_s) const;
 };
 
-/// Writes JOB.inp into the directory, runs ccx there and reads what it found. `show` gets the last
-/// row now and then. UserError (1): no ccx, nothing can be written, or ccx found nothing at all.
+/// Runs ccx in a fresh directory inside of this one, whose files come here in the end, and reads
+/// what it found. `goes_on` gets the last row now and then, and ends the run by false: what was
+/// found until then is the result. UserError (1): no ccx, nothing can be written, or ccx found
+/// nothing at all.
 StressStudy study_stress(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
                          const std::string& directory, const std::string& job,
-                         const std::function<void(const schema::ElasticRow&)>& show);
+                         const std::function<bool(const schema::ElasticRow&)>& goes_on);
 
 /// The contract's `stress --json`, without whose it is.
 schema::Json stress_json(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,

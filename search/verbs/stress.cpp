@@ -2,14 +2,18 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 
 #include "schema/files/text_file.hpp"
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/deployer.hpp"
 #include "search/checks/sheet_files.hpp"
 #include "search/checks/stress_study.hpp"
+#include "search/ranks/stop_signal.hpp"
+#include "search/terminal/duration.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -46,17 +50,18 @@ std::string job_of(const StressCall& call, const ChosenSheet& sheet) {
 
 // What the run writes, and what it removes first, must not be what is read.
 void keep_input(const StressCall& call, const std::string& job) {
-  for (const char* ending :
-       {".inp", ".dat", ".frd", ".sta", ".cvg", ".12d", ".log", "-stress.json"}) {
+  const auto check = [&](const char* ending) {
     std::error_code error;
     if (!std::filesystem::equivalent(job_file(call.directory, job, ending), call.path, error)) {
-      continue;
+      return;
     }
     throw schema::UserError(schema::kExitUsage,
                             "--output " + call.directory +
                                 ": a file would replace the one that is read (it has the same "
                                 "name); name another directory");
-  }
+  };
+  std::for_each(std::begin(kJobEndings), std::end(kJobEndings), check);
+  check("-stress.json");
 }
 
 // How far it is: a live line where somebody watches, else a line now and then.
@@ -71,9 +76,13 @@ class StressProgress {
   StressProgress& operator=(const StressProgress&) = delete;
 
   void show(const ElasticRow& row) {
-    const std::string line =
+    std::string line =
         fmt::format("{:.4f} s of at most {:g} s: pilot at {:.2f} deg, creases within {:.2f} deg",
                     row.time_s, end_s_, row.pilot_deg, row.widest_deg);
+    if (row.time_s > 0) {
+      const double left_s = watch_.seconds() * (end_s_ - row.time_s) / row.time_s;
+      line += ", " + duration(left_s) + " left at most";
+    }
     if (live_) {
       draw_live_line(line);
     } else if (watch_.seconds() >= next_s_) {
@@ -119,7 +128,10 @@ void print_study(const schema::SimulatedSheet& sheet, const StressStudyOptions& 
                   sheet.rest_deg, last.time_s, last.pilot_deg)
             : fmt::format("not deployed: after {:.4f} s creases are within {:.2f} deg", last.time_s,
                           last.widest_deg);
-    put("{}{}\n", where, study.gave_up ? "; there ccx gave up" : "");
+    put("{}{}\n", where,
+        study.was_stopped ? "; there it was stopped"
+        : study.gave_up   ? "; there ccx gave up"
+                          : "");
   }
   put("largest von Mises stress\n");
   print_stress(
@@ -182,9 +194,14 @@ void show_stress(StressCall& call) {
   const std::string result = job_file(call.directory, job, "-stress.json");
   StressStudy study;
   {
+    // What was reached is read and written within that time, or the program ends anyway.
+    constexpr double kToReadAndWrite_s = 120;
+    watch_for_signals(kToReadAndWrite_s, schema::kExitFailure);
     StressProgress progress(call.options.deck.end_s);
-    study = study_stress(let_go, call.options, call.directory, job,
-                         [&](const ElasticRow& row) { progress.show(row); });
+    study = study_stress(let_go, call.options, call.directory, job, [&](const ElasticRow& row) {
+      progress.show(row);
+      return stop_wish() == StopWish::none;
+    });
   }
   study.rigid = rigid_motion(sheet, let_go);
   schema::Json json = stress_json(let_go, call.options, study);
@@ -208,7 +225,9 @@ constexpr const char* kStressFooter =
     "Springs and ball joints pull at points, where stress has no limit as meshes get finer: what\n"
     "counts is the largest von Mises stress outside discs round every vertex.\n"
     "The directory keeps the deck (.inp), what ccx wrote, and NAME-stress.json, which `misalign\n"
-    "report --stress` shows. ccx uses as many cores as OMP_NUM_THREADS says.\n\n"
+    "report --stress` shows. While it runs all that is in a directory of its own in there,\n"
+    "NAME.run-XXXXXX. Ctrl-C and SIGTERM end ccx, and what it has reached is kept and shown. ccx\n"
+    "is the first one in PATH, and uses as many cores as OMP_NUM_THREADS says.\n\n"
     "Examples:\n"
     "  misalign stress search/patterns/table1.json --output stress\n"
     "  misalign stress results/miura-6x6-1a2b3c4d.db 1234 --from 90 --mesh 4 --output stress\n"

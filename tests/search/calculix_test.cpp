@@ -158,26 +158,31 @@ TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
   EXPECT_THROW(release(folder_, folded_, stop, "Table 1", "table1"), schema::UserError);
 }
 
+// As ccx writes the corners of panels that are as rigid ones at an angle, and energies.
+std::string increment(const SimulatedSheet& start, const SimulatedSheet& now,
+                      const std::string& time, const std::string& strain) {
+  const schema::PanelMesh mesh(2);
+  std::string text = "\n displacements (vx,vy,vz) for set CORNERS and time  " + time + "\n\n";
+  for (int panel = 0; panel < 28; ++panel) {
+    for (int i = 0; i < 4; ++i) {
+      const int v = start.panels.corners[panel][i];
+      const Vector3d moved = now.start_mm.col(v) - start.start_mm.col(v);
+      text += fmt::format("{:10d}{:14.6E}{:14.6E}{:14.6E}\n", mesh.corner_node(panel, i), moved.x(),
+                          moved.y(), moved.z());
+    }
+  }
+  text += "\n total internal energy for set PANELS and time  " + time + "\n\n" + strain + "\n";
+  return text + "\n total kinetic energy for set PANELS and time  " + time +
+         "\n\n        1.250000E+00\n";
+}
+
 // Corners as rigid panels have them at 30 degrees, in ccx's digits and in two pieces.
 TEST_F(Calculix, MotionIsReadAsItGrows) {
   ReleaseOptions later;
   later.from_deg = 30;
   const SimulatedSheet at30 = release(folder_, folded_, later, "", "table1");
-  const schema::PanelMesh mesh(2);
-  std::string text = "\n displacements (vx,vy,vz) for set CORNERS and time  0.2000000E-01\n\n";
-  for (int panel = 0; panel < 28; ++panel) {
-    for (int i = 0; i < 4; ++i) {
-      const int v = sheet_.panels.corners[panel][i];
-      const Vector3d moved = at30.start_mm.col(v) - sheet_.start_mm.col(v);
-      text += fmt::format("{:10d}{:14.6E}{:14.6E}{:14.6E}\n", mesh.corner_node(panel, i), moved.x(),
-                          moved.y(), moved.z());
-    }
-  }
-  text +=
-      "\n total internal energy for set PANELS and time  0.2000000E-01\n\n        2.210653E+00\n";
-  text +=
-      "\n total kinetic energy for set PANELS and time  0.2000000E-01\n\n        1.250000E+00\n";
-  schema::MotionReader reader(sheet_, mesh);
+  const std::string text = increment(sheet_, at30, "0.2000000E-01", "        2.210653E+00");
+  schema::MotionReader reader(sheet_, schema::PanelMesh(2));
   reader.feed(text.substr(0, 1234));
   ASSERT_EQ(reader.rows().size(), 1u);
   EXPECT_NEAR(reader.rows()[0].pilot_deg, 36, 1e-9);
@@ -194,6 +199,43 @@ TEST_F(Calculix, MotionIsReadAsItGrows) {
   EXPECT_EQ(row.kinetic_n_mm, 1.25);
 }
 
+// What is no number, cannot be one, or comes from a time that was before, ends the motion.
+TEST_F(Calculix, MotionEndsWhereNumbersDo) {
+  const std::string good = increment(sheet_, sheet_, "0.1000000E-01", "        2.210653E+00");
+  const auto rows_after = [&](std::string bad) {
+    schema::MotionReader reader(sheet_, schema::PanelMesh(2));
+    reader.feed(good + bad + increment(sheet_, sheet_, "0.3000000E-01", "        1.000000E+00"));
+    EXPECT_EQ(reader.is_sound(), reader.rows().size() == 4) << bad.substr(0, 200);
+    for (const schema::ElasticRow& row : reader.rows()) {
+      EXPECT_TRUE(std::isfinite(row.pilot_deg + row.widest_deg + row.springs_n_mm +
+                                row.strain_n_mm + row.kinetic_n_mm + row.time_s));
+      EXPECT_GT(row.widest_deg, 30);
+    }
+    return reader.rows().size();
+  };
+  const std::string time = "0.2000000E-01";
+  EXPECT_EQ(rows_after(increment(sheet_, sheet_, time, "        2.210653E+00")), 4u);
+  EXPECT_EQ(rows_after(increment(sheet_, sheet_, time, "        2.210653-101")), 4u)
+      << "as Fortran writes small numbers";
+  for (const char* energy : {"                 NaN", "            Infinity", "        ************",
+                             "        2.210653E+99", "        2.210653+101"}) {
+    EXPECT_EQ(rows_after(increment(sheet_, sheet_, time, energy)), 2u) << energy;
+  }
+  EXPECT_EQ(rows_after(increment(sheet_, sheet_, "0.5000000E-02", "        2.210653E+00")), 2u);
+  EXPECT_EQ(rows_after(increment(sheet_, sheet_, "          NaN", "        2.210653E+00")), 2u);
+  for (const char* moved : {"           NaN", "**************", "  1.000000E+99"}) {
+    std::string text = increment(sheet_, sheet_, time, "        2.210653E+00");
+    text.replace(text.find("  0.000000E+00"), 14, moved);
+    EXPECT_EQ(rows_after(text), 2u) << moved;
+  }
+}
+
+std::string node(const char* key, int number, std::initializer_list<double> values) {
+  std::string line = fmt::format("{}{:10d}", key, number);
+  for (const double value : values) line += fmt::format("{:12.5E}", value);
+  return line + "\n";
+}
+
 // One element of the second panel, with known stresses at a corner and in the middle of a side, in
 // two frames; of a third only the begin.
 TEST_F(Calculix, LargestStressAndItsPlace) {
@@ -202,11 +244,6 @@ TEST_F(Calculix, LargestStressAndItsPlace) {
   const Vector3d corner = sheet_.start_mm.col(corners[0]),
                  middle = (corner + Vector3d(sheet_.start_mm.col(corners[1]))) / 2;
   std::string text = "    1C\n    2C                             2\n";
-  const auto node = [](const char* key, int number, std::initializer_list<double> values) {
-    std::string line = fmt::format("{}{:10d}", key, number);
-    for (const double value : values) line += fmt::format("{:12.5E}", value);
-    return line + "\n";
-  };
   text += node(" -1", 7, {corner.x(), corner.y(), corner.z()});
   text += node(" -1", 8, {middle.x(), middle.y(), middle.z()});
   text += " -3\n    3C                             1\n -1         2    4    0    1\n";
@@ -233,6 +270,41 @@ TEST_F(Calculix, LargestStressAndItsPlace) {
   EXPECT_EQ(stress.panel_outside_mpa[0], 0);
   std::istringstream nothing("");
   EXPECT_THROW(schema::read_stresses(nothing, "x.frd", sheet_, mesh, {}), schema::UserError);
+}
+
+// Numbers of nodes may be any, and stresses none that can be: then frames before that count.
+TEST_F(Calculix, StressesEndWhereNumbersDo) {
+  const schema::PanelMesh mesh(1);
+  constexpr int kFar = 2'000'000'000;
+  const auto& corners = sheet_.panels.corners[1];
+  const Vector3d corner = sheet_.start_mm.col(corners[0]),
+                 middle = (corner + Vector3d(sheet_.start_mm.col(corners[1]))) / 2;
+  std::string text = "    1C\n    2C                             3\n";
+  text += node(" -1", kFar, {middle.x(), middle.y(), middle.z()}) + node(" -1", -3, {1, 2, 3});
+  text += " -1        12         NaN************ 1.00000E+00\n -3\n    3C     1\n";
+  text += fmt::format(" -1         2    4    0    1\n -2{0:10d}{0:10d}{1:10d}\n -3\n", kFar, 12);
+  const auto frame = [&](const char* time, const std::string& stress) {
+    return fmt::format("  100CL  101 {}           2\n -4  STRESS      6    1\n -1{:10d}{}", time,
+                       kFar, stress) +
+           " 0.00000E+00 0.00000E+00 0.00000E+00 0.00000E+00 0.00000E+00\n -3\n";
+  };
+  const auto read = [&](const std::string& frames) {
+    std::istringstream file(text + frames);
+    return schema::read_stresses(file, "x.frd", sheet_, mesh, {});
+  };
+  const std::string good = frame("1.00000E-03", " 3.00000E+02");
+  EXPECT_TRUE(read(good).is_sound);
+  for (const std::string& bad :
+       {frame("2.00000E-03", "         NaN"), frame("2.00000E-03", "************"),
+        frame("2.00000E-03", " 3.00000E+99"), frame("        NaN", " 3.00000E+02"),
+        frame("0.50000E-03", " 3.00000E+02")}) {
+    const schema::StressHistory stress = read(good + bad + frame("3.00000E-03", " 9.00000E+02"));
+    EXPECT_FALSE(stress.is_sound);
+    EXPECT_EQ(stress.time_s, std::vector<double>{0.001});
+    ASSERT_TRUE(stress.anywhere);
+    EXPECT_NEAR(stress.anywhere->stress_mpa, 300, 1e-9);
+    EXPECT_EQ(stress.panel_outside_mpa[1], 300);
+  }
 }
 
 }  // namespace
