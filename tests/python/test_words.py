@@ -61,6 +61,12 @@ class Words(unittest.TestCase):
     def test_the_version(self):
         self.assertIn(misalign.__version__, program("--version"))
 
+    def test_what_it_needs_is_installed(self):
+        """By scripts/run.sh, which builds it."""
+        done = subprocess.run(["bash", "-c", ". scripts/packages.sh; echo $build_packages"], cwd=SOURCE, check=True,
+                              capture_output=True, text=True)
+        self.assertIn("python3-numpy", done.stdout.split())
+
     def test_the_words_of_the_figures(self):
         """What can be said at once is: nothing is drawn."""
         def figures(*arguments):
