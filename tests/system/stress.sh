@@ -127,14 +127,14 @@ faked nan-at-once at-once
 in_result far "json_array_length(j, '\$.stress.time_s') = 3 AND j ->> '\$.largest_outside_discs.stress_mpa' = 13"
 
 # Stopped: ccx is gone, and what it had reached is there.
+reached() {  # KIND OUTPUT: some increments, if it makes any
+  [ -s fake-says ] && { [ "$1" = never ] || [ "$(cat "$2"/table1.run-*/table1.dat 2> /dev/null | grep -c kinetic)" -gt 2 ]; }
+}
 stopped() {  # SIGNAL KIND OUTPUT
   rm -f fake-says
   FAKE=$2 PATH=$PWD/fake:$PATH "$program" stress "$table1" --output "$3" > out 2> err &
   local run=$!
-  for wait in {1..1200}; do
-    [ -s fake-says ] && { [ "$2" = never ] || [ "$(cat "$3"/table1.run-*/table1.dat 2> /dev/null | grep -c kinetic)" -gt 2 ]; } && break
-    sleep 0.05
-  done
+  eventually "a run under way" reached "$2" "$3"
   kill "-$1" $run
   wait $run
 }
