@@ -77,7 +77,7 @@ constexpr MetricEntry kMetrics[] = {
      // Rates of change, from the tangent: its error is the closure's over the singular value,
      // 1e-12 / 1e-4 radians a radian.
      .allowance = {.absolute = 1e-8 / 57, .of = kWidths},
-     .age = {2, 6},
+     .age = {2, 7},
      .schema_since = 2,
      .label = "slope between",
      .negative_is_bad = true},
@@ -100,7 +100,7 @@ constexpr MetricEntry kMetrics[] = {
                 "or not; none where none does up to the last sample of the path.",
      .range = {.least = 0, .most = 180},
      .allowance = {.absolute = 1e-6},  // by a solution next to it, and the step that its slope asks
-     .age = {6, 6},
+     .age = {6, 7},
      .schema_since = 5,
      .label = "reverses",
      .written = "decimals_2"},

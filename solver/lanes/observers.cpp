@@ -39,7 +39,8 @@ void FunctionObserver::ended(const PathResult& path, int lane) {
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
-      bumps_(model.mechanism(), model.elimination()),
+      between_(model.mechanism(), model.elimination()),
+      bumps_(model.mechanism(), between_),
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
       dense_state_(model.mechanism()),

@@ -67,6 +67,7 @@ class JudgingObserver {
 
   const Model& model_;
   SheetQueue queue_;
+  BetweenSolver between_;
   SolvedBumps bumps_;
   std::vector<CloseJudge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;

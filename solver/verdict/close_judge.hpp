@@ -24,7 +24,7 @@ class CloseJudge {
   /// Whether it solves states between the samples.
   bool looks_between() const { return model_.bumps() == BumpRule::exact; }
   Verdict conclude(const PathResult& path) const { return judge_.conclude(path); }
-  const Between& between() const { return judge_.between(); }
+  const Judge& judge() const { return judge_; }
 
  private:
   const Model& model_;

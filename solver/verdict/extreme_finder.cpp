@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/verdict/from_flat.hpp"
+
 namespace misalign::solver {
 
 // Where the rate of change falls to zero, from the stretch's start, where it is positive, to
@@ -46,6 +48,7 @@ ExtremeFinder::ExtremeFinder(const ExtremeFinder&) = default;
 
 void ExtremeFinder::begin(const std::vector<double>& flat_lengths) {
   extremes_ = {};
+  least_slope_ = {};
   reversal_ = {};
   last_deg_ = 0;
   last_ = flat_lengths;
@@ -67,7 +70,7 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
     const double left = direction * last_slopes_[d], right = direction * here.slopes[d];
     const double inner = 3 * direction * (here.lengths[d] - last_[d]) / step_rad - left - right;
     const double above = std::min({left, right, inner});
-    if (above >= 0 && !(counts && above < extremes_.least_slope)) {
+    if (above >= 0 && !(counts && above < least_slope_.slope)) {
       back_since_deg_[d] = 0;
       continue;
     }
@@ -77,22 +80,25 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
     const double last_x = last_deg_ > 0 ? function.locate(last_deg_ * kRadPerDeg) : 0;
     const Stretch stretch{function, d, direction, last_x, x};
     if (counts) {
-      double least = std::min(left, right);
-      if (seen.least_slope < least) {
-        least = std::min(least, stretch.slope(stretch.least_slope_at()));
+      note_slope(left, last_x, last_deg_);
+      if (seen.least_slope < std::min(left, right)) {
+        const double least_x = stretch.least_slope_at();
+        note_slope(stretch.slope(least_x), least_x, function.pilot(least_x) / kRadPerDeg);
       }
-      extremes_.least_slope = std::min(extremes_.least_slope, least);
     }
-    const bool goes_on = right >= 0;
-    if (goes_on && !(seen.least_slope < 0)) {
+    const bool goes_on = right >= 0, from_flat = last_deg_ == 0;
+    const bool sets_out_back =
+        from_flat &&
+        FromFlat(direction * (here.lengths[d] - last_[d]), right, step_rad).sets_out_back();
+    if (goes_on && !(from_flat ? sets_out_back : seen.least_slope < 0)) {
       back_since_deg_[d] = 0;
       continue;
     }
     double from_deg = back_since_deg_[d];
     if (from_deg == 0) {
       const double high = goes_on ? stretch.least_slope_at() : x;
-      if (stretch.slope(high) >= 0) continue;
-      const double root = stretch.root_of_slope(high);
+      if (!sets_out_back && stretch.slope(high) >= 0) continue;
+      const double root = sets_out_back ? 0 : stretch.root_of_slope(high);
       from_deg = function.pilot(root) / kRadPerDeg;
       if (root < first_x) {
         first_x = root;
@@ -109,6 +115,10 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
   last_deg_ = station.pilot_deg;
   last_ = here.lengths;
   last_slopes_ = here.slopes;
+}
+
+void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
+  if (slope < least_slope_.slope) least_slope_ = {slope, x, pilot_deg};
 }
 
 void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {

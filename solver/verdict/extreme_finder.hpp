@@ -12,10 +12,16 @@ namespace misalign::solver {
 
 /// Where a diagonal turns back for the first time.
 struct Reversal {
-  int diagonal = -1;  ///< -1: none does
-  double x = 0;       ///< the variable of the function that showed it
-  double pilot_deg = 0;
+  int diagonal = -1;     ///< -1: none does
+  double x = 0;          ///< the variable of the function that showed it
+  double pilot_deg = 0;  ///< 0: it sets out the other way
   double curvature = 0;  ///< of its length, panel widths per radian of pilot squared
+};
+
+/// Where a rate of change is the least, but for the last sample that was seen.
+struct LeastSlope {
+  double slope = std::numeric_limits<double>::infinity();  ///< as in PathExtremes
+  double x = 0, pilot_deg = 0;                             ///< as in Reversal
 };
 
 class ExtremeFinder {
@@ -32,7 +38,9 @@ class ExtremeFinder {
 
   /// At the last sample that was seen.
   const std::vector<double>& lengths() const { return last_; }
+  /// All but the least slope.
   const PathExtremes& extremes() const { return extremes_; }
+  const LeastSlope& least_slope() const { return least_slope_; }
   const Reversal& first_reversal() const { return reversal_; }
 
  private:
@@ -45,9 +53,11 @@ class ExtremeFinder {
     double root_of_slope(double high) const;
     double least_slope_at() const;
   };
+  void note_slope(double slope, double x, double pilot_deg);
   void note_reversal(int diagonal, double x, const PathFunction& function);
 
   PathExtremes extremes_;
+  LeastSlope least_slope_;
   Reversal reversal_;
   double last_deg_ = 0;
   std::vector<double> last_, last_slopes_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "solver/continuation/node_follower.hpp"
@@ -73,6 +74,8 @@ class FunctionRecorder {
   }
 
  private:
+  static constexpr int kMostReversalRounds = 5;
+
   // Of as many sheets as there are lanes, or those that are left.
   void solve_wanted(const SheetBlock& block, const std::vector<int>& sheets, std::size_t first) {
     const auto sheet_of_lane = [&](int i) {
@@ -95,22 +98,46 @@ class FunctionRecorder {
       if (k < margins) margin_.see(state_, factors_);
       for (int i = 0; i < kLanes<T>; ++i) keep(records_.solved(i, k), i);
     }
-    for (int i = 0; i < kLanes<T>; ++i) {
-      if (first + static_cast<std::size_t>(i) >= sheets.size()) break;
+    const std::size_t lanes = std::min<std::size_t>(kLanes<T>, sheets.size() - first);
+    find_reversals(sheets.data() + first, static_cast<int>(lanes));
+    for (int i = 0; i < static_cast<int>(lanes); ++i) {
       records_.take(sheet_of_lane(i), i, margins > 0 ? margin_.mm(i) : std::nullopt);
     }
   }
 
+  // The states of the first reversals again, until they are there; so many lanes have one.
+  void find_reversals(const int* sheets, int lanes) {
+    const int reversal = records_.wanted_count() - 1;
+    for (int round = 0; round < kMostReversalRounds; ++round) {
+      bool any = false;
+      std::array<bool, kLanes<T>> again{};
+      for (int i = 0; i < lanes; ++i) {
+        again[i] = records_.wants_again(sheets[i], i);
+        if (!again[i]) continue;
+        any = true;
+        const WantedState& wanted = records_.wanted(sheets[i], reversal);
+        lane(state_.creases[mechanism_.pilot].c, i) = wanted.pilot.c;
+        lane(state_.creases[mechanism_.pilot].s, i) = wanted.pilot.s;
+      }
+      if (!any) return;
+      solve(static_cast<int>(Wanted::reversal));
+      for (int i = 0; i < lanes; ++i) {
+        if (again[i]) keep(records_.solved(i, reversal), i);
+      }
+    }
+  }
+
   // Two corrections with the pilot held, or four where it may be next to a limit point, whatever
-  // the neighbours need; and what is wanted of the state that they reach.
+  // the neighbours need; and what is wanted of the state that they reach. For slopes three: what
+  // they do not close is for the close steps.
   MISALIGN_FLATTEN void solve(int beside_margin) {
     const bool for_lengths = beside_margin == static_cast<int>(Wanted::before_least_step) ||
                              beside_margin == static_cast<int>(Wanted::after_least_step);
-    const bool for_slopes = beside_margin == static_cast<int>(Wanted::reversal);
+    const bool for_slopes = beside_margin >= static_cast<int>(Wanted::least_slope);
     correct(true);
-    correct(true);
+    correct(!for_slopes);
     if (beside_margin >= static_cast<int>(Wanted::before_d)) {
-      correct(!for_lengths);
+      if (!for_slopes) correct(!for_lengths);
       correct(!for_lengths);
     }
     open_by_ = evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
@@ -161,7 +188,7 @@ const std::vector<PathRecord>& measure_paths(const SheetBlock& block,
                                              FunctionRecorder<T>& functions,
                                              Recorder<T>& recorder) {
   const std::vector<int>& left = functions.record(block);
-  return functions.merge(recorder.record(block, left));
+  return functions.merge(recorder.measure(block, left));
 }
 
 }  // namespace misalign::solver

@@ -19,9 +19,6 @@ constexpr double kLastHandedOver_deg = 178;
 // Pieces of fewer samples are short.
 constexpr int kShortPiece_samples = 4;
 
-// A reversal is moved by the step that the exact slope asks for, if that is no longer than this.
-constexpr double kLongestReversalStep_rad = 1e-4;
-
 }  // namespace
 
 FunctionRecords::FunctionRecords(const Model& model, int lanes)
@@ -109,6 +106,7 @@ void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, L
   const int in_order = lane.judge.samples_in_order();
   const std::vector<int>& margin = model_.margin_samples();
   const int least_step_before = lane.record.least_step_sample;
+  const double least_slope_before = lane.finder.least_slope().slope;
   for (; lane.next < samples_.size() && samples_[lane.next]->pilot_deg <= end_deg; ++lane.next) {
     const Station& station = *samples_[lane.next];
     const bool is_in_order = station.sample <= in_order;
@@ -130,8 +128,11 @@ void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, L
     lane.finder.see(station, x, here_, lane.judge, function);
     if (had_reversed || !lane.has_reversed()) continue;
     const Reversal& reversal = lane.finder.first_reversal();
-    want(wanted_index(Wanted::reversal), reversal.pilot_deg, half_angle_of_deg(reversal.pilot_deg),
-         reversal.x, lane);
+    if (reversal.pilot_deg == 0) continue;
+    want(wanted_index(Wanted::reversal), reversal.pilot_deg, reversal.x, lane);
+  }
+  if (const LeastSlope& slope = lane.finder.least_slope(); slope.slope < least_slope_before) {
+    want(wanted_index(Wanted::least_slope), slope.pilot_deg, slope.x, lane);
   }
   const int least = lane.record.least_step_sample;
   if (least == least_step_before) return;
@@ -151,16 +152,14 @@ void FunctionRecords::note_least_step(const Station& station, Lane& lane) {
 
 void FunctionRecords::want(int index, const Station& station, const PathFunction& function,
                            Lane& lane) {
-  want(index, station.pilot_deg, station.pilot, function.locate(station.pilot_deg * kRadPerDeg),
-       lane);
+  want(index, station.pilot_deg, function.locate(station.pilot_deg * kRadPerDeg), lane);
   lane.record.wanted[static_cast<std::size_t>(index)].sample = station.sample;
 }
 
-void FunctionRecords::want(int index, double pilot_deg, const HalfAngle<double>& pilot, double x,
-                           Lane& lane) {
+void FunctionRecords::want(int index, double pilot_deg, double x, Lane& lane) {
   WantedState& wanted = lane.record.wanted[static_cast<std::size_t>(index)];
   wanted.pilot_deg = pilot_deg;
-  wanted.pilot = pilot;
+  wanted.pilot = half_angle_of_deg(pilot_deg);
   wanted.near.creases.resize(model_.mechanism().creases.size());
   wanted.near.balls.resize(model_.mechanism().balls.size());
   requests_.push_back({index, x});
@@ -186,7 +185,7 @@ std::optional<double> FunctionRecords::conclude(const PathResult& path,
     record.extremes.bump_deg.reset();
     record.extremes.bump_where = -1;
   }
-  made.reversal = one.finder.first_reversal();
+  made.slopes.begin(one.finder);
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
   if (!made.is_accepted) return std::nullopt;
@@ -207,7 +206,7 @@ std::optional<double> FunctionRecords::conclude(const PathResult& path,
   const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
   // A reversal must have been found before, or is looked for in close steps.
   made.is_sure = next != stations.begin() && stations[station].sample >= in_order &&
-                 made.reversal.diagonal >= 0;
+                 made.slopes.has_reversal();
   if (!made.is_sure) return std::nullopt;
   unfinished_.push_back({sheet, station, forward_sign, near_});
   return function.locate(stations[station].pilot_deg * kRadPerDeg);
@@ -301,7 +300,7 @@ void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_mar
     put_lengths(std::max(made.least_step_sample - 1, 1), of(Wanted::before_least_step));
     put_lengths(made.least_step_sample, of(Wanted::after_least_step));
   }
-  const std::size_t judged = solved.size() - 1;  // all but the reversal
+  const auto judged = static_cast<std::size_t>(wanted_index(Wanted::least_slope));
   for (std::size_t k = 0; k < judged; ++k) {
     record.residual_max = std::max(record.residual_max, solved[k].open_by);
     record.isometry_error = std::max(record.isometry_error, solved[k].isometry_error);
@@ -317,13 +316,19 @@ void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_mar
   values.push_back(of(Wanted::at_d).singular_value);
   record.singular_value_min = *std::min_element(values.begin(), values.end());
   made.is_sure = std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
-  if (made.reversal.diagonal >= 0) {
-    const SolvedState& reversal = of(Wanted::reversal);
-    const double step_rad = -reversal.slopes[static_cast<std::size_t>(made.reversal.diagonal)] /
-                            made.reversal.curvature;
-    made.is_sure = made.is_sure && std::abs(step_rad) <= kLongestReversalStep_rad;
-    record.extremes.reverses_deg = made.reversal.pilot_deg + step_rad / kRadPerDeg;
-  }
+  made.is_sure =
+      made.slopes.put_into(record, of(Wanted::at_d).slopes, of(Wanted::least_slope).slopes,
+                           of(Wanted::reversal).slopes) &&
+      made.is_sure;
+}
+
+bool FunctionRecords::wants_again(int sheet, int lane) {
+  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+  const int index = wanted_index(Wanted::reversal);
+  const auto next_deg = made.slopes.next_reversal_deg(solved(lane, index).slopes);
+  WantedState& wanted = made.wanted[static_cast<std::size_t>(index)];
+  if (next_deg) wanted.pilot = half_angle_of_deg(*next_deg);
+  return next_deg.has_value();
 }
 
 bool FunctionRecords::ends_are_least(const std::vector<double>& values, int in_order) {

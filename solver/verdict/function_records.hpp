@@ -7,7 +7,7 @@
 
 #include "solver/continuation/node_control.hpp"
 #include "solver/verdict/dense_fallback.hpp"
-#include "solver/verdict/extreme_finder.hpp"
+#include "solver/verdict/found_slopes.hpp"
 #include "solver/verdict/model.hpp"
 #include "solver/verdict/sheet_queue.hpp"
 
@@ -29,8 +29,17 @@ struct SolvedState {
 
 /// Which states of a path are wanted: those of the model's margin_samples, and these, in this
 /// order.
-enum class Wanted { first, second, before_d, at_d, before_least_step, after_least_step, reversal };
-inline constexpr int kWantedBesideMargin = 7;
+enum class Wanted {
+  first,
+  second,
+  before_d,
+  at_d,
+  before_least_step,
+  after_least_step,
+  least_slope,
+  reversal
+};
+inline constexpr int kWantedBesideMargin = 8;
 
 /// One sheet of a block.
 struct FunctionRecord {
@@ -38,7 +47,7 @@ struct FunctionRecord {
   bool is_accepted = false;  ///< it deploys from the threshold: the record is complete
   PathRecord record;
   std::vector<WantedState> wanted;  ///< of margin_samples, and of Wanted
-  Reversal reversal;
+  FoundSlopes slopes;
   int least_step_sample = 0;
 };
 
@@ -85,6 +94,9 @@ class FunctionRecords {
   const WantedState& wanted(int sheet, int k) const;
   /// Where what is found at the k-th wanted state of a lane's sheet is to be written.
   SolvedState& solved(int lane, int k);
+  /// Whether the reversal of the lane's sheet, as it was solved, is to be solved once more where
+  /// wanted() has it now.
+  bool wants_again(int sheet, int lane);
   /// Takes what was found at the wanted states of a sheet, in this lane, into its record.
   void take(int sheet, int lane, std::optional<double> miscut_margin_mm);
   /// All of the block, those that were left by their histories.
@@ -120,7 +132,7 @@ class FunctionRecords {
   void want_d(int sample, const PathFunction& function, Lane& lane);
   void note_least_step(const Station& station, Lane& lane);
   void want(int index, const Station& station, const PathFunction& function, Lane& lane);
-  void want(int index, double pilot_deg, const HalfAngle<double>& pilot, double x, Lane& lane);
+  void want(int index, double pilot_deg, double x, Lane& lane);
   int wanted_index(Wanted wanted) const {
     return static_cast<int>(model_.margin_samples().size()) + static_cast<int>(wanted);
   }

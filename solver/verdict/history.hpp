@@ -11,12 +11,24 @@
 
 namespace misalign::solver {
 
+/// Of the diagonals' rates of change in their directions, all over the path.
+struct PathExtremes {
+  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
+  double least_slope = std::numeric_limits<double>::infinity();
+  /// Where a diagonal first goes back, and on again before D without a sample having shown it.
+  std::optional<double> bump_deg;
+  int bump_where = -1;  ///< which one
+  /// Where a diagonal first turns back, up to the last sample that was followed.
+  std::optional<double> reverses_deg;
+};
+
 /// One row or entry per station that was solved; verdicts look at those with sample > 0.
 struct FoldingHistory {
   Verdict verdict;
   PathResult path;
   Between between;
-  std::vector<double> flat_mm;  ///< per diagonal
+  std::optional<PathExtremes> extremes;  ///< where they were looked for, all but bumps
+  std::vector<double> flat_mm;           ///< per diagonal
   std::vector<Station> stations;
   Eigen::MatrixXd length_mm;         ///< stations x diagonals
   Eigen::MatrixXd slope_mm_per_deg;  ///< the same: their rates of change

@@ -1,46 +1,10 @@
 #include "solver/verdict/path_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "solver/verdict/function_recorder.hpp"
 
 namespace misalign::solver {
-namespace {
-
-// The first sign change of a diagonal's rate against the direction it has set.
-std::optional<double> first_reversal_deg(const FoldingHistory& history, double width_mm) {
-  std::optional<double> first_deg;
-  for (std::size_t d = 0; d < history.flat_mm.size(); ++d) {
-    const auto column = static_cast<Eigen::Index>(d);
-    LengthAndSlope last{history.flat_mm[d] / width_mm, 0};
-    double last_deg = 0;
-    int direction = 0;
-    for (std::size_t i = 0; i < history.stations.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const double at_deg = history.stations[i].pilot_deg;
-      const LengthAndSlope here{history.length_mm(row, column) / width_mm,
-                                history.slope_mm_per_deg(row, column) / width_mm / kRadPerDeg};
-      const double step = here.length - last.length;
-      if (direction == 0 && std::abs(step) >= kStepBand_widths) direction = step > 0 ? 1 : -1;
-      if (direction != 0) {
-        const double step_rad = (at_deg - last_deg) * kRadPerDeg;
-        const BetweenSamples seen = look_between(last, here, step_rad, 1, direction);
-        if (seen.back > 0) {
-          const double from_deg = last_deg + seen.from * (at_deg - last_deg);
-          if (!first_deg || from_deg < *first_deg) first_deg = from_deg;
-          break;
-        }
-      }
-      last = here;
-      last_deg = at_deg;
-    }
-  }
-  return first_deg;
-}
-
-}  // namespace
-
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) {
   const double width_mm = mechanism.panel_width_mm;
   PathRecord record;
@@ -48,10 +12,13 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
   record.path = history.path;
   record.miscut_margin_mm = history.miscut_margin_mm;
   for (const double length_mm : history.flat_mm) record.flat.push_back(length_mm / width_mm);
-  record.extremes.least_slope = history.between.least_slope;
+  if (history.extremes) {
+    record.extremes = *history.extremes;
+  } else {
+    record.extremes.least_slope = history.between.least_slope;
+  }
   record.extremes.bump_where = history.between.bump_where;
   if (history.between.bump_where >= 0) record.extremes.bump_deg = history.between.bump_deg;
-  record.extremes.reverses_deg = first_reversal_deg(history, width_mm);
   for (std::size_t i = 0; i < history.stations.size(); ++i) {
     const int sample = history.stations[i].sample;
     if (sample == 0 || sample > history.verdict.deploys_from_sample) continue;

@@ -8,17 +8,6 @@
 
 namespace misalign::solver {
 
-/// Of the diagonals' rates of change in their directions, all over the path.
-struct PathExtremes {
-  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
-  double least_slope = std::numeric_limits<double>::infinity();
-  /// Where a diagonal first goes back, and on again before D without a sample having shown it.
-  std::optional<double> bump_deg;
-  int bump_where = -1;  ///< which one
-  /// Where a diagonal first turns back, up to the last sample that was followed.
-  std::optional<double> reverses_deg;
-};
-
 struct PathRecord {
   Verdict verdict;
   PathResult path;
@@ -32,7 +21,8 @@ struct PathRecord {
   std::optional<double> miscut_margin_mm;
 };
 
-/// The same of a path whose every sample was solved; between them by cubics.
+/// The same of a path whose every sample was solved. Bumps are those of its cubics; without
+/// extremes it has no reversal, and the cubics' least slope.
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
 
 /// The same with the extremes of the path as a function.

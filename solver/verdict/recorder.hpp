@@ -49,10 +49,10 @@ class Recorder {
     looks_at_quality_ = true;
     return observer_.histories();
   }
-  /// Only these sheets of the block; the others' histories are empty.
-  std::vector<FoldingHistory>& record(const SheetBlock& block, const std::vector<int>& sheets) {
+  /// Only these sheets of the block, with their extremes; the others' histories are empty.
+  std::vector<FoldingHistory>& measure(const SheetBlock& block, const std::vector<int>& sheets) {
     observer_.begin(block);
-    observer_.only(sheets);
+    observer_.measure_only(sheets);
     return record_waiting(block);
   }
 

@@ -18,11 +18,14 @@ RecordingObserver::RecordingObserver(const Model& model, int lanes, const Statio
     : model_(model),
       visit_(visit),
       queue_(model, lanes),
-      bumps_(model.mechanism(), model.elimination()),
+      between_(model.mechanism(), model.elimination()),
+      bumps_(model.mechanism(), between_),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) lanes_.push_back(Lane{CloseJudge(model, bumps_)});
+  for (int i = 0; i < lanes; ++i) {
+    lanes_.push_back(Lane{CloseJudge(model, bumps_), SolvedExtremes(model.mechanism(), between_)});
+  }
 }
 
 RecordingObserver::~RecordingObserver() = default;
@@ -30,17 +33,19 @@ RecordingObserver::~RecordingObserver() = default;
 void RecordingObserver::begin(const SheetBlock& block) {
   histories_.resize(static_cast<std::size_t>(block.sheets()));
   fallback_.begin();
+  finds_extremes_ = false;
   queue_.begin(block);
 }
 
-void RecordingObserver::only(const std::vector<int>& sheets) {
+void RecordingObserver::measure_only(const std::vector<int>& sheets) {
   for (FoldingHistory& history : histories_) history = {};
+  finds_extremes_ = true;
   queue_.begin_again(sheets);
 }
 
 bool RecordingObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
-  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
   lengths_mm.clear();
   slopes_mm_per_deg.clear();
   angles_deg.clear();
@@ -48,6 +53,7 @@ bool RecordingObserver::next(PathStart& start, int lane) {
   history.flat_mm.resize(model_.mechanism().diagonals.size());
   flat_lengths(model_.mechanism(), *start.geometry, history.flat_mm.data());
   judge.begin(*start.geometry, history.flat_mm);
+  if (finds_extremes_) extremes.begin(queue_.geometry_of_lane(lane));
   for (double& length : history.flat_mm) length *= model_.mechanism().panel_width_mm;
   return true;
 }
@@ -64,10 +70,13 @@ bool RecordingObserver::see(const Station& station, int lane) {
 
 void RecordingObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
-  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
   if (station.sample > 0) {
     judge.see(station, point_, true,
               judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
+    if (finds_extremes_) {
+      extremes.see(queue_.geometry_of_lane(lane), station, point_, judge.judge());
+    }
   }
   history.stations.push_back(station);
   for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);
@@ -90,11 +99,12 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
 void RecordingObserver::ended(PathResult path, int lane) {
   if (!fallback_.under_way()) effort_.add(path);
   if (!queue_.has_ended(path, lane)) return;
-  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
   const std::size_t stations = history.stations.size();
   history.path = path;
   history.verdict = judge.conclude(path);
-  history.between = judge.between();
+  history.between = judge.judge().between();
+  if (finds_extremes_) history.extremes = extremes.extremes();
   history.length_mm = rows_of(lengths_mm, stations);
   history.slope_mm_per_deg = rows_of(slopes_mm_per_deg, stations);
   history.fold_angle_deg = rows_of(angles_deg, stations);

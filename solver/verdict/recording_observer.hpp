@@ -9,6 +9,7 @@
 #include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/history.hpp"
 #include "solver/verdict/sheet_queue.hpp"
+#include "solver/verdict/solved_extremes.hpp"
 
 namespace misalign::solver {
 
@@ -28,8 +29,8 @@ class RecordingObserver {
   ~RecordingObserver();
 
   void begin(const SheetBlock& block);
-  /// Only these sheets of the block.
-  void only(const std::vector<int>& sheets);
+  /// Only these sheets of the block, and their extremes as well.
+  void measure_only(const std::vector<int>& sheets);
   bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
@@ -47,6 +48,7 @@ class RecordingObserver {
  private:
   struct Lane {
     CloseJudge judge;
+    SolvedExtremes extremes;
     FoldingHistory history{};
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
   };
@@ -54,7 +56,9 @@ class RecordingObserver {
   const Model& model_;
   const StationVisitor* visit_;
   SheetQueue queue_;
+  BetweenSolver between_;
   SolvedBumps bumps_;
+  bool finds_extremes_ = false;
   std::vector<Lane> lanes_;
   std::vector<FoldingHistory> histories_;
   PathPoint point_;

@@ -98,6 +98,7 @@ class Judge {
   /// Whether this step is against the direction that the diagonal has set.
   bool goes_back(int diagonal, double step) const { return direction_[diagonal] * step < 0; }
   int direction(int diagonal) const { return direction_[diagonal]; }
+  int samples_in_order() const { return samples_in_order_; }
   /// By how much the least active diagonal has varied; what is judged near flat counts as much.
   double least_span() const;
 

@@ -66,11 +66,47 @@ class VertexCoordinates {
     return true;
   }
 
+  /// From a solution of its own at `from_deg`, with its vertices here, to the one at another angle,
+  /// along their rates. False if there is none, or if the way there bends by more than a tenth of
+  /// it: then it is still at `from_deg`.
+  bool move(const Eigen::Matrix3Xd& from_mm, double from_deg, double to_deg) {
+    constexpr double kMostBent = 0.1;
+    points_ = from_mm / unit_mm_;
+    reached_deg_ = from_deg;
+    if (to_deg == from_deg) return true;
+    const Eigen::Matrix3Xd from = points_;
+    points_ += (to_deg - from_deg) * kRadPerDeg * rates();
+    const Eigen::Matrix3Xd foretold = points_;
+    const bool solved = solve(to_deg) &&
+                        (points_ - foretold).norm() <= kMostBent * (foretold - from).norm() + 1e-12;
+    if (solved) {
+      reached_deg_ = to_deg;
+    } else {
+      points_ = from;
+    }
+    return solved;
+  }
+
+  /// How the vertices move at the solution, panel widths per radian of pilot: least squares, and
+  /// once more for what their normal equations leave.
+  Eigen::Matrix3Xd rates() {
+    write_equations(reached_deg_);
+    const Eigen::SparseMatrix<double> j = jacobian();
+    Eigen::VectorXd by_pilot = Eigen::VectorXd::Zero(rows());
+    by_pilot[swung_row_] = swung_by_pilot_;
+    factorize(j);
+    Eigen::VectorXd rates = Eigen::VectorXd::Zero(points_.size());
+    for (int i = 0; i < 4; ++i) rates -= normal_.solve(j.transpose() * (by_pilot + j * rates));
+    return Eigen::Map<const Eigen::Matrix3Xd>(rates.data(), 3, points_.cols());
+  }
+
   /// 3 x vertices.
   Eigen::Matrix3Xd points_mm() const { return points_ * unit_mm_; }
   double distance_mm(int v, int w) const {
     return (points_.col(v) - points_.col(w)).norm() * unit_mm_;
   }
+  double reached_deg() const { return reached_deg_; }
+  double unit_mm() const { return unit_mm_; }
 
  private:
   // Along the pilot, across it in the pinned panel, and their normal.
@@ -90,15 +126,19 @@ class VertexCoordinates {
       write_equations(pilot_deg);
       const Eigen::SparseMatrix<double> j = jacobian();
       const Eigen::VectorXd rest = Eigen::Map<Eigen::VectorXd>(rest_.data(), rows());
-      const Eigen::SparseMatrix<double> square = j.transpose() * j;
-      if (!analysed_) normal_.analyzePattern(square);
-      analysed_ = true;
-      normal_.factorize(square);
+      factorize(j);
       const Eigen::VectorXd step = normal_.solve(j.transpose() * rest);
       points_ -= Eigen::Map<const Eigen::Matrix3Xd>(step.data(), 3, points_.cols());
       if (rest.cwiseAbs().maxCoeff() <= kSolved) return true;
     }
     return false;
+  }
+
+  void factorize(const Eigen::SparseMatrix<double>& j) {
+    const Eigen::SparseMatrix<double> square = j.transpose() * j;
+    if (!analysed_) normal_.analyzePattern(square);
+    analysed_ = true;
+    normal_.factorize(square);
   }
 
   void write_equations(double pilot_deg) {
@@ -112,8 +152,11 @@ class VertexCoordinates {
     const Eigen::Vector3d axis = (flat_.col(pilot_[1]) - flat_.col(pilot_[0])).normalized();
     const Eigen::Vector3d normal =
         Eigen::AngleAxisd(-side_ * pilot_deg * kRadPerDeg, axis) * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d arm = points_.col(swung_) - flat_.col(pilot_[0]);
+    swung_row_ = rows();
+    swung_by_pilot_ = -side_ * axis.cross(normal).dot(arm);
     add(swung_, normal);
-    end(normal.dot(points_.col(swung_) - flat_.col(pilot_[0])));
+    end(normal.dot(arm));
     for (const auto& panel : panels_) {
       for (int i = 0; i < 4; ++i) {
         for (int k = i + 1; k < 4; ++k) {
@@ -153,7 +196,8 @@ class VertexCoordinates {
   Eigen::Matrix3Xd flat_, points_, before_;  // panel widths
   std::array<int, 2> pilot_;
   std::array<int, 4> pinned_;
-  int swung_ = -1;
+  int swung_ = -1, swung_row_ = 0;
+  double swung_by_pilot_ = 0;  // of its equation, per radian
   std::vector<std::array<int, 4>> panels_;
   std::vector<double> rest_;
   std::vector<Eigen::Triplet<double>> entries_;

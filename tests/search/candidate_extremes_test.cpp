@@ -1,0 +1,59 @@
+// Where candidates' diagonals first turn back, and the least rates of change, against vertex
+// coordinates: of draws next to whose fold limit, or next to D, both are hard to know.
+#include <gtest/gtest.h>
+
+#include "schema/catalogue/metric_table.hpp"
+#include "search/draws/draw_evaluator.hpp"
+#include "tests/solver/coordinate_extremes.hpp"
+
+namespace misalign::search {
+namespace {
+
+void expect_same(const char* column, const std::optional<double>& value,
+                 const std::optional<double>& expected, double width_mm) {
+  ASSERT_EQ(value.has_value(), expected.has_value()) << column;
+  if (!value) return;
+  const schema::Allowance& allowance = schema::find_metric(column)->allowance;
+  EXPECT_TRUE(allowance.allows(*value, *expected, width_mm, 1))
+      << column << ": " << *value << " instead of " << *expected;
+}
+
+void expect_extremes_of_coordinates(DrawEvaluator& evaluator, std::uint64_t draw) {
+  SCOPED_TRACE("draw " + std::to_string(draw));
+  const schema::UnitRecord unit = work_off(evaluator, {draw, draw + 1});
+  ASSERT_EQ(unit.candidates.size(), 1u);
+  const solver::Metrics& metrics = unit.candidates.front().metrics;
+  const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
+  const solver::CoordinateExtremes expected = coordinate_extremes(
+      base, evaluator.mechanism(), base.sheet.vertices_mm + unit.candidates.front().shifts_mm, 1,
+      metrics.deploys_from_sample, metrics.fold_limit_deg);
+  ASSERT_TRUE(expected.is_whole);
+  const double width_mm = evaluator.mechanism().panel_width_mm;
+  expect_same("reverses_at_deg", metrics.reverses_at_deg, expected.reverses_deg, width_mm);
+  expect_same("slope_between_min_mm_per_deg", metrics.slope_between_min_mm_per_deg,
+              expected.least_slope_mm_per_deg, width_mm);
+  expect_same("slope_min_mm_per_deg", metrics.slope_min_mm_per_deg, expected.least_step_mm_per_deg,
+              width_mm);
+}
+
+DrawEvaluator shipped(const char* name) {
+  return DrawEvaluator(schema::read_campaign_file(
+      std::string(MISALIGN_SOURCE_DIR "/search/campaigns/") + name + ".json"));
+}
+
+// Paths in close steps (32798, 154, 456, 483), and functions whose slope is least at D.
+TEST(CandidateExtremes, AreThoseOfVertexCoordinates) {
+  DrawEvaluator evaluator = shipped("miura-4x4");
+  for (const std::uint64_t draw : {32798, 154, 456, 483, 27281, 111, 392}) {
+    expect_extremes_of_coordinates(evaluator, draw);
+  }
+}
+
+// A diagonal that sets out like the fourth power of the pilot's angle has a cubic that goes back.
+TEST(CandidateExtremes, NoneTurnsAtFlatThatSetsOutSlowly) {
+  DrawEvaluator evaluator = shipped("miura-6x6");
+  expect_extremes_of_coordinates(evaluator, 195322);
+}
+
+}  // namespace
+}  // namespace misalign::search
