@@ -215,8 +215,8 @@ class SequentialMethod {
 
   static void find_end(BaseFolding& folding) {
     std::vector<HalfAngle<double>> angles;
-    const auto folds = [&](double pilot_deg) {
-      return folding.follow(half_angle_of_deg(pilot_deg), angles) < 0;
+    const auto folds = [&](double pilot_deg, double closed_rad = 0) {
+      return folding.follow(half_angle_of_deg(pilot_deg), closed_rad, angles) < 0;
     };
     double good = 0, bad = kEndStep_deg;
     while (bad <= 180 && folds(bad)) good = std::exchange(bad, bad + kEndStep_deg);
@@ -224,6 +224,7 @@ class SequentialMethod {
       const double middle = 0.5 * (good + bad);
       (folds(middle) ? good : bad) = middle;
     }
+    if (180 - good < kEndStep_deg && folds(180, kClosed_rad)) good = 180;
     folding.end_deg_ = good;
   }
 
@@ -270,14 +271,14 @@ class SequentialMethod {
   std::optional<NoBaseFolding> failure_;
 };
 
-int BaseFolding::follow(const HalfAngle<double>& pilot,
+int BaseFolding::follow(const HalfAngle<double>& pilot, double closed_rad,
                         std::vector<HalfAngle<double>>& angles) const {
   angles.assign(assignment_.size(), {1, 0});
   std::vector<bool> known(angles.size(), false);
   angles[pilot_edge_] = pilot;
   known[pilot_edge_] = true;
   for (const Step& step : steps_) {
-    const auto others = step.folds.others(angles[step.edges[0]]);
+    const auto others = step.folds.others(angles[step.edges[0]], closed_rad);
     if (!others) return step.vertex;
     for (int k = 0; k < 3; ++k) {
       const int edge = step.edges[k + 1];
@@ -290,7 +291,7 @@ int BaseFolding::follow(const HalfAngle<double>& pilot,
 
 std::vector<HalfAngle<double>> BaseFolding::fold_angles(const HalfAngle<double>& pilot) const {
   std::vector<HalfAngle<double>> angles;
-  follow(pilot, angles);
+  follow(pilot, kClosed_rad, angles);
   return angles;
 }
 

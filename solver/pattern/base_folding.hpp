@@ -40,7 +40,8 @@ class BaseFolding {
     DegreeFourVertex folds;
   };
   // Half fold angles so far, and the vertex that cannot fold that far; -1 if there is none.
-  int follow(const HalfAngle<double>& pilot, std::vector<HalfAngle<double>>& angles) const;
+  int follow(const HalfAngle<double>& pilot, double closed_rad,
+             std::vector<HalfAngle<double>>& angles) const;
 
   int pilot_edge_ = -1, side_ = 1;
   std::vector<int> assignment_;

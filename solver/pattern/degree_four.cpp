@@ -1,5 +1,6 @@
 #include "solver/pattern/degree_four.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace misalign::solver {
@@ -50,26 +51,29 @@ DegreeFourVertex::DegreeFourVertex(const std::array<Eigen::Vector2d, 4>& u, int 
 // Of the two roots each in the form that does not cancel; the denominator is positive next to flat,
 // and reaches zero where the crease does 180 degrees. Without p22, at vertices that fold flat, the
 // cosine is a factor of all terms, taken out so that 180 degrees is no zero over zero.
-std::optional<HalfAngle<double>> DegreeFourVertex::Adjacent::follow(
-    const HalfAngle<double>& first) const {
+std::optional<HalfAngle<double>> DegreeFourVertex::Adjacent::follow(const HalfAngle<double>& first,
+                                                                    double closed_rad) const {
   const double cosine = p22 == 0 ? 1 : first.c, factor = p22 == 0 ? first.c : 1;
   const double leading = p02 * cosine * cosine + p22 * first.s * first.s;
   const double square = p11 * p11 * cosine * cosine - p20 * leading;
-  if (square < 0) return std::nullopt;
-  const double q = p11 * cosine + std::sqrt(square);
+  // The cosine's square of the opposite crease, times what it is when flat.
+  if (square < -closed_rad * closed_rad * (p11 * p11 - p20 * p02)) return std::nullopt;
+  const double q = p11 * cosine + std::sqrt(std::max(square, 0.0));
   const double denominator = factor * (minus_root ? leading * sign_of(p02) : q);
-  if (denominator < 0) return std::nullopt;
-  return half_angle_of_ratio(first.s * (minus_root ? -q * sign_of(p02) : -p20), denominator);
+  const double numerator = first.s * (minus_root ? -q * sign_of(p02) : -p20);
+  if (denominator < -closed_rad * std::abs(numerator)) return std::nullopt;
+  return half_angle_of_ratio(numerator, std::max(denominator, 0.0));
 }
 
 std::optional<std::array<HalfAngle<double>, 3>> DegreeFourVertex::others(
-    const HalfAngle<double>& first) const {
-  const auto second = second_.follow(first), fourth = fourth_.follow(first);
+    const HalfAngle<double>& first, double closed_rad) const {
+  const auto second = second_.follow(first, closed_rad), fourth = fourth_.follow(first, closed_rad);
   // cos^2 = 1 - k sin^2 without the difference that rounding would spoil next to 180 degrees.
   const double cosine_square = first.c * first.c + (1 - opposite_square_) * first.s * first.s;
-  if (!second || !fourth || cosine_square < 0) return std::nullopt;
-  const HalfAngle<double> third = half_angle_of_ratio(
-      opposite_sign_ * std::sqrt(opposite_square_) * first.s, std::sqrt(cosine_square));
+  if (!second || !fourth || cosine_square < -closed_rad * closed_rad) return std::nullopt;
+  const HalfAngle<double> third =
+      half_angle_of_ratio(opposite_sign_ * std::sqrt(opposite_square_) * first.s,
+                          std::sqrt(std::max(cosine_square, 0.0)));
   return std::array{*second, third, *fourth};
 }
 

@@ -24,6 +24,12 @@ namespace misalign::solver {
 /// tangent ratios are then constant. Coordinates written to 1e-4 mm on 80 mm panels leave 3e-6.
 inline constexpr double kFlatFoldable_rad = 1e-5;
 
+/// A crease that would be beyond 180 degrees by no more than this is closed (1e-5 degrees; cosines
+/// of half fold angles, and roots of what their squares are, below zero by that much are zero): in
+/// cosines rounding leaves 1e-15, in their squares 1e-16, whose root is 1e-8. Without it, whether a
+/// sheet closes at 180 degrees would be rounding's to say.
+inline constexpr double kClosed_rad = 1e-7;
+
 class DegreeFourVertex {
  public:
   /// Unit directions of the creases in the sheet, counter-clockwise from the one whose fold angle
@@ -36,15 +42,17 @@ class DegreeFourVertex {
   bool flat_foldable() const { return flat_foldable_; }
 
   /// rho_2, rho_3, rho_4; none where it cannot fold that far, or where one of them would lie beyond
-  /// 180 degrees.
-  std::optional<std::array<HalfAngle<double>, 3>> others(const HalfAngle<double>& first) const;
+  /// 180 degrees by more than `closed_rad`.
+  std::optional<std::array<HalfAngle<double>, 3>> others(const HalfAngle<double>& first,
+                                                         double closed_rad = kClosed_rad) const;
 
  private:
   // How crease 2, or 4, follows from crease 1: coefficients of the relation above.
   struct Adjacent {
     double p22, p20, p02, p11;
     bool minus_root;
-    std::optional<HalfAngle<double>> follow(const HalfAngle<double>& first) const;
+    std::optional<HalfAngle<double>> follow(const HalfAngle<double>& first,
+                                            double closed_rad) const;
   };
 
   Adjacent second_, fourth_;

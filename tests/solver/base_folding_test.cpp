@@ -88,6 +88,38 @@ TEST(BaseFolding, MiuraClosedForm) {
   }
 }
 
+// A zigzag line's creases have sin(rho / 2) sin(alpha) in common, alpha = atan(height / offset) of
+// their rows: where row 0, which has the pilot, has the least sine, it closes first; in the other
+// order row 3 does, before the pilot is at 180 degrees.
+TEST(BaseFolding, EndsAt180DegreesWhereItClosesThere) {
+  std::vector<double> height_mm = {100, 30, 70, 45}, offset_mm = {60, 10, 33, 25}, sine;
+  for (const bool closes : {true, false}) {
+    sine.clear();
+    for (int i = 0; i < 4; ++i)
+      sine.push_back(height_mm[i] / std::hypot(height_mm[i], offset_mm[i]));
+    const MiuraShape shape{{80, 80, 80, 80}, height_mm, offset_mm};
+    const CreasePattern sheet = miura_sheet(shape);
+    const BaseFolding folding =
+        folded(sheet, miura_assignment(shape, sheet), default_pilot(sheet, {}));
+    const double least = *std::min_element(sine.begin(), sine.end());
+    if (closes) {
+      EXPECT_EQ(folding.end_deg(), 180);
+    } else {
+      EXPECT_NEAR(folding.end_deg(), 2 * std::asin(least / sine[0]) / kRadPerDeg, 2e-7);
+    }
+    const auto angles = folding.fold_angles(half_angle_of_deg(folding.end_deg()));
+    EXPECT_LT(largest_opening(sheet, angles), 1e-7);
+    for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
+      const Edge& edge = sheet.edges[e];
+      if (edge.on_perimeter() || edge.b != edge.a + 5) continue;
+      const double pilot_sine = std::sin(folding.end_deg() * kRadPerDeg / 2);
+      EXPECT_NEAR(std::abs(angles[e].s), pilot_sine * sine[0] / sine[edge.a / 5], 1e-12);
+    }
+    std::reverse(height_mm.begin(), height_mm.end());
+    std::reverse(offset_mm.begin(), offset_mm.end());
+  }
+}
+
 TEST(BaseFolding, ExampleMeshesCloseFromFlatToTheEnd) {
   struct Case {
     const char* file;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -202,10 +203,48 @@ TEST(DegreeFour, FoldsToItsEndAndNoFarther) {
       EXPECT_TRUE(vertex.others(half(end * (1 - 1e-6)))) << i << " way " << way << " end " << end;
       if (end == kHalfTurn) continue;
       ++ended;
-      EXPECT_FALSE(vertex.others(half(end * (1 + 1e-6)))) << i << " way " << way << " end " << end;
+      EXPECT_FALSE(vertex.others(half(end * (1 + 1e-6)), 0))
+          << i << " way " << way << " end " << end;
     }
   }
   EXPECT_GT(ended, kVertices / 10);
+}
+
+// The crease that closes first, from both sides of the tolerance; `first_at` gives the first one's
+// half angle where the cosine of that crease's is less than 0 by as much.
+void expect_closing(const DegreeFourVertex& vertex, int crease,
+                    const std::function<HalfAngle<double>(double)>& first_at) {
+  const auto k = static_cast<std::size_t>(crease - 2);
+  ASSERT_TRUE(vertex.others(first_at(-1e-4), 0));
+  EXPECT_GT((*vertex.others(first_at(-1e-4), 0))[k].c, 0);
+  EXPECT_FALSE(vertex.others(first_at(0.5 * kClosed_rad), 0));
+  const auto closed = vertex.others(first_at(0.5 * kClosed_rad));
+  ASSERT_TRUE(closed);
+  EXPECT_EQ((*closed)[k].c, 0);
+  EXPECT_EQ(std::abs((*closed)[k].s), 1);
+  EXPECT_FALSE(vertex.others(first_at(2 * kClosed_rad)));
+}
+
+TEST(DegreeFour, ClosesWithinATolerance) {
+  const double deg = kRadPerDeg;
+  // sin^2(rho_3 / 2) is k times that of the first: cos^2 is 1 - k sin^2.
+  const Sectors uneven = {85 * deg, 70 * deg, 105 * deg, 100 * deg};
+  const double k =
+      std::sin(85 * deg) * std::sin(100 * deg) / std::sin(70 * deg) / std::sin(105 * deg);
+  expect_closing(DegreeFourVertex(directions(uneven, 0), 1), 3, [&](double beyond) {
+    const double sine_square = (1 + beyond * std::abs(beyond)) / k;
+    return HalfAngle<double>{std::sqrt(1 - sine_square), std::sqrt(sine_square)};
+  });
+  // Creases 1 and 3 in line, folded unlike: tan(rho_4 / 2) = 2 sin a sin c t / (p - q t^2) with
+  // p = -sin(a + d) sin c, q = sin d sin(a + c) and t the first one's.
+  const Sectors in_line = {70 * deg, 110 * deg, 60 * deg, 120 * deg};
+  const double p = -std::sin(190 * deg) * std::sin(60 * deg),
+               q = std::sin(120 * deg) * std::sin(130 * deg),
+               top = 2 * std::sin(70 * deg) * std::sin(60 * deg);
+  expect_closing(DegreeFourVertex(directions(in_line, 0), -1), 4, [&](double beyond) {
+    const double t = std::sqrt(p / q) * (1 + beyond * top / (2 * std::sqrt(p * q)));
+    return half(2 * std::atan(t));
+  });
 }
 
 // Opposite sectors of 180 degrees together: tan(rho / 2) in constant ratios, up to 180 degrees.
