@@ -18,6 +18,8 @@ CREATE TABLE campaign (
   goal_relative_error REAL CHECK (goal_relative_error > 0)  -- of the acceptance rate
 ) STRICT;
 
+-- What a run says of itself. Advice, and never checked: host, version, commit, compiler, flags, when exactly,
+-- why it ended, what committing cost. (README.md, "What is checked, and what is advice")
 CREATE TABLE run (
   id INTEGER PRIMARY KEY,
   started_at TEXT NOT NULL,  -- UTC, ISO 8601
@@ -66,7 +68,8 @@ BEGIN
   SELECT RAISE(ABORT, 'what is in the ledger stays there');
 END;
 
--- What the tests that judge draws saw, by cause and degree. Advisory: it depends on the build.
+-- What the tests that judge draws saw, by cause and degree: each rejected draw once, or more often where
+-- catalogues were joined. Advice: which cause and degree depends on the build, and only their sum is checked.
 CREATE TABLE screened (
   cause TEXT NOT NULL,
   tested_deg REAL NOT NULL,

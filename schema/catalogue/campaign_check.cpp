@@ -1,5 +1,7 @@
 #include "schema/catalogue/campaign_check.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "schema/catalogue/candidate_row.hpp"
@@ -36,31 +38,99 @@ void check_diagonals(SQLite::Database& database, const Campaign& campaign,
   findings.push_back(differs("campaign", "diagonals", text, recomputed.dump()));
 }
 
-void check_goal(SQLite::Database& database, const CatalogueState& state,
-                std::vector<Finding>& findings) {
-  const std::uint64_t end = goal_end_of_rows(database, state.goal).value();
-  if (end != state.goal_end) {
-    findings.push_back(differs("campaign", "goal_end", state.goal_end, end));
+// What was screened of draws: every rejected one once.
+constexpr int kScreenedOnceSince = 3;
+
+bool is_sample(double deg, const Campaign& campaign) {
+  const double sample = deg / campaign.sample_deg;
+  return deg >= 0 && deg <= campaign.end_deg + campaign.sample_deg / 2 &&
+         std::abs(sample - std::round(sample)) <= 1e-9 * sample;
+}
+
+// The run's configuration is one of this campaign.
+void check_configuration(const std::string& where, const std::string& text,
+                         const Campaign& campaign, std::vector<Finding>& findings) {
+  std::string found;
+  try {
+    found = identity(read_campaign(parse_json(text, where), where));
+  } catch (const UserError&) {
+    found = "none";
   }
+  const std::string wanted = identity(campaign);
+  if (found != wanted) findings.push_back(differs(where, "configuration", found, wanted));
 }
 
 }  // namespace
+
+std::optional<Finding> goal_fault(SQLite::Database& database, const CatalogueState& state) {
+  const std::uint64_t end = goal_end_of_rows(database, state.goal).value();
+  if (end == state.goal_end) return std::nullopt;
+  return differs("campaign", "goal_end", state.goal_end, end);
+}
 
 void check_campaign_row(SQLite::Database& database, const Campaign& campaign,
                         const std::optional<CatalogueState>& state,
                         std::vector<Finding>& findings) {
   check_diagonals(database, campaign, findings);
-  if (state) check_goal(database, *state, findings);
+  if (!state) return;
+  if (const auto fault = goal_fault(database, *state)) findings.push_back(*fault);
 }
 
-void check_runs(SQLite::Database& database, std::vector<Finding>& findings) {
+void check_screened(SQLite::Database& database, const Campaign& campaign,
+                    std::vector<Finding>& findings) {
+  std::uint64_t screened = 0, rejected = 0;
+  SQLite::Statement row(database, "SELECT tested_deg, draws FROM screened");
+  while (row.executeStep()) {
+    screened += draw_of(row.getColumn(1));
+    const double tested_deg = row.getColumn(0).getDouble();
+    if (!is_sample(tested_deg, campaign) || row.getColumn(1).getInt64() <= 0) {
+      findings.push_back(
+          differs("screened", "row", Json{tested_deg, row.getColumn(1).getInt64()}, Json()));
+    }
+  }
+  if (!campaign.splitting) {
+    SQLite::Statement units(database, "SELECT rejected FROM unit");
+    while (units.executeStep()) rejected += draw_of(units.getColumn(0));
+  }
+  // Of catalogues that were joined all that was screened is here, and of their units perhaps a
+  // part.
+  SQLite::Statement more(database, "SELECT EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged' OR " +
+                                       column_sql("run", "schema_version", version_of(database)) +
+                                       " < " + std::to_string(kScreenedOnceSince) + ")");
+  more.executeStep();
+  const bool may_be_more = more.getColumn(0).getInt() != 0;
+  if (may_be_more ? screened < rejected : screened != rejected) {
+    findings.push_back(differs("screened", "draws", screened, rejected));
+  }
+}
+
+void check_level(const std::string& where, const LevelCount& level, const Splitting& splitting,
+                 std::vector<Finding>& findings) {
+  const auto compare = [&](const char* column, std::uint64_t stored, std::uint64_t expected) {
+    if (stored == expected) return;
+    const std::string name = fmt::format("level {}, {}", level.level, column);
+    findings.push_back(differs(where, name, stored, expected));
+  };
+  const bool is_first = level.level == 0;
+  const std::uint64_t particles = is_first ? splitting.first_draws : splitting.particles;
+  compare("particles", level.particles, particles);
+  compare("tried", level.tried, is_first ? particles : particles * splitting.sweeps);
+  if (is_first) compare("taken", level.taken, level.survivors);
+}
+
+void check_runs(SQLite::Database& database, const Campaign& campaign,
+                std::vector<Finding>& findings) {
   const int version = version_of(database);
-  const auto cost = [&](const char* column) { return ", " + column_sql("run", column, version); };
+  const auto later = [&](const char* column) { return ", " + column_sql("run", column, version); };
   SQLite::Statement row(database,
                         "SELECT run.id, ranks, count(unit.lo), max(worker), "
                         "EXISTS (SELECT 1 FROM run WHERE \"end\" = 'merged')" +
-                            cost("commits") + cost("commit_s") + cost("longest_commit_s") +
-                            " FROM run LEFT JOIN unit ON unit.run = run.id GROUP BY run.id");
+                            later("commits") + later("commit_s") + later("longest_commit_s") +
+                            later("schema_version") +
+                            ", julianday(started_at), ended_at IS NULL = (\"end\" IS NULL), "
+                            "ended_at IS NULL OR julianday(ended_at), min(seconds), max(seconds) "
+                            "FROM run LEFT JOIN unit ON "
+                            "unit.run = run.id GROUP BY run.id");
   while (row.executeStep()) {
     const std::string where = "run " + text_of(row.getColumn(0));
     const std::int64_t ranks = row.getColumn(1).getInt64(), units = row.getColumn(2).getInt64();
@@ -74,10 +144,39 @@ void check_runs(SQLite::Database& database, std::vector<Finding>& findings) {
       findings.push_back(
           differs(where, "commits", commits, "at most its " + std::to_string(units) + " units"));
     }
+    if (commits < 0) findings.push_back(differs(where, "commits", commits, "a count"));
     const double all_s = row.getColumn(6).getDouble(), longest_s = row.getColumn(7).getDouble();
     if (longest_s > all_s) {
       findings.push_back(differs(where, "longest_commit_s", longest_s, all_s));
     }
+    if (!(longest_s >= 0)) {
+      findings.push_back(differs(where, "longest_commit_s", longest_s, "a time"));
+    }
+    if (units > 0) {
+      const double least_s = row.getColumn(12).getDouble(), most_s = row.getColumn(13).getDouble();
+      if (!(least_s >= 0 && std::isfinite(most_s))) {
+        findings.push_back(differs("units of " + where, "seconds",
+                                   fmt::format("{} to {}", least_s, most_s), "times"));
+      }
+    }
+    const int written_by = row.getColumn(8).getInt();
+    if (written_by < 1 || written_by > version) {
+      findings.push_back(
+          differs(where, "schema_version", written_by, "one of 1 to " + std::to_string(version)));
+    }
+    if (row.getColumn(9).isNull()) {
+      findings.push_back(differs(where, "started_at", "no time", "a time"));
+    }
+    if (row.getColumn(10).getInt() == 0 || row.getColumn(11).isNull()) {
+      findings.push_back(differs(where, "ended_at", "none, or no time", "a time beside its end"));
+    }
+  }
+  // Most runs of a campaign have the same one.
+  SQLite::Statement configuration(
+      database, "SELECT min(id), configuration FROM run GROUP BY configuration ORDER BY 1");
+  while (configuration.executeStep()) {
+    check_configuration("run " + text_of(configuration.getColumn(0)),
+                        text_of(configuration.getColumn(1)), campaign, findings);
   }
 }
 

@@ -39,7 +39,8 @@ class LedgerCheck {
     check_verdicts();
     check_digest();
     check_campaign_row(database_, campaign_, state_, findings_);
-    check_runs(database_, findings_);
+    check_screened(database_, campaign_, findings_);
+    check_runs(database_, campaign_, findings_);
     return {std::move(findings_), std::move(state_), std::move(why_no_state_)};
   }
 
@@ -196,11 +197,7 @@ class LedgerCheck {
     }
     for (auto& [lo, unit] : units_) {
       const std::vector<LevelCount> levels = read_population(database_, lo);
-      for (const LevelCount& level : levels) {
-        const std::uint32_t there = level.level == 0 ? splitting.first_draws : splitting.particles;
-        if (level.particles == there) continue;
-        add(name(lo), fmt::format("level {}, particles", level.level), level.particles, there);
-      }
+      for (const LevelCount& level : levels) check_level(name(lo), level, splitting, findings_);
       const CandidateSum sum = sum_of_levels(lo, levels);
       unit.summed.add(sum);
       if (state_ && lo < state_->goal_end) counted_.sum.add(sum);

@@ -26,6 +26,12 @@ struct LevelCount {
   double seconds;
 };
 
+/// Calls `see` with each count in which two accounts of one population differ, all but its time:
+/// "level 2, met". Null where one of them has not come to that level.
+void each_difference(
+    const std::vector<LevelCount>& a, const std::vector<LevelCount>& b,
+    const std::function<void(const std::string& count, const Json& a, const Json& b)>& see);
+
 /// Its estimate of the share of draws that reach this level: the product of what survived before. 0
 /// if it died on the way. Unbiased.
 double share_reaching(std::uint32_t level, const std::vector<LevelCount>& levels);

@@ -169,14 +169,11 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
   const PopulationRecord again = climbed(ladder, number, climber);
   schema::reading(database, [&] {
     const std::string where = "population " + std::to_string(number);
-    Json stored_survivors = Json::array(), survivors = Json::array();
-    for (const auto& level : schema::read_population(database, unit)) {
-      stored_survivors.push_back(level.survivors);
-    }
-    for (const auto& level : again.levels) survivors.push_back(level.survivors);
-    if (stored_survivors != survivors) {
-      findings.push_back(schema::differs(where, "survivors", stored_survivors, survivors));
-    }
+    schema::each_difference(
+        schema::read_population(database, unit), again.levels,
+        [&](const std::string& count, const Json& stored, const Json& recomputed) {
+          findings.push_back(schema::differs(where, count, stored, recomputed));
+        });
     const std::uint64_t end = end_of_kept(database, campaign);
     Accepted stored = stored_accepted(database, {unit, unit + schema::kNumbersOfPopulation});
     for (const FoundSheet& found : again.found) {

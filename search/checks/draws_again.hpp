@@ -36,8 +36,8 @@ std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluat
                               const schema::DrawRange& unit,
                               std::vector<schema::Finding>& findings);
 
-/// The same of a population: how many survived at each level, and that every sheet it meets is
-/// kept, under its number or a lesser one, or lies beyond the last that is. UserError (3).
+/// The same of a population: all counts of its levels but the time, and that every sheet it meets
+/// is kept, under its number or a lesser one, or lies beyond the last that is. UserError (3).
 void make_population_again(SQLite::Database& database, Climber& climber, std::uint64_t unit,
                            std::vector<schema::Finding>& findings);
 

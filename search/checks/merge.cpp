@@ -171,19 +171,17 @@ class Merge {
   }
 
   // Which of its sheets a population has depends on the others: another has them if it met them
-  // first. How many survived is its own.
+  // first. What became of it at its levels is its own.
   void compare_populations(SQLite::Database& merged, const Input& input, const DrawRange& range) {
-    const auto survivors = [&](SQLite::Database& database) {
-      return schema::reading(database, [&] {
-        Json all = Json::array();
-        for (const schema::LevelCount& level : schema::read_population(database, range.lo)) {
-          all.push_back(level.survivors);
-        }
-        return all;
-      });
+    const auto levels_of = [&](SQLite::Database& database) {
+      return schema::reading(database, [&] { return schema::read_population(database, range.lo); });
     };
-    const Json mine = survivors(merged), theirs = survivors(*input.database);
-    if (mine != theirs) differ(input, range.lo, "survivors", theirs, mine);
+    const std::string where =
+        "population " + std::to_string(range.lo / schema::kNumbersOfPopulation);
+    schema::each_difference(levels_of(*input.database), levels_of(merged),
+                            [&](const std::string& count, const Json& theirs, const Json& mine) {
+                              differ(input, where, count, theirs, mine);
+                            });
   }
 
   // Of what a splitting campaign keeps at most, the least that was asked for in any of them: of
@@ -238,7 +236,11 @@ class Merge {
 
   void differ(const Input& input, std::uint64_t draw, const std::string& column, const Json& theirs,
               const Json& mine) {
-    const std::string where = "draw " + std::to_string(draw);
+    differ(input, "draw " + std::to_string(draw), column, theirs, mine);
+  }
+
+  void differ(const Input& input, const std::string& where, const std::string& column,
+              const Json& theirs, const Json& mine) {
     const auto shown = [](const Json& value) { return schema::shortened(value.dump(), 200); };
     report_.findings.push_back({where + ": " + column + " is " + shown(theirs) + " in " +
                                     input.path + ", but " + shown(mine) + " elsewhere",

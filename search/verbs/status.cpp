@@ -2,6 +2,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "schema/catalogue/campaign_check.hpp"
 #include "search/draws/nothing_found.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
@@ -18,7 +19,11 @@ struct StatusCall {
 
 int show_status(const StatusCall& call) {
   const auto database = schema::open_for_reading(call.path);
+  std::optional<SQLite::Transaction> moment;
+  schema::reading(*database, [&] { moment.emplace(*database); });
   const schema::CatalogueState state = schema::read_state(*database);
+  const auto goal_fault =
+      schema::reading(*database, [&] { return schema::goal_fault(*database, state); });
   std::optional<DeployingFrom> deploying;
   if (call.at_deg) {
     const schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
@@ -38,7 +43,15 @@ int show_status(const StatusCall& call) {
     std::fflush(stdout);
     if (!call.check) spdlog::info("next: {}", next_step(state, call.path, ""));
   }
-  return call.check && !state.gaps.empty() ? schema::kExitWorkRemains : 0;
+  if (goal_fault) {
+    spdlog::error(
+        "{}: {} (another program changed it), so that complete and missing say nothing; the next "
+        "search of this campaign puts it right",
+        call.path, goal_fault->sentence);
+  }
+  if (!call.check) return 0;
+  if (goal_fault) return schema::kExitCheckFailed;
+  return state.gaps.empty() ? 0 : schema::kExitWorkRemains;
 }
 
 }  // namespace
@@ -54,7 +67,8 @@ Action status_verb(CLI::App& verb) {
   auto call = std::make_shared<StatusCall>();
   verb.add_option("CATALOGUE", call->path, "catalogue file")->required();
   verb.add_flag("--json", call->json, "as JSON");
-  verb.add_flag("--check", call->check, "exit code 75 while work remains, 0 when complete");
+  verb.add_flag("--check", call->check,
+                "exit code 75 while work remains, 0 when complete, 6 if the goal's end is none");
   verb.add_option("--at", call->at_deg,
                   "also count the candidates that deploy from this angle, degrees")
       ->type_name("DEG");

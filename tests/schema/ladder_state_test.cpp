@@ -49,7 +49,7 @@ class LadderTest : public CatalogueTest {
   // comes to the top by 1/8, 1/8 and 1. Sheet 2 is met three times, 3 twice.
   std::vector<UnitRecord> populations() const {
     return {population(0,
-                       {{0, 200, 50, 50, 200, 60, 1, 0, 0.5},
+                       {{0, 200, 50, 50, 200, 50, 1, 0, 0.5},
                         {1, 40, 10, 8, 200, 120, 2, 0, 1},
                         {2, 40, 20, 5, 200, 90, 3, 1, 1.5},
                         {3, 40, 0, 0, 200, 33, 0, 1, 2}},
@@ -109,7 +109,7 @@ TEST_F(LadderTest, CountsAndRatesAreThoseOfItsPopulations) {
     double seconds, largest_part;
   };
   const std::vector<Expected> kLevels = {
-      {0, 1, 3, 600, 175, 175, 600, 185, 1, 1, 1.75, 1.0 / 3},
+      {0, 1, 3, 600, 175, 175, 600, 175, 1, 1, 1.75, 1.0 / 3},
       {150, 7.0 / 24, 3, 120, 15, 12, 600, 340, 2, 1, 2.75, 4.0 / 7},
       {160.5, 5.0 / 192, 2, 80, 60, 9, 400, 160, 7, 3, 2.5, 4.0 / 5},
       {170, 1.0 / 64, 2, 80, 0, 0, 400, 40, 0, 2, 3, 2.0 / 3}};

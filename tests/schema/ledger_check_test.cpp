@@ -98,6 +98,37 @@ TEST_F(LedgerCheckTest, CampaignAndRunsAreWhatFollows) {
   EXPECT_TRUE(finds("UPDATE run SET longest_commit_s = 2 * commit_s + 1", "longest_commit_s"));
 }
 
+TEST_F(LedgerCheckTest, RunsSayNothingThatCannotBe) {
+  EXPECT_TRUE(finds("UPDATE run SET started_at = 'yesterday'", "started_at"));
+  EXPECT_TRUE(finds("UPDATE run SET ended_at = ''", "ended_at"));
+  EXPECT_TRUE(finds("UPDATE run SET ended_at = NULL", "ended_at"));  // beside its end
+  EXPECT_TRUE(finds("UPDATE run SET commits = -1", "commits"));
+  EXPECT_TRUE(finds("UPDATE run SET longest_commit_s = -1", "longest_commit_s"));
+  EXPECT_TRUE(finds("UPDATE run SET schema_version = 8", "schema_version"));
+  EXPECT_TRUE(finds("UPDATE run SET schema_version = 0", "schema_version"));
+  EXPECT_TRUE(finds("UPDATE run SET configuration = 'nonsense'", "configuration"));
+  EXPECT_TRUE(finds("UPDATE run SET configuration = json_set(configuration, '$.seed', 2)",
+                    "configuration"));
+  for (const char* lie : {"-1", "9e999"}) {
+    EXPECT_TRUE(finds("UPDATE unit SET seconds = " + std::string(lie), "seconds"));
+  }
+}
+
+// Each rejected draw was rejected by one cause, at a sample of the path.
+TEST_F(LedgerCheckTest, WhatWasScreenedIsWhatWasRejected) {
+  EXPECT_TRUE(finds("UPDATE screened SET draws = draws + 1", "draws"));
+  EXPECT_TRUE(finds("DELETE FROM screened", "draws"));
+  EXPECT_TRUE(finds("INSERT INTO screened VALUES ('bump', 9, 1)", "draws"));
+  EXPECT_TRUE(finds("UPDATE screened SET tested_deg = 8.5", "row"));
+  EXPECT_TRUE(finds("UPDATE screened SET tested_deg = 181", "row"));
+  EXPECT_TRUE(finds("UPDATE screened SET draws = -draws", "row"));
+  // Of catalogues that were joined there may be more.
+  std::filesystem::remove(path());
+  write();
+  change_rows(path(), "UPDATE screened SET draws = draws + 1; UPDATE run SET end = 'merged'");
+  for (const Finding& finding : findings()) ADD_FAILURE() << finding.sentence;
+}
+
 TEST_F(LedgerCheckTest, WhatIsSampledIsAcceptedWhereItIsACandidate) {
   EXPECT_TRUE(finds("UPDATE fault_sample SET deploys_from_sample = 180 WHERE draw = 1024",
                     "fault_sample.accepted"));

@@ -99,9 +99,10 @@ class HostileLadder : public testing::Test {
     });
     return said + why;
   }
-  static std::string verified(const std::string& path) {
+  static std::string verified(const std::string& path, std::uint64_t units = 0) {
     std::string said;
-    const Verification found = verify(*schema::open_for_reading(path), path, {.sample = 1});
+    const Verification found =
+        verify(*schema::open_for_reading(path), path, {.sample = 1, .units = units});
     for (const schema::Finding& finding : found.findings) said += finding.sentence + "\n";
     EXPECT_NE(verification_text(found), "");
     return said;

@@ -11,7 +11,7 @@ TEST_F(HostileLadder, TheGoodOneIsGoneOnWith) {
   const std::string path = attacked("SELECT 1");
   EXPECT_EQ(refused([&] { look(path); }), "");
   EXPECT_EQ(refused([&] { take_out(path); }), "");
-  EXPECT_EQ(verified(path), "");
+  EXPECT_EQ(verified(path, 2), "");
   EXPECT_EQ(joined({path, whole_}), "");
   EXPECT_EQ(digest_of(folder_.file("joined.db")), digest_);
   climb(path, 3);
@@ -115,6 +115,32 @@ TEST_F(HostileLadder, LevelsAndParticlesOfAnotherCampaign) {
             std::string::npos);
   const std::string more = attacked("UPDATE population SET particles = 21 WHERE level = 1");
   EXPECT_NE(verified(more).find("level 1, particles is 21 as stored, 20"), std::string::npos);
+}
+
+// Counts that add up and are others: found where a population is made again, or compared.
+TEST_F(HostileLadder, CountsOfAnotherPopulation) {
+  for (const auto& [name, lie] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"taken", "taken = taken - 1"},
+           {"undecided", "undecided = undecided + 1, taken = taken - 1"},
+           {"met", "met = met + 1"},
+           {"ancestors", "ancestors = ancestors - 1"}}) {
+    SCOPED_TRACE(lie);
+    const std::string path =
+        attacked("UPDATE population SET " + std::string(lie) + " WHERE unit = 0 AND level = 1");
+    const std::string count = "population 0: level 1, " + std::string(name) + " is ";
+    EXPECT_EQ(verified(path), "");  // nothing else can know
+    EXPECT_NE(verified(path, 2).find(count), std::string::npos) << verified(path, 2);
+    EXPECT_NE(joined({path, whole_}).find(count), std::string::npos);
+    EXPECT_NE(joined({whole_, path}).find(count), std::string::npos);
+  }
+  // Of these the campaign knows.
+  for (const auto& [name, lie] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"level 1, tried", "tried = tried + 1 WHERE level = 1"},
+           {"level 0, tried", "tried = tried + 1 WHERE level = 0"},
+           {"level 0, taken", "taken = taken - 1 WHERE level = 0"}}) {
+    const std::string path = attacked("UPDATE population SET " + std::string(lie));
+    EXPECT_NE(verified(path).find(name), std::string::npos) << lie << ": " << verified(path);
+  }
 }
 
 TEST_F(HostileLadder, GoalsThatPopulationsCannotHave) {

@@ -160,6 +160,7 @@ TEST_F(MergeTest, VerdictsThatDifferAreNamed) {
     unit.candidates.pop_back();
     --unit.accepted;
     ++unit.rejected;
+    ++unit.screened[{static_cast<int>(solver::Fault::not_monotone), 8}];
     schema::Catalogue catalogue(path("b.db"), evaluator_.campaign(), evaluator_.mechanism());
     catalogue.begin_run(run_, {{0, 3000}, {}, {}});
     catalogue.commit({unit});
@@ -223,9 +224,8 @@ TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
 // Rows that a catalogue's checks forbid, and that its ledger does not show: the sentence is about
 // the input, not about the output that is not there.
 TEST_F(MergeTest, RowsThatNoCatalogueMayHoldAreRefused) {
-  for (const char* sql :
-       {"UPDATE candidate SET displacements_mm = 'nonsense'",
-        "UPDATE run SET configuration = 'nonsense'", "INSERT INTO screened VALUES ('x', 1, -1)"}) {
+  for (const char* sql : {"UPDATE candidate SET displacements_mm = 'nonsense'",
+                          "UPDATE candidate SET elongation = 'nonsense'"}) {
     std::filesystem::remove(path("a.db"));
     make("a.db", {{0, 100}});
     change("a.db", std::string("PRAGMA ignore_check_constraints = ON; ") + sql);

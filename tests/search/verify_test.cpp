@@ -64,7 +64,8 @@ class VerifyTest : public testing::Test {
   std::int64_t number(const std::string& sql) {
     return SQLite::Database(path_()).execAndGet(sql).getInt64();
   }
-  // The unit's row as its candidates are now: all that can be mended without computing.
+  // The unit's row, and what was screened, as its candidates are now: all that can be mended
+  // without computing.
   void mend(std::int64_t unit) {
     SQLite::Database database(path_(), SQLite::OPEN_READWRITE);
     schema::CandidateSum sum;
@@ -84,6 +85,10 @@ class VerifyTest : public testing::Test {
     update.bind(2, bytes.data(), static_cast<int>(bytes.size()));
     update.bind(3, unit);
     update.exec();
+    database.exec(
+        "UPDATE screened SET draws = draws + (SELECT sum(rejected) FROM unit) - (SELECT sum(draws) "
+        "FROM screened) WHERE (cause, tested_deg) = (SELECT cause, tested_deg FROM screened ORDER "
+        "BY draws DESC LIMIT 1)");
   }
 
   std::filesystem::path folder_;

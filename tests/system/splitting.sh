@@ -52,9 +52,15 @@ while [ $hit -lt "$kills_wanted" ] && [ $failures = 0 ]; do
 done
 echo "$hit kills of a search under way, $ended came too late"
 search --catalogue killed.db
+# What became of each population at each level, but for the time that it took.
+levels() {
+  sql "$1" 'SELECT unit, level, particles, survivors, ancestors, tried, taken, undecided, met
+            FROM population ORDER BY unit, level' | cksum
+}
 for file in ranks2 ranks3 baseline joined killed; do
   sound $file.db ${populations}0000000000
   [ "$(digest_of $file.db)" = "$expected" ] || fail "$file: another digest"
+  [ "$(levels $file.db)" = "$(levels calm.db)" ] || fail "$file: other counts"
 done
 
 # What is known of sheets of later populations goes with them when earlier ones turn out to have met them; where

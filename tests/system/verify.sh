@@ -60,6 +60,24 @@ found "UPDATE campaign SET diagonals = json_set(diagonals, '\$[0].to', 'A1')" "c
 found "UPDATE unit SET worker = 1 WHERE lo = 30" "ranks"
 found "UPDATE fault_sample SET first_fault = 'bump', fault_deg = 29" "draw 0: fault_sample.first_fault"
 
+# A goal's end that is none: neither complete nor incomplete, until the next search puts it right.
+"$program" search campaign.json --draws 1000000 --max-time 0.1 --catalogue some.db > /dev/null 2>&1 || fail "some"
+sed '0,/{/s//{ "search": {"method": "splitting", "particles": 20, "sweeps": 2, "first_draws": 60},/' campaign.json > split.json
+"$program" search split.json --populations 2 --catalogue split.db > /dev/null 2>&1 || fail "splitting"
+for file in small some split; do
+  cp $file.db goal.db
+  "$program" status goal.db --check > /dev/null 2> err
+  [ $? != 6 ] && ! grep -q goal_end err || fail "$file: the goal's end is good"
+  sqlite3 goal.db "UPDATE campaign SET goal_end = 0"
+  "$program" status goal.db --check > /dev/null 2> err
+  [ $? = 6 ] && grep -q "goal.db: campaign: goal_end is 0 as stored, [1-9]" err ||
+    fail "$file: a goal's end of 0: $(cat err)"
+  "$program" status goal.db > /dev/null 2> err
+  [ $? = 0 ] && grep -q "goal_end is 0 as stored" err || fail "$file: without --check: $(cat err)"
+done
+"$program" search split.json --populations 2 --catalogue goal.db > /dev/null 2>&1 || fail "the next search"
+"$program" status goal.db --check > /dev/null 2>&1 || fail "the next search puts it right"
+
 # All draws of some units once more.
 "$program" verify small.db --sample 1 --units 2 --seed 7 > text || fail "--units"
 grep -q "^units        2 of 3 made again, 60 draws (--seed 7).* probability 0.667" text || { fail "--units"; cat text; }
