@@ -1,16 +1,19 @@
 #include "search/ranks/rank_starter.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "schema/files/input.hpp"
 #include "search/terminal/terminal.hpp"
@@ -58,9 +61,35 @@ std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>&
   return command;
 }
 
-// In the child: mpirun, or the reason why not into the pipe.
+// Both ends close when this process becomes another one.
+struct Pipe {
+  int read_end = -1, write_end = -1;
+
+  Pipe() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) {
+      throw UserError(schema::kExitFailure, std::string("no pipe can be made (") +
+                                                std::strerror(errno) + "); close some programs");
+    }
+    read_end = ends[0];
+    write_end = ends[1];
+  }
+  ~Pipe() {
+    close(read_end);
+    close_write_end();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  void close_write_end() {
+    if (write_end >= 0) close(write_end);
+    write_end = -1;
+  }
+};
+
+// In the child: mpirun, or the reason why not into a pipe.
 [[noreturn]] void become_mpirun(const std::vector<std::string>& command, const sigset_t& mask,
-                                pid_t starter, int reason) {
+                                pid_t starter, int reason, int printed) {
   // A group of its own: Ctrl-C is for the starter, which says it to rank 0. And nothing to read:
   // mpirun would take what was meant for others.
   setpgid(0, 0);
@@ -68,6 +97,7 @@ std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>&
   if (getppid() != starter) _exit(1);
   const int nothing = open("/dev/null", O_RDONLY);
   if (nothing > 0) dup2(nothing, STDIN_FILENO);
+  dup2(printed, STDOUT_FILENO);
   setenv(kStarterVariable, std::to_string(starter).c_str(), 1);
   setenv("COLUMNS", std::to_string(terminal_width(STDERR_FILENO)).c_str(), 1);
   // What a rank has said needs no eleven lines about its exit code. Open MPI 4 and 5 each know one
@@ -89,19 +119,15 @@ std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>&
 }
 
 // Returns mpirun's process; UserError if there is no such program.
-pid_t started(const std::vector<std::string>& command, const sigset_t& mask) {
-  int pipe_ends[2];
-  if (pipe2(pipe_ends, O_CLOEXEC) != 0) {
-    throw UserError(schema::kExitFailure, std::string("no pipe can be made (") +
-                                              std::strerror(errno) + "); close some programs");
-  }
+pid_t started(const std::vector<std::string>& command, const sigset_t& mask, Pipe& printed) {
+  Pipe reason;
   const pid_t starter = getpid(), launcher = fork();
-  if (launcher == 0) become_mpirun(command, mask, starter, pipe_ends[1]);
+  if (launcher == 0) become_mpirun(command, mask, starter, reason.write_end, printed.write_end);
   const int fork_error = errno;
-  close(pipe_ends[1]);
+  reason.close_write_end();
+  printed.close_write_end();
   int error = launcher < 0 ? fork_error : 0;
-  if (launcher > 0 && read(pipe_ends[0], &error, sizeof error) != sizeof error) error = 0;
-  close(pipe_ends[0]);
+  if (launcher > 0 && read(reason.read_end, &error, sizeof error) != sizeof error) error = 0;
   if (error == 0) return launcher;
   if (launcher > 0) waitpid(launcher, nullptr, 0);
   throw UserError(schema::kExitFailure,
@@ -111,6 +137,38 @@ pid_t started(const std::vector<std::string>& command, const sigset_t& mask) {
                       : std::string("--ranks: mpirun cannot be started (") + std::strerror(error) +
                             "); leave --ranks out: one core");
 }
+
+// Passes on what the ranks print: mpirun says nothing of what it could not write, and whoever asked
+// for the ranks would take it for written.
+class Printed {
+ public:
+  explicit Printed(int from) : from_(from), thread_([this] { pass_on(); }) {}
+  /// All that has come by then is passed on.
+  ~Printed() {
+    launcher_ended_ = true;
+    thread_.join();
+  }
+
+ private:
+  void pass_on() const {
+    constexpr int kLook_ms = 50;
+    char bytes[1 << 12];
+    pollfd in{from_, POLLIN, 0};
+    for (;;) {
+      const bool is_last_look = launcher_ended_;  // a rank that outlives mpirun may hold the pipe
+      const int ready = poll(&in, 1, kLook_ms);
+      if (ready == 0 && is_last_look) return;
+      if (ready <= 0) continue;
+      const ssize_t size = read(from_, bytes, sizeof bytes);
+      if (size <= 0) return;
+      put_through({bytes, static_cast<std::size_t>(size)});
+    }
+  }
+
+  const int from_;
+  std::atomic<bool> launcher_ended_ = false;
+  std::thread thread_;
+};
 
 // Waits for mpirun and passes signals on.
 class Starter {
@@ -201,8 +259,12 @@ int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with
     sigaddset(&watched, signal);
   }
   pthread_sigmask(SIG_BLOCK, &watched, &before);
-  Starter starter(started(mpirun_words(ranks, words, with_bar), before), watched);
-  const int status = starter.wait();
+  Pipe pipe;
+  Starter starter(started(mpirun_words(ranks, words, with_bar), before, pipe), watched);
+  const int status = [&] {
+    const Printed printed(pipe.read_end);
+    return starter.wait();
+  }();
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return exit_code(status, starter, ranks);
 }

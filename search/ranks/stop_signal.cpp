@@ -8,6 +8,7 @@
 #include <ctime>
 #include <initializer_list>
 
+#include "schema/files/input.hpp"
 #include "search/terminal/progress.hpp"
 
 namespace misalign::search {
@@ -36,6 +37,23 @@ void note_leave(int signal) {
   timer_settime(leave_timer, 0, &leave_after, nullptr);
 }
 
+// SQLite maps the index of its log, which another program may cut short. Nothing is half-written
+// by that: whoever opens the catalogue next makes the index anew from the log.
+void end_for_lost_page(int signal, siginfo_t* info, void*) {
+  if (info->si_code != BUS_ADRERR) {  // an error of this program, or sent by another one
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    return;
+  }
+  static constexpr char kWhy[] =
+      "misalign: a file that was in use lost a part (another program cut it short, perhaps the "
+      "-shm file beside the catalogue, or there is no room for it); what was committed is good, "
+      "and the same command goes on from there\n";
+  leave_live_line();
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kWhy, sizeof kWhy - 1);
+  _exit(schema::kExitFailure);
+}
+
 }  // extern "C"
 
 sigset_t watched_signals() {
@@ -46,6 +64,13 @@ sigset_t watched_signals() {
 }
 
 }  // namespace
+
+void watch_for_lost_pages() {
+  struct sigaction lost_page {};
+  lost_page.sa_sigaction = end_for_lost_page;
+  lost_page.sa_flags = SA_SIGINFO;
+  sigaction(SIGBUS, &lost_page, nullptr);
+}
 
 void hold_signals() {
   const sigset_t watched = watched_signals();

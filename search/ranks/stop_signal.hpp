@@ -1,5 +1,5 @@
-// Signals that ask this rank to stop, or for a status line. Handlers only set flags, except for two
-// last resorts.
+// Signals that ask this rank to stop, or for a status line, or say that a file was cut short.
+// Handlers only set flags, except for three last resorts.
 #pragma once
 
 namespace misalign::search {
@@ -13,6 +13,10 @@ enum class StopWish {
 /// How long rank 0 may take to leave: mpirun kills its ranks a second after it was asked to stop.
 /// The others leave when rank 0 lets them go, or soon after if it does not.
 inline constexpr double kLeave_s = 0.4, kLetGo_s = 3;
+
+/// From now on a file that is cut short where it is mapped ends the process with a sentence and
+/// exit code 1. Before MPI begins, which would have a handler of its own.
+void watch_for_lost_pages();
 
 /// From now on the signals wait: Open MPI hangs when one of them interrupts or ends a rank that it
 /// is starting.

@@ -47,7 +47,7 @@ std::string for_people(std::string_view text) {
   return shown;
 }
 
-void write_out(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void write_out(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 }  // namespace
 
@@ -111,6 +111,11 @@ void put_json(const std::string& json) { write_out(schema::printable_json(json))
 
 void put_csv(const std::string& rows) {
   write_out(is_terminal(STDOUT_FILENO) ? schema::printable_csv(rows) : rows);
+}
+
+void put_through(std::string_view bytes) {
+  write_out(bytes);
+  std::fflush(stdout);
 }
 
 Show::Show(bool paged) {

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "schema/files/input.hpp"
@@ -63,6 +64,9 @@ void put_json(const schema::Json& json, int indent = 1);
 void put_json(const std::string& json);
 /// CSV for programs: as it is, but escaped on a terminal, where nobody but people reads it.
 void put_csv(const std::string& rows);
+
+/// What another process of this program has made of the three above: as it is, and at once.
+void put_through(std::string_view bytes);
 
 /// As put, through the pager if standard output is a terminal and `paged`.
 class Show {

@@ -25,8 +25,6 @@
 namespace misalign::search {
 namespace {
 
-using schema::UserError;
-
 std::string version_text() {
   const BuildInfo& build = build_info();
   return fmt::format(
@@ -54,9 +52,20 @@ int leave_it_to_rank_zero(int exit_code) {
   return exit_code;
 }
 
+// What was printed may not have come to where it goes.
+int exit_code_once_written(int exit_code) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit_code;
+  if (reader_has_gone()) return 128 + SIGPIPE;  // no alarm: as if that signal had ended it
+  std::fputs(
+      "misalign: the results could not be written to standard output (is the disk full, or was it "
+      "closed?); see to where it goes, and give the same command again\n",
+      stderr);
+  return schema::kExitFailure;
+}
+
 // The contract's exit code, and where to read on.
 int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& words) {
-  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  if (error.get_exit_code() == 0) return exit_code_once_written(app.exit(error));  // --help
   if (rank_zero_speaks(app)) return leave_it_to_rank_zero(schema::kExitUsage);
   if (words.empty()) {
     std::fputs(app.help().c_str(), stderr);
@@ -113,13 +122,7 @@ int run_command_line(int argc, char** argv) {
   wish_colors(color);
   set_up_log(level, color);
   try {
-    const int exit_code = actions.at(chosen_verb(app))();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-      if (reader_has_gone()) return 128 + SIGPIPE;  // no alarm: as if that signal had ended it
-      throw UserError(schema::kExitFailure,
-                      "the results could not be written to standard output (is the disk full?)");
-    }
-    return exit_code;
+    return exit_code_once_written(actions.at(chosen_verb(app))());
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     if (rank_zero_speaks(app)) return leave_it_to_rank_zero(failure.exit_code);

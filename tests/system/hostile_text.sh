@@ -144,8 +144,51 @@ for descriptor in 0 1 2; do
 done
 kill -TERM $search
 wait $search
-"$program" status good.db >&- 2> err
-[ $? = 1 ] && grep -q "could not be written to standard output" err || fail "a closed standard output: $(cat err)"
+
+# What is printed and cannot be written is never taken for written, whoever prints it.
+draw=$(sql good.db 'SELECT min(draw) FROM candidate')
+table1=$source_dir/search/patterns/table1.json
+unwritten=0
+while read -r line; do
+  eval "\"\$program\" $line" > out 2> err < /dev/null || fail "$line: exit $?"
+  [ -s out ] || fail "$line prints nothing"
+  for lost in "> /dev/full" ">&-"; do
+    rm -f new*.db
+    eval "\"\$program\" $line $lost" 2> err < /dev/null
+    [ $? = 1 ] && grep -q "could not be written to standard output" err || fail "$line $lost: $(cat err)"
+    unwritten=$((unwritten + 1))
+  done
+done << END
+--version
+--help
+status --help
+help status
+status good.db
+search $campaign --catalogue new.db --draws 300 --progress none
+search $campaign --catalogue new-2.db --draws 300 --progress none --ranks 2
+fold $table1 --json
+perforations $table1
+replay good.db $draw
+query good.db best
+verify good.db --sample 1
+certify good.db $draw
+certify good.db --best 3 --again --ranks 2
+config --default
+tolerance good.db $draw --amplitude 0.01 --trials 10
+actuators $table1
+contact $table1
+completion bash
+END
+[ $unwritten = 38 ] || fail "$unwritten of 38 outputs tried"
+"$program" search $campaign --catalogue new-2.db --draws 300 --progress none --ranks 2 >&- 2>&-
+[ $? = 1 ] || fail "ranks with nowhere to print"
+
+# What is proposed can be pasted, also where a file's name looks like an option.
+cp good.db ./-x.db
+"$program" status -- -x.db > out 2> err || fail "a name like an option"
+next=$(sed -n 's/^misalign: next: misalign \(query [^;]*\);.*/\1/p' err)
+eval "\"\$program\" $next" > out 2> err || fail "$next: $(cat err)"
+rm ./-x.db
 
 # Limits of size and memory are sentences.
 export PMIX_MCA_gds=hash  # without files of megabytes for one rank

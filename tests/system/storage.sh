@@ -33,6 +33,16 @@ if mount -t tmpfs -o size=600k tmpfs small 2> /dev/null; then
   stopped "no room for a new one" "full"
   ls small/b.db* 2> /dev/null && fail "an empty catalogue was left"
   rm small/filler
+  # A catalogue that is joined there: nothing of it is kept, and it says so.
+  rm -f small/*
+  mount -o remount,size=600k small
+  "$program" search $campaign --catalogue half.db --range 5000:12000 --progress none > /dev/null 2>&1
+  "$program" merge small/all.db calm.db half.db > /dev/null 2> err
+  stopped "no room to join" "^misalign: [^ ]*small/all.db: the disk is full.*; nothing was written: make room, then give the same command again$"
+  [ -z "$(ls small)" ] || fail "left of a merge: $(ls small)"
+  "$program" export calm.db --sqlite-compat --output small/plain.db > /dev/null 2> err
+  stopped "no room to export" "small/plain.db: the disk is full.*; nothing was written"
+  mount -o remount,size=100m small
   # Read-only from one moment to the next.
   mount -o remount,ro small
   "$program" search $campaign --catalogue small/c.db --progress none > /dev/null 2> err
@@ -65,6 +75,21 @@ done
 sound_so_far elsewhere/a.db
 "$program" search $campaign --catalogue elsewhere/a.db --draws 10000 --progress none > /dev/null 2>&1
 [ "$(digest_of elsewhere/a.db)" = "$expected" ] || fail "moved away: another digest"
+
+# The index of the log is cut short while it is in use: a sentence, and the same command goes on.
+for n in 1 2; do
+  [ $n = 1 ] && alone=("$program") || alone=("${ranks[@]}" $n "$program")
+  "${alone[@]}" search $campaign --catalogue cut-$n.db --draws 10000000 --unit-draws 100 --progress none > /dev/null 2> err &
+  search=$!
+  begun cut-$n.db unit
+  truncate -s 0 cut-$n.db-shm
+  wait $search
+  stopped "an index cut short, $n ranks" "^misalign: a file that was in use lost a part .*the same command goes on"
+  sound_so_far cut-$n.db
+  "${alone[@]}" search $campaign --catalogue cut-$n.db --draws 10000 --progress none > /dev/null 2>&1 ||
+    fail "after an index was cut short, $n ranks"
+  [ "$(digest_of cut-$n.db)" = "$expected" ] || fail "an index cut short, $n ranks: another digest"
+done
 
 # On storage that machines share: no log, nobody reads meanwhile, and the same digest.
 "${ranks[@]}" 2 "$program" search $campaign --catalogue shared.db --draws 10000 --storage network --progress none > /dev/null 2> err ||
