@@ -70,7 +70,7 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
       faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
                  "must be below " + shown_number(rounded_down(safe)) +
                      ", where a facet of this sheet can lose convexity",
-                 "try " + shown_number(sheet->panel_width_mm / 200));
+                 "try " + shown_number(rounded_down(0.95 * safe)));
     }
   }
   std::string levels = "ternary";

@@ -13,6 +13,21 @@ namespace {
 constexpr const char* kFormsOfLevels =
     "write \"auto\", or angles in ascending order like [150, 165, 175]";
 
+// Empty of an angle that can be a level behind the last one.
+std::string why_no_level(double level_deg, double last_deg, double threshold_deg,
+                         double sample_deg) {
+  if (level_deg > threshold_deg) {
+    return "lies above accept.deploys_from_deg = " + shown_number(threshold_deg);
+  }
+  if (!(level_deg > last_deg)) return "does not lie above " + shown_number(last_deg);
+  // Whole scores, of which there are many in a sample.
+  const double step_deg = sample_deg / solver::kScoresPerSample;
+  if (level_deg >= last_deg + step_deg) return "";
+  return fmt::format(
+      "is the same level as {}: levels lie a {}th of a sample, {:.2g} degrees, apart at least",
+      shown_number(last_deg), solver::kScoresPerSample, step_deg);
+}
+
 void read_named_levels(ObjectReader& reader, double threshold_deg, double sample_deg,
                        std::vector<double>& levels_deg) {
   const Json* value = reader.find("levels_deg");
@@ -29,14 +44,9 @@ void read_named_levels(ObjectReader& reader, double threshold_deg, double sample
   double last_deg = 0;
   for (const Json& level : *value) {
     const double level_deg = level.get<double>();
-    // Whole scores, of which there are many in a sample.
-    const double least_deg = last_deg + sample_deg / solver::kScoresPerSample;
-    if (!(level_deg >= least_deg) || level_deg > threshold_deg) {
-      faults.add(reader.name("levels_deg") + " has " + level.dump(),
-                 level_deg > threshold_deg
-                     ? "lies above accept.deploys_from_deg = " + shown_number(threshold_deg)
-                     : "does not lie above " + shown_number(last_deg),
-                 kFormsOfLevels);
+    const std::string why = why_no_level(level_deg, last_deg, threshold_deg, sample_deg);
+    if (!why.empty()) {
+      faults.add(reader.name("levels_deg") + " has " + level.dump(), why, kFormsOfLevels);
       return;
     }
     last_deg = level_deg;

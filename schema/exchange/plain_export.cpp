@@ -81,7 +81,7 @@ void export_plain(SQLite::Database& catalogue, const std::string& output) {
     while (views.executeStep()) plain.exec(views.getColumn(0).getString());
     transaction.commit();
   };
-  guarded(output, [&] {
+  guarded(file.path(), [&] {
     try {
       write();
     } catch (const SQLite::Exception& error) {

@@ -39,11 +39,17 @@ std::string unforeseen_name(const std::string& output) {
   return stem_of(output) + hex(bytes) + kEnding;
 }
 
+// What comes before the digits of a name of that form; empty of others.
+std::string stem_within(const std::string& path) {
+  const std::size_t added = kRandomDigits + std::string_view(kEnding).size();
+  if (path.size() <= added || !path.ends_with(kEnding)) return "";
+  const std::size_t stem = path.size() - added;
+  const bool is_random = path.find_first_not_of(kHexDigits, stem) == stem + kRandomDigits;
+  return is_random && path[stem - 1] == '.' ? path.substr(0, stem) : "";
+}
+
 bool has_such_a_name(const std::string& path, const std::string& output) {
-  const std::string stem = stem_of(output), ending = kEnding;
-  return path.size() == stem.size() + kRandomDigits + ending.size() && path.starts_with(stem) &&
-         path.ends_with(ending) &&
-         path.find_first_not_of(kHexDigits, stem.size()) == stem.size() + kRandomDigits;
+  return stem_within(path) == stem_of(output);
 }
 
 // One byte far behind the data, beside the one that a catalogue's writer locks. 0, or an errno.
@@ -189,6 +195,11 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       existing_(other.existing_),
       path_(std::exchange(other.path_, "")),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+std::string OutputFile::output_of(const std::string& path) {
+  const std::string stem = stem_within(path);
+  return stem.empty() ? path : stem.substr(0, stem.size() - 1);
+}
 
 OutputFile OutputFile::database(const std::string& output,
                                 const std::vector<std::string>& originals) {

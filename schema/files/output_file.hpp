@@ -35,6 +35,10 @@ class OutputFile {
   /// Removes what was not published.
   ~OutputFile();
 
+  /// The output that such a file of a database becomes (a long name may be cut); any other path as
+  /// it is.
+  static std::string output_of(const std::string& path);
+
   /// Where to write a database. Its connections must be closed before this object ends.
   const std::string& path() const { return path_; }
   /// Adds to a text. UserError (1).

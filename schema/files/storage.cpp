@@ -8,6 +8,8 @@
 
 #include <filesystem>
 
+#include "schema/files/output_file.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -61,9 +63,13 @@ void sync_directory_of(const std::string& path) {
   ::close(descriptor);
 }
 
-UserError storage_failure(const std::string& path, const SQLite::Exception& error) {
-  static const std::string kKept = "; what was committed is good: ";
-  static const std::string kAgain = ", then the same command goes on from there";
+UserError storage_failure(const std::string& written, const SQLite::Exception& error) {
+  // A catalogue keeps what was committed; an output that has no name yet goes.
+  const std::string path = OutputFile::output_of(written);
+  const bool is_kept = path == written;
+  const std::string kept = is_kept ? "; what was committed is good: " : "; nothing was written: ";
+  const std::string again =
+      is_kept ? ", then the same command goes on from there" : ", then give the same command again";
   // The number tells reading from writing, locking and so forth.
   const std::string number = error.getErrorCode() == SQLITE_IOERR
                                  ? ", " + std::to_string(error.getExtendedErrorCode())
@@ -71,33 +77,33 @@ UserError storage_failure(const std::string& path, const SQLite::Exception& erro
   const std::string what = " (" + printable(utf8(error.what())) + number + ")";
   switch (error.getErrorCode()) {
     case SQLITE_FULL:
-      return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kKept +
-                                "make room" + kAgain};
+      return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kept +
+                                "make room" + again};
     case SQLITE_IOERR:
       if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) {
-        return {kExitFailure, path + ": no room for the index of its log" + what + kKept +
-                                  "make room on the disk" + kAgain};
+        return {kExitFailure, path + ": no room for the index of its log" + what + kept +
+                                  "make room on the disk" + again};
       }
-      return {kExitFailure, path + ": reading or writing failed" + what + kKept +
+      return {kExitFailure, path + ": reading or writing failed" + what + kept +
                                 "see to the disk and to limits of a file's size (ulimit -f)" +
-                                kAgain};
+                                again};
     case SQLITE_NOMEM:
-      return {kExitFailure, path + ": there is too little memory" + what + kKept +
+      return {kExitFailure, path + ": there is too little memory" + what + kept +
                                 "ask for less at once, or give it more"};
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
         return {kExitFailure, path +
                                   ": a program that was killed has left a journal to roll back, "
                                   "which a reader may not do" +
-                                  what + kKept + "the same search again does it"};
+                                  what + kept + "the same search again does it"};
       }
       [[fallthrough]];
     case SQLITE_PERM:
-      return {kExitFailure, path + ": cannot be written" + what + kKept +
-                                "make file and directory writable" + kAgain};
+      return {kExitFailure, path + ": cannot be written" + what + kept +
+                                "make file and directory writable" + again};
     case SQLITE_CANTOPEN:
-      return {kExitFailure, path + ": it, or a journal beside it, cannot be opened" + what + kKept +
-                                "see to the directory and its permissions" + kAgain};
+      return {kExitFailure, path + ": it, or a journal beside it, cannot be opened" + what + kept +
+                                "see to the directory and its permissions" + again};
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return {kExitInUse,
@@ -114,8 +120,7 @@ UserError storage_failure(const std::string& path, const SQLite::Exception& erro
       return {kExitBadInput, path + ": holds rows that contradict what is to be written" + what +
                                  "; see what `misalign verify` says, or put a backup in its place"};
     default:
-      return {kExitFailure, path + ": the database failed" + what + kKept +
-                                "if it happens again, " +
+      return {kExitFailure, path + ": the database failed" + what + kept + "if it happens again, " +
                                 "`misalign verify` says what the file holds"};
   }
 }

@@ -11,13 +11,13 @@ export function tile(term, value, more, title) {
   );
 }
 
-/** Whether work remains; `missing`: how much of it. */
-export const how_far = (complete, missing) =>
+/** Whether work remains: of so many that are wanted so many are missing; null: without end. */
+export const how_far = (complete, done, missing) =>
   complete
     ? "complete"
-    : missing
-      ? `${count(missing)} of those asked for are missing`
-      : "the campaign may go on";
+    : missing === null
+      ? "the campaign may go on"
+      : `of ${count(done + missing)}, the last run's goal`;
 
 /** Of what the catalogue has beyond the goal, and what counts it; none if that is nothing. */
 export const beyond_tiles = (some, words) =>

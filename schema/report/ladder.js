@@ -55,7 +55,7 @@ function show_figures(report, ladder) {
     tile(
       "Populations",
       count(ladder.populations),
-      how_far(state.complete, ladder.without_end ? 0 : ladder.missing),
+      how_far(state.complete, ladder.populations, ladder.without_end ? null : ladder.missing),
     ),
     tile("Candidates kept", count(state.accepted), `deploy from ${from} or more, each once`),
     ...rate_tiles(ladder, from),

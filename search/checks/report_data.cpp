@@ -124,10 +124,10 @@ Json commands_json(const ReportCall& call) {
   if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
   if (call.wish.contact) choice += " --contact";
   return {{"misalign", "misalign"},
-          {"catalogue", shell_word(call.path)},
+          {"catalogue", shell_path(call.path)},
           {"choice", choice},
           {"springs", options_of(call.actuators)},
-          {"output", shell_word(call.output)}};
+          {"output", shell_path(call.output)}};
 }
 
 // What the catalogue says, all of it of one moment: a search may be writing.
@@ -188,6 +188,7 @@ void settle_stress(const ReportCall& call, const std::vector<std::uint64_t>& str
 
 Json report_state_json(const schema::CatalogueState& state) {
   Json json = status_json(state);
+  json["without_end"] = state.goal_end == schema::kEndOfDraws;
   if (!state.ladder) return json;
   const schema::SplitRate* const rate = state.ladder->rate();
   json["ladder"].update(

@@ -15,4 +15,8 @@ std::string shell_word(const std::string& text) {
   return plain ? text : in_quotes(text);
 }
 
+std::string shell_path(const std::string& path) {
+  return shell_word((path.starts_with('-') ? "./" : "") + path);
+}
+
 }  // namespace misalign::search

@@ -80,7 +80,12 @@ std::string draws_text(const schema::CatalogueState& state,
   rows.push_back(row("  rejected", state.rejected, state.draws));
   rows.push_back(row("  undecided", state.undecided, state.draws));
   if (state.undecided > 0) rows.back()[3] = "rejected at the low ends, accepted at the high ones";
-  if (!endless(state.goal_end)) rows.push_back({"missing", std::to_string(missing(state))});
+  if (!endless(state.goal_end)) {
+    const std::uint64_t draws = missing(state);
+    rows.push_back(
+        {"missing", std::to_string(draws), "",
+         draws > 0 ? "of the last run's goal; time or a signal may end a run before" : ""});
+  }
   if (state.draws_in_ledger > state.draws) {
     rows.push_back({"beyond goal", std::to_string(state.draws_in_ledger - state.draws), "",
                     "not counted above; queries and report have them"});
@@ -132,7 +137,7 @@ std::string status_text(const schema::CatalogueState& state,
 
 std::string next_step(const schema::CatalogueState& state, const std::string& path,
                       const std::string& campaign_path) {
-  const std::string file = shell_word(path);
+  const std::string file = shell_path(path);
   if (!state.gaps.empty()) {
     const schema::DrawRange& range = state.goal.range;
     std::string limit;
@@ -149,7 +154,7 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
     }
     if (state.seed != 1) limit += " --seed " + std::to_string(state.seed);
     return "misalign search " +
-           (campaign_path.empty() ? "CAMPAIGN.json" : shell_word(campaign_path)) + " --catalogue " +
+           (campaign_path.empty() ? "CAMPAIGN.json" : shell_path(campaign_path)) + " --catalogue " +
            file + limit + " goes on";
   }
   if (state.accepted == 0 && state.draws_in_ledger > state.draws) {

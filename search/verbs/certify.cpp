@@ -92,7 +92,7 @@ double deploys_from_deg(const CertifyCall& call, const ChosenSheet& sheet,
       call.options.path +
           ": the sheet deploys from nothing (its D is 0), so that there is nothing to "
           "certify; give an angle with --to, or see what is in the way: misalign fold " +
-          shell_word(call.options.path));
+          shell_path(call.options.path));
 }
 
 int run_on_pattern(const CertifyCall& call) {

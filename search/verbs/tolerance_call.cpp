@@ -52,7 +52,7 @@ ChosenSheets sheet_of_file(const ToleranceCall& call) {
                         ": the sheet deploys from nothing (its D is 0), so that there is nothing "
                         "that miscut copies could lose; shift its vertices by displacements_mm, "
                         "or see what is in the way: misalign fold " +
-                        shell_word(call.path));
+                        shell_path(call.path));
   }
   campaign.threshold_deg = own_sample * campaign.sample_deg;
   return sheets;

@@ -134,7 +134,7 @@ TEST(Search, WhatCannotBeIsSaid) {
   constexpr std::pair<const char*, const char*> kSaid[] = {
       {R"({"levels_deg": [160, 160]})", "does not lie above 160"},
       {R"({"levels_deg": [160, 150]})", "does not lie above 160"},
-      {R"({"levels_deg": [160, 160.0001]})", "does not lie above 160"},
+      {R"({"levels_deg": [160, 160.0009]})", "is the same level as 160: levels lie a 1024th of a"},
       {R"({"levels_deg": [160, 171]})", "lies above accept.deploys_from_deg = 170"},
       {R"({"particles": 1})", "must be at least 2"},
       {R"({"particles": 1000000, "sweeps": 100})", "more than a population has numbers for"},
@@ -310,6 +310,27 @@ TEST(Amplitude, IsRefusedFromTheBoundOn) {
 
 TEST(Amplitude, ToldBoundIsTheBound) {
   expect_fault(with_amplitude(45), {"must be below 16,"});  // the contract's and the house's words
+}
+
+// Near what was asked for: round, taken by who reads it, and not a fraction of what is possible.
+TEST(Amplitude, SuggestionIsTakenAndNear) {
+  for (const char* pattern :
+       {R"({})", R"({"panel_width_mm": 30, "panel_height_mm": 20, "zigzag_offset_mm": 10})",
+        R"({"panel_width_mm": 1000, "panel_height_mm": 1000, "zigzag_offset_mm": 500})",
+        R"({"rows": 4, "columns": 4, "panel_width_mm": 7, "zigzag_offset_mm": 3})"}) {
+    SCOPED_TRACE(pattern);
+    Json value = with_amplitude(900);
+    value["pattern"].update(Json::parse(pattern));
+    const auto faults = faults_of(value);
+    ASSERT_EQ(faults.size(), 1u);
+    const auto number_after = [&](const std::string& words) {
+      return std::stod(faults[0].substr(faults[0].find(words) + words.size()));
+    };
+    const double suggested_mm = number_after("try ");
+    EXPECT_GE(suggested_mm, 0.85 * number_after("must be below ")) << faults[0];
+    value["misalignment"]["amplitude_mm"] = suggested_mm;
+    EXPECT_TRUE(faults_of(value).empty()) << faults[0];
+  }
 }
 
 TEST(Amplitude, BoundIsRightOnBothSides) {

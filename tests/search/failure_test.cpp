@@ -53,5 +53,23 @@ TEST(Failure, ASentenceForThePersonStays) {
   EXPECT_EQ(failure.sentence, "as it is");
 }
 
+// A catalogue keeps what was committed; an output that has no name yet does not.
+TEST(Failure, OfAnOutputNothingIsKept) {
+  const SQLite::Exception full("database or disk is full", SQLITE_FULL);
+  const std::string kept = schema::storage_failure("a.db", full).what();
+  EXPECT_NE(kept.find("what was committed is good"), std::string::npos) << kept;
+  const std::string digits(32, 'a');
+  const std::string gone = schema::storage_failure("in/a.db." + digits + ".partial", full).what();
+  EXPECT_EQ(gone.find("in/a.db: the disk is full"), 0u) << gone;
+  EXPECT_NE(gone.find("nothing was written"), std::string::npos) << gone;
+  EXPECT_EQ(gone.find("goes on"), std::string::npos) << gone;
+  EXPECT_EQ(gone.find("partial"), std::string::npos) << gone;
+  for (const std::string& other :
+       {"a.db." + digits, digits + ".partial", "." + digits + ".partia"}) {
+    const std::string said = schema::storage_failure(other, full).what();
+    EXPECT_EQ(said.find(other + ": the disk is full"), 0u) << said;
+  }
+}
+
 }  // namespace
 }  // namespace misalign::search

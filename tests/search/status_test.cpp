@@ -53,7 +53,12 @@ TEST(StatusText, IsATable) {
   EXPECT_LT(std::stod(accepted[7]), 25);
   EXPECT_GT(std::stod(accepted[10]), 25);
   EXPECT_EQ(line(text, "rejected"), (Words{"rejected", "150", "75", "%"}));
-  EXPECT_EQ(line(text, "missing"), (Words{"missing", "10"}));
+  const Words missing = line(text, "missing");
+  ASSERT_GT(missing.size(), 2u) << text;
+  EXPECT_EQ((Words{missing.begin(), missing.begin() + 2}), (Words{"missing", "10"}));
+  EXPECT_NE(text.find("of the last run's goal"), std::string::npos) << text;  // of what, then
+  EXPECT_EQ(line(status_text(state(200, 50, 0), {}, Paint(false)), "missing"),
+            (Words{"missing", "0"}));
   Words fault = line(text, "not_monotone");  // 3 of 4 rows, 3 of 5 parts of the draws
   ASSERT_EQ(fault.size(), 9u) << text;
   EXPECT_EQ((Words{fault.begin(), fault.begin() + 4}), (Words{"not_monotone", "3", "60", "%"}));
@@ -106,6 +111,10 @@ TEST(NextStep, FollowsFromTheState) {
             "misalign search 'my campaign.json' --catalogue a.db --draws 210 goes on");
   EXPECT_NE(next_step(state(200, 50, 0), "it's.db", "").find("misalign query 'it'\\''s.db' best"),
             std::string::npos);
+  // No shell and no program takes a file for an option.
+  EXPECT_EQ(next_step(state(200, 50, 10), "-x.db", "-c.json"),
+            "misalign search ./-c.json --catalogue ./-x.db --draws 210 goes on");
+  EXPECT_EQ(next_step(state(200, 50, 0), "- x.db", "").find("misalign query './- x.db' best"), 0u);
   const std::string nothing = next_step(state(200, 0, 0), "a.db", "");
   EXPECT_NE(nothing.find("misalign report a.db"), std::string::npos) << nothing;
 }
