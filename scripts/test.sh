@@ -35,9 +35,11 @@ sanitized() {
 }
 echo "== sanitizers: unit tests; release: every test"
 log=build/sanitizers.log
+set -m  # a process group of its own: whoever ends it ends its compilers and tests
 sanitized > $log 2>&1 &
 sanitizers=$!
-trap 'kill $sanitizers 2> /dev/null || true' EXIT
+set +m
+trap 'kill -- -$sanitizers 2> /dev/null && wait $sanitizers || true' EXIT
 ctest --preset release -j 3
 wait $sanitizers || { cat $log; exit 1; }
 grep PASSED $log
