@@ -1,6 +1,9 @@
 # `misalign certify` on a real catalogue: the same certificates whoever makes them and however often that is
 # interrupted, and none that was spoilt passes.
+# The long form: certify.sh PROGRAM SOURCE_DIR KILLS [SEED].
 . "$(dirname "$0")/lib.sh"
+kills_wanted=${3:-1}
+RANDOM=${4:-1}
 campaign=$source_dir/search/campaigns/miura-4x4.json
 "$program" search "$campaign" --draws 200 --catalogue a.db --progress none > /dev/null 2>&1 || fail "search"
 candidates=$(sql a.db 'SELECT count(*) FROM candidate')
@@ -62,6 +65,19 @@ some=$(count killed.db)
 "$program" certify killed.db --all > text 2> err || fail "resumed"
 grep -q "; $some were there already$" text || fail "what was committed is made again: $(cat text)"
 [ "$(rows killed.db)" = "$expected" ] || fail "killed: other rows"
+# At any moment, again and again, whatever was done before.
+hit=0
+for kill in $(seq 2 "$kills_wanted"); do
+  [ "$(count killed.db)" -lt "$candidates" ] || sqlite3 killed.db 'DELETE FROM certificate'
+  "$program" certify killed.db --all > /dev/null 2>&1 &
+  sleep 0.$((RANDOM % 90 + 10))
+  { kill -KILL $! && hit=$((hit + 1)); wait $!; } 2> /dev/null
+  sound killed.db 200
+done
+[ "$kills_wanted" = 1 ] || echo "$hit of $((kills_wanted - 1)) kills met certificates under way"
+"$program" certify killed.db --all > text 2> err || fail "resumed after all kills"
+[ "$(rows killed.db)" = "$expected" ] || fail "killed again and again: other rows"
+[ "$(digest_of killed.db)" = "$digest" ] || fail "killed again and again: another digest"
 "$program" certify asked.db --all > /dev/null 2> err &
 asked=$!
 begun asked.db certificate
