@@ -4,27 +4,22 @@ mkdir -p scripts bin build
 cp "$source_dir/scripts/test.sh" scripts
 echo 'need_packages() { :; }; build_packages= test_packages= hosts_packages=' > scripts/packages.sh
 echo ':' > scripts/check.sh
-# A compiler of the sanitizers' build, which writes down its number and works for minutes.
+# A compiler of the sanitizers' build, which writes down its number and works for an hour.
 cat > bin/cmake << 'END'
 #!/usr/bin/env bash
-case "$*" in *"--build --preset asan"*) sleep 600 & echo $! > compiler; wait ;; esac
+case "$*" in *"--build --preset asan"*) sleep 3000 & echo $! > compiler; wait ;; esac
 END
 # Tests that fail once that build is under way.
 cat > bin/ctest << 'END'
 #!/usr/bin/env bash
-for wait in {1..1200}; do [ -s compiler ] && exit 8; sleep 0.05; done
+until [ -s compiler ]; do sleep 0.05; done
+exit 8
 END
 chmod +x bin/* scripts/*.sh
 PATH=$work/bin:$PATH scripts/test.sh > out 2>&1
 code=$?
 [ $code = 8 ] || fail "exit $code: $(cat out)"
 [ -s compiler ] || fail "no compiler was started: $(cat out)"
-for wait in {1..100}; do
-  kill -0 "$(cat compiler)" 2> /dev/null || break
-  sleep 0.05
-done
-if kill -0 "$(cat compiler)" 2> /dev/null; then
-  fail "a compiler is left"
-  kill "$(cat compiler)"
-fi
+is_gone() { ! kill -0 "$(cat compiler)" 2> /dev/null; }
+eventually "a compiler is left" is_gone || kill "$(cat compiler)"
 finish
