@@ -170,7 +170,8 @@ class DxfPen {
   }
 
   const LineDrawing& drawing_;
-  DL_Dxf dxf_;
+  // Static, so that it is zero before it is made: dxflib writes a handle that it never sets.
+  static inline DL_Dxf dxf_;
   const std::unique_ptr<DL_WriterA> to_;
 };
 

@@ -1,17 +1,12 @@
 #include "schema/exchange/fold_export.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/campaign/filled_mesh.hpp"
 
 namespace misalign::schema {
 namespace {
-
-// Where all is folded flat the equations are singular, and angles known to the root of the closure
-// tolerance: 6e-5 degrees.
-constexpr double kShownOverFold_deg = 1e-3;
 
 using Eigen::Index;
 
@@ -113,20 +108,6 @@ Json frame_json(double pilot_deg) {
 }
 
 }  // namespace
-
-std::vector<Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
-                                double step_deg) {
-  std::vector<Index> rows;
-  const Index up_to_d = path.rows_up_to_d();
-  const Index end =
-      up_to_d > 0 ? up_to_d
-                  : solver::rows_folded_well(view.mechanism, view.history, kShownOverFold_deg);
-  for (Index row = 0; row < end; ++row) {
-    const double away = std::remainder(path.history.stations[row].pilot_deg, step_deg);
-    if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);
-  }
-  return rows;
-}
 
 Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
                       const std::vector<Index>& rows, const std::string& title, const Json& data,

@@ -7,12 +7,6 @@
 
 namespace misalign::schema {
 
-/// Which stations of a path become files or frames: multiples of `step_deg` up to D, and D itself.
-/// A sheet that deploys from nothing is shown as far as its creases keep their mountains and
-/// valleys, none folded past 180 degrees. Rows of the history; the flat sheet is not among them.
-std::vector<Eigen::Index> rows_to_show(const FoldingView& view, const solver::ShapedPath& path,
-                                       double step_deg);
-
 /// The key frame is the crease pattern: flat 2-D coordinates in mm, holes absent, the edges round
 /// them and of the perimeter "B", with the fold angles (degrees, valley positive) of the last
 /// of `rows`, the deepest state that is good: what importers that know no frames fold to. A frame

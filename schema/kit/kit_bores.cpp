@@ -12,6 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kTabSlot_mm = 1;  // as it is drawn, between a tab and the panels beside it
+
 double distance_to_edges(const KitSheet& sheet, int facet, const Vector2d& point) {
   const auto& around = sheet.base.sheet.facets[static_cast<std::size_t>(facet)];
   double least = INFINITY;
@@ -24,64 +26,146 @@ double distance_to_edges(const KitSheet& sheet, int facet, const Vector2d& point
   return least;
 }
 
-// The panel in which a diagonal's spring hangs at a vertex.
-int panel_of_spring(const KitSheet& sheet, int hole, int vertex) {
-  const std::vector<int> around = solver::facets_around(sheet.base.sheet, vertex);
-  const auto here = std::find(around.begin(), around.end(), hole) - around.begin();
-  const int across = around[static_cast<std::size_t>(here + 2) % 4];
-  const auto& holes = sheet.base.holes;
-  return std::binary_search(holes.begin(), holes.end(), across)
-             ? around[static_cast<std::size_t>(here + 1) % 4]
-             : across;
-}
+// The panel with which a diagonal's spring moves at a vertex, and whether that is a ball joint.
+struct SpringPlace {
+  SpringPlace(const KitSheet& sheet, int hole, int vertex) {
+    const std::vector<int> around = solver::facets_around(sheet.base.sheet, vertex);
+    const auto here = std::find(around.begin(), around.end(), hole) - around.begin();
+    const int across = around[static_cast<std::size_t>(here + 2) % 4];
+    const auto& holes = sheet.base.holes;
+    in_joint = std::binary_search(holes.begin(), holes.end(), across);
+    facet = in_joint ? around[static_cast<std::size_t>(here + 1) % 4] : across;
+  }
+  int facet;
+  bool in_joint;
+};
 
-// Of the diameters times `scale`.
-std::vector<Bore> bores_of(const KitSheet& sheet, const KitOptions& options, double scale) {
-  const double edge_mm = options.bore_edge_mm;
-  std::vector<Bore> bores;
-  const auto add = [&](int facet, int vertex, int spring, double diameter_mm) {
-    const PanelCorner corner(sheet, facet, vertex);
-    const double radius_mm = 0.5 * diameter_mm;
+class FittingsMaker {
+ public:
+  // With the diameters times `scale`.
+  FittingsMaker(const KitSheet& sheet, const KitOptions& options, double scale)
+      : sheet_(sheet), options_(options), scale_(scale) {}
+
+  KitFittings make() {
+    if (options_.joint_bore_mm) {
+      for (const solver::BallJoint& ball : sheet_.mechanism.balls) {
+        add_bore(ball.from_facet, ball.vertex, -1, scale_ * *options_.joint_bore_mm);
+        add_bore(ball.to_facet, ball.vertex, -1, scale_ * *options_.joint_bore_mm);
+      }
+    }
+    if (!options_.spring_bore_mm) return std::move(made_);
+    for (std::size_t d = 0; d < sheet_.mechanism.diagonals.size(); ++d) {
+      const solver::Diagonal& diagonal = sheet_.mechanism.diagonals[d];
+      const int hole = sheet_.mechanism.loops[static_cast<std::size_t>(diagonal.loop)].hole;
+      for (const int vertex : {diagonal.from, diagonal.to}) {
+        add_end(SpringPlace(sheet_, hole, vertex), vertex, static_cast<int>(d));
+      }
+    }
+    return std::move(made_);
+  }
+
+ private:
+  // On the bisector of a corner, behind others.
+  void add_bore(int facet, int vertex, int spring, double diameter_mm) {
+    const PanelCorner corner(sheet_, facet, vertex);
+    const double radius_mm = 0.5 * diameter_mm, edge_mm = options_.bore_edge_mm;
     double away_mm = (radius_mm + edge_mm) / corner.sine;
-    for (const Bore& other : bores) {  // which is nearer to the corner
+    for (const Bore& other : made_.bores) {  // which is nearer to the corner
       if (other.facet != facet || other.vertex != vertex) continue;
       away_mm = std::max(away_mm, (other.centre_mm - corner.at_mm).norm() +
                                       0.5 * other.diameter_mm + edge_mm + radius_mm);
     }
-    bores.push_back({facet, vertex, spring, corner.at_mm + away_mm * corner.bisector, diameter_mm});
-  };
-  if (options.joint_bore_mm) {
-    for (const solver::BallJoint& ball : sheet.mechanism.balls) {
-      add(ball.from_facet, ball.vertex, -1, scale * *options.joint_bore_mm);
-      add(ball.to_facet, ball.vertex, -1, scale * *options.joint_bore_mm);
-    }
+    made_.bores.push_back(
+        {facet, vertex, spring, corner.at_mm + away_mm * corner.bisector, diameter_mm});
   }
-  if (!options.spring_bore_mm) return bores;
-  for (std::size_t d = 0; d < sheet.mechanism.diagonals.size(); ++d) {
-    const solver::Diagonal& diagonal = sheet.mechanism.diagonals[d];
-    const int hole = sheet.mechanism.loops[static_cast<std::size_t>(diagonal.loop)].hole;
-    for (const int vertex : {diagonal.from, diagonal.to}) {
-      add(panel_of_spring(sheet, hole, vertex), vertex, static_cast<int>(d),
-          scale * *options.spring_bore_mm);
+
+  void add_end(const SpringPlace& place, int vertex, int spring) {
+    const double diameter_mm = scale_ * *options_.spring_bore_mm;
+    if (options_.spring_at == SpringAt::panel) {
+      add_bore(place.facet, vertex, spring, diameter_mm);
+      made_.ends.push_back(
+          {place.facet, vertex, spring, made_.bores.back().centre_mm, 0.5 * diameter_mm});
+      return;
     }
+    const Vector2d at_mm = sheet_.point(vertex);
+    const double radius_mm = 0.5 * diameter_mm + options_.bore_edge_mm,
+                 clear_mm = radius_mm + kTabSlot_mm + options_.kerf_mm;
+    made_.ends.push_back({place.facet, vertex, spring, at_mm, place.in_joint ? 0 : clear_mm});
+    if (place.in_joint) return;
+    made_.bores.push_back({place.facet, vertex, spring, at_mm, diameter_mm});
+    made_.tabs.push_back({place.facet, vertex, radius_mm, clear_mm});
   }
-  return bores;
+
+  const KitSheet& sheet_;
+  const KitOptions& options_;
+  const double scale_;
+  KitFittings made_;
+};
+
+constexpr double kSlack_mm = 1e-9;  // rounding of sizes of metres
+
+bool has_room(const KitSheet& sheet, const KitFittings& fittings, const Bore& bore,
+              double edge_mm) {
+  const double reach_mm = 0.5 * bore.diameter_mm + edge_mm - kSlack_mm;
+  if (distance_to_edges(sheet, bore.facet, bore.centre_mm) < reach_mm) return false;
+  return std::none_of(fittings.bores.begin(), fittings.bores.end(), [&](const Bore& other) {
+    return &other != &bore && other.facet == bore.facet &&
+           (other.centre_mm - bore.centre_mm).norm() < reach_mm + 0.5 * other.diameter_mm;
+  });
 }
 
-// The first bore that leaves its panel or comes too close to another; null if none does.
-const Bore* misplaced(const KitSheet& sheet, const std::vector<Bore>& bores, double edge_mm) {
-  constexpr double kRounding_mm = 1e-9;  // of sizes of metres
-  for (const Bore& bore : bores) {
-    const double reach_mm = 0.5 * bore.diameter_mm + edge_mm - kRounding_mm;
-    if (distance_to_edges(sheet, bore.facet, bore.centre_mm) < reach_mm) return &bore;
-    for (const Bore& other : bores) {
-      if (&other == &bore || other.facet != bore.facet) continue;
-      if ((other.centre_mm - bore.centre_mm).norm() < reach_mm + 0.5 * other.diameter_mm) {
-        return &bore;
-      }
+double distance_to_segment(const Vector2d& at, const Vector2d& p, const Vector2d& q) {
+  const double along = std::clamp((at - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
+  return (at - p - along * (q - p)).norm();
+}
+
+// What is cut away round a tab must leave something of the panels beside it, and of what else is
+// in them.
+bool has_room(const KitSheet& sheet, const KitFittings& fittings, const SpringTab& tab,
+              double edge_mm) {
+  const Vector2d at_mm = sheet.point(tab.vertex);
+  const double reach_mm = tab.clear_mm + edge_mm - kSlack_mm;
+  for (const int f : solver::facets_around(sheet.base.sheet, tab.vertex)) {
+    const auto& around = sheet.base.sheet.facets[static_cast<std::size_t>(f)];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = around[k], b = around[(k + 1) % 4];
+      if (a == tab.vertex || b == tab.vertex) continue;
+      if (distance_to_segment(at_mm, sheet.point(a), sheet.point(b)) < reach_mm) return false;
     }
   }
-  return nullptr;
+  const auto keeps_off = [&](const Vector2d& other_mm, double taken_mm) {
+    return (other_mm - at_mm).norm() >= reach_mm + taken_mm;
+  };
+  return std::all_of(fittings.tabs.begin(), fittings.tabs.end(),
+                     [&](const SpringTab& other) {
+                       return &other == &tab ||
+                              keeps_off(sheet.point(other.vertex), other.clear_mm);
+                     }) &&
+         std::all_of(fittings.bores.begin(), fittings.bores.end(), [&](const Bore& bore) {
+           return fittings.tab_at(bore.vertex) != nullptr ||
+                  keeps_off(bore.centre_mm, 0.5 * bore.diameter_mm);
+         });
+}
+
+// The first bore that leaves its panel, or bore or tab that comes too close to something, in words;
+// empty if none does.
+std::string misplaced(const KitSheet& sheet, const KitFittings& fittings, double edge_mm) {
+  for (const Bore& bore : fittings.bores) {
+    if (fittings.tab_at(bore.vertex) != nullptr || has_room(sheet, fittings, bore, edge_mm)) {
+      continue;
+    }
+    return fmt::format(
+        "no room in panel {} at {} (between bores and edges {:g} mm are to be left, --bore-edge)",
+        sheet.panel_label(bore.facet), solver::vertex_label(bore.vertex), edge_mm);
+  }
+  for (const SpringTab& tab : fittings.tabs) {
+    if (has_room(sheet, fittings, tab, edge_mm)) continue;
+    return fmt::format(
+        "no room for a tab at {} (the panels beside it would be cut away {:.4g} mm round it, "
+        "--bore-edge of {:g} mm among them)",
+        solver::vertex_label(tab.vertex), tab.clear_mm, edge_mm);
+  }
+  return "";
 }
 
 // The largest part of the diameters that fits.
@@ -89,9 +173,8 @@ double fitting_scale(const KitSheet& sheet, const KitOptions& options) {
   double fits = 0, fails = 1;
   for (int k = 0; k < 30; ++k) {
     const double middle = 0.5 * (fits + fails);
-    const bool fit =
-        misplaced(sheet, bores_of(sheet, options, middle), options.bore_edge_mm) == nullptr;
-    (fit ? fits : fails) = middle;
+    const KitFittings fittings = FittingsMaker(sheet, options, middle).make();
+    (misplaced(sheet, fittings, options.bore_edge_mm).empty() ? fits : fails) = middle;
   }
   return fits;
 }
@@ -119,24 +202,32 @@ std::string asked_for(const KitOptions& options, double scale) {
 
 }  // namespace
 
-std::vector<Bore> kit_bores(const KitSheet& sheet, const KitOptions& options) {
+const SpringTab* KitFittings::tab_at(int vertex) const {
+  const auto at = std::find_if(tabs.begin(), tabs.end(),
+                               [&](const SpringTab& tab) { return tab.vertex == vertex; });
+  return at == tabs.end() ? nullptr : &*at;
+}
+
+KitFittings kit_fittings(const KitSheet& sheet, const KitOptions& options) {
   refuse_within_kerf("--joint-bore", options.joint_bore_mm, options.kerf_mm);
   refuse_within_kerf("--spring-bore", options.spring_bore_mm, options.kerf_mm);
-  std::vector<Bore> bores = bores_of(sheet, options, 1);
-  const Bore* bad = misplaced(sheet, bores, options.bore_edge_mm);
-  if (bad == nullptr) return bores;
+  if (options.spring_bore_mm && options.spring_at == SpringAt::vertex &&
+      options.bore_edge_mm == 0) {
+    throw UserError(kExitUsage,
+                    "--bore-edge 0: nothing would be left of a tab round its bore (springs end on "
+                    "vertices); take more, or --spring-at panel");
+  }
+  KitFittings fittings = FittingsMaker(sheet, options, 1).make();
+  const std::string bad = misplaced(sheet, fittings, options.bore_edge_mm);
+  if (bad.empty()) return fittings;
   constexpr double kLeastBore_mm = 0.1;
   const double scale = fitting_scale(sheet, options);
   const double largest_mm =
       scale * std::max(options.joint_bore_mm.value_or(0), options.spring_bore_mm.value_or(0));
-  throw UserError(
-      kExitUsage,
-      fmt::format("{}: no room in panel {} at {} (between bores and edges {:g} mm are to be left, "
-                  "--bore-edge); {}",
-                  asked_for(options, 1), sheet.panel_label(bad->facet),
-                  solver::vertex_label(bad->vertex), options.bore_edge_mm,
-                  largest_mm < kLeastBore_mm ? "take a smaller --bore-edge"
-                                             : asked_for(options, scale) + " would fit"));
+  throw UserError(kExitUsage, fmt::format("{}: {}; {}", asked_for(options, 1), bad,
+                                          largest_mm < kLeastBore_mm
+                                              ? "take a smaller --bore-edge"
+                                              : asked_for(options, scale) + " would fit"));
 }
 
 }  // namespace misalign::schema

@@ -35,18 +35,26 @@ std::string listed(const std::string& what, const std::vector<std::string>& name
 class Kit {
  public:
   Kit(const KitSheet& sheet, const KitOptions& options, const std::string& title)
-      : sheet_(sheet), options_(options), title_(title), bores_(kit_bores(sheet, options)) {}
+      : sheet_(sheet),
+        options_(options),
+        title_(title),
+        fittings_(kit_fittings(sheet, options)),
+        springs_(kit_springs(sheet, fittings_)),
+        warning_(contradiction_of(springs_)) {}
 
-  std::vector<LineDrawing> drawings() {
+  KitDrawings drawings() {
     std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
     if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
     if (sheet_.shifts_mm.isZero(0)) notes_.emplace_back("no vertex is shifted");
+    if (!springs_.empty() && options_.spring_at == SpringAt::vertex) {
+      notes_.emplace_back("springs end on vertices: in a tab's bore, or in the ball joint's wire");
+    }
     if (options_.bed_mm) parts = fitted(parts);
     std::vector<KitPiece> pieces;
     for (const KitPart& part : parts) {
-      pieces.push_back(part_piece(sheet_, part, bores_, options_));
+      pieces.push_back(part_piece(sheet_, part, fittings_, options_));
     }
-    return laid_out(std::move(pieces));
+    return {laid_out(std::move(pieces)), warning_};
   }
 
  private:
@@ -63,9 +71,11 @@ class Kit {
     const char* creases = options_.crease == CreaseCut::cut     ? "creases cut"
                           : options_.crease == CreaseCut::score ? "creases scored"
                                                                 : "creases perforated";
-    std::vector<std::string> lines = {
-        title_, fmt::format("kit to cut, mm, sheet {} of {}; {}; kerf {:g}", bed + 1, beds, creases,
-                            options_.kerf_mm)};
+    std::vector<std::string> lines;
+    if (!warning_.empty()) lines.push_back("WARNING: " + warning_);
+    lines.push_back(title_);
+    lines.push_back(fmt::format("kit to cut, mm, sheet {} of {}; {}; kerf {:g}", bed + 1, beds,
+                                creases, options_.kerf_mm));
     lines.insert(lines.end(), notes_.begin(), notes_.end());
     return lines;
   }
@@ -80,7 +90,7 @@ class Kit {
   }
 
   LayoutBox box_of(const KitPart& part) const {
-    const PartOutline outline = part_outline(sheet_, part, options_.kerf_mm);
+    const PartOutline outline = part_outline(sheet_, part, fittings_, options_.kerf_mm);
     return {outline.most_mm() - outline.least_mm(), true};
   }
   bool fit(const std::vector<KitPart>& parts, const Vector2d& room_mm) const {
@@ -149,7 +159,7 @@ class Kit {
     const Vector2d margin = Vector2d::Constant(options_.margin_mm);
     Vector2d room(0, INFINITY);
     if (options_.bed_mm) room = room_mm();
-    for (KitPiece& block : kit_tables(sheet_, bores_, cuts_, room.y()))
+    for (KitPiece& block : kit_tables(sheet_, springs_, cuts_, room.y()))
       pieces.push_back(std::move(block));
     std::vector<LayoutBox> boxes;
     for (const KitPiece& piece : pieces) boxes.push_back({piece.size_mm(), piece.may_turn});
@@ -193,15 +203,17 @@ class Kit {
   const KitSheet& sheet_;
   const KitOptions& options_;
   const std::string title_;
-  const std::vector<Bore> bores_;
+  const KitFittings fittings_;
+  const std::vector<KitSpring> springs_;
+  const std::string warning_;
   std::vector<std::string> notes_;
   std::vector<int> cuts_;  // creases along which parts were cut to fit the bed
 };
 
 }  // namespace
 
-std::vector<LineDrawing> kit_drawings(const KitSheet& sheet, const KitOptions& options,
-                                      const std::string& title) {
+KitDrawings kit_drawings(const KitSheet& sheet, const KitOptions& options,
+                         const std::string& title) {
   refuse_options(options);
   return Kit(sheet, options, title).drawings();
 }

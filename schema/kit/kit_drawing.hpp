@@ -10,10 +10,14 @@
 
 namespace misalign::schema {
 
-/// A drawing for each bed; without beds one. Layers without a line are left out. UserError (2) if
-/// the options do not go together, a panel does not fit the bed, bores do not fit a panel, or the
-/// kerf is too wide.
-std::vector<LineDrawing> kit_drawings(const KitSheet& sheet, const KitOptions& options,
-                                      const std::string& title);
+struct KitDrawings {
+  std::vector<LineDrawing> beds;  ///< without beds one; layers without a line are left out
+  std::string warning;            ///< of springs that contradict the verdict; stands first on each
+};
+
+/// UserError (2) if the options do not go together, a panel does not fit the bed, bores or tabs do
+/// not fit a panel, or the kerf is too wide.
+KitDrawings kit_drawings(const KitSheet& sheet, const KitOptions& options,
+                         const std::string& title);
 
 }  // namespace misalign::schema

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "schema/files/printable.hpp"
 #include "schema/kit/panel_room.hpp"
@@ -88,20 +87,51 @@ std::vector<Row> shift_rows(const KitSheet& sheet) {
   return rows;
 }
 
-std::vector<Row> spring_rows(const KitSheet& sheet, const std::vector<Bore>& bores) {
+std::string number_of(const KitSpring& spring) { return "s" + std::to_string(spring.from.spring); }
+
+std::vector<Row> spring_rows(const std::vector<KitSpring>& springs) {
   std::vector<Row> rows;
-  std::map<int, const Bore*> first_end;
-  for (const Bore& bore : bores) {
-    if (bore.spring < 0) continue;
-    const auto [at, is_first] = first_end.try_emplace(bore.spring, &bore);
-    if (is_first) continue;
-    const Bore& from = *at->second;
-    rows.push_back(
-        {"s" + std::to_string(bore.spring), solver::line_label(from.vertex, bore.vertex),
-         fmt::format("{:.3f}", (sheet.point(from.vertex) - sheet.point(bore.vertex)).norm()),
-         fmt::format("{:.3f}", (from.centre_mm - bore.centre_mm).norm())});
+  for (const KitSpring& spring : springs) {
+    rows.push_back({number_of(spring), solver::line_label(spring.from.vertex, spring.to.vertex),
+                    fmt::format("{:.3f}", spring.diagonal_mm[0]),
+                    fmt::format("{:.3f}", spring.length_mm[0])});
   }
   return rows;
+}
+
+std::vector<Row> spring_way_rows(const std::vector<KitSpring>& springs) {
+  std::vector<Row> rows;
+  for (const KitSpring& spring : springs) {
+    rows.push_back({number_of(spring), fmt::format("{:.3f}", spring.length_mm.back()),
+                    fmt::format("{:.3f}", spring.stroke_mm()), word_of(spring.way),
+                    word_of(spring.diagonal_way)});
+  }
+  return rows;
+}
+
+// A few springs a table: lengths flat, every ten degrees, and at the end.
+void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
+                   double most_height_mm, std::vector<KitPiece>& pieces) {
+  constexpr std::size_t kSprings = 4;
+  constexpr double kStep_deg = 10;
+  const auto shown = solver::rows_to_show(sheet.mechanism, sheet.path, kStep_deg);
+  for (std::size_t first = 0; first < springs.size(); first += kSprings) {
+    const std::size_t end = std::min(first + kSprings, springs.size());
+    Row heads = {"deg"}, flat = {"0"};
+    for (std::size_t s = first; s < end; ++s) {
+      heads.push_back(number_of(springs[s]));
+      flat.push_back(fmt::format("{:.3f}", springs[s].length_mm[0]));
+    }
+    std::vector<Row> rows = {flat};
+    for (const Eigen::Index row : shown) {
+      const auto at = static_cast<std::size_t>(row);
+      rows.push_back({fmt::format("{:.10g}", sheet.path.history.stations[at].pilot_deg)});
+      for (std::size_t s = first; s < end; ++s) {
+        rows.back().push_back(fmt::format("{:.3f}", springs[s].length_mm[at + 1]));
+      }
+    }
+    add_blocks("springs' lengths, mm, at the pilot's angle", heads, rows, most_height_mm, pieces);
+  }
 }
 
 }  // namespace
@@ -132,12 +162,19 @@ KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm)
   return piece;
 }
 
-std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<Bore>& bores,
+std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
                                  const std::vector<int>& cuts, double most_height_mm) {
   std::vector<KitPiece> pieces;
   add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, pieces);
-  add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "bores"}, spring_rows(sheet, bores),
+  add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "spring"}, spring_rows(springs),
              most_height_mm, pieces);
+  const Eigen::Index rows = solver::rows_shown(sheet.mechanism, sheet.path);
+  const double end_deg =
+      rows == 0 ? 0 : sheet.path.history.stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
+  add_blocks(fmt::format("springs, mm, from flat to {:.10g} deg", end_deg),
+             {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_way_rows(springs),
+             most_height_mm, pieces);
+  add_histories(sheet, springs, most_height_mm, pieces);
   std::vector<Row> hinges;
   for (const int c : cuts) {
     const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "schema/kit/kit_bores.hpp"
 #include "schema/kit/kit_piece.hpp"
+#include "schema/kit/kit_springs.hpp"
 
 namespace misalign::schema {
 
@@ -15,10 +15,12 @@ KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm)
 /// The least width that it needs.
 inline constexpr double kLeastHeading_mm = 120;
 
-/// The shifts as a table of vertex, dx and dy in mm, and with bores for springs another one of
-/// springs: number, ends, length from vertex to vertex and from bore to bore, flat. Of the creases
-/// (of the mechanism) that were cut for the bed a third. In blocks of at most that height.
-std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<Bore>& bores,
+/// Tables in blocks of at most that height, and no wider than the least heading. The shifts:
+/// vertex, dx and dy in mm. Springs, flat: number, ends, length from vertex to vertex and between
+/// its own ends; on the way to D: how long at D, its stroke, which way, and the diagonal's; their
+/// lengths every ten degrees. Of the creases (of the mechanism) that were cut for the bed a last
+/// one.
+std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
                                  const std::vector<int>& cuts, double most_height_mm);
 
 }  // namespace misalign::schema

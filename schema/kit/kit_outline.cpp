@@ -76,6 +76,64 @@ Ring ring_of(const KitSheet& sheet, const std::vector<int>& walk) {
   return ring;
 }
 
+// The directions of an arc's points seen from its middle, its ends among them.
+std::vector<double> arc(double from_rad, double turn_rad, double radius_mm) {
+  const double most_rad = 2 * std::acos(1 - kChordOff_mm / radius_mm);
+  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(turn_rad) / most_rad)));
+  std::vector<double> angles_rad;
+  for (int k = 0; k <= chords; ++k) angles_rad.push_back(from_rad + turn_rad * k / chords);
+  return angles_rad;
+}
+
+// A part's contour where it comes to a vertex with a tab: round the disc where its panel is at this
+// corner, and where others are round what is cut away of them. `after` is the contour's next
+// vertex.
+Ring round_tab(const KitSheet& sheet, const KitPart& part, const SpringTab& tab, int after) {
+  const Vector2d at_mm = sheet.point(tab.vertex);
+  struct Sector {
+    bool has_tab;
+    double from_rad, turn_rad;  // counter-clockwise from its one edge to the other
+  };
+  std::vector<Sector> sectors;  // counter-clockwise
+  for (int edge = after; edge >= 0;) {
+    int next = -1;
+    for (const int f : part.facets) {
+      const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(f)];
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (v[k] != tab.vertex || v[(k + 1) % 4] != edge) continue;
+        const Vector2d one = sheet.point(edge) - at_mm;
+        next = v[(k + 3) % 4];
+        const Vector2d other = sheet.point(next) - at_mm;
+        sectors.push_back({f == tab.facet, std::atan2(one.y(), one.x()),
+                           std::atan2(cross(one, other), one.dot(other))});
+      }
+    }
+    edge = next;
+  }
+  Ring ring;
+  for (auto sector = sectors.rbegin(); sector != sectors.rend(); ++sector) {
+    const double turn_rad =
+                     sector->has_tab ? 2 * std::numbers::pi - sector->turn_rad : -sector->turn_rad,
+                 radius_mm = sector->has_tab ? tab.radius_mm : tab.clear_mm;
+    for (const double angle : arc(sector->from_rad + sector->turn_rad, turn_rad, radius_mm)) {
+      ring.emplace_back(at_mm + radius_mm * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return ring;
+}
+
+Ring ring_with_tabs(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+                    const std::vector<int>& walk) {
+  Ring ring;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const SpringTab* tab = fittings.tab_at(walk[i]);
+    const Ring corner = tab == nullptr ? Ring{sheet.point(walk[i])}
+                                       : round_tab(sheet, part, *tab, walk[(i + 1) % walk.size()]);
+    ring.insert(ring.end(), corner.begin(), corner.end());
+  }
+  return ring;
+}
+
 // The widest kerf for which each of these contours can still be cut.
 double widest_kerf_mm(const std::vector<Ring>& rings, double too_wide_mm) {
   double fits = 0, fails = too_wide_mm;
@@ -154,10 +212,11 @@ Eigen::Vector2d PartOutline::most_mm() const {
   return most;
 }
 
-PartOutline part_outline(const KitSheet& sheet, const KitPart& part, double kerf_mm) {
+PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+                         double kerf_mm) {
   const std::vector<std::vector<int>> walks = part_walks(sheet, part);
   std::vector<Ring> drawn;
-  for (const auto& walk : walks) drawn.push_back(ring_of(sheet, walk));
+  for (const auto& walk : walks) drawn.push_back(ring_with_tabs(sheet, part, fittings, walk));
   PartOutline outline;
   std::map<int, std::vector<Vector2d>> ends_at;  // of slits, by vertex
   for (std::size_t r = 0; r < drawn.size(); ++r) {
@@ -172,8 +231,10 @@ PartOutline part_outline(const KitSheet& sheet, const KitPart& part, double kerf
     }
     outline.rings.push_back(*moved);
     if (kerf_mm == 0) continue;
+    const Ring corners = ring_of(sheet, walks[r]);
     for (std::size_t i = 0; i < walks[r].size(); ++i) {
-      ends_at[walks[r][i]].push_back(moved_corner(drawn[r], i, 0.5 * kerf_mm).front());
+      if (fittings.tab_at(walks[r][i]) != nullptr) continue;  // nothing is left there
+      ends_at[walks[r][i]].push_back(moved_corner(corners, i, 0.5 * kerf_mm).front());
     }
   }
   for (const auto& [vertex, ends] : ends_at) {

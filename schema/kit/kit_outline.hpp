@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "schema/kit/kit_bores.hpp"
 #include "schema/kit/kit_parts.hpp"
 
 namespace misalign::schema {
@@ -23,7 +24,9 @@ std::optional<Ring> offset_ring(const Ring& ring, double distance_mm);
 inline constexpr double kMitreLimit = 4;  // corners below 29 degrees
 
 struct PartOutline {
-  std::vector<Ring> rings;  ///< as part_walks, moved off by half a kerf
+  /// As part_walks, with tabs and what is cut away round them, moved off by half a kerf. Arcs are
+  /// chords that leave them by at most kChordOff_mm.
+  std::vector<Ring> rings;
   /// From a corner of one ring through the ball joint to that of another: where openings touch, and
   /// only half a kerf inside them is cut, a neck would be left. None without a kerf.
   std::vector<std::vector<Eigen::Vector2d>> slits;
@@ -32,8 +35,11 @@ struct PartOutline {
   Eigen::Vector2d most_mm() const;
 };
 
+inline constexpr double kChordOff_mm = 0.005;
+
 /// UserError (2) if the kerf is too wide for it.
-PartOutline part_outline(const KitSheet& sheet, const KitPart& part, double kerf_mm);
+PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+                         double kerf_mm);
 
 /// Twice the area inside, positive if counter-clockwise, halved: mm^2.
 double signed_area_mm2(const Ring& ring);

@@ -1,11 +1,11 @@
-// The flat sheet that a kit is made of.
+// The sheet that a kit is made of: flat, and on its way.
 #pragma once
 
 #include <algorithm>
 #include <string>
 
 #include "schema/campaign/pattern_file.hpp"
-#include "solver/kinematics/mechanism.hpp"
+#include "solver/design/shaped_path.hpp"
 
 namespace misalign::schema {
 
@@ -15,6 +15,7 @@ struct KitSheet {
   const Eigen::Matrix2Xd& vertices_mm;  ///< where they are cut
   const Eigen::Matrix2Xd& shifts_mm;    ///< of that, off the base
   const solver::Mechanism& mechanism;
+  const solver::ShapedPath& path;
 
   Eigen::Vector2d point(int vertex) const { return vertices_mm.col(vertex); }
   /// "r1c2" for the panel [1, 2] of pattern files and catalogues.

@@ -19,14 +19,17 @@ double text_width(const std::string& words) {
   return kLetter * static_cast<double>(words.size());
 }
 
-PanelRoom::PanelRoom(const KitSheet& sheet, int facet, const std::vector<Bore>& bores) {
+PanelRoom::PanelRoom(const KitSheet& sheet, int facet, const KitFittings& fittings) {
   for (const int v : sheet.base.sheet.facets[static_cast<std::size_t>(facet)]) {
     corners_.push_back(sheet.point(v));
+    if (const SpringTab* tab = fittings.tab_at(v)) {
+      fittings_.push_back({sheet.point(v), tab->clear_mm});
+    }
   }
   middle_mm_ = 0.25 * (corners_[0] + corners_[1] + corners_[2] + corners_[3]);
   size_mm_ = std::sqrt(signed_area_mm2(corners_));
-  for (const Bore& bore : bores) {
-    if (bore.facet == facet) bores_.push_back({bore.centre_mm, 0.5 * bore.diameter_mm});
+  for (const Bore& bore : fittings.bores) {
+    if (bore.facet == facet) fittings_.push_back({bore.centre_mm, 0.5 * bore.diameter_mm});
   }
 }
 
@@ -38,9 +41,9 @@ bool PanelRoom::has_room_for(const Box& box) const {
     const double depth = inward.dot(box.middle - corners_[k]) - inward.cwiseAbs().dot(box.half);
     if (depth < kClear_mm) return false;
   }
-  for (const DrawnCircle& bore : bores_) {
-    const Vector2d off = (bore.centre_mm - box.middle).cwiseAbs() - box.half;
-    if (off.cwiseMax(0).norm() < bore.radius_mm + kClear_mm) return false;
+  for (const DrawnCircle& fitting : fittings_) {
+    const Vector2d off = (fitting.centre_mm - box.middle).cwiseAbs() - box.half;
+    if (off.cwiseMax(0).norm() < fitting.radius_mm + kClear_mm) return false;
   }
   return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
     const Vector2d apart = (other.middle - box.middle).cwiseAbs() - other.half - box.half;

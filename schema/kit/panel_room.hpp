@@ -14,8 +14,8 @@ double text_width(const std::string& words);
 
 class PanelRoom {
  public:
-  /// A panel without what its bores take.
-  PanelRoom(const KitSheet& sheet, int facet, const std::vector<Bore>& bores);
+  /// A panel without what bores and tabs take of it.
+  PanelRoom(const KitSheet& sheet, int facet, const KitFittings& fittings);
 
   /// Words with their middle at the first of the points where they fit; they take that room.
   std::optional<DrawnText> place(const std::string& words, double height_mm,
@@ -33,7 +33,7 @@ class PanelRoom {
   std::vector<Eigen::Vector2d> corners_;
   Eigen::Vector2d middle_mm_;
   double size_mm_;  // root of the area
-  std::vector<DrawnCircle> bores_;
+  std::vector<DrawnCircle> fittings_;
   std::vector<Box> taken_;
 };
 

@@ -33,10 +33,10 @@ std::vector<Vector2d> rings_round(const Vector2d& middle, double first_mm, doubl
 
 class Marks {
  public:
-  Marks(const KitSheet& sheet, const KitPart& part, const std::vector<Bore>& bores,
+  Marks(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
         LineLayer& engraved)
       : sheet_(sheet), engraved_(engraved) {
-    for (const int f : part.facets) rooms_.emplace(f, PanelRoom(sheet, f, bores));
+    for (const int f : part.facets) rooms_.emplace(f, PanelRoom(sheet, f, fittings));
   }
 
   // In the middle, or as near as bores let it; smaller where there is no room.
@@ -59,13 +59,13 @@ class Marks {
     }
   }
 
-  void add_spring_numbers(const std::vector<Bore>& bores) {
-    for (const Bore& bore : bores) {
-      const auto room = rooms_.find(bore.facet);
-      if (bore.spring < 0 || room == rooms_.end()) continue;
+  void add_spring_numbers(const std::vector<SpringEnd>& ends) {
+    for (const SpringEnd& end : ends) {
+      const auto room = rooms_.find(end.facet);
+      if (room == rooms_.end()) continue;
       const double height_mm = mark_height_mm(room->second);
-      add(room->second, "s" + std::to_string(bore.spring),
-          rings_round(bore.centre_mm, 0.5 * bore.diameter_mm + height_mm, 0.5 * height_mm, 6, 24));
+      add(room->second, "s" + std::to_string(end.spring),
+          rings_round(end.at_mm, end.taken_mm + height_mm, 0.5 * height_mm, 12, 24));
     }
   }
 
@@ -108,12 +108,18 @@ class Marks {
   std::map<int, PanelRoom> rooms_;
 };
 
-void add_creases(const KitSheet& sheet, const KitPart& part, const KitOptions& options,
-                 KitPiece& piece) {
+// Up to what is cut away round tabs.
+void add_creases(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+                 const KitOptions& options, KitPiece& piece) {
+  const auto end_mm = [&](int at, int other) {
+    const Vector2d from = sheet.point(at), along = sheet.point(other) - from;
+    const SpringTab* tab = fittings.tab_at(at);
+    return tab == nullptr ? from : Vector2d(from + tab->clear_mm * along.normalized());
+  };
   const bool dashed = options.crease == CreaseCut::dash;
   for (const int c : part.creases) {
     const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];
-    const Vector2d from = sheet.point(crease.a), to = sheet.point(crease.b);
+    const Vector2d from = end_mm(crease.a, crease.b), to = end_mm(crease.b, crease.a);
     const bool valley = sheet.mechanism.is_valley(crease);
     if (!dashed) {
       piece.on(valley ? KitLayer::score_valley : KitLayer::score_mountain)
@@ -127,9 +133,9 @@ void add_creases(const KitSheet& sheet, const KitPart& part, const KitOptions& o
 
 }  // namespace
 
-KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const std::vector<Bore>& bores,
+KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
                     const KitOptions& options) {
-  const PartOutline outline = part_outline(sheet, part, options.kerf_mm);
+  const PartOutline outline = part_outline(sheet, part, fittings, options.kerf_mm);
   KitPiece piece = empty_piece(outline.least_mm(), outline.most_mm());
   piece.may_turn = true;
   for (const Ring& ring : outline.rings) piece.on(KitLayer::cut).paths.push_back({ring, true});
@@ -139,15 +145,15 @@ KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const std::vecto
       piece.on(KitLayer::hatch).paths.push_back(std::move(line));
     }
   }
-  for (const Bore& bore : bores) {
+  for (const Bore& bore : fittings.bores) {
     if (!std::binary_search(part.facets.begin(), part.facets.end(), bore.facet)) continue;
     piece.on(KitLayer::bore)
         .circles.push_back({bore.centre_mm, 0.5 * (bore.diameter_mm - options.kerf_mm)});
   }
-  add_creases(sheet, part, options, piece);
-  Marks marks(sheet, part, bores, piece.on(KitLayer::engrave));
+  add_creases(sheet, part, fittings, options, piece);
+  Marks marks(sheet, part, fittings, piece.on(KitLayer::engrave));
   marks.add_panel_numbers();
-  marks.add_spring_numbers(bores);
+  marks.add_spring_numbers(fittings.ends);
   marks.add_vertex_labels();
   return piece;
 }

@@ -10,7 +10,7 @@
 namespace misalign::schema {
 
 /// Where the sheet has it; its page is the box round its outer contour.
-KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const std::vector<Bore>& bores,
+KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
                     const KitOptions& options);
 
 /// The cuts of a perforation between two points, as they are drawn: as many of the length that is

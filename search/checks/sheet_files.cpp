@@ -104,12 +104,12 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
     case SheetFormat::fold:
       return write_file(stem, fold_text(folded, view, label, origin));
     case SheetFormat::obj:
-      return write_states(folded, view, label);
+      return write_states(folded, label);
     case SheetFormat::mjcf:
     case SheetFormat::inp:
       return write_file(stem, simulated(folded, label));
     case SheetFormat::stl:
-      return write_plates(folded, view, label);
+      return write_plates(folded, label);
   }
 }
 
@@ -139,7 +139,7 @@ schema::Json SheetFiles::deployment_of(const FoldedSheet& folded) const {
 
 std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
                                   const SheetLabel& label, const schema::Json& origin) const {
-  const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+  const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
   folder_.check_shapes(folded, rows, label.name);
   schema::Json data = data_of(folded, view, origin);
   data.erase("pattern");  // is beside it
@@ -177,21 +177,20 @@ void SheetFiles::write_drawings(const FoldedSheet& folded, const SheetLabel& lab
     return write_file(label.stem, text_of(schema::crease_pattern_drawing(
                                       base, folded.vertices_mm, folder_.mechanism(), label.title)));
   }
-  const schema::KitSheet sheet{base.base, folded.vertices_mm, folded.shifts_mm,
-                               folder_.mechanism()};
+  const schema::KitSheet sheet{base.base, folded.vertices_mm, folded.shifts_mm, folder_.mechanism(),
+                               folded.path};
+  const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
+  if (!kit.warning.empty() && options_.warn) options_.warn(label.name + ": " + kit.warning);
   std::vector<std::string> texts;
-  for (const auto& drawing : schema::kit_drawings(sheet, *options_.kit, label.title)) {
-    texts.push_back(text_of(drawing));
-  }
+  for (const schema::LineDrawing& bed : kit.beds) texts.push_back(text_of(bed));
   for (std::size_t k = 0; k < texts.size(); ++k) {
     write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
                texts[k]);
   }
 }
 
-void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingView& view,
-                              const SheetLabel& label) const {
-  const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+void SheetFiles::write_states(const FoldedSheet& folded, const SheetLabel& label) const {
+  const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
   folder_.check_shapes(folded, rows, label.name);
   Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, folded.vertices_mm.cols());
   flat_mm.topRows<2>() = folded.vertices_mm;
@@ -207,9 +206,8 @@ void SheetFiles::write_states(const FoldedSheet& folded, const schema::FoldingVi
   }
 }
 
-void SheetFiles::write_plates(const FoldedSheet& folded, const schema::FoldingView& view,
-                              const SheetLabel& label) const {
-  const auto rows = schema::rows_to_show(view, folded.path, options_.step_deg);
+void SheetFiles::write_plates(const FoldedSheet& folded, const SheetLabel& label) const {
+  const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
   folder_.check_shapes(folded, rows, label.name);
   ContactStudier studier(folder_.base(), folder_.sampling());
   const schema::ContactStudy study = studier.study(folded.shifts_mm, options_.trim_mm, label.name);

@@ -2,6 +2,7 @@
 // rows of one table.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct SheetFilesOptions {
   schema::MjcfOptions mjcf;
   schema::DeckOptions deck;               ///< of `inp`
   std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
+  std::function<void(const std::string&)> warn;  ///< of a kit, before it is written
   /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
   std::optional<double> trim_mm;
 
@@ -75,10 +77,8 @@ class SheetFiles {
                                          const std::string& name) const;
   std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_drawings(const FoldedSheet& folded, const SheetLabel& label) const;
-  void write_states(const FoldedSheet& folded, const schema::FoldingView& view,
-                    const SheetLabel& label) const;
-  void write_plates(const FoldedSheet& folded, const schema::FoldingView& view,
-                    const SheetLabel& label) const;
+  void write_states(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_plates(const FoldedSheet& folded, const SheetLabel& label) const;
   void write_file(const std::string& stem, const std::string& text) const;
 
   const SheetFolder& folder_;

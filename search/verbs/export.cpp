@@ -1,5 +1,6 @@
 // `misalign export`: chosen candidates, or a pattern, as files.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <filesystem>
 
@@ -130,6 +131,7 @@ void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, con
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
   only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
             "--joint-bore or --spring-bore");
+  only_with("--spring-at", kit.options.spring_bore_mm.has_value(), "--spring-bore");
   only_with("--dash-mm", kit.options.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == SheetFormat::mjcf, "--format mjcf");
   for (const char* option : {"--mesh", "--material"}) {
@@ -144,6 +146,7 @@ void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) 
   call.files.release = call.release.release;
   call.files.deck = call.deck.deck;
   call.files.kit = chosen_kit(call.kit);
+  call.files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
     if (!chosen_by.empty()) throw only_of_a_catalogue(path, chosen_by);
@@ -195,10 +198,13 @@ constexpr const char* kExportFooter =
     "  be cut: engrave (numbers), hatch (waste), note (title, 100 mm gauge, tables).\n"
     "  Where two holes meet, the part's contours touch in the ball joint's point. With --kerf\n"
     "  they do not quite; slit cuts through there.\n"
-    "  Bores lie on the bisector of a panel's corner. --joint-bore: at each ball joint one in\n"
-    "  each of its two panels, for a loop of wire, --bore-edge off the edges. --spring-bore:\n"
-    "  one at each end of each diagonal, in the panel across the vertex, or at a ball joint in\n"
-    "  the one next to the hole; behind the joint's.\n\n"
+    "  --joint-bore: at each ball joint a bore in each of its two panels, on the bisector of the\n"
+    "  corner, --bore-edge off the edges: for a loop of wire. --spring-bore: springs end on the\n"
+    "  vertices of their diagonals, where the verdict holds. At a corner of one hole the panel\n"
+    "  across has a tab, a disc with the bore in its middle, which its neighbours are cut clear\n"
+    "  of; at a ball joint the spring hangs in the joint's wire. --spring-at panel: in bores\n"
+    "  inside panels near the vertices, which turn with them. A kit whose springs contradict the\n"
+    "  verdict says so first; tables have the lengths of all from flat to D.\n\n"
     "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"

@@ -55,6 +55,12 @@ void add_kit(CLI::App& verb, KitWish& wish) {
          1e-2);
   add_mm("--spring-bore", kit.spring_bore_mm, "with --kit: diameter of bores for springs [none]",
          1e-2);
+  verb.add_option(
+          "--spring-at", kit.spring_at,
+          "with --spring-bore: vertex (tabs and ball joints) or panel (bores near vertices) "
+          "[vertex]")
+      ->transform(one_of<schema::SpringAt>(
+          {{"vertex", schema::SpringAt::vertex}, {"panel", schema::SpringAt::panel}}));
   add_mm("--bore-edge", kit.bore_edge_mm,
          fmt::format("with --kit: what is left between a bore and edges, or another bore [{:g}]",
                      kit.bore_edge_mm),

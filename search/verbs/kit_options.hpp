@@ -18,9 +18,9 @@ struct KitWish {
 
 /// --kit, and what goes with it alone.
 void add_kit(CLI::App& verb, KitWish& wish);
-inline constexpr std::array kKitOptions = {"--crease",     "--dash-mm",     "--kerf",
-                                           "--joint-bore", "--spring-bore", "--bore-edge",
-                                           "--gap",        "--bed",         "--margin"};
+inline constexpr std::array kKitOptions = {
+    "--crease",    "--dash-mm",   "--kerf", "--joint-bore", "--spring-bore",
+    "--spring-at", "--bore-edge", "--gap",  "--bed",        "--margin"};
 
 /// With the bed, if one is asked for; nothing without --kit.
 std::optional<schema::KitOptions> chosen_kit(const KitWish& wish);

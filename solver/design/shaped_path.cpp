@@ -7,6 +7,10 @@
 namespace misalign::solver {
 namespace {
 
+// Where all is folded flat the equations are singular, and angles known to the root of the closure
+// tolerance: 6e-5 degrees.
+constexpr double kShownOverFold_deg = 1e-3;
+
 Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
   Eigen::Matrix3Xd place_mm = Eigen::Matrix3Xd::Zero(3, flat_mm.cols());
   place_mm.topRows<2>() = flat_mm;
@@ -38,6 +42,23 @@ Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& 
     }
   }
   return angle_deg.rows();
+}
+
+Eigen::Index rows_shown(const Mechanism& mechanism, const ShapedPath& path) {
+  const Eigen::Index up_to_d = path.rows_up_to_d();
+  return up_to_d > 0 ? up_to_d : rows_folded_well(mechanism, path.history, kShownOverFold_deg);
+}
+
+std::vector<Eigen::Index> rows_to_show(const Mechanism& mechanism, const ShapedPath& path,
+                                       double step_deg) {
+  std::vector<Eigen::Index> rows;
+  const Eigen::Index end = rows_shown(mechanism, path);
+  for (Eigen::Index row = 0; row < end; ++row) {
+    const double away =
+        std::remainder(path.history.stations[static_cast<std::size_t>(row)].pilot_deg, step_deg);
+    if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);
+  }
+  return rows;
 }
 
 ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm) {

@@ -20,6 +20,14 @@ struct ShapedPath {
 Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history,
                               double band_deg = kOverFoldBand_deg);
 
+/// How many rows are shown of a path: those up to D, or of a sheet that deploys from nothing those
+/// that are folded well, but for the rounding of angles near 180 degrees.
+Eigen::Index rows_shown(const Mechanism& mechanism, const ShapedPath& path);
+/// Those of them that become files, frames or lines of a table: multiples of `step_deg`, and the
+/// last.
+std::vector<Eigen::Index> rows_to_show(const Mechanism& mechanism, const ShapedPath& path,
+                                       double step_deg);
+
 /// As record_history. Each shape is turned and moved, as it is, to where it lies best over the flat
 /// sheet at z = 0 (least squares over the vertices; Kabsch 1976), so that neighbours differ little.
 ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm);

@@ -34,7 +34,7 @@ struct Joined {
     options.end_deg = std::floor(base.folding.end_deg());
     path = solver::record_shapes(solver::Model(base, options), pattern.vertices_mm());
     const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
-    const auto rows = rows_to_show(view, path, 10);
+    const auto rows = solver::rows_to_show(view.mechanism, path, 10);
     for (const Eigen::Index row : rows) shapes_mm.push_back(&path.shapes_mm[row]);
     const auto chosen = solver::joining_fillers(base, mechanism, pattern.vertices_mm(), shapes_mm);
     EXPECT_TRUE(chosen) << name;

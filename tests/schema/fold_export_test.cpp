@@ -33,7 +33,7 @@ struct Exported {
     options.end_deg = std::floor(base.folding.end_deg());
     options.look_deg = step_deg;
     path = solver::record_shapes(solver::Model(base, options), pattern.vertices_mm());
-    rows = rows_to_show(view(), path, step_deg);
+    rows = solver::rows_to_show(view().mechanism, path, step_deg);
     fold = folded_fold_json(view(), path, rows, "a test", {{"draw", 7}});
   }
   /// A carried one; or the first with a mountain as its pilot, seen from below by the solver.

@@ -1,5 +1,5 @@
-// Bores: in their panels, clear of edges and of one another; what does not fit is refused with what
-// would.
+// Bores: in their panels, clear of edges and of one another, or in tabs on the vertices; what does
+// not fit is refused with what would.
 #include "schema/kit/kit_bores.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,10 @@ double depth(const KitSheet& sheet, int facet, const Vector2d& at) {
   return least;
 }
 
-KitOptions bores_of(std::optional<double> joint, std::optional<double> spring, double edge = 2) {
+KitOptions bores_of(std::optional<double> joint, std::optional<double> spring, double edge = 2,
+                    SpringAt spring_at = SpringAt::panel) {
   KitOptions options;
+  options.spring_at = spring_at;
   options.joint_bore_mm = joint;
   options.spring_bore_mm = spring;
   options.bore_edge_mm = edge;
@@ -35,7 +37,7 @@ KitOptions bores_of(std::optional<double> joint, std::optional<double> spring, d
 
 TEST(KitBores, LieInTheirPanelsAndClearOfOneAnother) {
   const KitFixture kit(8, 8);
-  const auto bores = kit_bores(kit.sheet, bores_of(1.2, 1.5));
+  const auto bores = kit_fittings(kit.sheet, bores_of(1.2, 1.5)).bores;
   ASSERT_EQ(bores.size(), 2 * (kit.mechanism.balls.size() + kit.mechanism.diagonals.size()));
   std::map<int, int> joints;                   // by vertex
   std::map<std::pair<int, int>, int> springs;  // by spring and vertex
@@ -63,7 +65,7 @@ TEST(KitBores, LieInTheirPanelsAndClearOfOneAnother) {
 TEST(KitBores, SpringsAtWholeVerticesGoOnAlongTheirDiagonals) {
   const KitFixture kit(4, 4);
   int whole = 0;
-  for (const Bore& bore : kit_bores(kit.sheet, bores_of({}, 1.5))) {
+  for (const Bore& bore : kit_fittings(kit.sheet, bores_of({}, 1.5)).bores) {
     const solver::Diagonal& diagonal =
         kit.mechanism.diagonals[static_cast<std::size_t>(bore.spring)];
     const int other = diagonal.from == bore.vertex ? diagonal.to : diagonal.from;
@@ -75,12 +77,61 @@ TEST(KitBores, SpringsAtWholeVerticesGoOnAlongTheirDiagonals) {
   EXPECT_EQ(whole, 6);  // of eight ends two are at the ball joint
 }
 
+// On every vertex at which a spring ends: in the panel opposite to its hole, and at ball joints
+// none.
+TEST(KitBores, SpringsOnVerticesHaveTheirBoresInTabs) {
+  const KitFixture kit(8, 8);
+  const auto fittings = kit_fittings(kit.sheet, bores_of(1.2, 1.5, 2, SpringAt::vertex));
+  const auto& facets = kit.base.sheet.facets;
+  std::map<int, int> holes_at, bores_at;
+  for (const int hole : kit.base.holes) {
+    for (const int v : facets[static_cast<std::size_t>(hole)]) ++holes_at[v];
+  }
+  ASSERT_EQ(fittings.ends.size(), 2 * kit.mechanism.diagonals.size());
+  for (const SpringEnd& end : fittings.ends) {
+    EXPECT_EQ(end.at_mm, kit.sheet.point(end.vertex));
+    EXPECT_EQ(fittings.tab_at(end.vertex) != nullptr, holes_at[end.vertex] == 1);
+  }
+  for (const Bore& bore : fittings.bores) {
+    if (bore.spring < 0) continue;
+    ++bores_at[bore.vertex];
+    EXPECT_EQ(bore.centre_mm, kit.sheet.point(bore.vertex));
+    const SpringTab* tab = fittings.tab_at(bore.vertex);
+    ASSERT_NE(tab, nullptr);
+    EXPECT_EQ(tab->facet, bore.facet);
+    EXPECT_EQ(tab->radius_mm, 1.5 / 2 + 2);
+    // Opposite: it has no other corner of the hole.
+    const auto& panel = facets[static_cast<std::size_t>(bore.facet)];
+    for (const int hole : kit.base.holes) {
+      const auto& corners = facets[static_cast<std::size_t>(hole)];
+      if (std::find(corners.begin(), corners.end(), bore.vertex) == corners.end()) continue;
+      EXPECT_EQ(
+          std::count_if(
+              panel.begin(), panel.end(),
+              [&](int v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); }),
+          1);
+    }
+  }
+  for (const auto& [vertex, holes] : holes_at) EXPECT_EQ(bores_at[vertex], holes == 1 ? 1 : 0);
+}
+
 TEST(KitBores, WhatDoesNotFitIsRefusedWithWhatWould) {
   const KitFixture kit(4, 4);
-  for (const auto& [joint, spring] :
-       {std::pair<std::optional<double>, std::optional<double>>{80, {}}, {{}, 80}, {60, 70}}) {
+  const auto on_vertex = SpringAt::vertex;
+  EXPECT_THROW(kit_fittings(kit.sheet, bores_of({}, 1, 0, on_vertex)), UserError);
+  EXPECT_NO_THROW(kit_fittings(kit.sheet, bores_of({}, 1, 0.1, on_vertex)));
+  using Size = std::optional<double>;
+  for (const auto& [joint, spring, spring_at] :
+       {std::tuple<Size, Size, SpringAt>{80, {}, SpringAt::panel},
+        {{}, 80, SpringAt::panel},
+        {60, 70, SpringAt::panel},
+        {{}, 90, on_vertex},
+        {50, 50, on_vertex}}) {
+    const auto sized = [at = spring_at](Size one, Size other) {
+      return bores_of(one, other, 2, at);
+    };
     try {
-      kit_bores(kit.sheet, bores_of(joint, spring));
+      kit_fittings(kit.sheet, sized(joint, spring));
       FAIL() << "bores as large as panels";
     } catch (const UserError& error) {
       EXPECT_EQ(error.exit_code(), kExitUsage);
@@ -92,20 +143,20 @@ TEST(KitBores, WhatDoesNotFitIsRefusedWithWhatWould) {
       };
       const auto small_joint = fits("--joint-bore "), small_spring = fits("--spring-bore ");
       EXPECT_EQ(small_joint.has_value(), joint.has_value()) << words;
-      EXPECT_NO_THROW(kit_bores(kit.sheet, bores_of(small_joint, small_spring))) << words;
+      EXPECT_NO_THROW(kit_fittings(kit.sheet, sized(small_joint, small_spring))) << words;
       const auto more = [](std::optional<double> bore) {
         return bore ? std::optional(1.02 * *bore) : bore;
       };
-      EXPECT_THROW(kit_bores(kit.sheet, bores_of(more(small_joint), more(small_spring))), UserError)
+      EXPECT_THROW(kit_fittings(kit.sheet, sized(more(small_joint), more(small_spring))), UserError)
           << words;
     }
   }
-  EXPECT_THROW(kit_bores(kit.sheet, bores_of(1, {}, 60)), UserError);
+  EXPECT_THROW(kit_fittings(kit.sheet, bores_of(1, {}, 60)), UserError);
   KitOptions within_kerf = bores_of(1, {});
   within_kerf.kerf_mm = 1;
-  EXPECT_THROW(kit_bores(kit.sheet, within_kerf), UserError);
+  EXPECT_THROW(kit_fittings(kit.sheet, within_kerf), UserError);
   within_kerf.kerf_mm = 0.99;
-  EXPECT_NO_THROW(kit_bores(kit.sheet, within_kerf));
+  EXPECT_NO_THROW(kit_fittings(kit.sheet, within_kerf));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST(KitOutline, ContoursAreSimpleAndHoldThePanels) {
     const KitFixture kit(rows, columns, holes);
     for (const CreaseCut crease : {CreaseCut::score, CreaseCut::cut}) {
       for (const KitPart& part : kit_parts(kit.sheet, crease)) {
-        const PartOutline outline = part_outline(kit.sheet, part, 0);
+        const PartOutline outline = part_outline(kit.sheet, part, {}, 0);
         double area = 0, panels = 0;
         for (const int f : part.facets) panels += panel_area(kit.sheet, f);
         for (std::size_t r = 0; r < outline.rings.size(); ++r) {
@@ -105,8 +105,8 @@ TEST(KitOutline, AKerfMovesEveryLineByHalfOfItAwayFromTheMaterial) {
   constexpr double kKerf_mm = 0.3;
   const KitFixture kit(8, 8);
   for (const KitPart& part : kit_parts(kit.sheet, CreaseCut::score)) {
-    const PartOutline drawn = part_outline(kit.sheet, part, 0),
-                      cut = part_outline(kit.sheet, part, kKerf_mm);
+    const PartOutline drawn = part_outline(kit.sheet, part, {}, 0),
+                      cut = part_outline(kit.sheet, part, {}, kKerf_mm);
     ASSERT_EQ(cut.rings.size(), drawn.rings.size());
     for (std::size_t r = 0; r < cut.rings.size(); ++r) {
       const Ring &ring = cut.rings[r], &edge = drawn.rings[r];
@@ -126,7 +126,7 @@ TEST(KitOutline, AKerfMovesEveryLineByHalfOfItAwayFromTheMaterial) {
 TEST(KitOutline, SlitsJoinOpeningsThatTouch) {
   const KitFixture kit(4, 4);
   const KitPart part = kit_parts(kit.sheet, CreaseCut::score)[0];
-  const PartOutline outline = part_outline(kit.sheet, part, 0.2);
+  const PartOutline outline = part_outline(kit.sheet, part, {}, 0.2);
   ASSERT_EQ(outline.rings.size(), 3u);
   ASSERT_EQ(outline.slits.size(), 1u);
   const auto& slit = outline.slits[0];
@@ -137,6 +137,53 @@ TEST(KitOutline, SlitsJoinOpeningsThatTouch) {
                          distance_to_ring(slit[end], outline.rings[2])),
                 0, 1e-12);
     EXPECT_GT((slit[end] - slit[1]).norm(), 0.1);
+  }
+}
+
+// Round a vertex: the disc of the tab's panel, and the others cut away; in one part, and with every
+// panel by itself. The area is that of the panels, less sectors of these, and the disc's own.
+TEST(KitOutline, TabsAreDiscsThatTheirNeighboursKeepClearOf) {
+  constexpr double kKerf_mm = 0.2;
+  const KitFixture kit(8, 8);
+  KitOptions options;
+  options.spring_bore_mm = 1.5;
+  options.kerf_mm = kKerf_mm;
+  const KitFittings fittings = kit_fittings(kit.sheet, options);
+  for (const CreaseCut crease : {CreaseCut::score, CreaseCut::cut}) {
+    double area = 0, wanted = 0;
+    for (const KitPart& part : kit_parts(kit.sheet, crease)) {
+      for (const int f : part.facets) wanted += panel_area(kit.sheet, f);
+      for (const Ring& ring : part_outline(kit.sheet, part, fittings, 0).rings) {
+        area += signed_area_mm2(ring);
+      }
+      const PartOutline cut = part_outline(kit.sheet, part, fittings, kKerf_mm);
+      for (const SpringTab& tab : fittings.tabs) {
+        const Vector2d at = kit.sheet.point(tab.vertex);
+        double nearest = INFINITY;
+        for (const Ring& ring : cut.rings) nearest = std::min(nearest, distance_to_ring(at, ring));
+        const auto& has = part.facets;
+        const bool is_here = std::binary_search(has.begin(), has.end(), tab.facet);
+        EXPECT_GE(nearest, is_here ? tab.radius_mm + kKerf_mm / 2 - kChordOff_mm
+                                   : tab.clear_mm - kKerf_mm / 2 - kChordOff_mm);
+        for (const int f : has) {
+          const auto& v = kit.base.sheet.facets[static_cast<std::size_t>(f)];
+          const auto k = std::find(v.begin(), v.end(), tab.vertex) - v.begin();
+          if (k == 4) continue;
+          const Vector2d one = kit.sheet.point(v[(k + 1) % 4]) - at,
+                         other = kit.sheet.point(v[(k + 3) % 4]) - at;
+          const double angle = std::acos(one.dot(other) / one.norm() / other.norm());
+          wanted += f == tab.facet ? tab.radius_mm * tab.radius_mm * (std::numbers::pi - angle / 2)
+                                   : -tab.clear_mm * tab.clear_mm * angle / 2;
+        }
+      }
+      // Nothing is left there for a slit.
+      for (const auto& slit : cut.slits) {
+        EXPECT_TRUE(std::none_of(fittings.tabs.begin(), fittings.tabs.end(), [&](const auto& tab) {
+          return kit.sheet.point(tab.vertex) == slit[1];
+        }));
+      }
+    }
+    EXPECT_NEAR(area, wanted, 0.1 * static_cast<double>(fittings.tabs.size()));
   }
 }
 
@@ -170,15 +217,15 @@ TEST(KitOutline, AKerfThatClosesAnOpeningIsRefusedWithOneThatFits) {
   const KitFixture kit(4, 4);
   const KitPart part = kit_parts(kit.sheet, CreaseCut::score)[0];
   try {
-    part_outline(kit.sheet, part, 90);
+    part_outline(kit.sheet, part, {}, 90);
     FAIL() << "a kerf wider than a panel";
   } catch (const UserError& error) {
     EXPECT_EQ(error.exit_code(), kExitUsage);
     const std::string words = error.what();
     const double fits = std::stod(words.substr(words.find("at most ") + 8));
     EXPECT_GT(fits, 60);
-    EXPECT_NO_THROW(part_outline(kit.sheet, part, fits));
-    EXPECT_THROW(part_outline(kit.sheet, part, 1.01 * fits), UserError);
+    EXPECT_NO_THROW(part_outline(kit.sheet, part, {}, fits));
+    EXPECT_THROW(part_outline(kit.sheet, part, {}, 1.01 * fits), UserError);
   }
 }
 

@@ -41,7 +41,8 @@ std::vector<Json> candidates() {
       candidate.update(origin_json(campaign, draw, Json::array()));
       all.push_back(candidate);
       candidate.erase("pattern");
-      all.push_back(folded_fold_json(view, folded.path, rows_to_show(view, folded.path, 5),
+      all.push_back(folded_fold_json(view, folded.path,
+                                     solver::rows_to_show(view.mechanism, folded.path, 5),
                                      "a candidate", candidate));
     }
   }

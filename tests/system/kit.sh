@@ -1,5 +1,5 @@
 # Kits to cut, as readers of DXF and SVG have them, beside the sheet of the FOLD export: lengths, kerf,
-# areas, numbers, bores, beds. KIT_LONG=1: five patterns in every form, with what was measured.
+# areas, numbers, bores, tabs, springs, beds. KIT_LONG=1: five patterns in every form, with what was measured.
 . "$(dirname "$0")/lib.sh"
 patterns=$source_dir/search/patterns
 for python in /usr/bin/python3 python3 none; do
@@ -14,8 +14,9 @@ check() {
   local name=$1 wishes=$2 format
   shift 2
   kits=$((kits + 1))
-  for format in dxf svg; do
-    "$program" export "$name" --format $format --kit "$@" --output kit$kits > /dev/null || fail "$name $*: $format"
+  for format in ${formats:-dxf svg}; do
+    "$program" export "$name" --format $format --kit "$@" --output kit$kits > /dev/null 2> err$kits ||
+      fail "$name $*: $format"
   done
   echo "$sheet $wishes ${KIT_LONG:+--numbers}" kit$kits/* >> checks
 }
@@ -32,20 +33,62 @@ echo '{ "family": "miura", "rows": 8, "columns": 8, "panel_width_mm": 80, "panel
 files=(draw.json 8x8.json "$patterns/table1.json")
 [ -n "${KIT_LONG-}" ] && files+=("$patterns/miura-graded-6x6.json" "$patterns/turned-quads-6x6.json" \
   "$patterns/double-corrugation-6x6.json")
-bores="--joint-bore 1.2 --spring-bore 1.5"
+bores="--joint-bore 1.2 --spring-bore 1.5" panel="--spring-at panel"
 for file in "${files[@]}"; do
   sheet=sheets/$(basename "$file" .json).fold
-  [ -e "$sheet" ] || "$program" export "$file" --format fold --output sheets > /dev/null || fail "$file: fold"
+  "$program" export "$file" --format fold --step 1 --output sheets > /dev/null || fail "$file: fold"
   check "$file" ""
   [ -n "${KIT_LONG-}" ] || [ "$file" != draw.json ] || continue
   # shellcheck disable=SC2086
-  check "$file" "--kerf 0.2 $bores" --kerf 0.2 $bores
+  check "$file" "--kerf 0.2 --against 0 $bores" --kerf 0.2 $bores
+  # shellcheck disable=SC2086
+  check "$file" "--kerf 0.2 $bores $panel" --kerf 0.2 $bores $panel
   [ -n "${KIT_LONG-}" ] || [ "$file" = 8x8.json ] || continue
-  check "$file" "--kerf 0.2 --crease cut" --kerf 0.2 --crease cut
-  check "$file" "--kerf 0.2 --crease dash --dash 3 1.5" --kerf 0.2 --crease dash --dash-mm 3,1.5
+  # shellcheck disable=SC2086
+  check "$file" "--kerf 0.2 --crease cut $bores" --kerf 0.2 --crease cut $bores
+  # shellcheck disable=SC2086
+  check "$file" "--kerf 0.2 --crease dash --dash 3 1.5 $bores" --kerf 0.2 --crease dash --dash-mm 3,1.5 $bores
   # shellcheck disable=SC2086
   check "$file" "--kerf 0.1 --bed 300 420 $bores" --kerf 0.1 --bed 300x420 $bores
 done
+# Springs of five sheets, at the vertices and in panels: Table 1, of other panels, one that is not shifted (no
+# diagonal of it does anything), a graded one, a mesh. In panels they contradict the verdict, and it is said first.
+echo '{ "name": "8x6", "pattern": { "family": "miura", "rows": 8, "columns": 6, "panel_width_mm": 60,
+  "panel_height_mm": 90, "zigzag_offset_mm": 20 }, "misalignment": { "amplitude_mm": 0.4 },
+  "accept": { "deploys_from_deg": 120 }, "seed": 1 }' > 8x6-campaign.json
+"$program" search 8x6-campaign.json --catalogue w.db --draws 100 --progress none > /dev/null || fail "search 8x6"
+"$program" export w.db --draw "$(sql w.db 'SELECT min(draw) FROM candidate')" --output drawn > names &&
+  mv "$(cat names)" 8x6.json
+echo '{ "family": "miura", "rows": 6, "columns": 6, "panel_width_mm": 80, "panel_height_mm": 80,
+  "zigzag_offset_mm": 40 }' > unshifted.json
+[ -n "${KIT_LONG-}" ] || formats=dxf
+for name in miura-graded-6x6 turned-quads-6x6; do
+  "$program" export "$patterns/$name.json" --output plain > /dev/null || fail "$name: plain"
+  "$python" - $name << 'END'
+import json, sys
+with open(f"plain/{sys.argv[1]}.json", encoding="utf8") as file:
+    sheet = json.load(file)
+ends = sorted({d[end] for d in sheet["diagonals"] for end in ("from", "to")})
+shifts = {label: [0.1 * ((7 * k) % 9 - 4), 0.1 * ((5 * k) % 7 - 3)] for k, label in enumerate(ends)}
+with open(f"shifted-{sys.argv[1]}.json", "w", encoding="utf8") as file:
+    json.dump(sheet["pattern"] | {"displacements_mm": shifts}, file)
+END
+done
+for file in "$patterns/table1.json 8 16" "8x6.json 12 24" "unshifted.json 16 16" \
+  shifted-miura-graded-6x6.json shifted-turned-quads-6x6.json; do
+  read -r file against springs <<< "$file"
+  sheet=sheets/$(basename "$file" .json).fold
+  "$program" export "$file" --format fold --step 1 --output sheets > /dev/null || fail "$file: fold"
+  # shellcheck disable=SC2086
+  check "$file" "--against 0 $bores" $bores
+  [ ! -s err$kits ] || fail "$file, springs at vertices: $(cat err$kits)"
+  # shellcheck disable=SC2086
+  check "$file" "${against:+--against $against} $bores $panel" $bores $panel
+  words="${against:-[1-9]} of ${springs:-16} springs contradict the verdict"
+  [ "$(wc -l < err$kits)" = 1 ] && grep -q "$words" err$kits ||
+    fail "$file, springs in panels: $(cat err$kits)"
+done
+formats=
 # On a narrow bed pieces are turned.
 sheet=sheets/draw.fold
 check draw.json "--bed 200 400" --bed 200x400
@@ -61,8 +104,11 @@ sheet=sheets/table1.fold
 # shellcheck disable=SC2086
 "$program" export "$patterns/table1.json" --format dxf --kit $bores --output spoilt > names
 echo "$sheet $bores $(cat names) --spoil open twice corner crease valley number swapped label opening knot hatch gauge
-  shift bore bores far scale" | tr -d '\n' >> checks
+  shift bore bores far scale tab history way" | tr -d '\n' >> checks
 echo >> checks
+# shellcheck disable=SC2086
+"$program" export "$patterns/table1.json" --format dxf --kit $bores $panel --output spoilt-panel > names 2> /dev/null
+echo "$sheet $bores $panel $(cat names) --spoil bore bores history way warning" >> checks
 "$program" export "$patterns/table1.json" --format dxf --kit --kerf 0.23 --output kerf > names
 echo "$sheet --wrong --kerf 0.2 $(cat names)" >> checks
 "$program" export "$patterns/table1.json" --format dxf --kit --crease dash --output dash > names
@@ -90,6 +136,13 @@ done << 'END'
 --format dxf --kit --kerf 1 --gap 0.5|less than the kerf
 --format dxf --kit --joint-bore 0.2 --kerf 0.2|no larger than the kerf
 --format dxf --kit --joint-bore 40 --spring-bore 30|would fit
+--format dxf --kit --joint-bore 40 --spring-bore 30 --spring-at panel|would fit
+--format dxf --kit --spring-bore 80|no room for a tab at A
+--format dxf --kit --spring-bore 1 --bore-edge 0|nothing would be left of a tab
+--format dxf --kit --spring-bore 1 --spring-at edge|'edge' is none of vertex, panel
+--format dxf --kit --spring-at vertex|--spring-at has no meaning without --spring-bore
+--format dxf --kit --joint-bore 1 --spring-at panel|--spring-at has no meaning without --spring-bore
+--format dxf --spring-at panel|has no meaning without
 --format dxf --kit --bed 130x130|does not fit, turned neither
 --format dxf --kit --bed 120x500|too small for the title and a gauge
 --format dxf --kit --bed 600|is no width and height in mm

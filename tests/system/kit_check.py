@@ -1,11 +1,13 @@
 """Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
-    SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D] [--edge E]
-    [--bed W H] [--plain] [--wrong] [--numbers] KIT... [--spoil HOW...]
+    SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D]
+    [--spring-at vertex|panel] [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] KIT...
+    [--spoil HOW...]
 
 The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
 thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
-measured. Geometry is its own: shoelace, distances of parallel lines."""
+measured; --against: so many springs must contradict the verdict. Geometry is its own: shoelace, distances of parallel
+lines; springs by the drawn bores, placed in the folded panels of the sheet's frames (one for each degree)."""
 
 import argparse
 import itertools
@@ -18,6 +20,8 @@ import sys
 from kit_drawing import Drawing
 
 NEAR = 0.01  # mm, of what the issue asks
+STILL = 5e-6  # mm: a length that varies by less is constant; SVG has six decimals
+SLOT = 1  # mm, as it is drawn, between a tab and the panels beside it
 CUTS = ("cut", "slit", "score_mountain", "score_valley", "dash_mountain", "dash_valley")
 
 
@@ -45,6 +49,29 @@ def cross_each_other(a, b, c, d):
     return beyond(c, a, b) * beyond(d, a, b) < -1e-12 and beyond(a, c, d) * beyond(b, c, d) < -1e-12
 
 
+def crossing(a, b, c, d):
+    """Where the lines of two sides meet."""
+    u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+    turn = u[0] * v[1] - u[1] * v[0]
+    if abs(turn) < 1e-9 * math.dist(a, b) * math.dist(c, d):  # one line: anywhere between
+        return ((b[0] + c[0]) / 2, (b[1] + c[1]) / 2)
+    along = ((c[0] - a[0]) * v[1] - (c[1] - a[1]) * v[0]) / turn
+    return (a[0] + along * u[0], a[1] + along * u[1])
+
+
+def without_tabs(ring):
+    """Its long sides, prolonged to where they meet: what it is without the arcs of tabs."""
+    long = [side for side in sides(ring) if math.dist(*side) > 2]
+    return [p[1] if p[1] == q[0] else crossing(*p, *q) for p, q in zip(long[-1:] + long, long)]
+
+
+def way_of(lengths):
+    risen = max(b - a for a, b in zip(itertools.accumulate(lengths, min), lengths))
+    fallen = max(a - b for a, b in zip(itertools.accumulate(lengths, max), lengths))
+    return {(True, True): "reverses", (True, False): "lengthens", (False, True): "shortens",
+            (False, False): "constant"}[(risen > STILL, fallen > STILL)]
+
+
 def box(points):
     return [f(p[k] for p in points) for f in (min, max) for k in (0, 1)]
 
@@ -69,12 +96,45 @@ class Sheet:
         pattern = fold["misalign:pattern"]
         self.shifts = pattern.get("displacements_mm", {})
         self.diagonals = fold["misalign:data"]["diagonals"]
+        self.frames = [(0.0, [(x, y, 0.0) for x, y in self.points])] + \
+            [(frame["misalign:pilot_deg"], frame["vertices_coords"]) for frame in fold["file_frames"]]
         rim = {v for edge, faces in self.faces_of_edges().items() if len(faces) == 1 for v in edge}
         self.area = sum(shoelace([self.points[v] for v in face]) for face in self.faces.values())
         at = {v: [label for label, face in self.faces.items() if v in face] for v in rim}
         perimeter = self.perimeter()
         self.balls = {v: labels for v, labels in at.items() if len(labels) == 2 and v not in perimeter and
                       not any(set(labels) <= set(faces) for faces in self.faces_of_edges().values())}
+
+    def ends(self):
+        """Vertices of each spring."""
+        return [[int(d[k][1:]) - 1 for k in ("from", "to")] for d in self.diagonals]
+
+    def across(self, vertex):
+        """Of the three faces at a corner of one hole that which shares an edge with both others."""
+        at = [label for label, face in self.faces.items() if vertex in face]
+        return max(at, key=lambda label: sum(
+            len(set(self.faces[label]) & set(self.faces[other])) == 2 for other in at))
+
+    def beside(self, hole, vertex):
+        """At a ball joint the face next to a hole, counter-clockwise round the vertex."""
+        corners = [self.points[v] for v in self.corners_of(hole)]
+        middle = [sum(p[k] for p in corners) / 4 for k in (0, 1)]
+        turn = lambda to: math.atan2(to[1] - self.points[vertex][1], to[0] - self.points[vertex][0])
+        labels = [label for label, face in self.faces.items() if vertex in face]
+        return min(labels, key=lambda label: (turn([sum(self.points[v][k] for v in self.faces[label]) / 4
+                                                    for k in (0, 1)]) - turn(middle)) % (2 * math.pi))
+
+    def corners_of(self, hole):
+        return [v for d, ends in zip(self.diagonals, self.ends()) if d["hole"] == hole for v in ends]
+
+    def folded(self, label, at, points):
+        """A point of a flat face where that face is folded to."""
+        a, b, c = self.faces[label][1:]
+        (x, y), (u, v) = ([self.points[p][k] - self.points[b][k] for k in (0, 1)] for p in (a, c))
+        p, q = at[0] - self.points[b][0], at[1] - self.points[b][1]
+        s, t = (p * v - q * u) / (x * v - y * u), (x * q - y * p) / (x * v - y * u)
+        return [points[b][k] + s * (points[a][k] - points[b][k]) + t * (points[c][k] - points[b][k])
+                for k in range(3)]
 
     def faces_of_edges(self):
         found = {}
@@ -145,11 +205,12 @@ class Part:
     def rings(self):
         return [self.outer] + self.inner
 
-    def find(self, sheet, kerf):
+    def find(self, sheet, kerf, has_tabs):
         """The turn and the shift that put the sheet's part, grown by half a kerf, on this one; the worst misfit."""
         wanted = sheet.walks(self.labels)
         wanted.sort(key=lambda walk: -abs(shoelace([sheet.points[v] for v in walk])))
-        drawn = sorted(self.rings(), key=lambda ring: -abs(shoelace(ring)))
+        rings = [without_tabs(ring) for ring in self.rings()] if has_tabs else self.rings()
+        drawn = sorted(rings, key=lambda ring: -abs(shoelace(ring)))
         if sorted(map(len, wanted)) != sorted(map(len, drawn)):
             return f"contours of {sorted(map(len, drawn))} corners, not {sorted(map(len, wanted))}"
         for turned in (False, True):
@@ -171,6 +232,11 @@ class Part:
                 self.residual, self.turned, self.shift = worst, turned, shift
                 self.sheet_points = [(x + shift[0], y + shift[1]) for x, y in points]
         return None if self.residual <= NEAR else f"off by {self.residual:.4f} mm"
+
+    def on_sheet(self, at):
+        """Where a point of the drawing is on the sheet."""
+        x, y = at[0] - self.shift[0], at[1] - self.shift[1]
+        return (y, -x) if self.turned else (x, y)
 
     @staticmethod
     def shifted_lines(walk, ring, points, kerf, *_):
@@ -204,7 +270,12 @@ class Check:
         self.sheet, self.drawings, self.wish = sheet, drawings, wish
         self.faults = [fault for drawing in drawings for fault in drawing.faults]
         self.parts = []
-        self.worst = dict.fromkeys(("length", "offset", "bore"), 0.0)
+        self.worst = dict.fromkeys(("length", "offset", "bore", "spring"), 0.0)
+        self.tabs = []
+        if wish.spring_bore and wish.spring_at == "vertex":
+            self.tabs = sorted({v for ends in sheet.ends() for v in ends} - set(sheet.balls))
+        self.radius = wish.spring_bore / 2 + wish.edge
+        self.clear = self.radius + SLOT + wish.kerf
 
     def expect(self, good, words):
         if not good:
@@ -215,7 +286,7 @@ class Check:
             self.contours(drawing)
         self.numbering()
         for part in self.parts:
-            fault = part.find(self.sheet, self.wish.kerf)
+            fault = part.find(self.sheet, self.wish.kerf, bool(self.tabs))
             self.expect(fault is None, f"part {sorted(part.labels)[:3]}: {fault}")
             self.worst["offset"] = max(self.worst["offset"], part.residual)
         if self.faults:
@@ -224,6 +295,9 @@ class Check:
         self.areas()
         self.creases()
         self.bores()
+        self.round_tabs()
+        if not self.faults:
+            self.springs()
         self.places()
         self.notes()
 
@@ -234,8 +308,10 @@ class Check:
             self.expect(closed, "an open contour")
             self.expect(len(points) >= 3, "a contour of two points")
             rings.append(points)
-            for (i, (a, b)), (j, (c, d)) in itertools.combinations(enumerate(sides(points)), 2):
-                self.expect(not cross_each_other(a, b, c, d), f"a contour crosses itself at {a}")
+            lying = sorted(sides(points), key=lambda side: min(side))
+            for k, (a, b) in enumerate(lying):
+                for c, d in itertools.takewhile(lambda side: min(side) <= max(a, b), lying[k + 1:]):
+                    self.expect(not cross_each_other(a, b, c, d), f"a contour crosses itself at {a}")
         seen = set()
         for layer in CUTS:
             for points, closed in drawing.paths.get(layer, []):
@@ -298,8 +374,19 @@ class Check:
         if self.wish.kerf:
             return
         drawn = sum(shoelace(ring) for part in self.parts for ring in part.rings())
-        self.area_off = abs(drawn - self.sheet.area)
-        self.expect(self.area_off < 1e-4 * len(self.parts), f"areas sum to {drawn}, not {self.sheet.area}")
+        wanted = self.sheet.area
+        for vertex in self.tabs:
+            for label, face in self.sheet.faces.items():
+                if vertex not in face:
+                    continue
+                k = face.index(vertex)
+                angle = (self.sheet.angle(vertex, face[k - 1]) - self.sheet.angle(vertex, face[(k + 1) % 4])) \
+                    % (2 * math.pi)
+                wanted += self.radius ** 2 * (math.pi - angle / 2) if label == self.sheet.across(vertex) \
+                    else -self.clear ** 2 * angle / 2
+        self.area_off = abs(drawn - wanted)
+        chords = 0.15 * len(self.tabs)
+        self.expect(self.area_off < 1e-4 * len(self.parts) + chords, f"areas sum to {drawn}, not {wanted}")
 
     def creases(self):
         """Every crease of every part, on its layer, from vertex to vertex."""
@@ -314,11 +401,20 @@ class Check:
                          if inside(self.middle(points), part.outer)]
                 wanted = [edge for edge in both if self.sheet.assigned[edge] == letter]
                 for edge in wanted:
-                    p, q = (part.sheet_points[v] for v in sorted(edge))
+                    p, q = self.crease_ends(part, *sorted(edge))
                     here = [line for line in lines if all(self.on_line(at, p, q) for at in line)]
                     lines = [line for line in lines if line not in here]
                     (self.scored if self.wish.crease == "score" else self.dashed)(here, p, q)
                 self.expect(not lines, f"{len(lines)} lines that are no {kind}")
+
+    def crease_ends(self, part, a, b):
+        """Its vertices; where one has a tab, as far from it as panels are cut away."""
+        ends = []
+        for at, to in ((a, b), (b, a)):
+            (x, y), (u, v) = part.sheet_points[at], part.sheet_points[to]
+            share = self.clear / math.dist((x, y), (u, v)) if at in self.tabs else 0
+            ends.append((x + share * (u - x), y + share * (v - y)))
+        return ends
 
     @staticmethod
     def middle(points):
@@ -349,10 +445,19 @@ class Check:
 
     def bores(self):
         joint, spring, edge, kerf = self.wish.joint_bore, self.wish.spring_bore, self.wish.edge, self.wish.kerf
-        found = {}
+        found, on_tabs = {}, []
+        self.ends = {}  # where springs end, on the sheet: by vertex and panel
         for drawing in self.drawings:
             for x, y, radius in drawing.circles.get("bore", []):
                 part = next((part for part in self.parts if part.drawing is drawing and part.holds((x, y))), None)
+                vertex = part and next((v for v in self.tabs if math.dist(part.sheet_points[v], (x, y)) < NEAR), None)
+                if vertex is not None:
+                    on_tabs.append(vertex)
+                    label = self.sheet.across(vertex)
+                    self.expect(label in part.labels, f"A{vertex + 1} has its bore in another part than {label}")
+                    self.expect(abs(2 * radius + kerf - spring) < NEAR, f"a bore of {2 * radius + kerf} mm")
+                    self.ends[vertex, label] = part.on_sheet((x, y))
+                    continue
                 label = part and next((l for l in part.labels if inside((x, y), self.on_panel(part, l))), None)
                 self.expect(label, "a bore in no panel")
                 if label is None:
@@ -369,25 +474,130 @@ class Check:
                     apart = math.dist(other[:2], (x, y)) - (other[2] + size) / 2
                     self.expect(apart >= edge - NEAR, f"bores {apart} mm apart in {label}")
                 found.setdefault(label, []).append((x, y, size, corner, math.dist(part.sheet_points[corner], (x, y))))
+                before = self.ends.get((corner, label))  # of two the joint's is nearer to the corner
+                self.ends[corner, label] = max(filter(None, (before, part.on_sheet((x, y)))),
+                                               key=lambda at: math.dist(at, self.sheet.points[corner]))
         if joint:
             for vertex, labels in self.sheet.balls.items():
                 for label in labels:
                     near = sorted((bore for bore in found.get(label, []) if bore[3] == vertex), key=lambda b: b[4])
                     self.expect(near and near[0][2] == joint, f"no joint's bore in {label} at A{vertex + 1}")
-        if spring:
-            wanted = sorted(int(v[1:]) - 1 for d in self.sheet.diagonals for v in (d["from"], d["to"]))
+        if spring and self.wish.spring_at == "vertex":
+            self.expect(sorted(on_tabs) == self.tabs, f"tabs' bores at {sorted(on_tabs)}")
+            for vertex, label in [(v, label) for v, labels in self.sheet.balls.items() for label in labels]:
+                self.ends[vertex, label] = self.sheet.points[vertex]  # hangs in the joint
+        elif spring:
+            wanted = sorted(v for ends in self.sheet.ends() for v in ends)
             there = [bore[3] for bores in found.values() for bore in bores]
             if joint:
                 there = list(there)
                 for vertex in self.sheet.balls:
                     there.remove(vertex), there.remove(vertex)
             self.expect(sorted(there) == wanted, "springs' bores at other corners")
+        if spring:
             words = sorted(text[2] for drawing in self.drawings for text in drawing.texts.get("engrave", [])
                            if text[2].startswith("s"))
             self.expect(words == sorted(2 * [f"s{d['diagonal']}" for d in self.sheet.diagonals]), "springs' numbers")
         count = sum(map(len, found.values()))
-        self.expect(count == (2 * len(self.sheet.balls) if joint else 0) +
-                    (2 * len(self.sheet.diagonals) if spring else 0), f"{count} bores")
+        in_panels = 2 * len(self.sheet.diagonals) if spring and self.wish.spring_at == "panel" else 0
+        self.expect(count == (2 * len(self.sheet.balls) if joint else 0) + in_panels, f"{count} bores")
+
+    def round_tabs(self):
+        """What is material round a vertex with a tab: its panel, the disc, and the others off the slot."""
+        random.seed(1)
+        clear, radius, least = self.clear, self.radius, self.wish.kerf / 2 + 0.02
+        for part, vertex in itertools.product(self.parts, self.tabs):
+            labels = [label for label, face in self.sheet.faces.items() if vertex in face]
+            if not part.labels & set(labels):
+                continue
+            owner, at = self.sheet.across(vertex), part.sheet_points[vertex]
+            for ring in part.rings():
+                near = min(math.dist(at, point) for point in ring)
+                self.expect(near > (radius if owner in part.labels else clear - self.wish.kerf) + self.wish.kerf / 2
+                            - NEAR, f"a contour {near} mm from A{vertex + 1}")
+            for _ in range(120):
+                away, turn = random.uniform(0, clear + 2), random.uniform(0, 2 * math.pi)
+                point = (at[0] + away * math.cos(turn), at[1] + away * math.sin(turn))
+                edges = [side for label in labels for side in sides(self.on_panel(part, label)) if at in side]
+                if min(abs(away - radius), abs(away - clear), *(abs(beyond(point, *side)) for side in edges)) < least:
+                    continue
+                homes = [label for label in labels if inside(point, self.on_panel(part, label))]
+                wanted = owner in part.labels if away < radius else \
+                    bool(homes) and homes[0] in part.labels and (away > clear or homes[0] == owner)
+                self.expect(part.holds(point) == wanted, f"{away:.2f} mm from A{vertex + 1} there is "
+                            f"{'nothing' if wanted else 'material'}")
+
+    def springs(self):
+        """Lengths between drawn ends in every folded state, beside the tables; and what is said of them first."""
+        flat, ends, histories = self.spring_tables()
+        against = 0
+        for d, (diagonal, (a, b)) in enumerate(zip(self.sheet.diagonals, self.sheet.ends())):
+            if not self.wish.spring_bore:
+                break
+            places = []
+            for v in (a, b):
+                label = self.sheet.beside(diagonal["hole"], v) if v in self.sheet.balls else self.sheet.across(v)
+                places.append((label, self.ends[v, label]))
+            lengths = [math.dist(*(self.sheet.folded(label, at, points) for label, at in places))
+                       for _, points in self.sheet.frames]
+            own = [math.dist(points[a], points[b]) for _, points in self.sheet.frames]
+            name = f"s{d}"
+            against += way_of(own) != "reverses" and way_of(own) != way_of(lengths)
+            if name not in flat or name not in ends or name not in histories:
+                self.expect(False, f"{name} is not in the tables")
+                continue
+            self.near(name, flat[name][1:], [own[0], lengths[0]])
+            self.near(name, ends[name][:2], [lengths[-1], max(lengths) - min(lengths)])
+            self.expect(ends[name][2:] == [way_of(lengths), way_of(own)],
+                        f"{name}: {ends[name][2:]}, not {[way_of(lengths), way_of(own)]}")
+            at = {round(deg, 6): length for (deg, _), length in zip(self.sheet.frames, lengths)}
+            shown = [deg for deg in at if deg % 10 == 0 or deg == max(at)]
+            self.expect(sorted(histories[name]) == shown, f"{name}: degrees {sorted(histories[name])}")
+            self.near(name, histories[name].values(), [at[deg] for deg in histories[name]])
+        self.against = against
+        self.expect(self.wish.against in (None, against), f"{against} springs contradict the verdict")
+        for drawing in self.drawings:
+            texts = [text for text in drawing.texts.get("note", []) if text[2].startswith("WARNING: ")]
+            self.expect(len(texts) == (1 if against else 0), f"{len(texts)} warnings")
+            for x, y, words, _ in texts:
+                self.expect(words.startswith(f"WARNING: {against} of {len(self.sheet.diagonals)} springs contradict"),
+                            f"{words}, not {against}")
+                heading = [text for text in drawing.texts["note"] if text[2].startswith("misalign: ")]
+                self.expect(heading and all(abs(text[0] - x) < NEAR and text[1] < y for text in heading),
+                            "the warning is not first")
+
+    def near(self, name, printed, wanted):
+        for one, other in zip(printed, wanted):
+            self.worst["spring"] = max(self.worst["spring"], abs(float(one) - other))
+            self.expect(abs(float(one) - other) < NEAR, f"{name}: {one}, not {other:.4f} mm")
+
+    def spring_tables(self):
+        """Of each spring: vertices, two flat lengths; length, stroke, ways at the end; lengths by degree."""
+        flat, ends, histories = {}, {}, {}
+        for drawing in self.drawings:
+            texts = drawing.texts.get("note", [])
+            for x, y, words, _ in texts:
+                if words not in ("no.", "deg"):
+                    continue
+                heads = self.row_at(texts, x, y)
+                for k in itertools.count(1):
+                    row = self.row_at(texts, x, y - 4.5 * k)[:len(heads)]
+                    if len(row) < len(heads) or not re.fullmatch(r"s\d+|[\d.]+", row[0]):
+                        break
+                    if words == "deg":
+                        for name, length in zip(heads[1:], row[1:]):
+                            histories.setdefault(name, {})[round(float(row[0]), 6)] = length
+                    else:
+                        (flat if heads[1] == "ends" else ends)[row[0]] = row[1:]
+        return flat, ends, histories
+
+    @staticmethod
+    def row_at(texts, x, y):
+        """The words of a line from there on, until another table's begins."""
+        row = [text for text in sorted(texts) if abs(text[1] - y) < NEAR and text[0] > x - NEAR]
+        last = next((k for k, text in enumerate(row) if k and text[2] in
+                     ("no.", "deg", "vertex", "crease")), len(row))
+        return [text[2] for text in row[:last]]
 
     def places(self):
         """Parts keep apart, and on their bed."""
@@ -482,6 +692,17 @@ def spoil(drawing, how):
         "bore": lambda: drawing.circles["bore"].__setitem__(
             0, (drawing.circles["bore"][0][0] + 1, *drawing.circles["bore"][0][1:])),
         "bores": lambda: drawing.circles["bore"].pop(),
+        "tab": lambda: drawing.paths["cut"].__setitem__(
+            slice(None), [([(x + 0.05 * (math.dist((x, y), drawing.circles["bore"][-1][:2]) < 3.5), y)
+                            for x, y in points], closed) for points, closed in cut]),
+        "history": lambda: drawing.texts.__setitem__(
+            "note", [(x, y, f"{float(words) + 0.02:.3f}" if re.fullmatch(r"\d+\.\d{3}", words) else words, t)
+                     for x, y, words, t in drawing.texts["note"]]),
+        "way": lambda: drawing.texts.__setitem__(
+            "note", [(x, y, {"lengthens": "shortens"}.get(words, words), t)
+                     for x, y, words, t in drawing.texts["note"]]),
+        "warning": lambda: drawing.texts.__setitem__(
+            "note", [text for text in drawing.texts["note"] if not text[2].startswith("WARNING")]),
         "far": lambda: drawing.__setattr__("size", (0.5 * drawing.size[0], drawing.size[1])),
         "scale": lambda: drawing.paths.__setitem__(
             "cut", [([(1.0002 * x, 1.0002 * y) for x, y in points], closed) for points, closed in cut]),
@@ -495,6 +716,8 @@ def arguments():
     for name in ("--kerf", "--joint-bore", "--spring-bore"):
         words.add_argument(name, type=float, default=0)
     words.add_argument("--edge", type=float, default=2)
+    words.add_argument("--spring-at", default="vertex")
+    words.add_argument("--against", type=int)
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
     words.add_argument("--bed", nargs=2, type=float)
@@ -536,6 +759,9 @@ def faults_of(wish):
             print(f"{ending[1:]}: {len(drawings)} sheets, {len(check.parts)} parts, {len(sheet.faces)} panels; "
                   f"contours within {worst['offset']:.1e} mm, creases within {worst['length']:.1e} mm, "
                   f"bores within {worst['bore']:.1e} mm{area}")
+            if wish.spring_bore:
+                print(f"{ending[1:]}: {check.against} of {len(sheet.diagonals)} springs contradict the verdict; their "
+                      f"lengths within {worst['spring']:.1e} mm")
 
 
 def main():

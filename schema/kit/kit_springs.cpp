@@ -1,0 +1,112 @@
+#include "schema/kit/kit_springs.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::schema {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// A point of a panel where a shape has that panel: by its two edges at one vertex.
+Vector3d folded_point(const KitSheet& sheet, const SpringEnd& end, const Eigen::Matrix3Xd& shape) {
+  const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(end.facet)];
+  const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), end.vertex) - v.begin());
+  const int next = v[(k + 1) % 4], before = v[(k + 3) % 4];
+  const Vector2d at_mm = sheet.point(end.vertex);
+  Eigen::Matrix2d edges;
+  edges << sheet.point(next) - at_mm, sheet.point(before) - at_mm;
+  const Vector2d share = edges.inverse() * (end.at_mm - at_mm);
+  const Vector3d folded = shape.col(end.vertex);
+  return folded + share.x() * (shape.col(next) - folded) + share.y() * (shape.col(before) - folded);
+}
+
+LengthWay way_of(const std::vector<double>& length_mm, double band_mm) {
+  double least = length_mm[0], most = length_mm[0], fallen = 0, risen = 0;
+  for (const double length : length_mm) {  // the farthest below what it had, and above
+    least = std::min(least, length);
+    most = std::max(most, length);
+    fallen = std::max(fallen, most - length);
+    risen = std::max(risen, length - least);
+  }
+  if (fallen > band_mm && risen > band_mm) return LengthWay::reverses;
+  if (fallen > band_mm) return LengthWay::shortens;
+  return risen > band_mm ? LengthWay::lengthens : LengthWay::constant;
+}
+
+}  // namespace
+
+const char* word_of(LengthWay way) {
+  switch (way) {
+    case LengthWay::constant:
+      return "constant";
+    case LengthWay::lengthens:
+      return "lengthens";
+    case LengthWay::shortens:
+      return "shortens";
+    case LengthWay::reverses:
+      break;
+  }
+  return "reverses";
+}
+
+double KitSpring::stroke_mm() const {
+  const auto [least, most] = std::minmax_element(length_mm.begin(), length_mm.end());
+  return *most - *least;
+}
+
+std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fittings) {
+  const double band_mm = solver::kInactiveBand_widths * sheet.mechanism.panel_width_mm;
+  const auto rows = static_cast<std::size_t>(solver::rows_shown(sheet.mechanism, sheet.path));
+  std::vector<KitSpring> springs;
+  for (std::size_t e = 0; e < fittings.ends.size(); e += 2) {
+    const SpringEnd &from = fittings.ends[e], &to = fittings.ends[e + 1];
+    KitSpring spring{from,
+                     to,
+                     {(from.at_mm - to.at_mm).norm()},
+                     {(sheet.point(from.vertex) - sheet.point(to.vertex)).norm()},
+                     {},
+                     {}};
+    for (std::size_t row = 0; row < rows; ++row) {
+      const Eigen::Matrix3Xd& shape = sheet.path.shapes_mm[row];
+      spring.length_mm.push_back(
+          (folded_point(sheet, from, shape) - folded_point(sheet, to, shape)).norm());
+      spring.diagonal_mm.push_back((shape.col(from.vertex) - shape.col(to.vertex)).norm());
+    }
+    spring.way = way_of(spring.length_mm, band_mm);
+    spring.diagonal_way = way_of(spring.diagonal_mm, band_mm);
+    springs.push_back(std::move(spring));
+  }
+  return springs;
+}
+
+std::string contradiction_of(const std::vector<KitSpring>& springs) {
+  int reverse = 0, driven = 0, idle = 0, opposite = 0;
+  for (const KitSpring& spring : springs) {
+    if (!spring.contradicts_verdict()) continue;
+    ++(spring.diagonal_way == LengthWay::constant ? driven
+       : spring.way == LengthWay::reverses        ? reverse
+       : spring.way == LengthWay::constant        ? idle
+                                                  : opposite);
+  }
+  std::vector<std::string> kinds;
+  const auto add = [&](int count, const char* one, const char* many) {
+    if (count > 0) kinds.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+  };
+  add(opposite, "goes the other way than its diagonal", "go the other way than their diagonals");
+  add(reverse, "reverses", "reverse");
+  add(idle, "does nothing", "do nothing");
+  add(driven, "changes though its diagonal does not: it is driven by its bores",
+      "change though their diagonals do not: the sheet is driven by its bores");
+  if (kinds.empty()) return "";
+  return fmt::format(
+      "{} of {} springs contradict the verdict ({}); --spring-at vertex hangs them "
+      "where it holds",
+      opposite + reverse + idle + driven, springs.size(), fmt::join(kinds, ", "));
+}
+
+}  // namespace misalign::schema

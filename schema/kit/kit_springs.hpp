@@ -1,0 +1,38 @@
+// What the springs of a kit do as the sheet folds, beside the diagonals of which the verdict
+// speaks: a bore inside a panel turns with it, and its spring may do something else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/kit/kit_bores.hpp"
+
+namespace misalign::schema {
+
+/// From flat to folded.
+enum class LengthWay { constant, lengthens, shortens, reverses };
+
+/// "lengthens".
+const char* word_of(LengthWay way);
+
+struct KitSpring {
+  SpringEnd from, to;
+  /// Flat, and at each row of the path that is shown (solver::rows_shown).
+  std::vector<double> length_mm, diagonal_mm;
+  LengthWay way, diagonal_way;
+
+  /// Longest less shortest.
+  double stroke_mm() const;
+  /// Of a diagonal that itself reverses the verdict promises nothing.
+  bool contradicts_verdict() const {
+    return diagonal_way != LengthWay::reverses && way != diagonal_way;
+  }
+};
+
+/// In the order of diagonals; none without --spring-bore.
+std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fittings);
+
+/// How many of them contradict the verdict and how, and what to do; empty if none does.
+std::string contradiction_of(const std::vector<KitSpring>& springs);
+
+}  // namespace misalign::schema
