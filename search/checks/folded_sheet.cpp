@@ -30,19 +30,21 @@ FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   FoldedSheet folded;
   folded.shifts_mm = shifts_mm;
   folded.vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-  folded.path = follow(shifts_mm);
+  folded.path = solver::record_shapes(model_, folded.vertices_mm);
   folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
   if (folded.path.history.verdict.deploys_from_sample > 0) {
     solver::FoldingHistory& history = folded.path.history;
-    const solver::PathRecord record = solver::record_of(model_, folded.vertices_mm, history);
-    take_bump(record, history);
+    const solver::PathRecord record = solver::settle_between(model_, folded.vertices_mm, history);
     folded.metrics = solver::measure(base_.base, folded.vertices_mm, record, sampling_.sample_deg);
   }
   return folded;
 }
 
 solver::ShapedPath SheetFolder::follow(const Eigen::Matrix2Xd& shifts_mm) const {
-  return solver::record_shapes(model_, base_.base.sheet.vertices_mm + shifts_mm);
+  const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
+  solver::ShapedPath path = solver::record_shapes(model_, vertices_mm);
+  solver::settle_between(model_, vertices_mm, path.history);
+  return path;
 }
 
 schema::FoldingView SheetFolder::view(const FoldedSheet& folded) const {

@@ -88,6 +88,7 @@ py::dict fold(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm,
   const schema::FoldingView view{base, shifts_mm, folder->mechanism(), history,
                                  sampling.sample_deg};
   schema::Json verdict = schema::verdict_json(view);
+  verdict["bump_between_samples"] = schema::bump_json(view);
   if (source.campaign) verdict["accepted"] = source.campaign->accepts(history.verdict);
   return py::dict(
       "pilot_deg"_a = list_of(pilot_deg), "shifts_mm"_a = points_of(shifts_mm),

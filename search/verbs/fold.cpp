@@ -26,7 +26,7 @@ void fold(const FoldCall& call) {
   path.look_deg = call.step_deg;
   const solver::Model model(pattern.base, path, {sampling.between_samples});
   auto history = solver::record_history(model, pattern.vertices_mm());
-  take_bump(solver::record_of(model, pattern.vertices_mm(), history), history);
+  solver::settle_between(model, pattern.vertices_mm(), history);
   const schema::FoldingView view{pattern, pattern.shifts_mm, model.mechanism(), history,
                                  sampling.sample_deg};
   call.json ? put_json(schema::folding_json(view)) : put_folding(view, call.table);

@@ -10,6 +10,7 @@
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
+#include "solver/verdict/path_record.hpp"
 
 namespace misalign::search {
 namespace {
@@ -43,8 +44,9 @@ void replay(const ReplayCall& call) {
   const schema::Campaign campaign = schema::read_campaign_of(*database, call.catalogue_path);
   const Eigen::Matrix2Xd shifts_mm = shifts_of(*database, campaign, call);
   const solver::Model model = model_of(campaign);
-  const auto history =
-      solver::record_history(model, campaign.pattern.base.sheet.vertices_mm + shifts_mm);
+  const solver::FlatVertices vertices_mm = campaign.pattern.base.sheet.vertices_mm + shifts_mm;
+  auto history = solver::record_history(model, vertices_mm);
+  solver::settle_between(model, vertices_mm, history);
   const schema::FoldingView view{campaign.pattern, shifts_mm, model.mechanism(), history,
                                  campaign.sample_deg};
   const bool accepted = campaign.accepts(history.verdict);

@@ -15,7 +15,8 @@ namespace misalign::solver {
 struct PathExtremes {
   /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
   double least_slope = std::numeric_limits<double>::infinity();
-  /// Where a diagonal first goes back, and on again before D without a sample having shown it.
+  /// Where a diagonal first goes back, and on again before D without a sample having shown it; or
+  /// where bumps are asked for, the one that is the fault.
   std::optional<double> bump_deg;
   int bump_where = -1;  ///< which one
   /// Where a diagonal first turns back, up to the last sample that was followed.

@@ -51,9 +51,12 @@ PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
   return record;
 }
 
-void take_bump(const PathRecord& record, FoldingHistory& history) {
+PathRecord settle_between(const Model& model, const FlatVertices& vertices_mm,
+                          FoldingHistory& history) {
+  PathRecord record = record_of(model, vertices_mm, history);
   history.between.bump_where = record.extremes.bump_where;
   history.between.bump_deg = record.extremes.bump_deg.value_or(0);
+  return record;
 }
 
 }  // namespace misalign::solver

@@ -29,8 +29,10 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
 PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
                      const FoldingHistory& history);
 
-/// Puts the first bump of a path's record into its history, instead of the cubics'.
-void take_bump(const PathRecord& record, FoldingHistory& history);
+/// The same; the history takes over its bump, instead of the cubics'. What is said of a sheet
+/// between its samples is said of this.
+PathRecord settle_between(const Model& model, const FlatVertices& vertices_mm,
+                          FoldingHistory& history);
 
 /// Of the sheet with these vertices, as a campaign's draws are measured.
 PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);

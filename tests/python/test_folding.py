@@ -1,6 +1,8 @@
 """Foldings beside the program's JSON, whose numbers come back bit for bit."""
 
+import json
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -21,6 +23,7 @@ class Foldings(unittest.TestCase):
         self.assertEqual(folding.fold_limit_deg, said["fold_limit_deg"])
         for name in ("deploys_from_deg", "first_fault", "fault_deg", "where"):
             self.assertEqual(getattr(folding, name), said["verdict"][name])
+        self.assertEqual(folding.bump_between_samples, said["bump_between_samples"])
 
     def test_a_pattern_file(self):
         self.same(misalign.read(TABLE1).fold(), program_json("fold", TABLE1))
@@ -64,6 +67,18 @@ class Foldings(unittest.TestCase):
                 folding = catalogue.replay(draw)
                 self.same(folding, said)
                 self.assertEqual(folding.accepted, said["verdict"]["accepted"])
+
+    def test_what_lies_between_samples_is_that_of_the_path(self):
+        configuration = json.loads(Path(SMALL).read_text())
+        configuration["path"]["sample_deg"] = 10
+        Path("wide.json").write_text(json.dumps(configuration))
+        program("search", "wide.json", "--catalogue", "wide.db", "--draws", 50, "--progress", "none")
+        bump = misalign.Catalogue("wide.db").replay(42).bump_between_samples  # a cubic has it 0.26 deg higher
+        campaign = misalign.read("wide.json")
+        fine = campaign.pattern.fold(np.arange(130, 140, 0.02), campaign.shifts(42)[0])
+        length = fine.length_mm[:, campaign.pattern.diagonal_labels.index(bump["where"])]
+        turns = np.flatnonzero(np.diff(np.sign(np.diff(length)))) + 1
+        self.assertAlmostEqual(bump["from_deg"], fine.pilot_deg[turns[0]], delta=0.02)
 
     def test_beyond_the_fold_limit(self):
         campaign = misalign.read(SMALL)

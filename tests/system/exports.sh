@@ -69,6 +69,28 @@ for format in json fold; do
   [ "$(sqlite3 :memory: "SELECT round(json_extract(readfile('again.json'), '\$.verdict.deploys_from_deg'), 6)")" = \
     "$deploys" ] || fail "fold of $format, other samples: $(field again.json verdict.deploys_from_deg), was $deploys"
 done
+# What lies between samples is that of the path, for all alike. The cubics through samples ten degrees apart have
+# the bump of draw 42 elsewhere, and those through every degree see one of draw 8351 that is none.
+sed 's/"sample_deg": 1/"sample_deg": 10/' "$campaign" > wide.json
+for case in wide.json:42 "$campaign":8351; do
+  draw=${case##*:}
+  "$program" search "${case%:*}" --catalogue between.db --range "$draw:$((draw + 1))" --progress none > /dev/null ||
+    fail "search of draw $draw"
+  "$program" export between.db --draw "$draw" --format fold --output between > name || fail "export of draw $draw"
+  for form in json txt; do
+    option=$([ $form = txt ] || echo --json)
+    "$program" replay between.db "$draw" $option > replay.$form && "$program" fold "$(cat name)" $option > again.$form ||
+      fail "replay and fold of draw $draw"
+  done
+  [ "$(field replay.json bump_between_samples)" = "$(field again.json bump_between_samples)" ] ||
+    fail "draw $draw: replay sees $(field replay.json bump_between_samples), fold $(field again.json bump_between_samples)"
+  [ "$(grep ^bump replay.txt)" = "$(grep ^bump again.txt)" ] || fail "draw $draw: replay prints another bump than fold"
+  bump=$(sql between.db "SELECT bump_deg FROM candidate WHERE draw = $draw")
+  [ "$(field replay.json bump_between_samples.from_deg)" = "$bump" ] &&
+    [ "$(field "$(cat name)" '"misalign:data".metrics.bump_deg')" = "$bump" ] ||
+    fail "draw $draw: its candidate's bump is at $bump, replay's $(field replay.json bump_between_samples)"
+  rm between.db
+done
 sed 's/"faces_vertices":\[\[0,/"faces_vertices":[[1,/' "$fold" > edited.fold
 "$program" fold edited.fold > /dev/null 2> err
 [ $? = 3 ] || fail "an edited FOLD file is folded"

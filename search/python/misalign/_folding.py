@@ -24,6 +24,8 @@ class Folding:
     `first_fault`      what ends that, one of `misalign.faults`; "none" at the end of the path
     `fault_deg`        the sample that shows it, None where there is none
     `where`            the label of the crease or diagonal that shows it, None where none does
+    `bump_between_samples`  where a diagonal first goes back and on again between two samples up to D, or as the
+                       first fault: {"from_deg", "where"}; None where none does
     `accepted`         of a campaign's sheet, whether it is a candidate; None of a pattern's
 
     >>> folding = misalign.read("search/patterns/table1.json").fold()
@@ -46,12 +48,13 @@ class Folding:
     first_fault: str
     fault_deg: float | None
     where: str | None
+    bump_between_samples: dict[str, Any] | None
     accepted: bool | None
 
     def __init__(self, said: dict[str, Any]) -> None:
         verdict = json.loads(said.pop("verdict"))
         said.update({name: verdict.get(name) for name in
-                     ("deploys_from_deg", "first_fault", "fault_deg", "where", "accepted")})
+                     ("deploys_from_deg", "first_fault", "fault_deg", "where", "bump_between_samples", "accepted")})
         for name, value in said.items():
             setattr(self, name, value)
 
