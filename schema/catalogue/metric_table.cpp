@@ -85,10 +85,10 @@ constexpr MetricEntry kMetrics[] = {
      .member = &solver::Metrics::bump_deg,
      .unit = "deg",
      .meaning = "Pilot fold angle where a diagonal first goes back and on again between two "
-                "samples; none where it never does up to D.",
+                "samples, up to D or as the fault that ends it; none where none does.",
      .range = {.least = 0, .most = 180},
      .allowance = {.absolute = 1e-3},  // known by the root of what a rate of change is
-     .age = {2, 6},
+     .age = {2, 7},
      .schema_since = 2,
      .label = "bump",
      .written = "decimals_1",

@@ -20,8 +20,8 @@ struct FoldingView {
 /// {"deploys_from_deg", "first_fault", "fault_deg", "where", ...}; fault_deg and where may be null.
 Json verdict_json(const FoldingView& view);
 
-/// {"from_deg", "where"} of the history's first bump between samples up to D; null if none was
-/// seen.
+/// {"from_deg", "where"} of the history's first bump between samples, up to D or as the fault that
+/// ends it; null if none was seen.
 Json bump_json(const FoldingView& view);
 
 /// The contract's `fold --json`.

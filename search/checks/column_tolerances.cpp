@@ -27,6 +27,10 @@ bool ColumnTolerances::elongations_agree(const Json& a, const Json& b) const {
 
 bool ColumnTolerances::agree(const std::string& column, const Json& a, const Json& b) const {
   if (column == "elongation") return elongations_agree(schema::json_of(a), schema::json_of(b));
+  if (column == "first_fault" && a.is_string() && b.is_string()) {
+    return solver::may_be_one_fault(a.get_ref<const std::string&>(),
+                                    b.get_ref<const std::string&>());
+  }
   const schema::MetricEntry* metric = schema::find_metric(column);
   return metric ? numbers_agree(a, b, metric->allowance) : a == b;
 }

@@ -63,7 +63,7 @@ bool Reference::see_exactly(const Station& station) {
   if (!judge_.is_in_order(&point_.state, point_.lengths)) return false;
   const int where = longest_way_back();
   if (where >= 0) {
-    judge_.end(Fault::bump, where);
+    judge_.end_between(where, point_.slopes[static_cast<std::size_t>(where)]);
     return false;
   }
   if (criterion_.finds_soft_stop(station.sample, point_.slopes)) {
@@ -82,13 +82,14 @@ int Reference::longest_way_back() const {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     if (judge_.direction(d) == 0) continue;
     const auto k = static_cast<std::size_t>(d);
-    WayBack way;
+    WayBackFrom way;
     for (std::size_t i = 1; i < visited_.size(); ++i) {
       const PathPoint &from = visited_[i - 1].point, &to = visited_[i].point;
       way.go_along(cubic_between({from.lengths[k], from.slopes[k]}, {to.lengths[k], to.slopes[k]},
                                  (visited_[i].pilot_deg - visited_[i - 1].pilot_deg) * kRadPerDeg,
                                  from.pilot_rate > 0 ? to.pilot_rate / from.pilot_rate : 1,
-                                 judge_.direction(d)));
+                                 judge_.direction(d)),
+                   visited_[i - 1].pilot_deg * kRadPerDeg);
     }
     if (way.longest < kBumpBand_widths || way.longest <= longest) continue;
     longest = way.longest;

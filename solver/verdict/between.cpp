@@ -25,12 +25,15 @@ void CubicBetween::find_turns(double& first, double& second) const {
   if (first > second) std::swap(first, second);
 }
 
-void WayBack::go_along(const CubicBetween& cubic) {
-  double first, second;
-  cubic.find_turns(first, second);
-  go(cubic.length(first));
-  go(cubic.length(second) - cubic.length(first));
-  go(cubic.length(1) - cubic.length(second));
+void WayBackFrom::go_along(const CubicBetween& cubic, double start_rad) {
+  double parts[4] = {0, 0, 1, 1};
+  cubic.find_turns(parts[1], parts[2]);
+  for (int k = 0; k < 3; ++k) {
+    if (now == 0) farthest_rad = start_rad + cubic.pilot(parts[k]);
+    const double longest_before = longest;
+    go(cubic.length(parts[k + 1]) - cubic.length(parts[k]));
+    if (longest > longest_before) from_rad = farthest_rad;
+  }
 }
 
 BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,

@@ -29,7 +29,12 @@ bool CloseJudge::see(const Station& station, const PathPoint& point, bool with_s
       const BumpFound found =
           bumps_.look(*geometry, last_deg_, last_, station.pilot_deg, point, judge_);
       is_over_ = !found.is_known || found.where >= 0;
-      if (is_over_) judge_.end(found.is_known ? Fault::bump : Fault::undecided, found.where);
+      if (!found.is_known) {
+        judge_.end(Fault::undecided, -1);
+      } else if (is_over_) {
+        judge_.end_between(found.where, point.slopes[static_cast<std::size_t>(found.where)],
+                           found.from_deg);
+      }
     }
     last_deg_ = station.pilot_deg;
     last_ = point;

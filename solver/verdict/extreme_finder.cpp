@@ -121,6 +121,17 @@ void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
   if (slope < least_slope_.slope) least_slope_ = {slope, x, pilot_deg};
 }
 
+void ExtremeFinder::note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
+                              const PathFunction& function) {
+  const int d = judge.bump_where();
+  const Stretch stretch{function, d, judge.direction(d),
+                        function.locate(from.pilot_deg * kRadPerDeg),
+                        function.locate(to.pilot_deg * kRadPerDeg)};
+  const double root = stretch.root_of_slope(stretch.least_slope_at());
+  extremes_.bump_where = d;
+  extremes_.bump_deg = function.pilot(root) / kRadPerDeg;
+}
+
 void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {
   constexpr double kPart = 1e-3;  // of a piece
   const double by = kPart * (function.to() - function.from());

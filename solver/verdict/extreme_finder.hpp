@@ -36,6 +36,10 @@ class ExtremeFinder {
   void see(const Station& station, double x, const PathEstimate& here, const FunctionJudge& judge,
            const PathFunction& function);
 
+  /// The bump between these stations by which the judge has ended.
+  void note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
+                 const PathFunction& function);
+
   /// At the last sample that was seen.
   const std::vector<double>& lengths() const { return last_; }
   /// All but the least slope.

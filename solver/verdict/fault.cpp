@@ -18,6 +18,9 @@ constexpr FaultEntry kFaults[] = {
      "a crease changes from mountain to valley or back", ShownBy::crease},
     {Fault::inactive_diagonal, "inactive_diagonal", "inactive diagonal",
      "a diagonal does not change its length: it drives nothing", ShownBy::diagonal},
+    {Fault::reverses_between, "reverses_between_samples", "reverses between samples",
+     "a diagonal turns back between two samples, and still goes back at the next",
+     ShownBy::diagonal},
     {Fault::bump, "bump_between_samples", "bump between samples",
      "a diagonal goes back and on again between two samples", ShownBy::diagonal},
     {Fault::soft_stop, "soft_stop", "soft stop",
@@ -35,6 +38,13 @@ const FaultEntry& entry_of(Fault fault) {
   const auto at = std::ranges::find(kFaults, fault, &FaultEntry::fault);
   assert(at != std::end(kFaults));
   return *at;
+}
+
+bool may_be_one_fault(std::string_view name, std::string_view other) {
+  const auto is_between = [](std::string_view one) {
+    return one == fault_name(Fault::reverses_between) || one == fault_name(Fault::bump);
+  };
+  return name == other || (is_between(name) && is_between(other));
 }
 
 }  // namespace misalign::solver

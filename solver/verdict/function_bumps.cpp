@@ -68,6 +68,12 @@ double FunctionBumps::look(double x, std::vector<double>& rates) const {
   return stretch(at, at).largest_error * per_x;
 }
 
+std::optional<double> FunctionBumps::rate_there(double x) {
+  const double error = look(x, rates_);
+  const double rate = rates_[static_cast<std::size_t>(where_)];
+  return std::abs(rate) > error ? std::optional(rate) : std::nullopt;
+}
+
 FunctionBumps::Seen FunctionBumps::look_at_sample(double x, const Judge& judge,
                                                   const PathFunction& function) {
   go_to(x, true, judge, function);

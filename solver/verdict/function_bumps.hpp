@@ -5,6 +5,7 @@
 // square: their rates then say which way a diagonal sets out.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/continuation/path_function.hpp"
@@ -41,6 +42,8 @@ class FunctionBumps {
   Seen look_at_end(const Judge& judge, const PathFunction& function);
   /// The diagonal that goes back the most.
   int where() const { return where_; }
+  /// Its rate at this point of the piece, by the function's variable, if its sign is certain.
+  std::optional<double> rate_there(double x);
 
  private:
   struct Ways {

@@ -118,9 +118,11 @@ Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_or
   if (bumps_) {
     const FunctionBumps::Seen seen = bumps_->look_at_sample(x, judge_, function);
     if (seen == FunctionBumps::Seen::unsure) return unsure();
-    fault_known_ = seen == FunctionBumps::Seen::back;
-    if (fault_known_) {
-      judge_.end(Fault::bump, bumps_->where());
+    if (seen == FunctionBumps::Seen::back) {
+      const std::optional<double> rate = bumps_->rate_there(x);
+      if (!rate) return unsure();
+      fault_known_ = true;
+      judge_.end_between(bumps_->where(), *rate);
       return Answer::enough;
     }
     bumps_->take(station.pilot_deg * kRadPerDeg);

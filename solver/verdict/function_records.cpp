@@ -78,6 +78,9 @@ Answer FunctionRecords::look(const PathFunction& function, int lane) {
   one.fault_seen = seen == Answer::enough;
   if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
   look_up_to(end_deg, function, one);
+  if (one.judge.bump_where() >= 0) {
+    one.finder.note_bump(station_of(in_order), station_of(in_order + 1), one.judge, function);
+  }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
   // After short pieces the last nodes may not reach back to D any more: it is noted on the way.
   const double piece_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
@@ -181,10 +184,7 @@ std::optional<double> FunctionRecords::conclude(const PathResult& path,
   record.verdict = *verdict;
   record.path = path;
   record.extremes = one.finder.extremes();
-  if (model_.bumps() == BumpRule::exact) {  // none: it would have ended D
-    record.extremes.bump_deg.reset();
-    record.extremes.bump_where = -1;
-  }
+  if (model_.bumps() == BumpRule::exact && one.judge.bump_where() < 0) record.extremes.drop_bump();
   made.slopes.begin(one.finder);
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();

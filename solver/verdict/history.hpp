@@ -21,6 +21,12 @@ struct PathExtremes {
   int bump_where = -1;  ///< which one
   /// Where a diagonal first turns back, up to the last sample that was followed.
   std::optional<double> reverses_deg;
+
+  /// There is none: it would have ended D.
+  void drop_bump() {
+    bump_deg.reset();
+    bump_where = -1;
+  }
 };
 
 /// One row or entry per station that was solved; verdicts look at those with sample > 0.

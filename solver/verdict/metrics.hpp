@@ -18,7 +18,7 @@ inline constexpr double kSlopeFrom_deg = kInactiveFrom_deg;
 /// of paths that end at 180 degrees, where the equations are singular, is 180. 6: with reverses_at;
 /// slope_between_min and bump_deg of the path as a function; singular_value_min, residual_max and
 /// isometry_error over the states that were solved. 7: slope_between_min and reverses_at where they
-/// are solved, whatever followed the path.
+/// are solved, whatever followed the path; bump_deg is that of the fault, too.
 inline constexpr int kMetricsVersion = 7;
 
 /// Over the samples up to D. Units, meanings, and which are none when:

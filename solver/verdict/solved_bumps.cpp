@@ -20,6 +20,7 @@ BumpFound SolvedBumps::look(const SheetGeometry<double>& geometry, double from_d
     if (ways_[d].longest < kBumpBand_widths || ways_[d].longest <= longest) continue;
     longest = ways_[d].longest;
     found.where = static_cast<int>(d);
+    found.from_deg = ways_[d].from_rad / kRadPerDeg;
   }
   return found;
 }
@@ -51,7 +52,8 @@ bool SolvedBumps::go(const SheetGeometry<double>& geometry, const SolvedPlace& f
 void SolvedBumps::follow(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge) {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     if (judge.direction(d) == 0) continue;
-    ways_[static_cast<std::size_t>(d)].go_along(cubic_between(from, to, d, judge.direction(d)));
+    ways_[static_cast<std::size_t>(d)].go_along(cubic_between(from, to, d, judge.direction(d)),
+                                                from.pilot_rad);
   }
 }
 

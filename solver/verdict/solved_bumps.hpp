@@ -13,6 +13,7 @@ namespace misalign::solver {
 struct BumpFound {
   bool is_known = false;  ///< false: a state between could not be solved
   int where = -1;         ///< the diagonal that goes back the most; -1: none does
+  double from_deg = 0;    ///< the pilot's angle from which on it does
 };
 
 class SolvedBumps {
@@ -35,7 +36,7 @@ class SolvedBumps {
 
   const Mechanism& mechanism_;
   BetweenSolver& solver_;
-  std::vector<WayBack> ways_;  // since the last sample; of diagonals
+  std::vector<WayBackFrom> ways_;  // since the last sample; of diagonals
 };
 
 }  // namespace misalign::solver

@@ -29,7 +29,8 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
   if (slopes) {
     const Between between = seen_between(station, lengths, *slopes, pilot_rate);
     if (criterion_.bumps == BumpRule::by_cubic && between.back_where >= 0) {
-      end(Fault::bump, between.back_where);
+      const auto where = static_cast<std::size_t>(between.back_where);
+      end_between(between.back_where, (*slopes)[where], between.back_deg);
       return false;
     }
     if (criterion_.finds_soft_stop(station.sample, *slopes)) {
@@ -44,6 +45,13 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
   }
   take(station, lengths);
   return true;
+}
+
+void Judge::end_between(int where, double rate, double from_deg) {
+  end(goes_back(where, rate) ? Fault::reverses_between : Fault::bump, where);
+  if (fault_ != Fault::bump) return;
+  between_.bump_where = where;
+  between_.bump_deg = from_deg;
 }
 
 bool Judge::is_in_order(const FoldState<double>* state, const std::vector<double>& lengths) {

@@ -48,7 +48,7 @@ struct Between {
   double back_deg = 0;
   int back_where = -1;
   /// The first bump: a diagonal goes back and on again between two samples, which both are in
-  /// order.
+  /// order; where bumps are asked for, the one that is the fault.
   double bump_deg = 0;
   int bump_where = -1;
 };
@@ -79,6 +79,9 @@ class Judge {
     where_ = where;
     missed_part_ = missed_part;
   }
+  /// A diagonal goes back before the next sample, at which it changes by `rate` (of any unit): ends
+  /// with the fault that this is. `from_deg`, where it begins, is for between().
+  void end_between(int where, double rate, double from_deg = 0);
   /// The next sample is to be looked at again, better known.
   void reconsider() { end(Fault::none, -1); }
   /// The part of a sample by which the next one, which is not in order, missed it (see score.hpp),

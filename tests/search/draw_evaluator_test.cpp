@@ -199,11 +199,51 @@ TEST(DrawEvaluator, BumpBetweenTwoSamplesIsSeen) {
     strict["accept"]["between_samples"] = rule;
     DrawEvaluator strict_evaluator(schema::read_campaign(strict, "a test"));
     const solver::Verdict verdict = strict_evaluator.judge({kDraw, kDraw + 1}).front();
-    EXPECT_EQ(verdict.first_fault, solver::Fault::bump) << rule;
+    // It still goes back at 160 degrees, and on again only after that.
+    EXPECT_EQ(verdict.first_fault, solver::Fault::reverses_between) << rule;
     EXPECT_EQ(verdict.deploys_from_sample, 159) << rule;
     EXPECT_EQ(words_of(strict_evaluator.history(kDraw).verdict), words_of(verdict)) << rule;
     EXPECT_FALSE(strict_evaluator.campaign().accepts(verdict)) << rule;
   }
+  const auto at_160 = static_cast<Eigen::Index>(
+      std::ranges::find(fine.stations, 160, &solver::Station::sample) - fine.stations.begin());
+  EXPECT_LT(sign * (fine.length_mm(at_160, d) - fine.length_mm(at_160 - 1, d)), 0);
+}
+
+// A candidate whose range ends in a bump, found by a campaign of 20,000 draws, has that as its
+// bump_deg; here against the lengths every hundredth of a degree.
+TEST(DrawEvaluator, BumpThatIsTheFaultIsItsBump) {
+  const Json campaign = {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
+                         {"accept", {{"deploys_from_deg", 150}, {"between_samples", "exact"}}}};
+  DrawEvaluator evaluator(schema::read_campaign(campaign, "a test"));
+  constexpr std::uint64_t kDraw = 11162;
+  const auto candidates = work_off(evaluator, {kDraw, kDraw + 1}).candidates;
+  ASSERT_EQ(candidates.size(), 1u);
+  ASSERT_TRUE(candidates[0].metrics.bump_deg);
+  const solver::FoldingHistory history = evaluator.history(kDraw);
+  ASSERT_EQ(history.verdict.first_fault, solver::Fault::bump);
+  EXPECT_EQ(history.between.bump_where, history.verdict.where);
+  EXPECT_NEAR(history.between.bump_deg, *candidates[0].metrics.bump_deg, 1e-3);
+
+  const solver::PerforatedSheet& base = evaluator.campaign().pattern.base;
+  const int sample = history.verdict.deploys_from_sample;
+  solver::PathPlanOptions finely;
+  finely.end_deg = sample + 1;
+  finely.look_deg = 0.01;
+  const auto fine = solver::record_history(solver::Model(base, finely),
+                                           base.sheet.vertices_mm + evaluator.shifts_mm(kDraw));
+  const Eigen::Index d = history.verdict.where, last = fine.length_mm.rows() - 1;
+  auto row = static_cast<Eigen::Index>(
+      std::ranges::find(fine.stations, sample, &solver::Station::sample) - fine.stations.begin());
+  const double sign = fine.length_mm(last, d) > fine.length_mm(row, d) ? 1 : -1;
+  const auto goes_on = [&](Eigen::Index k) {
+    return sign * (fine.length_mm(k + 1, d) - fine.length_mm(k, d)) > 0;
+  };
+  EXPECT_TRUE(goes_on(row));
+  while (row < last - 1 && goes_on(row)) ++row;
+  EXPECT_NEAR(fine.stations[static_cast<std::size_t>(row)].pilot_deg,
+              *candidates[0].metrics.bump_deg, 0.01);
+  EXPECT_TRUE(goes_on(last - 1)) << "and on again";
 }
 
 // A stop that is asked for keeps those draws whose springs would hold it as stiffly: by the slopes

@@ -122,6 +122,37 @@ TEST_F(VerifyTest, AlteredFaultSamplesAreFound) {
   }
 }
 
+// Up to version 1.0.0 one name stood for both faults between samples: either is no finding where
+// the other is stored.
+TEST_F(VerifyTest, EitherFaultBetweenSamplesMayHaveBeenStored) {
+  Json exact = Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
+                               "accept": {"deploys_from_deg": 150, "between_samples": "exact"}})");
+  solver::Verdict verdict;
+  for (std::uint64_t seed = 1; verdict.first_fault != solver::Fault::reverses_between; ++seed) {
+    ASSERT_LT(seed, 100u);
+    exact["seed"] = seed;
+    verdict = DrawEvaluator(schema::read_campaign(exact, "test")).judge({0, 1}).front();
+  }
+  std::filesystem::remove(path_());
+  DrawEvaluator evaluator(schema::read_campaign(exact, "test"));
+  {
+    schema::Catalogue catalogue(path_(), evaluator.campaign(), evaluator.mechanism());
+    catalogue.begin_run({"host", "0", "none", "g++", "-O2", "golden", 1}, {{0, 1}, {}, {}});
+    catalogue.commit({work_off(evaluator, {0, 1})});
+    catalogue.end_run("complete");
+  }
+  const VerifyOptions kAll{.sample = {}, .units = 1};
+  for (const auto& [name, is_good] :
+       {std::pair("reverses_between_samples", true), std::pair("bump_between_samples", true),
+        std::pair("not_monotone", false)}) {
+    change(std::string("UPDATE fault_sample SET first_fault = '") + name + "'");
+    EXPECT_EQ(look(kAll).good(), is_good) << name;
+  }
+  const ColumnTolerances exported{80, 1};
+  EXPECT_TRUE(exported.agree("first_fault", "bump_between_samples", "reverses_between_samples"));
+  EXPECT_FALSE(exported.agree("first_fault", "bump_between_samples", "not_monotone"));
+}
+
 TEST_F(VerifyTest, ARemovedCandidateWithItsSumsIsFoundByMakingUnitsAgain) {
   const std::int64_t draw = number("SELECT max(draw) FROM candidate WHERE draw % 1024 > 30");
   const std::int64_t unit =

@@ -120,15 +120,21 @@ TEST(LookBetween, BumpIsAFaultWhereThatWasAskedFor) {
   const std::vector<Verdict> with = judge(strict), without = judge(lenient);
   int faults = 0;
   for (int i = 0; i < block.sheets; ++i) {
-    if (with[i].first_fault != Fault::bump) {
+    const bool turns = with[i].first_fault == Fault::reverses_between;
+    if (!turns && with[i].first_fault != Fault::bump) {
       EXPECT_EQ(words(with[i]), words(without[i]));
       continue;
     }
     if (++faults > 5) continue;
-    EXPECT_LT(with[i].deploys_from_sample, without[i].deploys_from_sample);
+    const int d = with[i].deploys_from_sample;
+    EXPECT_LT(d, without[i].deploys_from_sample);
     const auto history = record_densely(lenient, sheets.vertices(block, i));
     EXPECT_EQ(with[i].where, history.between.back_where);
-    EXPECT_EQ(with[i].deploys_from_sample, static_cast<int>(history.between.back_deg));
+    EXPECT_EQ(d, static_cast<int>(history.between.back_deg));
+    // Row k is the sample k + 1.
+    const double on_mm =
+        history.length_mm(d, with[i].where) - history.length_mm(d - 1, with[i].where);
+    EXPECT_EQ(turns, on_mm * history.slope_mm_per_deg(d, with[i].where) < 0);
   }
 #if !defined(__SANITIZE_ADDRESS__)
   EXPECT_GT(faults, 0);

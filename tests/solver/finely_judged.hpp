@@ -13,12 +13,14 @@ struct FineVerdict {
   int bump_sample = 0;   ///< the first that a diagonal goes back before, of those in order; 0: none
   int bump_where = -1;   ///< which one, the most
   double bump_back = 0;  ///< how far, panel widths
+  bool turned = false;   ///< whether it still goes back at that sample
   double nearest = HUGE_VAL;  ///< of all that was compared with the band up to there: the nearest
 
   /// What BumpRule::exact is to say.
   Verdict exact() const {
     if (bump_sample == 0) return samples;
-    return {bump_sample - 1, Fault::bump, bump_where, PathEnd::stopped};
+    return {bump_sample - 1, turned ? Fault::reverses_between : Fault::bump, bump_where,
+            PathEnd::stopped};
   }
 };
 
@@ -97,6 +99,7 @@ inline FineVerdict judge_finely(const PerforatedSheet& base, PathPlanOptions pat
         verdict.bump_sample = station.sample;
         verdict.bump_where = static_cast<int>(d);
         verdict.bump_back = longest_back;
+        verdict.turned = slope < 0;
       }
     }
     if (verdict.bump_sample > 0) return verdict;

@@ -55,6 +55,27 @@ TEST_F(JudgeTest, StepBackIsAFaultAtTheBandAndNotBelow) {
   EXPECT_EQ(verdict.where, 1);
 }
 
+// What goes back before the next sample has turned round if it still goes back there; otherwise no
+// sample shows it, and that is a bump.
+TEST_F(JudgeTest, GoingBackBetweenSamplesIsOneOfTwoFaults) {
+  slopes_[2] = -1e-4;
+  for (const auto& [where, rate, fault] :
+       {std::tuple(1, -1e-9, Fault::reverses_between), std::tuple(1, 1e-9, Fault::bump),
+        std::tuple(1, 0.0, Fault::bump), std::tuple(2, 1e-9, Fault::reverses_between),
+        std::tuple(2, -1e-9, Fault::bump)}) {
+    judge_.begin(lengths_);
+    sample_ = 0;
+    for (int k = 0; k < 6; ++k) step();
+    judge_.end_between(where, rate, 6.5);
+    const Verdict verdict = conclude(PathEnd::stopped);
+    EXPECT_EQ(verdict.first_fault, fault);
+    EXPECT_EQ(verdict.deploys_from_sample, 6);
+    EXPECT_EQ(verdict.where, where);
+    EXPECT_EQ(judge_.between().bump_where, fault == Fault::bump ? where : -1);
+    EXPECT_EQ(judge_.between().bump_deg, fault == Fault::bump ? 6.5 : 0);
+  }
+}
+
 TEST_F(JudgeTest, StepBelowTheBandSetsNoDirection) {
   slopes_[3] = 0;
   lengths_[3] += 0.5 * kStepBand_widths;

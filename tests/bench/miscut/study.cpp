@@ -200,9 +200,8 @@ class Study {
     }
     double deploy = 0;
     std::map<solver::Fault, double> faults;  // every kind: a column each, in every row
-    for (int kind = static_cast<int>(solver::Fault::fold_limit);
-         kind <= static_cast<int>(solver::Fault::undecided); ++kind) {
-      faults[static_cast<solver::Fault>(kind)] = 0;
+    for (const solver::FaultEntry& entry : solver::fault_table()) {
+      if (entry.fault != solver::Fault::none) faults[entry.fault] = 0;
     }
     for (const solver::Verdict& verdict : batch_->judge(block_)) {
       if (verdict.deploys_from_sample >= campaign_.threshold_sample()) {
