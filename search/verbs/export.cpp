@@ -198,7 +198,7 @@ constexpr const char* kExportFooter =
     "  be cut: engrave (numbers), hatch (waste), note (title, 100 mm gauge, tables).\n"
     "  Where two holes meet, the part's contours touch in the ball joint's point. With --kerf\n"
     "  they do not quite; slit cuts through there.\n"
-    "  --joint-bore: at each ball joint a bore in each of its two panels, on the bisector of the\n"
+    "  By --joint-bore each ball joint has a bore in both of its panels, on the bisector of the\n"
     "  corner, --bore-edge off the edges: for a loop of wire. --spring-bore: springs end on the\n"
     "  vertices of their diagonals, where the verdict holds. At a corner of one hole the panel\n"
     "  across has a tab, a disc with the bore in its middle, which its neighbours are cut clear\n"
