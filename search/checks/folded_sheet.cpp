@@ -31,7 +31,7 @@ FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {
   folded.shifts_mm = shifts_mm;
   folded.vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
   folded.path = solver::record_shapes(model_, folded.vertices_mm);
-  folded.actuation = solver::actuate(actuators_, folded.path, folded.vertices_mm);
+  folded.actuation = solver::actuate(actuators_, folded.path);
   if (folded.path.history.verdict.deploys_from_sample > 0) {
     solver::FoldingHistory& history = folded.path.history;
     const solver::PathRecord record = solver::settle_between(model_, folded.vertices_mm, history);

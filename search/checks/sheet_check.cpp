@@ -39,11 +39,11 @@ SheetCheck::SheetCheck(const schema::Campaign& campaign)
 FollowedSheet SheetCheck::follow(const solver::FlatVertices& vertices_mm) const {
   FollowedSheet sheet{vertices_mm, {}, {}};
   const solver::StationVisitor keep_state = [&](const solver::Station& station,
-                                                const solver::FoldState<double>& state) {
+                                                const solver::PathPoint& point) {
     if (station.sample == 0) return;
     const std::size_t samples = static_cast<std::size_t>(station.sample);
     sheet.states.resize(std::max(sheet.states.size(), samples));  // some are followed once more
-    sheet.states[samples - 1] = state;
+    sheet.states[samples - 1] = point.state;
   };
   sheet.history = solver::record_history(model_, vertices_mm, &keep_state);
   return sheet;

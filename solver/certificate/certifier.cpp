@@ -95,8 +95,10 @@ class March {
   // Where the base is too far from this sheet's way: from the states of a path that was followed.
   bool begin_elsewhere() {
     std::vector<std::pair<double, FoldState<double>>> states;
-    const StationVisitor keep = [&](const Station& station, const FoldState<double>& state) {
-      if (station.pilot_deg < kFirstPiece_deg) states.emplace_back(station.pilot_deg, state);
+    const StationVisitor keep = [&](const Station& station, const PathPoint& point) {
+      if (station.pilot_deg < kFirstPiece_deg) {
+        states.emplace_back(station.pilot_deg, point.state);
+      }
     };
     record_history(model_, vertices_mm_, &keep);
     for (std::size_t k = states.size(); k-- > 0;) {

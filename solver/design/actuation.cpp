@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 #include "solver/verdict/metrics.hpp"
 
@@ -12,17 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-std::pair<Index, Index> farthest_apart(const FlatVertices& vertices_mm) {
-  std::pair<Index, Index> span{0, 0};
-  double longest = -1;
-  for (Index a = 0; a < vertices_mm.cols(); ++a) {
-    for (Index b = a + 1; b < vertices_mm.cols(); ++b) {
-      const double length = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
-      if (length > longest) longest = length, span = {a, b};
-    }
-  }
-  return span;
-}
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Rows of the actuation that are samples from 5 degrees to D.
 std::vector<Index> judged_rows(const FoldingHistory& history) {
@@ -67,44 +57,26 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   }
 }
 
-// |d way / d span| at each row but the first, by the parabola through three neighbours. Both go on
-// smoothly through a fold limit, where neither does with the pilot.
-std::vector<double> advantages(const std::vector<double>& way_mm,
-                               const std::vector<double>& span_mm) {
-  std::vector<double> advantages{std::numeric_limits<double>::quiet_NaN()};
-  const std::size_t rows = way_mm.size();
-  const auto slope = [&](std::size_t i) {
-    return (span_mm[i + 1] - span_mm[i]) / (way_mm[i + 1] - way_mm[i]);
-  };
-  for (std::size_t row = 1; row < rows; ++row) {
-    const std::size_t middle = rows == 2 ? 0 : std::min(row, rows - 2);
-    double rate = slope(middle);
-    if (middle > 0) {
-      const double before_mm = way_mm[middle] - way_mm[middle - 1],
-                   after_mm = way_mm[middle + 1] - way_mm[middle];
-      const double at_mm = row == middle ? before_mm : before_mm + 2 * after_mm;
-      const double bend = (slope(middle) - slope(middle - 1)) / (before_mm + after_mm);
-      rate = slope(middle - 1) + bend * at_mm;
-    }
-    advantages.push_back(1 / std::abs(rate));
-  }
-  return advantages;
+// What the diagonals take up over what the span does. Both stand still together, flat and where a
+// sheet lies folded flat: then there is none.
+double advantage(const FoldingHistory& history, Index row, double span_mm_per_deg) {
+  constexpr double kStill = 1e-9;  // of the diagonals' lengths, per radian: what rates are off by
+  const double still_mm_per_deg =
+      kStill * kRadPerDeg * std::reduce(history.flat_mm.begin(), history.flat_mm.end());
+  if (std::abs(span_mm_per_deg) <= still_mm_per_deg) return kNone;
+  return history.slope_mm_per_deg.row(row).cwiseAbs().sum() / std::abs(span_mm_per_deg);
 }
 
 }  // namespace
 
-Actuation actuate(const Actuators& actuators, const ShapedPath& path,
-                  const FlatVertices& vertices_mm) {
+Actuation actuate(const Actuators& actuators, const ShapedPath& path) {
   const FoldingHistory& history = path.history;
   const Index stations = history.length_mm.rows(), diagonals = history.length_mm.cols();
   const double k = actuators.stiffness_n_per_mm;
-  const auto [a, b] = farthest_apart(vertices_mm);
-  Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {}, {}, {}, {}};
+  Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {kNone}, {}, {}, {}};
   actuation.force_n.setZero(stations + 1, diagonals);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
   const Eigen::RowVectorXd flat_mm = Eigen::RowVectorXd::Map(history.flat_mm.data(), diagonals);
-  Eigen::RowVectorXd before_mm = flat_mm;
-  std::vector<double> way_mm{0}, span_mm{(vertices_mm.col(a) - vertices_mm.col(b)).norm()};
   for (Index row = 0; row < stations; ++row) {
     const Eigen::RowVectorXd stretch_mm = history.length_mm.row(row) - flat_mm;
     actuation.pilot_deg.push_back(history.stations[row].pilot_deg);
@@ -113,12 +85,9 @@ Actuation actuate(const Actuators& actuators, const ShapedPath& path,
         k * stretch_mm.cwiseProduct(history.slope_mm_per_deg.row(row)) / kRadPerDeg;
     actuation.energy_n_mm.push_back(k / 2 * stretch_mm.squaredNorm());
     actuation.moment_n_mm.push_back(actuation.moment_by_n_mm.row(row + 1).sum());
-    const Eigen::Matrix3Xd& shape_mm = path.shapes_mm[row];
-    span_mm.push_back((shape_mm.col(a) - shape_mm.col(b)).norm());
-    way_mm.push_back(way_mm.back() + (history.length_mm.row(row) - before_mm).cwiseAbs().sum());
-    before_mm = history.length_mm.row(row);
+    actuation.mechanical_advantage.push_back(
+        advantage(history, row, path.span_slope_mm_per_deg[static_cast<std::size_t>(row)]));
   }
-  actuation.mechanical_advantage = advantages(way_mm, span_mm);
   find_weakest(history, actuation);
   find_over_stroke(history, actuation);
   return actuation;

@@ -30,7 +30,8 @@ struct Actuation {
   std::vector<double> energy_n_mm;  ///< k / 2 sum (L - L0)^2
   std::vector<double> moment_n_mm;  ///< dE/d(pilot)
   /// Newtons on the sheet's span (between the two vertices farthest apart when flat) for each
-  /// newton in every diagonal: sum |dL| / |dS|, by the parabola through three rows; NaN at row 0.
+  /// newton in every diagonal: sum |dL| / |dS|, from exact rates; NaN where the span stands still,
+  /// as it does at row 0.
   std::vector<double> mechanical_advantage;
 
   struct Weakest {
@@ -47,7 +48,6 @@ struct Actuation {
   std::optional<OverStroke> over_stroke;
 };
 
-Actuation actuate(const Actuators& actuators, const ShapedPath& path,
-                  const FlatVertices& vertices_mm);
+Actuation actuate(const Actuators& actuators, const ShapedPath& path);
 
 }  // namespace misalign::solver

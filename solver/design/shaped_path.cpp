@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace misalign::solver {
 namespace {
@@ -16,6 +17,18 @@ Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices&
   place_mm.topRows<2>() = flat_mm;
   const Eigen::Isometry3d moved(Eigen::umeyama(shape_mm, place_mm, false));
   return moved * shape_mm;
+}
+
+std::pair<int, int> farthest_apart(const FlatVertices& vertices_mm) {
+  std::pair<int, int> span{0, 0};
+  double longest = -1;
+  for (int a = 0; a < static_cast<int>(vertices_mm.cols()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(vertices_mm.cols()); ++b) {
+      const double length = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
+      if (length > longest) longest = length, span = {a, b};
+    }
+  }
+  return span;
 }
 
 }  // namespace
@@ -64,17 +77,28 @@ std::vector<Eigen::Index> rows_to_show(const Mechanism& mechanism, const ShapedP
 ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm) {
   SheetGeometry<double> geometry;
   place(model.mechanism(), vertices_mm, geometry);
+  const auto [from, to] = farthest_apart(vertices_mm);
+  const double per_deg = model.mechanism().panel_width_mm * kRadPerDeg;
+  FoldedPoints<double> points;
+  std::vector<Twist<double>> twists;
   ShapedPath path;
   std::size_t row = 0;
   double last_deg = 0;
-  const StationVisitor keep_shape = [&](const Station& station, const FoldState<double>& state) {
+  const StationVisitor keep_shape = [&](const Station& station, const PathPoint& point) {
     if (station.pilot_deg <= last_deg) row = 0;  // followed once more
     last_deg = station.pilot_deg;
     path.shapes_mm.resize(std::max(path.shapes_mm.size(), row + 1));
-    path.shapes_mm[row++] = laid_over(model.shape().vertices_mm(geometry, state), vertices_mm);
+    path.span_slope_mm_per_deg.resize(path.shapes_mm.size());
+    model.shape().place(geometry, point.state, points);
+    model.shape().move(geometry, points, point.rates.data(), twists);
+    path.span_slope_mm_per_deg[row] =
+        per_deg * model.shape().distance_rate(points, twists, from, to);
+    path.shapes_mm[row++] =
+        laid_over(model.shape().vertices_mm(geometry, point.state), vertices_mm);
   };
   path.history = record_history(model, vertices_mm, &keep_shape);
   path.shapes_mm.resize(path.history.stations.size());
+  path.span_slope_mm_per_deg.resize(path.history.stations.size());
   return path;
 }
 

@@ -10,6 +10,9 @@ namespace misalign::solver {
 struct ShapedPath {
   FoldingHistory history;
   std::vector<Eigen::Matrix3Xd> shapes_mm;  ///< 3 x vertices, one for each row of the history
+  /// Of the sheet's span, between the two vertices that are farthest apart when flat: its rate of
+  /// change at each row, from the exact rates of all joints.
+  std::vector<double> span_slope_mm_per_deg;
 
   /// How many rows of the history lie up to D: the flat sheet not among them.
   Eigen::Index rows_up_to_d() const;

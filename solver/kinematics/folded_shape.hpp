@@ -77,6 +77,18 @@ class FoldedShape {
     }
   }
 
+  /// How fast the distance between two vertices changes, in panel widths per what `twists` are per.
+  template <class T>
+  T distance_rate(const FoldedPoints<T>& points, const std::vector<Twist<T>>& twists, int v,
+                  int w) const {
+    const auto velocity = [&](int at) {
+      const Twist<T>& twist = twists[placed_by_[at]];
+      return cross(twist.spin, points.vertices[at]) + twist.drift;
+    };
+    const Vec3<T> along = points.vertices[v] - points.vertices[w];
+    return dot(along, velocity(v) - velocity(w)) / distance(points.vertices[v], points.vertices[w]);
+  }
+
   /// Largest change of any edge or diagonal of a kept facet between flat and folded, panel widths.
   template <class T>
   T isometry_error(const SheetGeometry<T>& geometry, const FoldedPoints<T>& points) const {

@@ -8,7 +8,6 @@ struct DenseState::Matrices {
         newton(mechanism),
         factors(mechanism.equations),
         smallest(mechanism.equations),
-        rates(mechanism.unknowns),
         misfit(mechanism.equations) {}
 
   ClosureSystem system;
@@ -16,7 +15,7 @@ struct DenseState::Matrices {
   DenseSolve factors;
   SmallestSingularValue<double> smallest;
   FoldState<double> trial;
-  Eigen::VectorXd rates, misfit;
+  Eigen::VectorXd misfit;
 };
 
 DenseState::DenseState(const Mechanism& mechanism) : mechanism_(mechanism) {}
@@ -26,7 +25,7 @@ DenseState::~DenseState() = default;
 void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
                       PathPoint& point) {
   if (!matrices_) matrices_ = std::make_unique<Matrices>(mechanism_);
-  auto& [system, newton, factors, smallest, trial, rates, misfit] = *matrices_;
+  auto& [system, newton, factors, smallest, trial, misfit] = *matrices_;
   point.state = state;
   open_by_ = system.evaluate(geometry, point.state);
   if (open_by_ > NewtonOptions{}.closure_tolerance) {
@@ -35,11 +34,13 @@ void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<dou
     open_by_ = system.evaluate(geometry, point.state);
   }
   factors.factorize(system.jacobian().leftCols(mechanism_.equations));
+  point.rates.resize(static_cast<std::size_t>(mechanism_.unknowns));
+  auto rates = Eigen::VectorXd::Map(point.rates.data(), mechanism_.unknowns);
   rates.head(mechanism_.equations) = -factors.solve(system.jacobian().col(mechanism_.equations));
   rates[mechanism_.equations] = 1;  // the pilot's, last
   point.pilot_rate = 1 / rates.norm();
-  folded_lengths_and_slopes(mechanism_, geometry, point.state, rates.data(), point.lengths.data(),
-                            point.slopes.data(), misfit.data());
+  folded_lengths_and_slopes(mechanism_, geometry, point.state, point.rates.data(),
+                            point.lengths.data(), point.slopes.data(), misfit.data());
   point.misfit = misfit.cwiseAbs().maxCoeff();
 }
 

@@ -47,8 +47,8 @@ struct FoldingHistory {
   std::optional<double> miscut_margin_mm;        ///< once the path has reached all of those
 };
 
-/// Called at each station of a path, in order.
-using StationVisitor = std::function<void(const Station&, const FoldState<double>&)>;
+/// Called at each station of a path, in order, with what was found there.
+using StationVisitor = std::function<void(const Station&, const PathPoint&)>;
 
 /// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
 /// faults. Where dense matrices follow it again (see dense_fallback) `visit` sees it from the first

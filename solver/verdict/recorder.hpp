@@ -126,6 +126,8 @@ class Recorder {
         point.lengths[k] = lane(lengths_[k], i);
         point.slopes[k] = lane(slopes_[k], i);
       }
+      point.rates.resize(rates_.size());
+      for (std::size_t k = 0; k < rates_.size(); ++k) point.rates[k] = lane(rates_[k], i);
       point.pilot_rate = lane(pilot_rate, i);
       observer_.keep(stations_[i], i,
                      {lane(open_by, i), lane(singular_value, i), lane(isometry_error, i)});

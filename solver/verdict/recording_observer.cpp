@@ -93,7 +93,7 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
   if (std::binary_search(samples.begin(), samples.end(), station.sample)) {
     history.margin_states.push_back(point_.state);
   }
-  if (visit_) (*visit_)(station, point_.state);
+  if (visit_) (*visit_)(station, point_);
 }
 
 void RecordingObserver::ended(PathResult path, int lane) {

@@ -31,10 +31,9 @@ Json table1_candidate() {
     const auto let_go =
         solver::study_deployment(*solver::WaySolver(model).follow(vertices_mm), model, {}, {});
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
-    Json exported =
-        folded_pattern_json(campaign.sampling(), view, metrics,
-                            actuation_json(view, path, solver::actuate(wires, path, vertices_mm)),
-                            exported_deployment_json(let_go));
+    Json exported = folded_pattern_json(campaign.sampling(), view, metrics,
+                                        actuation_json(view, path, solver::actuate(wires, path)),
+                                        exported_deployment_json(let_go));
     const solver::Certificate certificate = solver::Certifier(model).certify(vertices_mm, 5);
     exported["certificate"] =
         certificate_json(certificate_row(campaign, mechanism, 7, shifts_mm, certificate, 0.03125));

@@ -49,7 +49,7 @@ class HistoryTable : public testing::Test {
                                            pattern_.base.folding)),
         path_(solver::record_shapes(solver::Model(pattern_.base, {1, 40, 0}),
                                     pattern_.vertices_mm())),
-        actuation_(solver::actuate({20, {}}, path_, pattern_.vertices_mm())),
+        actuation_(solver::actuate({20, {}}, path_)),
         view_{pattern_, pattern_.shifts_mm, mechanism_, path_.history, 1} {}
 
   const Pattern pattern_;

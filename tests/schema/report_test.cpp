@@ -51,7 +51,7 @@ TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
   const auto& base = pattern.base;
   const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
   const auto path = solver::record_shapes(solver::Model(base), pattern.vertices_mm());
-  const auto actuation = solver::actuate({}, path, pattern.vertices_mm());
+  const auto actuation = solver::actuate({}, path);
   const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
   const Json detail =
       detail_json(view, std::uint64_t{1} << 62, false, path, actuation, std::nullopt);

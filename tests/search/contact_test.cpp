@@ -118,9 +118,9 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
       solver::place(model.mechanism(), vertices_mm, geometry);
       ContactCheck check(vertices_mm, panels);
       const solver::StationVisitor compare = [&](const solver::Station& station,
-                                                 const solver::FoldState<double>& state) {
+                                                 const solver::PathPoint& point) {
         if (station.sample % 3 != 0) return;
-        const Eigen::Matrix3Xd corners = model.shape().corners_mm(geometry, state);
+        const Eigen::Matrix3Xd corners = model.shape().corners_mm(geometry, point.state);
         bool expected = false;
         for (int a = 0; a < static_cast<int>(panels.size()); ++a) {
           for (int b = 0; b < a; ++b) {

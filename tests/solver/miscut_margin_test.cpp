@@ -52,8 +52,8 @@ double margin_by_differences_mm(const TestSheet& sheet, const FlatVertices& flat
   SheetGeometry<double> geometry;
   place(sheet.mechanism, flat_mm, geometry);
   std::map<int, Eigen::Matrix3Xd> folded_mm;
-  const StationVisitor keep_shape = [&](const Station& station, const FoldState<double>& state) {
-    folded_mm[station.sample] = shape.vertices_mm(geometry, state);
+  const StationVisitor keep_shape = [&](const Station& station, const PathPoint& point) {
+    folded_mm[station.sample] = shape.vertices_mm(geometry, point.state);
   };
   record_history(Model(sheet.base), flat_mm, &keep_shape);
   Eigen::VectorXd last_mm;

@@ -145,8 +145,8 @@ class Study {
     const FlatVertices vertices_mm = model_.base().sheet.vertices_mm + shifts_mm;
     std::vector<solver::FoldState<double>> states;
     const solver::StationVisitor keep_state = [&](const solver::Station&,
-                                                  const solver::FoldState<double>& state) {
-      states.push_back(state);
+                                                  const solver::PathPoint& point) {
+      states.push_back(point.state);
     };
     const auto history = solver::record_history(model_, vertices_mm, &keep_state);
     PathGradients gradients(mechanism, vertices_mm);
