@@ -110,19 +110,20 @@ std::optional<Contact> ContactFinder::first(double end) const {
 }
 
 Contact ContactFinder::contact_of(const PanelPair& pair, const Separation& where, double x) const {
-  const FlatVertices& vertices_mm = motion_.way().vertices_mm();
-  Contact contact{pair, x, motion_.way().pilot_deg(x), {}, {}};
+  const FoldingWay& way = motion_.way();
+  Contact contact{pair, x, way.pilot_deg(x), {}, {}};
   if (pair.kind == ContactKind::crease) {
     const FoldLine& fold = panels_.folds[static_cast<std::size_t>(pair.joint)];
-    contact.on_a_mm = (vertices_mm.col(fold.a) + vertices_mm.col(fold.b)) / 2;
+    contact.on_a_mm =
+        way.drawn_mm((way.from_a1_mm().col(fold.a) + way.from_a1_mm().col(fold.b)) / 2);
     contact.on_b_mm = contact.on_a_mm;
     return contact;
   }
   // Seen from panel a; of b by way of where both lie.
   const PanelPose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
   const Vector3d on_b = seen_from(b, a, where.on_b);
-  contact.on_a_mm = where.on_a.head<2>() + vertices_mm.col(0);
-  contact.on_b_mm = on_b.head<2>() + vertices_mm.col(0);
+  contact.on_a_mm = way.drawn_mm(where.on_a.head<2>());
+  contact.on_b_mm = way.drawn_mm(on_b.head<2>());
   return contact;
 }
 

@@ -10,11 +10,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd lengths_of(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
+VectorXd lengths_of(const Mechanism& mechanism, const FlatVertices& flat_mm) {
   VectorXd lengths_mm(static_cast<Index>(mechanism.creases.size()));
   Index k = 0;
   for (const Crease& crease : mechanism.creases) {
-    lengths_mm(k++) = (vertices_mm.col(crease.b) - vertices_mm.col(crease.a)).norm();
+    lengths_mm(k++) = (flat_mm.col(crease.b) - flat_mm.col(crease.a)).norm();
   }
   return lengths_mm;
 }
@@ -41,18 +41,14 @@ VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
 SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
                               const PerforatedSheet& base, const DeployingSheetOptions& options) {
   const Panels panels = panels_of(base, way.mechanism());
-  const std::vector<PanelMass> masses =
-      panel_masses(options.plates, panels.corners, way.vertices_mm());
   const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
-  SheetMover mover(shape, way, panels, masses, held);
+  SheetMover mover(shape, way, panels, options.plates, held);
   Eigen::MatrixXd values(4, static_cast<Index>(way.stations().size()));
   Index k = 0;
   for (const WayStation& station : way.stations()) {
     const MovingSheet sheet = mover.move(station.state, station.rates.data());
     // Seen from the held panel, from +z.
-    const int seat = held.value_or(0);
-    Eigen::Vector3d centre_mm =
-        mover.turn(seat).transpose() * (sheet.centre_mm() - mover.place_mm(seat, {0, 0}));
+    Eigen::Vector3d centre_mm = mover.seen_from(held.value_or(0), sheet.centre_mm());
     centre_mm.z() *= way.mechanism().side;
     values.col(k++) << sheet.generalised_mass(), centre_mm;
   }
@@ -63,7 +59,7 @@ SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
 double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Plates& plates) {
   double mass_t = 0;
   const Panels panels = panels_of(base, way.mechanism());
-  for (const PanelMass& mass : panel_masses(plates, panels.corners, way.vertices_mm())) {
+  for (const PanelMass& mass : panel_masses(plates, panels.corners, way.from_a1_mm())) {
     mass_t += mass.mass_t;
   }
   return mass_t;
@@ -76,7 +72,7 @@ DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
     : way_(way),
       options_(options),
       mass_t_(mass_of_all(way, base, options.plates)),
-      crease_mm_(lengths_of(way.mechanism(), way.vertices_mm())),
+      crease_mm_(lengths_of(way.mechanism(), way.from_a1_mm())),
       rest_mm_(relaxed_lengths(way, options.springs)),
       rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
       masses_(masses_on_the_way(way, shape, base, options)) {}

@@ -23,14 +23,15 @@ double WayCoordinate::x_of(double pilot_rad) const {
   return limit_rad > 0 ? std::asin(std::clamp(pilot_rad / limit_rad, -1.0, 1.0)) : pilot_rad;
 }
 
-FoldingWay::FoldingWay(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+FoldingWay::FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
                        const WayCoordinate& coordinate, double step, double end,
                        std::vector<WayStation> stations)
     : mechanism_(&mechanism),
-      vertices_mm_(vertices_mm),
+      a1_mm_(drawn_mm.col(0)),
+      from_a1_mm_(drawn_mm.colwise() - a1_mm_),
       geometry_([&] {
         SheetGeometry<double> geometry;
-        place(mechanism, vertices_mm, geometry);
+        place(mechanism, drawn_mm, geometry);
         return geometry;
       }()),
       coordinate_(coordinate),

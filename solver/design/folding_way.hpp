@@ -34,12 +34,15 @@ class FoldingWay {
  public:
   /// As WaySolver finds it: the k-th station at (k + 1/2) `step`, at least SmoothTable::kPoints of
   /// them. `mechanism` must outlive this object.
-  FoldingWay(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+  FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
              const WayCoordinate& coordinate, double step, double end,
              std::vector<WayStation> stations);
 
   const Mechanism& mechanism() const { return *mechanism_; }
-  const FlatVertices& vertices_mm() const { return vertices_mm_; }
+  /// The flat sheet in the frame of its geometry and of every pose, A1 at the origin; and where a
+  /// point of that lies on the sheet as it was drawn.
+  const FlatVertices& from_a1_mm() const { return from_a1_mm_; }
+  Eigen::Vector2d drawn_mm(const Eigen::Vector2d& from_a1_mm) const { return a1_mm_ + from_a1_mm; }
   const SheetGeometry<double>& geometry() const { return geometry_; }
   const std::vector<WayStation>& stations() const { return stations_; }
   double x_of_station(std::size_t k) const { return (static_cast<double>(k) + 0.5) * step_; }
@@ -80,7 +83,8 @@ class FoldingWay {
   SmoothTable table_of_joints() const;
 
   const Mechanism* mechanism_;
-  FlatVertices vertices_mm_;
+  Eigen::Vector2d a1_mm_;
+  FlatVertices from_a1_mm_;
   SheetGeometry<double> geometry_;
   WayCoordinate coordinate_;
   double step_, end_;

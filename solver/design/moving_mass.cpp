@@ -99,11 +99,10 @@ MovingSheet SheetMover::move(const FoldState<double>& state, const double* rates
   return sheet;
 }
 
-Vector3d SheetMover::place_mm(int panel, const Eigen::Vector2d& flat_mm) const {
-  return turn(panel).leftCols<2>() * flat_mm +
-         way_.mechanism().panel_width_mm * vector(pose(panel).translation);
-}
-
 Matrix3d SheetMover::turn(int panel) const { return matrix(pose(panel).rotation); }
+
+Vector3d SheetMover::shift_mm(int panel) const {
+  return way_.mechanism().panel_width_mm * vector(pose(panel).translation);
+}
 
 }  // namespace misalign::solver

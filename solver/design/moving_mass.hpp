@@ -9,7 +9,7 @@
 
 namespace misalign::solver {
 
-/// Coordinates are those of the first panel (mm; its flat ones); rates are per unit of x.
+/// Coordinates are those of the first panel (mm from A1; its flat ones); rates are per unit of x.
 struct MovingPanel {
   double mass_t;
   Eigen::Vector3d centre_mm, velocity, spin;
@@ -30,18 +30,32 @@ struct MovingSheet {
 
 class SheetMover {
  public:
-  /// `held`: a panel; none: free in space. All must outlive this object.
+  /// `held`: a panel; none: free in space. `shape`, `way` and `panels` must outlive this object.
   SheetMover(const FoldedShape& shape, const FoldingWay& way, const Panels& panels,
-             const std::vector<PanelMass>& masses, std::optional<int> held)
-      : shape_(shape), way_(way), panels_(panels), masses_(masses), held_(held) {}
+             const Plates& plates, std::optional<int> held)
+      : shape_(shape),
+        way_(way),
+        panels_(panels),
+        masses_(panel_masses(plates, panels.corners, way.from_a1_mm())),
+        held_(held) {}
 
   /// At a state with these rates of every unknown (rad per unit of x).
   MovingSheet move(const FoldState<double>& state, const double* rates);
-  /// Of the last state: where a flat point of a panel lies, and which way a direction points.
-  Eigen::Vector3d place_mm(int panel, const Eigen::Vector2d& flat_mm) const;
+  /// Of the last state: where a panel has a vertex, which way a direction of its points, and where
+  /// on its own flat sheet it sees a point.
+  Eigen::Vector3d place_mm(int panel, int vertex) const {
+    return place_mm(panel, Eigen::Vector2d(way_.from_a1_mm().col(vertex)));
+  }
   Eigen::Matrix3d turn(int panel) const;
+  Eigen::Vector3d seen_from(int panel, const Eigen::Vector3d& point_mm) const {
+    return turn(panel).transpose() * (point_mm - shift_mm(panel));
+  }
 
  private:
+  Eigen::Vector3d place_mm(int panel, const Eigen::Vector2d& from_a1_mm) const {
+    return turn(panel).leftCols<2>() * from_a1_mm + shift_mm(panel);
+  }
+  Eigen::Vector3d shift_mm(int panel) const;
   const Pose<double>& pose(int panel) const {
     return points_
         .facets[static_cast<std::size_t>(panels_.facets[static_cast<std::size_t>(panel)])];
@@ -50,7 +64,7 @@ class SheetMover {
   const FoldedShape& shape_;
   const FoldingWay& way_;
   const Panels& panels_;
-  const std::vector<PanelMass>& masses_;
+  const std::vector<PanelMass> masses_;  // centres from A1
   const std::optional<int> held_;
   FoldedPoints<double> points_;
   std::vector<Twist<double>> twists_;

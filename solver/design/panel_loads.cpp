@@ -44,9 +44,8 @@ PanelLoads::PanelLoads(const DeployingSheet& sheet, const FoldedShape& shape,
       way_(sheet.way()),
       in_motion_(in_motion),
       panels_(panels_of(base, mechanism())),
-      masses_(panel_masses(sheet.options().plates, panels_.corners, way_.vertices_mm())),
       held_(sheet.options().held ? std::optional(sheet.options().held->panel) : std::nullopt),
-      mover_(shape, way_, panels_, masses_, held_),
+      mover_(shape, way_, panels_, sheet.options().plates, held_),
       momenta_(momenta_on_the_way(way_, mover_)),
       panel_of_facet_(base.sheet.facets.size(), -1),
       panels_at_(static_cast<std::size_t>(mechanism().vertices)) {
@@ -104,14 +103,14 @@ void PanelLoads::add_inertia(VectorXd& loads) const {
   VectorXd momenta, slopes;
   momenta_.find(x_, 0, momenta_.functions(), momenta, slopes);
   const Vector3d frame_spin = moving_.frame_spin * moved_.rate;
-  for (std::size_t k = 0; k < masses_.size(); ++k) {
+  for (std::size_t k = 0; k < moving_.panels.size(); ++k) {
     const Index first = kOfPanel * static_cast<Index>(k);
     const auto rate_of = [&](Index at) -> Vector3d {
       const Vector3d here = momenta.segment<3>(at), slope = slopes.segment<3>(at);
       return slope * moved_.rate * moved_.rate + here * moved_.acceleration +
              frame_spin.cross(here * moved_.rate);
     };
-    loads.segment<3>(first) -= masses_[k].mass_t * rate_of(first);
+    loads.segment<3>(first) -= moving_.panels[k].mass_t * rate_of(first);
     loads.segment<3>(first + 3) -= rate_of(first + 3);
   }
 }
@@ -164,8 +163,8 @@ void PanelLoads::add_weight(VectorXd& loads) const {
   Vector3d gravity = sheet_.options().held->gravity_mm_per_s2;
   gravity.z() *= mechanism().side;
   gravity = mover_.turn(*held_) * gravity;
-  for (std::size_t k = 0; k < masses_.size(); ++k) {
-    loads.segment<3>(kOfPanel * static_cast<Index>(k)) += masses_[k].mass_t * gravity;
+  for (std::size_t k = 0; k < moving_.panels.size(); ++k) {
+    loads.segment<3>(kOfPanel * static_cast<Index>(k)) += moving_.panels[k].mass_t * gravity;
   }
 }
 

@@ -30,14 +30,12 @@ class PanelLoads {
   const DeployingSheet& sheet() const { return sheet_; }
   const FoldingWay& way() const { return way_; }
   const Mechanism& mechanism() const { return way_.mechanism(); }
-  Eigen::Index panels() const { return static_cast<Eigen::Index>(masses_.size()); }
+  Eigen::Index panels() const { return static_cast<Eigen::Index>(panels_.facets.size()); }
   std::optional<int> held() const { return held_; }
   int panel_of(int facet) const { return panel_of_facet_[static_cast<std::size_t>(facet)]; }
   const std::vector<Hinge>& hinges() const { return hinges_; }
   /// Where a panel has a vertex, mm.
-  Eigen::Vector3d place_mm(int panel, int vertex) const {
-    return mover_.place_mm(panel, way_.vertices_mm().col(vertex));
-  }
+  Eigen::Vector3d place_mm(int panel, int vertex) const { return mover_.place_mm(panel, vertex); }
   /// Adds a force at a place, and a moment, to a panel's six.
   void add(int panel, const Eigen::Vector3d& at_mm, const Eigen::Vector3d& force_n,
            const Eigen::Vector3d& moment_n_mm, Eigen::VectorXd& loads) const;
@@ -55,7 +53,6 @@ class PanelLoads {
   const FoldingWay& way_;
   const bool in_motion_;
   const Panels panels_;
-  const std::vector<PanelMass> masses_;
   const std::optional<int> held_;
   SheetMover mover_;
   const SmoothTable momenta_;

@@ -60,12 +60,10 @@ PanelMotion::PanelMotion(const Model& model, const FoldingWay& way, const Panels
       residual_(static_cast<std::size_t>(model.mechanism().unknowns)),
       work_(residual_),
       turn_(residual_) {
-  const FlatVertices& vertices_mm = way.vertices_mm();
   for (const std::array<int, 4>& corners : panels.corners) {
     PolygonCorners polygon(3, 4);
     for (int k = 0; k < 4; ++k) {
-      polygon.col(k) << vertices_mm.col(corners[static_cast<std::size_t>(k)]) - vertices_mm.col(0),
-          0;
+      polygon.col(k) << way.from_a1_mm().col(corners[static_cast<std::size_t>(k)]), 0;
     }
     corners_mm_.push_back(polygon);
   }

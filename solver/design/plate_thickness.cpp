@@ -170,7 +170,7 @@ TaperLimit taper_limit(const Panels& panels, const std::vector<PolygonCorners>& 
 
 PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion, double end,
                                  const ThicknessOptions& options) {
-  const FlatVertices& vertices_mm = motion.way().vertices_mm();
+  const FlatVertices& vertices_mm = motion.way().from_a1_mm();
   const auto trimmed = trimmed_panels(panels, vertices_mm, options.trim_mm);
   PlateThickness result{};
   result.largest_rad = largest_angles(panels, motion, end);

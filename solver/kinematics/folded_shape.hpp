@@ -11,7 +11,7 @@
 namespace misalign::solver {
 
 /// A folded sheet: where its facets and vertices are, in panel widths, the first kept facet lying
-/// in the plane z = 0.
+/// in the plane z = 0. Poses are of points of the sheet's geometry, from A1, and of no others.
 template <class T>
 struct FoldedPoints {
   std::vector<Pose<T>> facets;

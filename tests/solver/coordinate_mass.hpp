@@ -1,4 +1,5 @@
-// The generalised mass of a moving sheet from vertex coordinates alone, for tests.
+// How a sheet moves that is free in space, and its generalised mass, from vertex coordinates alone,
+// for tests.
 #pragma once
 
 #include <Eigen/Dense>
@@ -9,12 +10,18 @@
 
 namespace misalign::solver {
 
-/// Twice the kinetic energy of the panels, each two triangles on whose corners the velocities are
-/// given by two shapes, over the square of `apart`, what the coordinate differs by between them;
-/// the least over all rigid motions that may be added (t mm^2).
-inline double mass_of_coordinates(const PerforatedSheet& base, const Plates& plates,
-                                  const Eigen::Matrix3Xd& before_mm,
-                                  const Eigen::Matrix3Xd& after_mm, double apart) {
+/// Per unit of a coordinate.
+struct CoordinateMotion {
+  double mass;                   ///< twice the kinetic energy, t mm^2
+  Eigen::Matrix3Xd velocity_mm;  ///< of the vertices
+};
+
+/// The panels are two triangles each, on whose corners the velocities are given by two shapes and
+/// `apart`, what the coordinate differs by between them; of all rigid motions that one is added
+/// that leaves the least energy.
+inline CoordinateMotion motion_of_coordinates(const PerforatedSheet& base, const Plates& plates,
+                                              const Eigen::Matrix3Xd& before_mm,
+                                              const Eigen::Matrix3Xd& after_mm, double apart) {
   const Eigen::Index n = before_mm.cols();
   // Of linear velocities over a triangle: area / 12 times 2 on the diagonal, 1 beside it.
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
@@ -48,7 +55,13 @@ inline double mass_of_coordinates(const PerforatedSheet& base, const Plates& pla
   const Eigen::VectorXd best =
       (rigid.transpose() * all * rigid).ldlt().solve(rigid.transpose() * all * velocity);
   const Eigen::VectorXd left = velocity - rigid * best;
-  return left.dot(all * left);
+  return {left.dot(all * left), Eigen::Matrix3Xd::Map(left.data(), 3, n)};
+}
+
+inline double mass_of_coordinates(const PerforatedSheet& base, const Plates& plates,
+                                  const Eigen::Matrix3Xd& before_mm,
+                                  const Eigen::Matrix3Xd& after_mm, double apart) {
+  return motion_of_coordinates(base, plates, before_mm, after_mm, apart).mass;
 }
 
 }  // namespace misalign::solver
