@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/journal_check.hpp"
 #include "schema/files/file_calls.hpp"
 
@@ -41,9 +42,7 @@ const std::set<std::string_view>& known_functions() {
       "->", "->>", "json", "json_array", "json_array_length", "json_error_position", "json_extract",
       "json_group_array", "json_group_object", "json_insert", "json_object", "json_patch",
       "json_pretty", "json_quote", "json_remove", "json_replace", "json_set", "json_type",
-      "json_valid",
-      // our own, where there are any (search/checks/deployment_functions)
-      "deploy_time_s", "critical_friction_n_mm_per_mm"};
+      "json_valid"};
   return names;
 }
 
@@ -60,7 +59,9 @@ bool is_among(const std::array<std::string_view, count>& names, const char* name
   return name && std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool may_call(const char* function) { return function && known_functions().contains(function); }
+bool may_call(const char* function) {
+  return function && (known_functions().contains(function) || is_among(kCostlyFunctions, function));
+}
 
 // Virtual tables that SQLite has without being asked for them, such as dbstat and fts3tokenize.
 const std::set<std::string, std::less<>>& modules() {

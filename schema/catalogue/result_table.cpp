@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <ctime>
 #include <optional>
 #include <utility>
 
@@ -148,33 +149,34 @@ class TableWriter {
     return printable_row(std::move(row));
   }
 
-  // Rows are kept while they are few; if they become many, they are made once more when all widths
-  // are known.
+  // The first rows are kept until the columns' widths are known from them; others come as they are
+  // made. A second of the processor's own: what a table looks like is no matter of who else is
+  // busy.
   void write_aligned() {
-    constexpr std::size_t kKept_bytes = 4 << 20;
+    constexpr std::size_t kKept = 1000, kKept_bytes = 4 << 20;
+    constexpr std::clock_t kKeptFor = CLOCKS_PER_SEC;
+    const std::clock_t begin = std::clock();
     Columns table(std::vector<bool>(names_.size(), true));
-    const Row header = printable_row(names_);
-    table.widen(header);
-    std::vector<Row> kept;
+    std::vector<Row> kept = {printable_row(names_)};
+    table.widen(kept.front());
     std::size_t bytes = 0;
+    const auto give_kept = [&] {
+      for (const Row& row : kept) give(table.line(row));
+      kept.clear();
+    };
     while (next()) {
       for (int k = 0; k < columns(); ++k) {
         if (statement_.getColumn(k).isText()) table.set_text(static_cast<std::size_t>(k));
       }
-      Row row = aligned_row();
-      table.widen(row);
-      if (bytes > kKept_bytes) continue;
-      for (const std::string& cell : row) bytes += cell.size() + sizeof cell;
-      kept.push_back(std::move(row));
+      const bool keeps = !kept.empty();
+      kept.push_back(aligned_row());
+      table.widen(kept.back());
+      for (const std::string& cell : kept.back()) bytes += cell.size() + sizeof cell;
+      if (!keeps || rows_ == kKept || bytes > kKept_bytes || std::clock() - begin > kKeptFor) {
+        give_kept();
+      }
     }
-    give(table.line(header));
-    if (bytes <= kKept_bytes) {
-      for (const Row& row : kept) give(table.line(row));
-      return;
-    }
-    kept.clear();
-    statement_.reset();
-    for (rows_ = 0; next();) give(table.line(aligned_row()));
+    give_kept();
   }
 
   SQLite::Statement& statement_;

@@ -19,9 +19,10 @@ using TextSink = std::function<bool(const std::string& piece)>;
 
 /// Runs one read-only statement and gives its rows on as they come, with bounded memory; how many
 /// there were. The first line of an aligned table, and of CSV, names the columns, and is a piece of
-/// its own. The columns of an aligned table are as wide as all of its rows need: where those are
-/// many, the statement runs twice in one snapshot. UserError (2) if it is no SQL, not a single
-/// statement, or more than a query; see storage_failure for what can happen to the file.
+/// its own. The columns of an aligned table are as wide as its first rows need (1,000, or what
+/// comes within a second): wider cells behind them widen their columns from there on. UserError (2)
+/// if it is no SQL, not a single statement, or more than a query; see storage_failure for what can
+/// happen to the file.
 std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
                           const TextSink& sink);
 

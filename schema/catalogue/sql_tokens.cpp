@@ -26,6 +26,7 @@ class Tokenizer {
         const std::size_t from = at_;
         pass_token();
         found_.tokens.push_back(sql_.substr(from, at_ - from));
+        found_.begins.push_back(from);
       }
     }
     if (sql_.find('\0') != std::string::npos) found_.is_open = true;

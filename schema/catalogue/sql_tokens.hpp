@@ -9,6 +9,7 @@ namespace misalign::schema {
 
 struct SqlTokens {
   std::vector<std::string> tokens;  ///< without blanks and comments
+  std::vector<std::size_t> begins;  ///< where each of them begins in the text
   /// Whether the text ends in a string, a quoted name or a comment that it does not close: then it
   /// means something else where more follows. Also with a zero byte, at which SQLite stops reading.
   bool is_open = false;

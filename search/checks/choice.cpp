@@ -7,9 +7,11 @@
 #include <functional>
 #include <map>
 
+#include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "search/terminal/shell_word.hpp"
+#include "search/terminal/suggestion.hpp"
 #include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
@@ -26,6 +28,23 @@ std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
     }
     return columns;
   });
+}
+
+// "; did you mean stroke_max?", or nothing. D is the paper's and the README's word.
+std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
+  const bool is_d = typed == "D" || typed == "d";
+  const std::string meant = is_d ? "deploys_from_deg" : nearest_word(typed, columns);
+  return meant.empty() ? "" : "; did you mean " + meant + "?";
+}
+
+// Of SQLite's words about a condition: which column is none.
+std::string unknown_column(const std::string& refused, const std::vector<std::string>& columns) {
+  constexpr std::string_view kBefore = "no such column: ";
+  const std::size_t before = refused.find(kBefore);
+  if (before == std::string::npos) return "";
+  const std::size_t begin = before + kBefore.size(), end = refused.find(')', begin);
+  const std::string typed = refused.substr(begin, end - begin);
+  return " (" + typed + " is no column" + column_meant(typed, columns) + ")";
 }
 
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& sql) {
@@ -162,7 +181,7 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
     }
   } catch (const schema::UserError& error) {
     if (error.exit_code() != schema::kExitUsage) throw;
-    refuse("");
+    refuse(unknown_column(error.what(), columns_of_candidates(database)));
   }
 }
 
@@ -172,8 +191,8 @@ void check_column(SQLite::Database& database, const Choice& choice) {
   if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
   throw schema::UserError(
       schema::kExitUsage,
-      fmt::format("{}by {}: is no column of a candidate; choose one of {}", choice.dashes,
-                  schema::printable(by), fmt::join(columns, ", ")));
+      fmt::format("{}by {}: is no column of a candidate{}; choose one of {}", choice.dashes,
+                  schema::printable(by), column_meant(by, columns), fmt::join(columns, ", ")));
 }
 
 // In the order that "best" means, or by a column, the largest first, and the best first among
@@ -187,7 +206,9 @@ std::string order_of(const std::optional<std::string>& by) {
 std::string all_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
   if (!choice.where.empty()) check_condition(database, choice);
   return "SELECT " + columns + " FROM candidates" +
-         (choice.where.empty() ? "" : " WHERE (" + choice.where + "\n)");  // which ends a comment
+         (choice.where.empty()
+              ? ""
+              : " WHERE (" + schema::costly_last(choice.where) + "\n)");  // which ends a comment
 }
 
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {

@@ -9,6 +9,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/campaign_sheet.hpp"
 #include "search/checks/deployer.hpp"
+#include "search/terminal/long_work.hpp"
 
 namespace misalign::search {
 namespace {
@@ -34,6 +35,7 @@ class LetGo {
     }
     if (draw_ == draw) return study_;
     draw_ = draw;
+    show_work("sheets let go", sheets_++);
     const Eigen::Matrix2Xd shifts_mm = shifts_of_number(database_, *campaign_, draw);
     // A candidate's is not less than the threshold: mostly that is known to be enough.
     const bool is_enough = campaign_->threshold_deg >= kDeployFrom_deg && is_candidate(draw);
@@ -58,6 +60,7 @@ class LetGo {
   std::unique_ptr<Deployer> deployer_;
   std::optional<double> from_deg_;
   std::optional<std::uint64_t> draw_;
+  std::uint64_t sheets_ = 0;
   std::optional<solver::DeploymentStudy> study_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/suggestion.hpp"
@@ -41,7 +42,7 @@ QueryText query_text(SQLite::Database& database, const std::string& name_or_sql)
   const std::string named = sql_of_name(database, name_or_sql);
   if (!named.empty()) return {named, name_or_sql};
   if (is_one_word(name_or_sql)) throw no_such_query(name_or_sql);
-  return {name_or_sql, ""};
+  return {schema::costly_in_subqueries(name_or_sql), ""};
 }
 
 }  // namespace misalign::search

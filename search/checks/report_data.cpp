@@ -12,6 +12,7 @@
 #include "search/checks/deployment_functions.hpp"
 #include "search/ranks/build_info.hpp"
 #include "search/terminal/ladder_text.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/status_text.hpp"
 
@@ -72,6 +73,7 @@ Json details_json(SQLite::Database& database, const schema::Campaign& campaign,
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < look.draws.size(); ++k) {
     if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
+    show_work("sheets looked at closely", k, look.draws.size());
     const std::uint64_t draw = look.draws[k];
     const FoldedSheet folded = folder.fold(shifts_of_number(database, campaign, draw));
     const bool accepted = campaign.accepts(folded.path.history.verdict);

@@ -8,6 +8,7 @@
 #include "schema/catalogue/certificate_table.hpp"
 #include "search/checks/draws_again.hpp"
 #include "search/terminal/count_text.hpp"
+#include "search/terminal/long_work.hpp"
 
 namespace misalign::search {
 namespace {
@@ -65,11 +66,13 @@ class Verifier {
   void compute() {
     const CandidateCheck check(campaign_);
     for (const std::uint64_t draw : candidates_) {
+      show_work("candidates computed again", v_.checked.size(), candidates_.size());
       add(check.check(schema::read_candidate(database_, draw),
                       schema::metrics_version_of(database_, draw)),
           draw);
     }
     for (const std::uint64_t draw : fault_samples_) {
+      show_work("fault samples judged again", v_.fault_samples.checked, fault_samples_.size());
       for (const StoredVerdict& row : stored_verdicts(database_, {draw, draw + 1})) {
         compare_verdict(row, check, v_.findings);
         ++v_.fault_samples.checked;
@@ -79,6 +82,7 @@ class Verifier {
     if (campaign_.splitting) {
       Climber climber(campaign_, solver::available_instruction_sets().back());
       for (const schema::DrawRange& unit : units_) {
+        show_work("populations made again", v_.units.checked, units_.size());
         make_population_again(database_, climber, unit.lo, v_.findings);
         ++v_.units.checked;
         ++v_.draws_again;
@@ -89,6 +93,7 @@ class Verifier {
     without_certificates.certify = false;
     DrawEvaluator evaluator(without_certificates);
     for (const schema::DrawRange& unit : units_) {
+      show_work("units made again", v_.units.checked, units_.size());
       v_.decided_now += make_unit_again(database_, evaluator, unit, v_.findings);
       ++v_.units.checked;
       v_.draws_again += unit.size();

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 
-#include "search/terminal/duration.hpp"
-#include "search/terminal/progress_text.hpp"
-
 namespace misalign::search {
 namespace {
 
@@ -109,14 +106,6 @@ Json tolerance_json(const Tolerance& t) {
                {"quantiles", quantiles}};
   if (!t.vertices.empty()) json["vertices"] = vertices;
   return json;
-}
-
-std::string copies_line(const CopiesDone& copies, double elapsed_s) {
-  const auto done = static_cast<double>(copies.done), all = static_cast<double>(copies.all);
-  const std::string line = fmt::format("{} of {} copies", short_number(done), short_number(all));
-  if (elapsed_s <= 0 || copies.done == 0) return line;
-  return fmt::format("{}, {}/s, {} left", line, short_number(done / elapsed_s),
-                     duration((all - done) * elapsed_s / done));
 }
 
 }  // namespace misalign::search

@@ -20,7 +20,4 @@ std::string tolerances_text(std::vector<NamedTolerance> several);
 /// Without the sheet's name.
 schema::Json tolerance_json(const Tolerance& tolerance);
 
-/// "12.3 k of 60.0 k copies, 4.1 k/s, 12 s left".
-std::string copies_line(const CopiesDone& copies, double elapsed_s);
-
 }  // namespace misalign::search

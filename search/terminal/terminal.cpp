@@ -12,6 +12,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "search/terminal/long_work.hpp"
+#include "search/terminal/stopwatch.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -47,7 +50,14 @@ std::string for_people(std::string_view text) {
   return shown;
 }
 
-void write_out(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void write_out(std::string_view text) {
+  static Stopwatch since_flush;
+  if (is_terminal(STDOUT_FILENO)) end_shown_work();  // what comes out shows itself
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (since_flush.seconds() < 1) return;  // rows that come slowly are there when they come
+  std::fflush(stdout);
+  since_flush = Stopwatch();
+}
 
 }  // namespace
 
@@ -122,6 +132,7 @@ Show::Show(bool paged) {
   const std::string command = paged && is_terminal(STDOUT_FILENO) ? pager_command() : "";
   std::fflush(stdout);
   if (command.empty()) return;
+  end_shown_work();
   // As git does: end at once if all fits, colors, long lines cut, the screen left as it is.
   setenv("LESS", "FRSX", /*overwrite=*/0);
   pager_ = popen(command.c_str(), "w");

@@ -49,12 +49,8 @@ void check_backlash(const ToleranceCall& call) {
 void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets) {
   const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash);
   refuse_backlash(call, sheets, study);
-  std::vector<Backlash> answers;
-  {
-    CopiesProgress progress;
-    answers = study.run({*call.backlash_mm, call.study.trials, call.study.jobs,
-                         [&](const CopiesDone& copies) { progress.see(copies); }});
-  }
+  std::vector<Backlash> answers =
+      study.run({*call.backlash_mm, call.study.trials, call.study.jobs, show_copies});
   std::vector<NamedBacklash> named;
   schema::Json list = schema::Json::array();
   for (std::size_t k = 0; k < answers.size(); ++k) {

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <thread>
 
 #include "schema/files/input.hpp"
@@ -16,6 +18,7 @@
 #include "search/terminal/failure.hpp"
 #include "search/terminal/help_format.hpp"
 #include "search/terminal/log.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/usage.hpp"
@@ -80,6 +83,18 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& 
   return schema::kExitUsage;
 }
 
+// Verbs with a progress of their own, or without an end.
+bool shows_itself(const std::string& verb) {
+  return verb == "search" || verb == "certify" || verb == "stress" || verb == "watch";
+}
+
+ProgressStyle work_style() {
+  return spdlog::should_log(spdlog::level::info)
+             ? resolved(ProgressStyle::automatic, is_terminal(STDERR_FILENO) && terminal_is_able(),
+                        false)
+             : ProgressStyle::none;
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -122,7 +137,12 @@ int run_command_line(int argc, char** argv) {
   wish_colors(color);
   set_up_log(level, color);
   try {
-    return exit_code_once_written(actions.at(chosen_verb(app))());
+    std::optional<LongWork> work;
+    const std::string verb = chosen_verb(app)->get_name();
+    if (!shows_itself(verb)) work.emplace(verb + " is under way", work_style(), level == "debug");
+    const int exit_code = actions.at(chosen_verb(app))();
+    work.reset();
+    return exit_code_once_written(exit_code);
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     if (rank_zero_speaks(app)) return leave_it_to_rank_zero(failure.exit_code);

@@ -12,6 +12,7 @@
 #include "search/checks/chosen_sheet.hpp"
 #include "search/checks/deployment_functions.hpp"
 #include "search/checks/sheet_files.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/kit_options.hpp"
@@ -68,7 +69,9 @@ void export_candidates(const ExportCall& call) {
     tables.emplace(folder, call.files, named.size() == 1 ? stem_of(named[0]) : campaign.name,
                    "draw");
   }
+  std::uint64_t written = 0;
   for (const std::uint64_t draw : draws) {
+    show_work("sheets written", written++, draws.size());
     const std::string number = std::to_string(draw);
     const FoldedSheet folded = folder.fold(shifts_of_number(*database, campaign, draw));
     if (!campaign.accepts(folded.path.history.verdict)) {

@@ -1,7 +1,10 @@
 // `misalign report`: one page about a catalogue, or a pattern.
 #include "schema/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <limits>
 
 #include "schema/files/text_file.hpp"
 #include "search/checks/chosen_sheet.hpp"
@@ -16,6 +19,23 @@ namespace {
 
 // A draw to look at makes some 0.1 MB of the page, on a large sheet 0.4 MB.
 constexpr std::uint64_t kMostDetails = 1000;
+
+// A row has some 320 bytes of the page. Chromium takes three seconds for 100,000, and half a minute
+// and half a gigabyte for a million (results/report).
+constexpr std::uint64_t kMostRows = 250000;
+
+CLI::Validator as_many_as_browsers_show() {
+  return CLI::Validator(
+      [number = counted(0, std::numeric_limits<std::int64_t>::max())](std::string& text) {
+        const std::string fault = number(text);
+        if (!fault.empty() || std::stoull(text) <= kMostRows) return fault;
+        return fmt::format(
+            "{} rows would be a page that browsers hardly show (at most {}, 80 MB); for more ask "
+            "`misalign query` with --csv",
+            text, kMostRows);
+      },
+      "");
+}
 
 void refuse_own_input(const ReportCall& call) {
   std::vector<std::string> read = call.wish.stress_files;
@@ -54,8 +74,9 @@ Action report_verb(CLI::App& verb) {
   verb.add_option("--output", call->output, "HTML file to write")->required()->type_name("FILE");
   add_draws(verb, call->draws,
             "also this draw, accepted or not; of a splitting search only a stored one");
-  verb.add_option("--rows", call->rows, "how many candidates the table may hold [10000]")
-      ->check(counted(0, 1000000))
+  verb.add_option("--rows", call->rows,
+                  "how many candidates the table may hold, at most 250000 [10000]")
+      ->check(as_many_as_browsers_show())
       ->type_name("N");
   auto* details =
       verb.add_option("--details", call->details,

@@ -74,12 +74,9 @@ void run_miscuts(ToleranceCall& call, const ChosenSheets& sheets) {
     check_miscut("--amplitude", call.study.amplitude_mm, sheets.campaign.pattern.base.sheet,
                  sheets.shifts_mm[k], sheets.key(k).name());
   }
-  std::vector<Tolerance> tolerances;
-  {
-    CopiesProgress progress;
-    call.study.progress = [&](const CopiesDone& copies) { progress.see(copies); };
-    tolerances = study_tolerance(sheets.campaign, sheets.shifts_mm, call.study);
-  }
+  call.study.progress = show_copies;
+  const std::vector<Tolerance> tolerances =
+      study_tolerance(sheets.campaign, sheets.shifts_mm, call.study);
   if (call.keep && !sheets.draws.empty()) {
     std::vector<schema::Yield> yields;
     for (std::size_t k = 0; k < tolerances.size(); ++k) {

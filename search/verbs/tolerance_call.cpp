@@ -1,15 +1,9 @@
 #include "search/verbs/tolerance_call.hpp"
 
-#include <unistd.h>
-
-#include <cstdio>
-
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/campaign_sheet.hpp"
-#include "search/draws/tolerance_text.hpp"
-#include "search/terminal/progress.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
 namespace {
@@ -68,21 +62,6 @@ bool is_single(const ToleranceCall& call, const ChosenSheets& sheets) {
   return sheets.draws.empty() || call.choice.draws.size() == 1;
 }
 
-CopiesProgress::CopiesProgress()
-    : live_(is_terminal(STDERR_FILENO) && terminal_is_able()), next_s_(live_ ? 0.2 : 10) {}
-
-CopiesProgress::~CopiesProgress() { erase_live_line(); }
-
-void CopiesProgress::see(const CopiesDone& copies) {
-  const double seconds = watch_.seconds();
-  if (seconds < next_s_) return;
-  next_s_ = seconds + (live_ ? 0.2 : 30);
-  const std::string line = copies_line(copies, seconds);
-  if (live_) {
-    draw_live_line(line.substr(0, static_cast<std::size_t>(terminal_width(STDERR_FILENO) - 1)));
-  } else {
-    std::fprintf(stderr, "%s\n", line.c_str());
-  }
-}
+void show_copies(const CopiesDone& copies) { show_work("copies judged", copies.done, copies.all); }
 
 }  // namespace misalign::search

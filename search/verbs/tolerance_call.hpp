@@ -8,7 +8,6 @@
 
 #include "search/checks/chosen_sheet.hpp"
 #include "search/draws/tolerance.hpp"
-#include "search/terminal/stopwatch.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "solver/design/backlash.hpp"
 
@@ -42,18 +41,8 @@ ChosenSheets choose_sheets(const ToleranceCall& call);
 /// Whether one that was named is an answer of its own; what a choice finds is a list.
 bool is_single(const ToleranceCall& call, const ChosenSheets& sheets);
 
-/// Copies judged so far: a live line on a terminal, elsewhere a line now and then.
-class CopiesProgress {
- public:
-  CopiesProgress();
-  ~CopiesProgress();
-  void see(const CopiesDone& copies);
-
- private:
-  const bool live_;
-  Stopwatch watch_;
-  double next_s_;
-};
+/// Says how many are judged.
+void show_copies(const CopiesDone& copies);
 
 /// The study of backlash: UserError (2) for what no study can be made of, found before the sheets
 /// are and after, and the study with its answer on standard output.

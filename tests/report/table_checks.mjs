@@ -47,6 +47,7 @@ function conditions({ candidates: { columns }, actuators, details }) {
       (i) => columns.bump_deg[i] === null && columns.elongation_max[i] < (100 * stroke) / 100,
     ],
     [`energy_n_mm < ${energy}`, (i) => springs * columns.stretch_sq_mm2[i] < energy],
+    [`D > ${depth}`, (i) => columns.deploys_from_deg[i] > depth],
     ["details", (i) => details.some(({ draw }) => draw === columns.draw[i])],
     ["stroke_max < -1", () => false],
   ];

@@ -254,8 +254,7 @@ TEST_F(CatalogueTest, CellsStayWithinTheirRowsAndColumns) {
   EXPECT_EQ(last.size(), text.find('\n') + 2) << text;  // one letter of two bytes, and \n
 }
 
-// A million rows, none of which is kept; of an aligned table either, which is as wide as its
-// widest.
+// A million rows, of which an aligned table keeps the first thousand.
 TEST_F(CatalogueTest, RowsAreGivenOnAsTheyCome) {
   open();
   const auto database = open_for_reading(path());
@@ -288,6 +287,27 @@ TEST_F(CatalogueTest, RowsAreGivenOnAsTheyCome) {
   const auto enough = [&](const std::string&) { return ++pieces < 10; };
   EXPECT_EQ(write_query(*database, sql, TableStyle::csv, enough), 9u);
   EXPECT_EQ(pieces, 10);
+}
+
+// Who asks without an end sees rows all the same, many or few a second, in columns as wide as the
+// first ones need; and ends it.
+TEST_F(CatalogueTest, AnEndlessTableBegins) {
+  open();
+  const auto database = open_for_reading(path());
+  const std::string sql =
+      "WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 FROM n) SELECT k, 'x' AS t FROM "
+      "n";
+  for (const char* which : {"", " WHERE k % 200000 = 0"}) {
+    std::vector<std::string> lines;
+    write_query(*database, sql + which, TableStyle::aligned, [&](const std::string& line) {
+      lines.push_back(line);
+      return lines.size() < 3;
+    });
+    ASSERT_EQ(lines.size(), 3u) << which;
+    const std::size_t width = lines[0].find("  t");
+    EXPECT_LE(width, 8u) << lines[0];
+    for (const std::string& line : lines) EXPECT_EQ(line.find("  ", width), width) << line;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "schema/files/input.hpp"
+#include "search/terminal/long_work.hpp"
 
 namespace misalign::search {
 namespace {
@@ -203,6 +204,17 @@ TEST(RecentSpeed, IsThatOfTheLastSeconds) {
   // From now on none: after a while that shows, which a mean of 100 s would hide.
   for (int k = 501; k <= 600; ++k) speed.see(0.2 * k, 10000);
   EXPECT_EQ(speed.draws_per_s(), 0);
+}
+
+TEST(WorkLine, SaysWhatIsKnown) {
+  EXPECT_EQ(work_line({"contact is under way", 0, 0, 12, 12}), "12 s: contact is under way");
+  EXPECT_EQ(work_line({"sheets let go", 40, 0, 12, 10}), "12 s: 40 sheets let go");
+  // 30 s for 40 of 200: 120 s for the others.
+  EXPECT_EQ(work_line({"sheets written", 40, 200, 62, 30}),
+            "1 min 2 s: 40 of 200 sheets written, 2 min 0 s left");
+  EXPECT_EQ(work_line({"sheets written", 0, 200, 62, 30}), "1 min 2 s: 0 of 200 sheets written");
+  EXPECT_EQ(work_line({"sheets written", 200, 200, 62, 30}),
+            "1 min 2 s: 200 of 200 sheets written");
 }
 
 TEST(RecentSpeed, TwoLooksAtOnce) {

@@ -12,30 +12,30 @@ pattern=$source_dir/search/patterns/table1.json
 on_terminal() { script -qec "stty cols $1; $2" /dev/null < /dev/null | sed 's/\r$//'; }
 
 # The live line: drawn again and again within the terminal's width, and what follows is on a new line.
-on_terminal 60 "$program search $campaign --catalogue bar.db --draws 1000000 --max-time 0.7" > shown
-tr '\r' '\n' < shown | grep -c "draws.*$escape\[K" > redrawn
-[ "$(cat redrawn)" -ge 2 ] || fail "no live line: $(cat -v shown)"
+# searching CATALOGUE: in the background, until two live lines are there; $terminal, and its search in pid.
+searching() {
+  rm -f pid shown
+  script -qec "stty cols 60; echo \$\$ > pid; exec $program search $campaign --catalogue $1 --draws 1000000000" \
+    /dev/null > shown < /dev/null &
+  terminal=$!
+  two_lines() { [ -s shown ] && [ "$(tr '\r' '\n' < shown | grep -c "draws.*$escape\[K")" -ge 2 ]; }
+  eventually "two live lines" two_lines
+}
+searching bar.db
+kill -USR1 "$(cat pid)"
+wait $terminal
+sed -i 's/\r$//' shown
 tr '\r' '\n' < shown | grep "$escape\[K" | sed "s/$escape\[K//" > lines
 while IFS= read -r line; do
   [ ${#line} -lt 60 ] || fail "a live line of ${#line} columns: $line"
 done < lines
-grep -q "^bar.db: max_time" shown || fail "the summary does not begin a line: $(cat -v shown)"
+grep -q "^bar.db: stopped" shown || fail "the summary does not begin a line: $(cat -v shown)"
 grep -q "^misalign: next: " shown || fail "no next step: $(cat -v shown)"
 
 # A message in between has a line of its own.
-rm shown
-script -qec "echo \$\$ > pid; exec $program search $campaign --catalogue usr2.db --draws 1000000000" \
-  /dev/null > shown < /dev/null &
-terminal=$!
-for wait in {1..200}; do
-  [ -s shown ] && [ "$(tr '\r' '\n' < shown | grep -c "$escape\[K")" -ge 2 ] && break
-  sleep 0.05
-done
+searching usr2.db
 kill -USR2 "$(cat pid)"
-for wait in {1..200}; do
-  grep -q "draws/s" shown && break
-  sleep 0.05
-done
+eventually "a status line" grep -q "draws/s" shown
 kill -TERM "$(cat pid)"
 wait $terminal
 grep -q $'\r'"$escape\[K[0-9]* s: .*draws/s" shown || fail "USR2 within a live line: $(cat -v shown)"
@@ -66,6 +66,32 @@ for key in elapsed_s draws draws_left draws_per_s draws_per_s_mean accepted rate
   "$program" search --help | grep -q "\b$key\b" || fail "search --help does not say $key"
   grep -q "\"$key\":" objects || fail "$key is in no object"
 done
+
+# What takes long says so, on standard error alone: in a live line on a terminal, elsewhere in lines, and how far it
+# is where that is known. Debugging it says so at once.
+endless="WITH RECURSIVE n (k) AS (VALUES (1) UNION ALL SELECT k + 1 FROM n) SELECT k FROM n"
+"$program" query json.db "$endless WHERE k < 0" > out 2> err &
+asking=$!
+script -qec "stty cols 60; echo \$\$ > pid; exec $program query json.db '$endless WHERE k < 0'" /dev/null > shown < /dev/null &
+terminal=$!
+eventually "a line of a long query" grep -q "^[0-9]* s: query is under way" err
+eventually "a live line of a long query" grep -q $'\r'"[0-9]* s: query is under way$escape\[K" shown
+kill $asking "$(cat pid)"
+wait
+[ -s out ] && fail "a long query: $(cat out)"
+for verb in "export json.db --where deploys_from_deg>=0 --output found-all" "report json.db --output page.html --deploy" \
+  "verify json.db --sample 3"; do
+  # shellcheck disable=SC2086
+  "$program" $verb > quiet 2> err || fail "$verb: $(cat err)"
+  # shellcheck disable=SC2086
+  "$program" $verb --log-level debug > out 2> err || fail "$verb: $(cat err)"
+  cmp -s quiet out || [ "${verb%% *}" = verify ] || fail "$verb: other words on standard output"
+  grep -qE "^[0-9]+ s: [0-9]+ of [0-9]+ (sheets|candidates) " err || fail "$verb does not say how far it is: $(cat err)"
+done
+"$program" report json.db --output page.html --deploy --log-level debug 2>&1 | grep -q " sheets let go$" || fail "nothing of --deploy"
+# Rows of a table without an end come as they are made.
+"$program" query json.db "$endless" 2> err | head -3 > rows
+[ "$(tr -s ' \n' ' ' < rows)" = " k 1 2 " ] || fail "a table without an end: $(cat rows err)"
 
 # Colors only where they are wanted.
 colored() { grep -q "$escape\[[0-9]"; }
@@ -128,9 +154,8 @@ next_of() { sed -n 's/^misalign: next: //p' | sed "s|misalign |$program |g; s|CA
 [ "$(wc -l < next)" = 1 ] || fail "next: $(cat next)"
 bash -e next > out 2>&1 || fail "$(cat next): $(cat out)"
 [ -n "$(ls found)" ] || fail "next exports nothing: $(cat next)"
-"$program" search $campaign --catalogue part.db --draws 1000000 --max-time 0.2 > /dev/null 2>&1
-near=$(sql part.db 'SELECT sum(hi - lo) + 100 FROM unit')
-sqlite3 part.db "UPDATE campaign SET goal_draws = $near, goal_end = $near" || fail "a nearer goal"
+"$program" search $campaign --catalogue part.db --draws 1000 > /dev/null 2>&1
+sqlite3 part.db "UPDATE campaign SET goal_draws = 1100, goal_end = 1100" || fail "a farther goal"
 "$program" status part.db 2>&1 > /dev/null | next_of > next
 bash -e next > out 2>&1 || fail "$(cat next): $(cat out)"
 "$program" status part.db --check > /dev/null 2>&1 || fail "not complete after $(cat next)"

@@ -80,10 +80,8 @@ sqlite3 wrong.db \
 # Where the catalogue cannot be written the answer is there all the same, and why it is not kept.
 "$program" search "$campaign" --draws 100000000 --catalogue busy.db > /dev/null 2>&1 &
 searching=$!
-for _ in $(seq 300); do
-  there=$(sql busy.db 'SELECT draw FROM candidate LIMIT 1' 2> /dev/null) && [ -n "$there" ] && break
-  sleep 0.1
-done
+begun busy.db candidate
+there=$(sql busy.db 'SELECT draw FROM candidate LIMIT 1')
 "$program" tolerance busy.db "$there" --amplitude 0.05 --trials 20 > text 2> err || fail "in use"
 kill $searching
 wait $searching 2> /dev/null
@@ -95,12 +93,14 @@ cp a.db away.db
 "$program" search "$campaign" --draws 1 --catalogue other.db > /dev/null 2>&1
 for other in "" other.db; do
   cp away.db moved.db
-  "$program" tolerance moved.db "$draw" --amplitude 0.06 --trials 60000 --jobs 1 > text 2> err &
+  rm -f err  # stopped while it judges
+  "$program" tolerance moved.db "$draw" --amplitude 0.06 --trials 60000 --jobs 1 --log-level debug > text 2> err &
   judging=$!
-  sleep 1
-  kill -0 $judging || fail "too quick to be disturbed: more trials"
+  eventually "copies judged" grep -q "copies judged" err
+  kill -STOP $judging || fail "too quick to be disturbed: more trials"
   rm moved.db
   [ -n "$other" ] && cp "$other" moved.db
+  kill -CONT $judging
   wait $judging || fail "the catalogue is gone, and so is the answer"
   tail -1 text | grep -q "^still from 150" || fail "no answer without the catalogue"
   [ "$(grep -c "not kept.*any more" err)" = 1 ] || fail "why it is not kept: $(cat err)"
