@@ -238,7 +238,6 @@ BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_
   place(mechanism, vertices_mm, sheet.geometry);
   std::vector<std::pair<Station, FoldState<double>>> samples;
   const StationVisitor keep = [&](const Station& station, const PathPoint& point) {
-    if (!samples.empty() && station.pilot_deg <= samples.back().first.pilot_deg) samples.clear();
     if (station.sample > 0) samples.emplace_back(station, point.state);
   };
   sheet.own_sample = record_history(model, vertices_mm, &keep).verdict.deploys_from_sample;

@@ -19,13 +19,15 @@ Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices&
   return moved * shape_mm;
 }
 
+// The first such pair of vertices: a rectangle has two, and rounding must not choose between them.
 std::pair<int, int> farthest_apart(const FlatVertices& vertices_mm) {
+  constexpr double kLongerBy = 1 + 1e-9;  // far above what a sheet loses that is drawn far off
   std::pair<int, int> span{0, 0};
-  double longest = -1;
+  double longest = 0;
   for (int a = 0; a < static_cast<int>(vertices_mm.cols()); ++a) {
     for (int b = a + 1; b < static_cast<int>(vertices_mm.cols()); ++b) {
       const double length = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
-      if (length > longest) longest = length, span = {a, b};
+      if (length > kLongerBy * longest) longest = length, span = {a, b};
     }
   }
   return span;
@@ -82,19 +84,13 @@ ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm) {
   FoldedPoints<double> points;
   std::vector<Twist<double>> twists;
   ShapedPath path;
-  std::size_t row = 0;
-  double last_deg = 0;
-  const StationVisitor keep_shape = [&](const Station& station, const PathPoint& point) {
-    if (station.pilot_deg <= last_deg) row = 0;  // followed once more
-    last_deg = station.pilot_deg;
-    path.shapes_mm.resize(std::max(path.shapes_mm.size(), row + 1));
-    path.span_slope_mm_per_deg.resize(path.shapes_mm.size());
+  const StationVisitor keep_shape = [&](const Station&, const PathPoint& point) {
     model.shape().place(geometry, point.state, points);
     model.shape().move(geometry, points, point.rates.data(), twists);
-    path.span_slope_mm_per_deg[row] =
-        per_deg * model.shape().distance_rate(points, twists, from, to);
-    path.shapes_mm[row++] =
-        laid_over(model.shape().vertices_mm(geometry, point.state), vertices_mm);
+    path.span_slope_mm_per_deg.push_back(per_deg *
+                                         model.shape().distance_rate(points, twists, from, to));
+    path.shapes_mm.push_back(
+        laid_over(model.shape().vertices_mm(geometry, point.state), vertices_mm));
   };
   path.history = record_history(model, vertices_mm, &keep_shape);
   path.shapes_mm.resize(path.history.stations.size());

@@ -16,7 +16,7 @@ namespace {
 constexpr double kMiddlePerRate = 0.125;
 
 // What a state may be away from its neighbours' mean (rad).
-constexpr double kLongestCorrection_rad = 0.2;
+constexpr double kFarthestFromMean_rad = 0.2;
 
 HalfAngle<double> between(const HalfAngle<double>& a, const HalfAngle<double>& b, double share) {
   return HalfAngle<double>{a.c + share * (b.c - a.c), a.s + share * (b.s - a.s)}.turned(0);
@@ -113,7 +113,7 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
     if (!std::isfinite(corrector.open_by())) return false;
     corrected_rad += corrector.largest_correction();
     if (corrector.open_by() > NewtonOptions{}.closure_tolerance) continue;
-    if (corrected_rad > kLongestCorrection_rad) return false;
+    if (corrected_rad > kFarthestFromMean_rad) return false;
     point.state = corrector.trial();
     tangent = corrector.tangent();
     const double rate = tangent.back();

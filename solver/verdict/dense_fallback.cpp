@@ -18,10 +18,11 @@ DenseFallback::DenseFallback(const Mechanism& mechanism) : mechanism_(mechanism)
 
 DenseFallback::~DenseFallback() = default;
 
-void DenseFallback::consider(int sheet, const Verdict& verdict, const PathResult& path) {
+bool DenseFallback::consider(int sheet, const Verdict& verdict, const PathResult& path) {
   const bool hangs_on_it = verdict.first_fault == Fault::fold_limit && is_doubtful(path);
-  if (!path.lost() && !hangs_on_it) return;
+  if (!path.lost() && !hangs_on_it) return false;
   candidates_.push_back({sheet, path.lost(), verdict.first_fault == Fault::undecided});
+  return true;
 }
 
 bool DenseFallback::counts(int sheet, const Verdict& dense) const {

@@ -32,8 +32,8 @@ class DenseFallback {
   }
   /// Whether the second pass goes on.
   bool under_way() const { return under_way_; }
-  /// Of the first pass: how a sheet's path ended.
-  void consider(int sheet, const Verdict& verdict, const PathResult& path);
+  /// Of the first pass: how a sheet's path ended; true if it is kept.
+  bool consider(int sheet, const Verdict& verdict, const PathResult& path);
   /// Of the second: whether the dense verdict counts. It does where the first pass is undecided, or
   /// where this one decided; what was seen before a path was lost stays said.
   bool counts(int sheet, const Verdict& dense) const;

@@ -45,6 +45,7 @@ PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
 PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
                      const FoldingHistory& history) {
   PathRecord record = record_of(history, model.mechanism());
+  if (history.verdict.deploys_from_sample == 0) return record;  // nothing was measured
   const PathRecord function = record_path(model, vertices_mm);
   const bool is_whole = !function.lengths.empty();
   if (is_whole) record.extremes = function.extremes;

@@ -12,6 +12,12 @@ Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
   return Eigen::Map<const RowMajor>(values.data(), static_cast<Eigen::Index>(rows), columns);
 }
 
+std::size_t index_of(const Station& station, const PathPlan& plan) {
+  const auto at =
+      std::ranges::lower_bound(plan.stations, station.pilot_deg, {}, &Station::pilot_deg);
+  return static_cast<std::size_t>(at - plan.stations.begin());
+}
+
 }  // namespace
 
 RecordingObserver::RecordingObserver(const Model& model, int lanes, const StationVisitor* visit)
@@ -23,9 +29,7 @@ RecordingObserver::RecordingObserver(const Model& model, int lanes, const Statio
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) {
-    lanes_.push_back(Lane{CloseJudge(model, bumps_), SolvedExtremes(model.mechanism(), between_)});
-  }
+  for (int i = 0; i < lanes; ++i) lanes_.push_back(new_lane());
 }
 
 RecordingObserver::~RecordingObserver() = default;
@@ -33,6 +37,7 @@ RecordingObserver::~RecordingObserver() = default;
 void RecordingObserver::begin(const SheetBlock& block) {
   histories_.resize(static_cast<std::size_t>(block.sheets()));
   fallback_.begin();
+  unfinished_.clear();
   finds_extremes_ = false;
   queue_.begin(block);
 }
@@ -45,7 +50,8 @@ void RecordingObserver::measure_only(const std::vector<int>& sheets) {
 
 bool RecordingObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
-  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  if (fallback_.under_way() && goes_on(start, lane)) return true;
+  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   lengths_mm.clear();
   slopes_mm_per_deg.clear();
   angles_deg.clear();
@@ -58,7 +64,20 @@ bool RecordingObserver::next(PathStart& start, int lane) {
   return true;
 }
 
+bool RecordingObserver::goes_on(PathStart& start, int lane) {
+  for (Unfinished& unfinished : unfinished_) {
+    if (unfinished.sheet != queue_.of_lane(lane)) continue;
+    std::swap(lanes_[lane], unfinished.lane);
+    start.state = &lanes_[lane]->last;
+    start.first_station = index_of(lanes_[lane]->history.stations.back(), *start.plan);
+    return true;
+  }
+  return false;
+}
+
 bool RecordingObserver::see(const Station& station, int lane) {
+  const std::vector<Station>& seen = lanes_[lane]->history.stations;
+  if (!seen.empty() && station.pilot_deg <= seen.back().pilot_deg) return true;  // goes on from it
   const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
   dense_state_.find(geometry, point_.state, point_);
   model_.shape().place(geometry, point_.state, points_);
@@ -70,7 +89,7 @@ bool RecordingObserver::see(const Station& station, int lane) {
 
 void RecordingObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
-  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   if (station.sample > 0) {
     judge.see(station, point_, true,
               judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
@@ -79,6 +98,7 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
     }
   }
   history.stations.push_back(station);
+  last = point_.state;
   for (const double length : point_.lengths) lengths_mm.push_back(length * width_mm);
   for (const double slope : point_.slopes) {
     slopes_mm_per_deg.push_back(slope * width_mm * kRadPerDeg);
@@ -98,9 +118,10 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
 
 void RecordingObserver::ended(PathResult path, int lane) {
   if (!fallback_.under_way()) effort_.add(path);
-  if (!queue_.has_ended(path, lane)) return;
-  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg] = lanes_[lane];
+  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   const std::size_t stations = history.stations.size();
+  const bool has_not_gone_on = path.end == PathEnd::start_lost && stations > 0;
+  if (has_not_gone_on || !queue_.has_ended(path, lane)) return;
   history.path = path;
   history.verdict = judge.conclude(path);
   history.between = judge.judge().between();
@@ -109,11 +130,14 @@ void RecordingObserver::ended(PathResult path, int lane) {
   history.slope_mm_per_deg = rows_of(slopes_mm_per_deg, stations);
   history.fold_angle_deg = rows_of(angles_deg, stations);
   const int sheet = queue_.of_lane(lane);
-  if (!fallback_.under_way()) {
-    fallback_.consider(sheet, history.verdict, path);
-  } else if (!fallback_.counts(sheet, history.verdict)) {
+  if (!fallback_.under_way() && fallback_.consider(sheet, history.verdict, path)) {
+    histories_[sheet] = history;
+    if (stations > 0) unfinished_.push_back({sheet, std::exchange(lanes_[lane], new_lane())});
+    return;
+  }
+  if (fallback_.under_way() && !fallback_.counts(sheet, history.verdict)) {
     const FoldingHistory& before = histories_[sheet];
-    if (!before.path.lost() || history.stations.size() < before.stations.size()) return;
+    if (!before.path.lost()) return;
     history.verdict = before.verdict;  // of what was seen before
   }
   histories_[sheet] = std::move(history);

@@ -2,6 +2,7 @@
 // lane.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "solver/verdict/close_judge.hpp"
@@ -39,7 +40,8 @@ class RecordingObserver {
   /// The next station of this lane's path, as point() has it; past faults too.
   void keep(const Station& station, int lane, const SolveQuality& quality);
   void ended(PathResult path, int lane);
-  /// Once every path has ended: those that are for dense matrices, by dense matrices.
+  /// Once every path has ended: those that are for dense matrices, by dense matrices from the last
+  /// station on that they reached.
   void fall_back();
 
   std::vector<FoldingHistory>& histories() { return histories_; }
@@ -51,7 +53,21 @@ class RecordingObserver {
     SolvedExtremes extremes;
     FoldingHistory history{};
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
+    FoldState<double> last{};                                             // at the last of them
   };
+  // Of a sheet that is for dense matrices, as the first pass left it.
+  struct Unfinished {
+    int sheet;
+    std::unique_ptr<Lane> lane;
+  };
+
+  std::unique_ptr<Lane> new_lane() {
+    return std::make_unique<Lane>(
+        Lane{CloseJudge(model_, bumps_), SolvedExtremes(model_.mechanism(), between_)});
+  }
+
+  // A sheet that was not finished takes its lane back, and begins where it was.
+  bool goes_on(PathStart& start, int lane);
 
   const Model& model_;
   const StationVisitor* visit_;
@@ -59,7 +75,8 @@ class RecordingObserver {
   BetweenSolver between_;
   SolvedBumps bumps_;
   bool finds_extremes_ = false;
-  std::vector<Lane> lanes_;
+  std::vector<std::unique_ptr<Lane>> lanes_;
+  std::vector<Unfinished> unfinished_;
   std::vector<FoldingHistory> histories_;
   PathPoint point_;
   FoldedPoints<double> points_;

@@ -36,12 +36,10 @@ class OlderCatalogues : public testing::TestWithParam<int> {
     for (const auto& finding : v.findings) ADD_FAILURE() << name << ": " << finding.sentence;
     EXPECT_GT(v.checked.size(), 10u);
     EXPECT_EQ(v.units.checked, v.units.of);
-    // Draw 19 of the fixture has a bump by the cubics of then, and none by today's function; the
-    // least rates of change of some others lie next to a fold limit, where those cubics are off.
+    // Draw 19 of the fixture has a bump by the cubics of then, and none by today's function.
     if (GetParam() == 2) {
       EXPECT_GE(v.not_comparable, 1u);
-      EXPECT_EQ(v.other_definitions,
-                (std::set<std::string>{"bump_deg", "slope_between_min_mm_per_deg"}));
+      EXPECT_EQ(v.other_definitions, (std::set<std::string>{"bump_deg"}));
       EXPECT_NE(verification_text(v).find("bump_deg"), std::string::npos);
     }
   }
