@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from fixture import CATALOGUE, SMALL, SOURCE, TABLE1, program_json
+from fixture import CATALOGUE, SMALL, SOURCE, TABLE1, program, program_json
 
 import misalign
 
