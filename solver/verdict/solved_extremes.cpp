@@ -39,7 +39,7 @@ struct SlopeBetween {
   double lowest(double off) const {
     const double bend = way.d == 0 ? 0 : std::clamp(-way.c / (3 * way.d), 0.0, 1.0);
     const double rate = std::min({way.rate(0), way.rate(1), way.rate(bend)}) - kRatePerMiddle * off;
-    const auto [slow, fast] = std::minmax(way.u, way.u + way.v);
+    const auto [slow, fast] = std::minmax({way.u, way.u + way.v});
     return rate / (rate < 0 ? slow : fast);
   }
   bool has_dip() const { return bend_here < 0 && bend_next > 0; }
