@@ -4,10 +4,16 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
-need_packages $build_packages $test_packages $hosts_packages
 
+stage() {  # ends the last stage with how long it took, and begins the next
+  [ -z "${begun_s-}" ] || echo "== $stage: $((SECONDS - begun_s)) s"
+  stage=$1 begun_s=$SECONDS
+}
+stage "packages and layout"
+need_packages $build_packages $test_packages $hosts_packages
 scripts/check.sh
 
+stage "build"
 cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON > /dev/null
 cmake --build --preset release
 
@@ -33,7 +39,7 @@ sanitized() {
   printf '%s\n' {search,solver,schema,certificate}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \
     xargs -P 2 -L 1 sh -c 'cd build/asan/tests && GTEST_SHARD_INDEX=$1 ./"$0" --gtest_brief=1'
 }
-echo "== sanitizers: unit tests; release: every test"
+stage "release: every test; sanitizers beside it"
 log=build/sanitizers.log
 set -m  # a process group of its own: whoever ends it ends its compilers and tests
 sanitized > $log 2>&1 &
@@ -41,5 +47,8 @@ sanitizers=$!
 set +m
 trap 'kill -- -$sanitizers 2> /dev/null && wait $sanitizers || true' EXIT
 ctest --preset release -j 3
+stage "sanitizers, what was left of them"
 wait $sanitizers || { cat $log; exit 1; }
 grep PASSED $log
+stage "all"
+echo "== all: $SECONDS s"
