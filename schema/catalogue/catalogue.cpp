@@ -211,7 +211,7 @@ std::vector<std::uint64_t> Catalogue::keep(const std::vector<Yield>& yields,
   return no_candidates;
 }
 
-std::vector<std::uint64_t> Catalogue::keep(const std::vector<CertificateRow>& certificates) {
+std::vector<std::uint64_t> Catalogue::keep(const std::vector<CertificateRecord>& certificates) {
   std::vector<std::uint64_t> no_candidates;
   guarded(path_,
           [&] { transact([&] { no_candidates = write_certificates(*database_, certificates); }); });

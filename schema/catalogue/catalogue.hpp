@@ -76,7 +76,7 @@ class Catalogue {
                                   const std::string& commit_of_build);
   /// One transaction: certificates, each in the place of the one that was there. The draws that
   /// are no candidates here, of which nothing is kept.
-  std::vector<std::uint64_t> keep(const std::vector<CertificateRow>& certificates);
+  std::vector<std::uint64_t> keep(const std::vector<CertificateRecord>& certificates);
   /// The same of another catalogue, for candidates that both hold.
   void take_over_yields(SQLite::Database& other);
   /// The same of certificates, see copy_certificates: how many were not taken because they are not

@@ -7,9 +7,9 @@
 
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
-#include "schema/catalogue/fault_sample.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/since.hpp"
+#include "schema/records/fault_sample.hpp"
 #include "solver/verdict/metrics.hpp"
 
 namespace misalign::schema {

@@ -89,9 +89,9 @@ bool needs_place(CertificateEnd end) {
 }
 
 // The columns that a proof decides; without hash, seconds and the proof itself.
-CertificateRow claims_of(const Pattern& base, const solver::Mechanism& mechanism,
-                         std::uint64_t draw, const solver::Certificate& certificate) {
-  CertificateRow row;
+CertificateRecord claims_of(const Pattern& base, const solver::Mechanism& mechanism,
+                            std::uint64_t draw, const solver::Certificate& certificate) {
+  CertificateRecord row;
   row.draw = draw;
   row.certified_deg = certificate.certified_deg();
   row.asked_deg = certificate.asked_deg;
@@ -120,7 +120,7 @@ bool is_certificate(SQLite::Statement& row) {
 }  // namespace
 
 std::string certificate_hash(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                             const CertificateRow& row) {
+                             const CertificateRecord& row) {
   const Eigen::Matrix2Xd vertices_mm = base.base.sheet.vertices_mm + shifts_mm;
   std::string bytes;
   put_bits(bytes, row.draw);
@@ -136,10 +136,10 @@ std::string certificate_hash(const Pattern& base, const Eigen::Matrix2Xd& shifts
   return hex(hash_of(bytes));
 }
 
-CertificateRow certificate_row(const Pattern& base, const solver::Mechanism& mechanism,
-                               std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
-                               const solver::Certificate& certificate, double seconds) {
-  CertificateRow row = claims_of(base, mechanism, draw, certificate);
+CertificateRecord certificate_row(const Pattern& base, const solver::Mechanism& mechanism,
+                                  std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
+                                  const solver::Certificate& certificate, double seconds) {
+  CertificateRecord row = claims_of(base, mechanism, draw, certificate);
   row.seconds = seconds;
   row.proof = solver::encode(mechanism, certificate);
   row.hash = certificate_hash(base, shifts_mm, row);
@@ -149,7 +149,7 @@ CertificateRow certificate_row(const Pattern& base, const solver::Mechanism& mec
 std::optional<std::string> certificate_fault(const Pattern& base,
                                              const solver::Mechanism& mechanism,
                                              const Eigen::Matrix2Xd& shifts_mm,
-                                             const CertificateRow& row) {
+                                             const CertificateRecord& row) {
   if (row.hash != certificate_hash(base, shifts_mm, row)) {
     return "its hash is not that of the sheet, its columns and its proof";
   }
@@ -158,7 +158,7 @@ std::optional<std::string> certificate_fault(const Pattern& base,
   if (certificate->certified_deg() > certificate->asked_deg) {
     return "its proof goes beyond the angle that was asked for";
   }
-  const CertificateRow claims = claims_of(base, mechanism, row.draw, *certificate);
+  const CertificateRecord claims = claims_of(base, mechanism, row.draw, *certificate);
   const auto contradicted = [](const std::string& column) {
     return "its proof says otherwise than its column " + column;
   };
@@ -174,7 +174,7 @@ std::optional<std::string> certificate_fault(const Pattern& base,
   return std::nullopt;
 }
 
-Json certificate_json(const CertificateRow& row) {
+Json certificate_json(const CertificateRecord& row) {
   return {{"certified_deg", row.certified_deg},
           {"asked_deg", row.asked_deg},
           {"end", row.end},
@@ -187,11 +187,12 @@ Json certificate_json(const CertificateRow& row) {
            base64(reinterpret_cast<const unsigned char*>(row.proof.data()), row.proof.size())}};
 }
 
-std::optional<CertificateRow> certificate_of_json(const Json& exported, const std::string& source) {
+std::optional<CertificateRecord> certificate_of_json(const Json& exported,
+                                                     const std::string& source) {
   const auto value = exported.is_object() ? exported.find(kCertificate) : exported.end();
   if (!exported.is_object() || value == exported.end() || value->is_null()) return std::nullopt;
   InputFaults faults;
-  CertificateRow row;
+  CertificateRecord row;
   const std::string again = "export the candidate again, or run `misalign certify`";
   if (const auto draw = exported.find("draw"); draw != exported.end()) {
     ObjectReader(exported, "", faults).whole("draw", row.draw, kEndOfDraws, again);
@@ -231,31 +232,31 @@ bool has_certificates(SQLite::Database& database) {
   return database.execAndGet("PRAGMA user_version").getInt() >= kCertificateSince;
 }
 
-std::optional<CertificateRow> read_certificate(SQLite::Database& database, std::uint64_t draw) {
-  return reading(database, [&]() -> std::optional<CertificateRow> {
+std::optional<CertificateRecord> read_certificate(SQLite::Database& database, std::uint64_t draw) {
+  return reading(database, [&]() -> std::optional<CertificateRecord> {
     if (!has_certificates(database)) return std::nullopt;
     SQLite::Statement row(database, kSelect);
     row.bind(1, stored(draw));
     if (!row.executeStep()) return std::nullopt;
     const bool good = is_certificate(row);
-    return CertificateRow{draw,
-                          row.getColumn(0).getDouble(),
-                          row.getColumn(1).getDouble(),
-                          text_of(row.getColumn(2)),
-                          text_of(row.getColumn(3)),
-                          row.getColumn(4).getInt64() == 1,
-                          row.getColumn(5).getUInt(),
-                          good ? row.getColumn(6).getDouble() : 0,
-                          row.getColumn(8).getString(),
-                          good ? text_of(row.getColumn(7)) : ""};
+    return CertificateRecord{draw,
+                             row.getColumn(0).getDouble(),
+                             row.getColumn(1).getDouble(),
+                             text_of(row.getColumn(2)),
+                             text_of(row.getColumn(3)),
+                             row.getColumn(4).getInt64() == 1,
+                             row.getColumn(5).getUInt(),
+                             good ? row.getColumn(6).getDouble() : 0,
+                             row.getColumn(8).getString(),
+                             good ? text_of(row.getColumn(7)) : ""};
   });
 }
 
 std::vector<std::uint64_t> write_certificates(SQLite::Database& database,
-                                              const std::vector<CertificateRow>& rows) {
+                                              const std::vector<CertificateRecord>& rows) {
   std::vector<std::uint64_t> no_candidates;
   SQLite::Statement insert(database, kInsert);
-  for (const CertificateRow& row : rows) {
+  for (const CertificateRecord& row : rows) {
     insert.tryReset();
     insert.bind(1, stored(row.draw));
     insert.bind(2, row.certified_deg);

@@ -8,41 +8,26 @@
 #include <vector>
 
 #include "schema/campaign/campaign.hpp"
+#include "schema/records/certificate_record.hpp"
 #include "solver/certificate/certificate.hpp"
 
 namespace misalign::schema {
-
-/// A candidate's certificate as its catalogue keeps it.
-struct CertificateRow {
-  std::uint64_t draw = 0;  ///< 0 for a pattern that no campaign has drawn
-  double certified_deg = 0, asked_deg = 0;
-  std::string end;  ///< solver::name_of
-  /// "A17-A23" of the diagonal or the crease at which it ends, "[0,1] and [2,3]" of two panels;
-  /// empty where it ends at none.
-  std::string place;
-  bool contact = false;         ///< whether it proves that no panels meet as well
-  std::uint32_t intervals = 0;  ///< without the closing one
-  double seconds = 0;           ///< that making it took; not part of the hash
-  std::string proof;            ///< solver::encode
-  std::string hash;             ///< certificate_hash
-
-  friend bool operator==(const CertificateRow&, const CertificateRow&) = default;
-};
 
 /// XXH3-128 (32 hex digits) of these bytes, all numbers little-endian: u64 draw; u32 vertices, then
 /// f64 x and f64 y (mm) of each vertex of the flat sheet, shifted; f64 certified_deg; f64
 /// asked_deg; u32 length of `end` and its bytes; the same of `place`; u8 contact; u32 intervals;
 /// u32 length of `proof` and its bytes. Not of `seconds`.
 std::string certificate_hash(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
-                             const CertificateRow& row);
+                             const CertificateRecord& row);
 
 /// Of the base with these shifts, made by solver::Certifier in `seconds`.
-CertificateRow certificate_row(const Pattern& base, const solver::Mechanism& mechanism,
-                               std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
-                               const solver::Certificate& certificate, double seconds);
-inline CertificateRow certificate_row(const Campaign& campaign, const solver::Mechanism& mechanism,
-                                      std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
-                                      const solver::Certificate& certificate, double seconds) {
+CertificateRecord certificate_row(const Pattern& base, const solver::Mechanism& mechanism,
+                                  std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
+                                  const solver::Certificate& certificate, double seconds);
+inline CertificateRecord certificate_row(const Campaign& campaign,
+                                         const solver::Mechanism& mechanism, std::uint64_t draw,
+                                         const Eigen::Matrix2Xd& shifts_mm,
+                                         const solver::Certificate& certificate, double seconds) {
   return certificate_row(campaign.pattern, mechanism, draw, shifts_mm, certificate, seconds);
 }
 
@@ -51,32 +36,33 @@ inline CertificateRow certificate_row(const Campaign& campaign, const solver::Me
 std::optional<std::string> certificate_fault(const Pattern& base,
                                              const solver::Mechanism& mechanism,
                                              const Eigen::Matrix2Xd& shifts_mm,
-                                             const CertificateRow& row);
+                                             const CertificateRecord& row);
 inline std::optional<std::string> certificate_fault(const Campaign& campaign,
                                                     const solver::Mechanism& mechanism,
                                                     const Eigen::Matrix2Xd& shifts_mm,
-                                                    const CertificateRow& row) {
+                                                    const CertificateRecord& row) {
   return certificate_fault(campaign.pattern, mechanism, shifts_mm, row);
 }
 
 /// {"certified_deg", "asked_deg", "end", "where", "contact", "intervals", "seconds", "hash",
 /// "proof"}: the place, null where there is none, and the proof in base64.
-Json certificate_json(const CertificateRow& row);
+Json certificate_json(const CertificateRecord& row);
 
 /// That of a pattern file (PatternFile::exported); none where it has none. UserError (3) naming
 /// `source` if it is not written as one.
-std::optional<CertificateRow> certificate_of_json(const Json& exported, const std::string& source);
+std::optional<CertificateRecord> certificate_of_json(const Json& exported,
+                                                     const std::string& source);
 
 /// Whether the catalogue's schema has a table for them: since version 7. Throws SQLite::Exception.
 bool has_certificates(SQLite::Database& database);
 
 /// A candidate's, if it has one. Where a column holds what no certificate's can, the hash is empty,
 /// so that certificate_fault finds it. UserError (3) if the file cannot be read.
-std::optional<CertificateRow> read_certificate(SQLite::Database& database, std::uint64_t draw);
+std::optional<CertificateRecord> read_certificate(SQLite::Database& database, std::uint64_t draw);
 
 /// Within its caller's transaction; each takes the place of the one that was there. Of draws that
 /// are no candidates nothing is kept, and these are returned. Throws SQLite::Exception.
 std::vector<std::uint64_t> write_certificates(SQLite::Database& database,
-                                              const std::vector<CertificateRow>& rows);
+                                              const std::vector<CertificateRecord>& rows);
 
 }  // namespace misalign::schema

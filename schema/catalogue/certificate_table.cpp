@@ -21,20 +21,20 @@ std::optional<Eigen::Matrix2Xd> stored_shifts(SQLite::Database& database, const 
 }
 
 void each_certificate(SQLite::Database& database,
-                      const std::function<void(const CertificateRow& row)>& see) {
+                      const std::function<void(const CertificateRecord& row)>& see) {
   if (!reading(database, [&] { return has_certificates(database); })) return;
   for (const std::uint64_t draw : draws_of(database, "certificate", {0, kEndOfDraws})) {
     if (const auto row = read_certificate(database, draw)) see(*row);
   }
 }
 
-bool goes_farther(const CertificateRow& row, const CertificateRow& other) {
+bool goes_farther(const CertificateRecord& row, const CertificateRecord& other) {
   return std::pair(row.contact, row.certified_deg) > std::pair(other.contact, other.certified_deg);
 }
 
 // For the candidate of that number, the same sheet, if there is one that has no better certificate.
 // False if it has a fault.
-bool take_over(CertificateRow row, SQLite::Database& into, const Campaign& campaign,
+bool take_over(CertificateRecord row, SQLite::Database& into, const Campaign& campaign,
                const solver::Mechanism& mechanism, std::uint64_t draw) {
   const auto shifts_mm = stored_shifts(into, campaign, draw);
   if (!shifts_mm) return true;
@@ -57,7 +57,7 @@ CheckedCertificates check_certificates(SQLite::Database& database, const Campaig
   const solver::PerforatedSheet& base = campaign.pattern.base;
   const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
   CheckedCertificates checked;
-  each_certificate(database, [&](const CertificateRow& row) {
+  each_certificate(database, [&](const CertificateRecord& row) {
     ++checked.count;
     const auto shifts_mm = stored_shifts(database, campaign, row.draw);
     const std::optional<std::string> fault =
@@ -83,7 +83,7 @@ void hand_on_certificate(SQLite::Database& database, const Campaign& campaign,
 std::uint64_t copy_certificates(SQLite::Database& from, SQLite::Database& into,
                                 const Campaign& campaign, const solver::Mechanism& mechanism) {
   std::uint64_t faulty = 0;
-  each_certificate(from, [&](const CertificateRow& row) {
+  each_certificate(from, [&](const CertificateRecord& row) {
     const auto draw = number_in(into, from, row.draw);
     if (draw && !take_over(row, into, campaign, mechanism, *draw)) ++faulty;
   });

@@ -5,6 +5,7 @@
 
 #include "schema/catalogue/since.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "schema/catalogue/metric_table.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -8,9 +8,6 @@ namespace misalign::schema {
 inline constexpr int kYieldSince = 4;        ///< table yield
 inline constexpr int kSplittingSince = 6;    ///< tables level, population, sheet, piece
 inline constexpr int kCertificateSince = 7;  ///< table certificate
-/// fault_sample.stands_for: rows are the rarer the larger the draw's number. Rows of units whose
-/// run had an older schema are every 1024 draws, however large, and stay.
-inline constexpr int kRarerSampleSince = 4;
 
 /// A column in SQL, its name in quotes; of a catalogue of an older schema, which has no such
 /// column, what is to be read in its place.

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/records/unit_record.hpp"
 
 namespace misalign::schema {
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/digest.hpp"
 
@@ -39,18 +40,6 @@ void insert(SQLite::Statement& statement) {
 }
 
 }  // namespace
-
-std::vector<std::uint64_t> UnitRecord::accepted_draws() const {
-  std::vector<std::uint64_t> draws;
-  for (const Candidate& candidate : candidates) draws.push_back(candidate.draw);
-  return draws;
-}
-
-std::vector<std::uint64_t> UnitRecord::undecided_draws() const {
-  std::vector<std::uint64_t> draws;
-  for (const DrawVerdict& draw : undecided) draws.push_back(draw.draw);
-  return draws;
-}
 
 UnitWriter::UnitWriter(SQLite::Database& database, const Campaign& campaign,
                        const solver::Mechanism& mechanism)

@@ -7,40 +7,10 @@
 #include <vector>
 
 #include "schema/campaign/campaign.hpp"
-#include "schema/catalogue/certificate_row.hpp"
-#include "schema/catalogue/fault_sample.hpp"
-#include "schema/catalogue/population_rows.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "schema/catalogue/digest.hpp"
+#include "schema/records/unit_record.hpp"
 
 namespace misalign::schema {
-
-/// A fault_sample or undecided row in the making.
-struct DrawVerdict {
-  std::uint64_t draw;
-  solver::Verdict verdict;
-};
-
-struct Candidate {
-  std::uint64_t draw;
-  solver::Metrics metrics;
-  Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
-  std::optional<CertificateRow> certificate = {};
-};
-
-/// What became of a range of draws: a unit of the ledger with everything that belongs to it.
-struct UnitRecord {
-  DrawRange range;
-  int worker = 0;  ///< the rank that worked it off
-  std::uint64_t accepted = 0, rejected = 0;
-  double seconds = 0;
-  std::vector<Candidate> candidates;                      ///< ascending
-  std::vector<DrawVerdict> undecided;                     ///< ascending
-  std::vector<DrawVerdict> fault_sample;                  ///< ascending; see FaultSampleRule
-  std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
-  std::vector<LevelCount> levels;                         ///< of a population, from 0 on
-
-  std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
-};
 
 /// Adds draws to the count of what the tests saw: cause, tested_deg, draws.
 inline constexpr const char* kAddScreened =

@@ -152,7 +152,7 @@ class CertifyZero {
     sheets_.push_back(std::move(sheet));
   }
 
-  bool is_good(const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRow& row,
+  bool is_good(const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row,
                double asked_deg) const {
     if (options_.again) return false;
     if (const auto fault = ready_.certifier.row_fault(shifts_mm, row)) {
@@ -191,7 +191,7 @@ class CertifyZero {
       }
       return;
     }
-    std::vector<schema::CertificateRow> rows;
+    std::vector<schema::CertificateRecord> rows;
     for (auto& one : done) rows.push_back(std::move(*one.answer.made));
     const std::vector<std::uint64_t> gone = catalogue_->keep(rows);
     gone_.insert(gone_.end(), gone.begin(), gone.end());

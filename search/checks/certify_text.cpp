@@ -24,7 +24,7 @@ std::string shown_deg(double certified_deg) {
 }
 
 // What ends a certificate before the angle that was asked for.
-std::string reason(const schema::CertificateRow& row) {
+std::string reason(const schema::CertificateRecord& row) {
   switch (solver::certificate_end(row.end).value_or(CertificateEnd::flat_branch)) {
     case CertificateEnd::to_the_end:
       break;
@@ -121,14 +121,14 @@ std::string ends_text(const CertificateCheck& check) {
 
 }  // namespace
 
-CertifiedSheet certified_sheet(std::string name, schema::CertificateRow row, bool is_new) {
+CertifiedSheet certified_sheet(std::string name, schema::CertificateRecord row, bool is_new) {
   const std::size_t bytes = row.proof.size();
   row.proof = {};
   return {std::move(name), std::move(row), bytes, is_new};
 }
 
 std::string certified_text(const CertifiedSheet& sheet) {
-  const schema::CertificateRow& row = sheet.row;
+  const schema::CertificateRecord& row = sheet.row;
   std::string text = sheet.name + ": ";
   if (row.intervals == 0) return text + "nothing is certified: " + reason(row) + "\n";
   text += fmt::format("certified from flat to {} deg", shown_deg(row.certified_deg));

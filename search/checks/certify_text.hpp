@@ -12,13 +12,13 @@ namespace misalign::search {
 /// A sheet's certificate, without its proof.
 struct CertifiedSheet {
   std::string name;  ///< "draw 7", or a pattern's
-  schema::CertificateRow row;
+  schema::CertificateRecord row;
   std::size_t bytes;    ///< of the proof
   bool is_new = false;  ///< made now, not there already
 };
 
 /// Of a row, whose proof is taken out.
-CertifiedSheet certified_sheet(std::string name, schema::CertificateRow row, bool is_new);
+CertifiedSheet certified_sheet(std::string name, schema::CertificateRecord row, bool is_new);
 
 /// One line: "draw 7: certified from flat to 171 deg, ...".
 std::string certified_text(const CertifiedSheet& sheet);

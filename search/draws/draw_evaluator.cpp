@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "schema/catalogue/digest.hpp"
+#include "schema/files/hash.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 #include "search/terminal/stopwatch.hpp"
@@ -105,15 +105,13 @@ DrawEvaluator::DrawEvaluator(schema::Campaign campaign)
 DrawEvaluator::DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set)
     : campaign_(std::move(campaign)),
       model_(model_of(campaign_)),
-      batch_(solver::make_batch(set, model_)) {
-  if (campaign_.certify) certifier_.emplace(campaign_.pattern, model_);
-}
+      batch_(solver::make_batch(set, model_)) {}
 
 std::size_t DrawEvaluator::bytes_of_candidate() const {
   const auto shifts = 2 * static_cast<std::size_t>(model_.mechanism().vertices);
   return sizeof(schema::Candidate) + sizeof(schema::DrawVerdict) +
          sizeof(double) * (shifts + model_.mechanism().diagonals.size() + 2) +
-         (certifier_ ? sizeof(schema::CertificateRow) + kUsualCertificate_bytes : 0);
+         (certify_ ? sizeof(schema::CertificateRecord) + schema::kUsualCertificate_bytes : 0);
 }
 
 void DrawEvaluator::evaluate(const schema::DrawRange& range, schema::UnitRecord& unit,
@@ -178,9 +176,9 @@ void DrawEvaluator::record(schema::UnitRecord& unit) {
     }
     const std::uint64_t draw = open_.numbers[k];
     schema::Candidate candidate = candidate_of(model_, draw, open_.shifts_mm(k).data(), record);
-    if (certifier_) {
-      const double deploys_from_deg = candidate.metrics.deploys_from_sample * campaign_.sample_deg;
-      candidate.certificate = certifier_->certify(draw, candidate.shifts_mm, deploys_from_deg);
+    if (certify_) {
+      candidate.certificate =
+          certify_(draw, candidate.shifts_mm, candidate.metrics.deploys_from_deg);
     }
     unit.candidates.push_back(std::move(candidate));
     ++unit.accepted;

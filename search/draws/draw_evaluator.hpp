@@ -1,13 +1,14 @@
 // The science of draws: draw -> displaced pattern -> rejected for certain -> path -> diagonals ->
-// verdict -> metrics -> certificate, if that is wanted -> unit.
+// verdict -> metrics -> unit.
 #pragma once
 
 #include <functional>
 #include <span>
 
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/campaign/campaign.hpp"
+#include "schema/records/fault_sample.hpp"
+#include "schema/records/unit_record.hpp"
 #include "search/draws/block_size.hpp"
-#include "search/draws/sheet_certifier.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
@@ -31,6 +32,10 @@ struct Draws {
 std::vector<schema::Candidate> measured(const solver::Model& model, solver::Batch& batch,
                                         const solver::ShiftBlock& shifts);
 
+/// The certificate of an accepted draw with these shifts (one column per vertex), from flat to D.
+using CertifyDraw = std::function<schema::CertificateRecord(
+    std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg)>;
+
 /// One campaign made ready: what all of its draws share, and the workspace of this rank.
 class DrawEvaluator {
  public:
@@ -39,6 +44,10 @@ class DrawEvaluator {
   DrawEvaluator(schema::Campaign campaign, solver::InstructionSet set);
   DrawEvaluator(const DrawEvaluator&) = delete;
   DrawEvaluator& operator=(const DrawEvaluator&) = delete;
+
+  /// From now on accepted draws are certified as well. `certify` outlives this object or is its
+  /// own.
+  void certify_with(CertifyDraw certify) { certify_ = std::move(certify); }
 
   /// How many draws a block may have at most.
   std::uint64_t largest_block() const { return search::largest_block(model_); }
@@ -61,6 +70,7 @@ class DrawEvaluator {
   Eigen::Matrix2Xd shifts_mm(std::uint64_t draw) const;
 
   const schema::Campaign& campaign() const { return campaign_; }
+  const solver::Model& model() const { return model_; }
   const solver::Mechanism& mechanism() const { return model_.mechanism(); }
   const solver::Batch& batch() const { return *batch_; }
 
@@ -71,7 +81,7 @@ class DrawEvaluator {
   const schema::Campaign campaign_;
   const solver::Model model_;
   std::unique_ptr<solver::Batch> batch_;
-  std::optional<SheetCertifier> certifier_;  // where the campaign certifies as it goes
+  CertifyDraw certify_;  // empty: none are certified
   Draws made_, waiting_, sampled_, open_;
 };
 

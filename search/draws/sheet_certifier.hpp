@@ -5,6 +5,7 @@
 #include <string>
 
 #include "schema/catalogue/certificate_row.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "solver/certificate/certifier.hpp"
 #include "solver/verdict/model.hpp"
 
@@ -29,15 +30,15 @@ class SheetCertifier {
   SheetCertifier(const schema::Pattern& base, const solver::Model& model, bool contact = false);
 
   /// From flat to `asked_deg`, or as far as there is a proof. One column of shifts per vertex.
-  schema::CertificateRow certify(std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
-                                 double asked_deg);
+  schema::CertificateRecord certify(std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
+                                    double asked_deg);
 
   /// Whether hash and columns are those of the proof, of this sheet.
   std::optional<CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
-                                              const schema::CertificateRow& row) const;
+                                              const schema::CertificateRecord& row) const;
   /// That, and whether the proof is one: the second opinion, in ball arithmetic.
   std::optional<CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
-                                          const schema::CertificateRow& row) const;
+                                          const schema::CertificateRecord& row) const;
 
  private:
   const schema::Pattern& base_;
@@ -46,9 +47,9 @@ class SheetCertifier {
 };
 
 /// Whether a certificate answers what is asked: no other would say more.
-bool answers(const schema::CertificateRow& row, double asked_deg, bool contact);
+bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact);
 
-/// A certificate is hardly ever larger than this.
-inline constexpr std::size_t kUsualCertificate_bytes = 20000;
+/// Accepted draws of a campaign that says `"certify": true` are certified from now on.
+void certify_if_asked(DrawEvaluator& evaluator);
 
 }  // namespace misalign::search

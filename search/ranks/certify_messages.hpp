@@ -14,13 +14,13 @@ namespace misalign::search {
 struct SheetOrder {
   std::uint64_t draw = 0;
   double asked_deg = 0;
-  Eigen::Matrix2Xd shifts_mm;                         ///< one column per vertex of the sheet
-  std::optional<schema::CertificateRow> stored = {};  ///< to be checked, instead of made
+  Eigen::Matrix2Xd shifts_mm;                            ///< one column per vertex of the sheet
+  std::optional<schema::CertificateRecord> stored = {};  ///< to be checked, instead of made
 };
 
 /// What came of it: a certificate that was made, or what is wrong with the one that was checked.
 struct SheetAnswer {
-  std::optional<schema::CertificateRow> made;
+  std::optional<schema::CertificateRecord> made;
   std::optional<CertificateFinding> finding;
 };
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/records/unit_record.hpp"
 #include "search/ranks/wire.hpp"
 
 namespace misalign::search {

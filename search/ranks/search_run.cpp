@@ -11,6 +11,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/nothing_found.hpp"
+#include "search/draws/sheet_certifier.hpp"
 #include "search/ranks/climb_task.hpp"
 #include "search/ranks/draw_task.hpp"
 #include "search/ranks/exit_code.hpp"
@@ -156,6 +157,7 @@ class RankZero {
         evaluator_(resolved_campaign(options), options.instruction_set),
         catalogue_(place_of(options, evaluator_.campaign()), evaluator_.campaign(),
                    evaluator_.mechanism(), options.storage) {
+    certify_if_asked(evaluator_);
     if (catalogue_.storage() == schema::Storage::network) {
       spdlog::warn(
           "{}: lies on a file system that machines share ({}), where a write-ahead log is not "
@@ -292,6 +294,7 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
     DrawEvaluator evaluator(
         schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
         options.instruction_set);
+    certify_if_asked(evaluator);
     gather_ranks(mpi, options.instruction_set);
     refused = mpi.broadcast(0);
     if (refused) return;

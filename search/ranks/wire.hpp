@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "schema/catalogue/metric_table.hpp"
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/records/unit_record.hpp"
 
 namespace misalign::search {
 
@@ -119,7 +119,7 @@ inline void shifts_fields(Reader& wire, Eigen::Matrix2Xd& shifts) {
   for (Eigen::Index k = 0; k < shifts.size(); ++k) wire.field(shifts.data()[k]);
 }
 
-/// All of a schema::CertificateRow.
+/// All of a schema::CertificateRecord.
 template <class Wire, class Row>
 void certificate_fields(Wire& wire, Row& row) {
   wire.field(row.draw);

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/records/unit_record.hpp"
 #include "search/splitting/piece.hpp"
 
 namespace misalign::search {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "schema/campaign/campaign.hpp"
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/records/unit_record.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {

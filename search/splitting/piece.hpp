@@ -6,7 +6,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "schema/catalogue/unit_writer.hpp"
+#include "schema/records/unit_record.hpp"
 #include "search/splitting/level_judge.hpp"
 #include "search/splitting/moves.hpp"
 

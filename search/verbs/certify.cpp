@@ -67,7 +67,7 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
 }
 
 // The file's own if it was exported, otherwise written as if it had been; with the certificate.
-Json document_of(const ChosenSheet& sheet, const schema::CertificateRow& row) {
+Json document_of(const ChosenSheet& sheet, const schema::CertificateRecord& row) {
   Json document = sheet.exported;
   if (!document.is_object() || !document.contains("pattern")) {
     document = {{"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
@@ -125,7 +125,7 @@ int run_on_pattern(const CertifyCall& call) {
   const bool has_draw =
       exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
   const std::uint64_t draw = has_draw ? exported["draw"].get<std::uint64_t>() : 0;
-  const schema::CertificateRow row = certifier.certify(draw, sheet.shifts_mm, asked_deg);
+  const schema::CertificateRecord row = certifier.certify(draw, sheet.shifts_mm, asked_deg);
   if (call.json) {
     put_json(document_of(sheet, row));
   } else {

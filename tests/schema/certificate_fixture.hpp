@@ -45,24 +45,25 @@ class CertificateTest : public CatalogueTest {
     return piece;
   }
 
-  CertificateRow row(const solver::Certificate& made, std::uint64_t draw = 5) const {
+  CertificateRecord row(const solver::Certificate& made, std::uint64_t draw = 5) const {
     return certificate_row(campaign_, mechanism_, draw, shifts_mm(), made, 0.03125);
   }
-  CertificateRow row(std::uint64_t draw = 5) const { return row(claims(), draw); }
-  std::string fault(const CertificateRow& row) const {
+  CertificateRecord row(std::uint64_t draw = 5) const { return row(claims(), draw); }
+  std::string fault(const CertificateRecord& row) const {
     return certificate_fault(campaign_, mechanism_, shifts_mm(), row).value_or("");
   }
-  CertificateRow mended(CertificateRow row) const {
+  CertificateRecord mended(CertificateRecord row) const {
     row.hash = certificate_hash(campaign_.pattern, shifts_mm(), row);
     return row;
   }
 
-  void keep(const std::vector<CertificateRow>& rows, const std::string& name = "a.db") const {
+  void keep(const std::vector<CertificateRecord>& rows, const std::string& name = "a.db") const {
     Catalogue catalogue = open(name);
     EXPECT_TRUE(catalogue.keep(rows).empty());
     catalogue.close();
   }
-  std::optional<CertificateRow> kept(std::uint64_t draw, const std::string& name = "a.db") const {
+  std::optional<CertificateRecord> kept(std::uint64_t draw,
+                                        const std::string& name = "a.db") const {
     return read_certificate(*open_for_reading(path(name)), draw);
   }
   std::vector<Finding> findings(const std::string& name = "a.db") const {

@@ -8,12 +8,12 @@ namespace misalign::schema {
 namespace {
 
 TEST_F(CertificateTest, AreKeptAndReplaced) {
-  const CertificateRow first = row(), other = row(claims(160, CertificateEnd::to_the_end), 102);
+  const CertificateRecord first = row(), other = row(claims(160, CertificateEnd::to_the_end), 102);
   keep({first, other});
   EXPECT_EQ(kept(5), first);
   EXPECT_EQ(kept(102), other);
   EXPECT_FALSE(kept(199));
-  const CertificateRow second = row(claims(20, CertificateEnd::over_folded));
+  const CertificateRecord second = row(claims(20, CertificateEnd::over_folded));
   keep({second});
   EXPECT_EQ(kept(5), second);
   EXPECT_EQ(count("certificate"), 2);
@@ -123,13 +123,13 @@ TEST_F(CertificateTest, GoWithTheirCandidate) {
 TEST_F(CertificateTest, TheStrongerOneIsTakenOver) {
   solver::Certificate touching = claims(100);
   touching.contact = true;
-  const CertificateRow weak = row(claims(100)), strong = row(claims(120)), apart = row(touching);
-  CertificateRow spoilt = row(claims(160)), as_strong = strong;
+  const CertificateRecord weak = row(claims(100)), strong = row(claims(120)), apart = row(touching);
+  CertificateRecord spoilt = row(claims(160)), as_strong = strong;
   spoilt.hash[0] = spoilt.hash[0] == 'a' ? 'b' : 'a';
   as_strong.seconds = 99;
   struct Case {
-    std::optional<CertificateRow> there, other;
-    CertificateRow stays;
+    std::optional<CertificateRecord> there, other;
+    CertificateRecord stays;
   };
   const Case kCases[] = {
       {{}, weak, weak},       {weak, strong, strong}, {strong, weak, strong},
@@ -188,7 +188,7 @@ TEST_F(CertificateTest, OlderCataloguesHaveNoneUntilTheyAreBroughtUpToDate) {
       export_plain(*database, path("plain-" + std::to_string(version) + ".db"));
     }
     const solver::Certificate nothing{170, CertificateEnd::flat_branch, -1, false, {}, {}};
-    const CertificateRow row = certificate_row(
+    const CertificateRecord row = certificate_row(
         campaign, mechanism, draw,
         Eigen::Matrix2Xd::Zero(2, campaign.pattern.base.sheet.vertex_count()), nothing, 0.5);
     {

@@ -11,7 +11,7 @@ namespace {
 
 TEST_F(CertificateTest, SaysWhatTheProofSays) {
   const solver::Certificate made = claims();
-  const CertificateRow row = this->row(made);
+  const CertificateRecord row = this->row(made);
   EXPECT_EQ(row.certified_deg, 150.5);
   EXPECT_EQ(row.asked_deg, 170);
   EXPECT_EQ(row.end, "reversal");
@@ -36,7 +36,7 @@ TEST_F(CertificateTest, SaysWhatTheProofSays) {
 
 // XXH3-128 of the bytes that the header names.
 TEST_F(CertificateTest, TheHashIsOfTheseBytes) {
-  const CertificateRow row = this->row();
+  const CertificateRecord row = this->row();
   const auto real = [](double value) {
     return little_endian(std::bit_cast<std::uint64_t>(value), 8);
   };
@@ -52,27 +52,27 @@ TEST_F(CertificateTest, TheHashIsOfTheseBytes) {
 }
 
 TEST_F(CertificateTest, TheHashHoldsEveryColumn) {
-  const CertificateRow good = row();
+  const CertificateRecord good = row();
   EXPECT_EQ(fault(good), "");
-  const std::function<void(CertificateRow&)> kChanges[] = {
-      [](CertificateRow& r) { r.draw = 102; },
-      [](CertificateRow& r) { r.certified_deg = std::nextafter(r.certified_deg, 180); },
-      [](CertificateRow& r) { r.asked_deg -= 1; },
-      [](CertificateRow& r) { r.end = "to_the_end"; },
-      [](CertificateRow& r) { r.place = "A1-A2"; },
-      [](CertificateRow& r) { std::swap(r.end, r.place); },
-      [](CertificateRow& r) { r.contact = true; },
-      [](CertificateRow& r) { r.intervals += 1; },
-      [](CertificateRow& r) { r.proof += '\0'; },
-      [](CertificateRow& r) { r.hash[7] = r.hash[7] == '0' ? '1' : '0'; },
-      [](CertificateRow& r) { r.hash.clear(); },
+  const std::function<void(CertificateRecord&)> kChanges[] = {
+      [](CertificateRecord& r) { r.draw = 102; },
+      [](CertificateRecord& r) { r.certified_deg = std::nextafter(r.certified_deg, 180); },
+      [](CertificateRecord& r) { r.asked_deg -= 1; },
+      [](CertificateRecord& r) { r.end = "to_the_end"; },
+      [](CertificateRecord& r) { r.place = "A1-A2"; },
+      [](CertificateRecord& r) { std::swap(r.end, r.place); },
+      [](CertificateRecord& r) { r.contact = true; },
+      [](CertificateRecord& r) { r.intervals += 1; },
+      [](CertificateRecord& r) { r.proof += '\0'; },
+      [](CertificateRecord& r) { r.hash[7] = r.hash[7] == '0' ? '1' : '0'; },
+      [](CertificateRecord& r) { r.hash.clear(); },
   };
   for (const auto& change : kChanges) {
-    CertificateRow changed = good;
+    CertificateRecord changed = good;
     change(changed);
     EXPECT_NE(fault(changed).find("hash"), std::string::npos) << &change - kChanges;
   }
-  CertificateRow slower = good;
+  CertificateRecord slower = good;
   slower.seconds *= 2;
   EXPECT_EQ(fault(slower), "");
   Eigen::Matrix2Xd other_mm = shifts_mm();
@@ -82,19 +82,19 @@ TEST_F(CertificateTest, TheHashHoldsEveryColumn) {
 
 // Somebody who knows how hashes are made still cannot claim what the proof does not.
 TEST_F(CertificateTest, TheProofHoldsColumnsWhoseHashWasMended) {
-  const CertificateRow good = row();
-  const std::pair<const char*, std::function<void(CertificateRow&)>> kChanges[] = {
-      {"certified_deg", [](CertificateRow& r) { r.certified_deg = 170; }},
-      {"asked_deg", [](CertificateRow& r) { r.asked_deg = 171; }},
-      {"ended", [](CertificateRow& r) { r.end = "to_the_end"; }},
-      {"place", [](CertificateRow& r) { r.place = ""; }},
-      {"contact", [](CertificateRow& r) { r.contact = true; }},
-      {"intervals", [](CertificateRow& r) { r.intervals = 3; }},
-      {"none of such a sheet", [](CertificateRow& r) { r.proof.pop_back(); }},
-      {"none of such a sheet", [](CertificateRow& r) { r.proof.clear(); }},
+  const CertificateRecord good = row();
+  const std::pair<const char*, std::function<void(CertificateRecord&)>> kChanges[] = {
+      {"certified_deg", [](CertificateRecord& r) { r.certified_deg = 170; }},
+      {"asked_deg", [](CertificateRecord& r) { r.asked_deg = 171; }},
+      {"ended", [](CertificateRecord& r) { r.end = "to_the_end"; }},
+      {"place", [](CertificateRecord& r) { r.place = ""; }},
+      {"contact", [](CertificateRecord& r) { r.contact = true; }},
+      {"intervals", [](CertificateRecord& r) { r.intervals = 3; }},
+      {"none of such a sheet", [](CertificateRecord& r) { r.proof.pop_back(); }},
+      {"none of such a sheet", [](CertificateRecord& r) { r.proof.clear(); }},
   };
   for (const auto& [named, change] : kChanges) {
-    CertificateRow changed = good;
+    CertificateRecord changed = good;
     change(changed);
     EXPECT_NE(fault(mended(changed)).find(named), std::string::npos) << fault(mended(changed));
   }
@@ -107,10 +107,10 @@ TEST_F(CertificateTest, TheProofHoldsColumnsWhoseHashWasMended) {
 }
 
 TEST_F(CertificateTest, EveryBitOfAProofCounts) {
-  const CertificateRow good = row();
+  const CertificateRecord good = row();
   constexpr std::size_t kHead = 4 * 4 + 4 + 4 + 8;  // bytes before the pieces
   for (std::size_t bit = 0; bit < 8 * good.proof.size(); ++bit) {
-    CertificateRow changed = good;
+    CertificateRecord changed = good;
     changed.proof[bit / 8] = static_cast<char>(changed.proof[bit / 8] ^ (1 << (bit % 8)));
     ASSERT_NE(fault(changed), "") << bit;
     // What the head says is in columns, or the proof is none.
@@ -121,15 +121,15 @@ TEST_F(CertificateTest, EveryBitOfAProofCounts) {
 }
 
 TEST_F(CertificateTest, AreWrittenIntoPatternFilesAndReadAgain) {
-  const CertificateRow none = row(claims(9, CertificateEnd::to_the_end)), some = row();
-  for (const CertificateRow& row : {none, some}) {
+  const CertificateRecord none = row(claims(9, CertificateEnd::to_the_end)), some = row();
+  for (const CertificateRecord& row : {none, some}) {
     const Json exported =
         Json::parse(Json{{"draw", 5}, {"certificate", certificate_json(row)}}.dump());
     EXPECT_EQ(certificate_of_json(exported, "p.json"), row);
   }
   EXPECT_FALSE(certificate_of_json(Json::object(), "p.json"));
   EXPECT_FALSE(certificate_of_json(Json(), "p.json"));
-  const CertificateRow undrawn = row(0);
+  const CertificateRecord undrawn = row(0);
   EXPECT_EQ(certificate_of_json({{"certificate", certificate_json(undrawn)}}, "p.json"), undrawn);
 }
 
@@ -168,7 +168,7 @@ TEST_F(CertificateTest, OfASheetThatWasCertified) {
   const solver::Model model(campaign_.pattern.base, campaign_.path());
   const solver::FlatVertices vertices_mm = campaign_.pattern.base.sheet.vertices_mm + shifts_mm();
   const solver::Certificate made = solver::Certifier(model).certify(vertices_mm, 10);
-  const CertificateRow row = this->row(made);
+  const CertificateRecord row = this->row(made);
   EXPECT_EQ(fault(row), "");
   EXPECT_EQ(row.certified_deg, made.certified_deg());
   keep({row});

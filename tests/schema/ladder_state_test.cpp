@@ -271,7 +271,7 @@ class KnownSheets : public LadderTest {
  protected:
   static constexpr std::uint64_t kThree = 3 * kTenBillion;  // sheets 3, 4 and 2
 
-  CertificateRow certificate(const Candidate& of, double certified_deg) const {
+  CertificateRecord certificate(const Candidate& of, double certified_deg) const {
     solver::Certificate made{certified_deg, solver::CertificateEnd::to_the_end, -1, false, {}, {}};
     made.pieces.push_back({0, certified_deg, true, 0.25, solver::flat_state<double>(mechanism_)});
     return certificate_row(campaign, mechanism_, of.draw, of.shifts_mm, made, 0.5);

@@ -26,7 +26,7 @@ class Certificates : public testing::Test {
     const std::uint64_t draw = 10 + sheet;
     return {draw, kAsked_deg, shifts_of_draw(campaign_, draw)};
   }
-  schema::CertificateRow certified(std::size_t sheet) {
+  schema::CertificateRecord certified(std::size_t sheet) {
     const SheetOrder order = order_of(sheet);
     return certifier_.certify(order.draw, order.shifts_mm, order.asked_deg);
   }
@@ -38,7 +38,7 @@ class Certificates : public testing::Test {
 };
 
 // Without the seconds that it took.
-schema::CertificateRow timeless(schema::CertificateRow row) {
+schema::CertificateRecord timeless(schema::CertificateRecord row) {
   row.seconds = 0;
   return row;
 }
@@ -46,7 +46,7 @@ schema::CertificateRow timeless(schema::CertificateRow row) {
 TEST_F(Certificates, OfEverySheetOnceThoughJobsAreCutShort) {
   constexpr std::size_t kSheets = 12;
   std::vector<int> kept(kSheets);
-  std::vector<schema::CertificateRow> rows(kSheets);
+  std::vector<schema::CertificateRecord> rows(kSheets);
   CertifyTask task(certifier_,
                    {kSheets, [&](std::size_t k) { return order_of(k); },
                     [&](std::vector<SheetsToCertify::Done> done) {
@@ -116,14 +116,14 @@ TEST_F(Certificates, AndFindingsArriveAsTheyWereSent) {
 
 TEST_F(Certificates, AreCheckedAndSpoiltOnesFound) {
   const SheetOrder order = order_of(5);
-  const schema::CertificateRow good = certified(5);
+  const schema::CertificateRecord good = certified(5);
   EXPECT_FALSE(certifier_.check(order.shifts_mm, good));
-  schema::CertificateRow spoilt = good;
+  schema::CertificateRecord spoilt = good;
   spoilt.proof[60] ^= 1;
   ASSERT_TRUE(certifier_.check(order.shifts_mm, spoilt));
   EXPECT_FALSE(certifier_.check(order.shifts_mm, spoilt)->interval);
   // A false claim under a hash of its own.
-  schema::CertificateRow other = certified(6);
+  schema::CertificateRecord other = certified(6);
   other.draw = good.draw;
   other.hash = schema::certificate_hash(campaign_.pattern, order.shifts_mm, other);
   ASSERT_FALSE(certifier_.row_fault(order.shifts_mm, other));
@@ -157,7 +157,7 @@ TEST(NextToAFoldLimit, CertificatesEnd) {
     const solver::Model model = model_of(campaign);
     const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, draw);
     SheetCertifier certifier(campaign.pattern, model);
-    const schema::CertificateRow row = certifier.certify(draw, shifts_mm, 180);
+    const schema::CertificateRecord row = certifier.certify(draw, shifts_mm, 180);
     EXPECT_EQ(row.end, "unclear_slope") << name;
     // What the path's own turning point says, whose angle is found by arc length.
     const double limit_deg =
@@ -172,7 +172,7 @@ TEST(NextToAFoldLimit, CertificatesEnd) {
 }
 
 TEST(CertificateRows, AnswerWhatAnotherOneWouldNotAnswerBetter) {
-  schema::CertificateRow row;
+  schema::CertificateRecord row;
   row.asked_deg = 170;
   row.end = "reversal";
   EXPECT_TRUE(answers(row, 170, false));
@@ -200,7 +200,7 @@ bool needs_closing(solver::CertificateEnd end) {
 }
 
 TEST(CertificateText, NeverSaysMoreThanIsCertified) {
-  schema::CertificateRow row;
+  schema::CertificateRecord row;
   row.draw = 7;
   row.certified_deg = 156.15499;
   row.asked_deg = 180;
@@ -236,7 +236,7 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
 TEST(CertificateText, OfManyIsASummary) {
   std::vector<CertifiedSheet> sheets;
   for (int k = 0; k < 30; ++k) {
-    schema::CertificateRow row;
+    schema::CertificateRecord row;
     row.end = k < 10 ? "reversal" : "to_the_end";
     row.certified_deg = k < 10 ? 150 + k : 170;
     row.intervals = 20;
@@ -289,6 +289,7 @@ TEST(CertifiedDraws, AreTheCandidatesAndAsOtherwise) {
   const solver::Model model = model_of(campaign);
   SheetCertifier certifier(campaign.pattern, model);
   DrawEvaluator certifying(campaign), plain(campaign_to_certify());
+  for (DrawEvaluator* evaluator : {&certifying, &plain}) certify_if_asked(*evaluator);
   const schema::UnitRecord unit = work_off(certifying, {0, 40}), other = work_off(plain, {0, 40});
   ASSERT_GT(unit.candidates.size(), 2u);
   ASSERT_EQ(unit.candidates.size(), other.candidates.size());
@@ -298,7 +299,7 @@ TEST(CertifiedDraws, AreTheCandidatesAndAsOtherwise) {
     const schema::Candidate& candidate = unit.candidates[k];
     EXPECT_FALSE(other.candidates[k].certificate);
     ASSERT_TRUE(candidate.certificate);
-    const schema::CertificateRow again =
+    const schema::CertificateRecord again =
         certifier.certify(candidate.draw, shifts_of_draw(campaign, candidate.draw),
                           candidate.metrics.deploys_from_sample * campaign.sample_deg);
     EXPECT_EQ(timeless(*candidate.certificate), timeless(again));

@@ -116,7 +116,7 @@ TEST_F(WriteFaults, OfCertificates) {
   climb_on(begun_from_, climber, evaluator.mechanism(), schema::kRun, 1, 1000);
   const solver::Model model = model_of(campaign);
   SheetCertifier certifier(campaign.pattern, model);
-  std::vector<schema::CertificateRow> made;
+  std::vector<schema::CertificateRecord> made;
   {
     const auto database = schema::open_for_reading(begun_from_);
     const auto draws = schema::draws_of(*database, "candidate", {0, schema::kEndOfDraws});
@@ -128,7 +128,7 @@ TEST_F(WriteFaults, OfCertificates) {
   survive_all(campaign, [&] {
     schema::Catalogue catalogue(path_, campaign, evaluator.mechanism(), {},
                                 schema::Missing::refused);
-    for (const schema::CertificateRow& row : made) catalogue.keep({row});
+    for (const schema::CertificateRecord& row : made) catalogue.keep({row});
     catalogue.close();
   });
 }

@@ -63,7 +63,7 @@ void keep_certificates(Catalogue& catalogue, const DrawEvaluator& evaluator,
   const Campaign& campaign = evaluator.campaign();
   const solver::Model model(campaign.pattern.base, campaign.path());
   solver::Certifier certifier(model);
-  std::vector<CertificateRow> rows;
+  std::vector<CertificateRecord> rows;
   for (std::size_t k = 0; k < candidates.size(); k += 2) {
     const Candidate& candidate = candidates[k];
     const solver::Certificate made =

@@ -1,4 +1,4 @@
-#include "schema/catalogue/fault_sample.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 

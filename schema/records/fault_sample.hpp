@@ -6,9 +6,13 @@
 #include <cstdint>
 
 #include "schema/campaign/draw_range.hpp"
-#include "schema/catalogue/since.hpp"
 
 namespace misalign::schema {
+
+/// Since this version of the schema rows are the rarer the larger the draw's number (and have a
+/// column for it: fault_sample.stands_for). Rows of units whose run had an older schema are every
+/// 1024 draws, however large, and stay.
+inline constexpr int kRarerSampleSince = 4;
 
 /// The least number of draws from one row to the next.
 inline constexpr std::uint64_t kFaultSampleEvery = 1024;

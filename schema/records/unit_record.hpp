@@ -1,0 +1,45 @@
+// Records of what became of draws, on their way into a catalogue.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "schema/campaign/draw_range.hpp"
+#include "schema/records/certificate_record.hpp"
+#include "schema/records/level_count.hpp"
+#include "solver/verdict/metrics.hpp"
+
+namespace misalign::schema {
+
+/// A fault_sample or undecided row in the making.
+struct DrawVerdict {
+  std::uint64_t draw;
+  solver::Verdict verdict;
+};
+
+struct Candidate {
+  std::uint64_t draw;
+  solver::Metrics metrics;
+  Eigen::Matrix2Xd shifts_mm;  ///< one column per vertex of the sheet
+  std::optional<CertificateRecord> certificate = {};
+};
+
+/// What became of a range of draws: a unit of the ledger with everything that belongs to it.
+struct UnitRecord {
+  DrawRange range;
+  int worker = 0;  ///< the rank that worked it off
+  std::uint64_t accepted = 0, rejected = 0;
+  double seconds = 0;
+  std::vector<Candidate> candidates;                      ///< ascending
+  std::vector<DrawVerdict> undecided;                     ///< ascending
+  std::vector<DrawVerdict> fault_sample;                  ///< ascending; see FaultSampleRule
+  std::map<std::pair<int, int>, std::uint64_t> screened;  ///< (Fault, sample) -> draws
+  std::vector<LevelCount> levels;                         ///< of a population, from 0 on
+
+  std::vector<std::uint64_t> accepted_draws() const, undecided_draws() const;
+};
+
+}  // namespace misalign::schema
