@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "schema/exchange/folding_json.hpp"
-#include "search/checks/campaign_sheet.hpp"
 #include "search/draws/draw.hpp"
+#include "search/sheets/campaign_sheet.hpp"
 #include "solver/verdict/miscut_margin.hpp"
 
 namespace misalign::search {

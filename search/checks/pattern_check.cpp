@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "schema/exchange/folding_json.hpp"
-#include "search/checks/chosen_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "solver/design/shaped_path.hpp"
 #include "solver/verdict/metrics.hpp"
 

@@ -6,12 +6,6 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/checks/campaign_sheet.hpp"
-#include "search/checks/choice.hpp"
-#include "search/checks/deployment_functions.hpp"
-#include "search/checks/query_text.hpp"
-#include "search/draws/tolerance.hpp"
-#include "search/draws/tolerance_text.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/draw_numbers.hpp"
@@ -19,6 +13,12 @@
 #include "search/python/histories.hpp"
 #include "search/python/signals.hpp"
 #include "search/python/table_columns.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/choice.hpp"
+#include "search/sheets/deployment_functions.hpp"
+#include "search/sheets/tolerance.hpp"
+#include "search/sheets/tolerance_text.hpp"
+#include "search/verbs/query_text.hpp"
 
 namespace misalign::search::python {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "search/draws/tolerance.hpp"
+#include "search/sheets/tolerance.hpp"
 
 namespace misalign::search::python {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "search/checks/chosen_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 
 namespace misalign::search::python {
 

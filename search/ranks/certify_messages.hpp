@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "search/draws/sheet_certifier.hpp"
 #include "search/ranks/wire.hpp"
+#include "search/sheets/sheet_certifier.hpp"
 
 namespace misalign::search {
 

@@ -10,8 +10,6 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
-#include "search/draws/nothing_found.hpp"
-#include "search/draws/sheet_certifier.hpp"
 #include "search/ranks/climb_task.hpp"
 #include "search/ranks/draw_task.hpp"
 #include "search/ranks/exit_code.hpp"
@@ -20,8 +18,10 @@
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
+#include "search/sheets/sheet_certifier.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
+#include "search/terminal/nothing_found.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "schema/exchange/actuation_json.hpp"
-#include "search/checks/chosen_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

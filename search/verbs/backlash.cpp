@@ -1,7 +1,7 @@
 // `misalign tolerance --backlash`: how often a sheet still moves one way when its joints have play.
 #include <fmt/format.h>
 
-#include "search/draws/backlash_text.hpp"
+#include "search/sheets/backlash_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/tolerance_call.hpp"
 

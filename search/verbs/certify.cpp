@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "search/checks/certify_run.hpp"
-#include "search/checks/chosen_sheet.hpp"
 #include "search/draws/models.hpp"
+#include "search/ranks/certify_run.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/rank_starter.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"

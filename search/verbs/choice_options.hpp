@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "search/checks/choice.hpp"
+#include "search/sheets/choice.hpp"
 
 namespace misalign::search {
 

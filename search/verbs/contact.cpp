@@ -1,8 +1,8 @@
 // `misalign contact`: where the panels of one sheet meet, and how thick they may be.
 #include <fmt/format.h>
 
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/contact_study.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/contact_study.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "schema/exchange/deployment_json.hpp"
-#include "search/checks/chosen_sheet.hpp"
-#include "search/terminal/deployment_text.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deployment_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/deploy_options.hpp"
 #include "search/verbs/options.hpp"

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "search/checks/deployer.hpp"
+#include "search/sheets/deployer.hpp"
 
 namespace misalign::search {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "schema/campaign/pattern_file.hpp"
-#include "search/terminal/folding_text.hpp"
+#include "search/sheets/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "schema/exchange/calculix_deck.hpp"
-#include "search/checks/release.hpp"
+#include "search/sheets/release.hpp"
 
 namespace misalign::search {
 

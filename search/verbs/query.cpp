@@ -4,10 +4,10 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/checks/deployment_functions.hpp"
-#include "search/checks/query_text.hpp"
-#include "search/draws/nothing_found.hpp"
+#include "search/sheets/deployment_functions.hpp"
+#include "search/terminal/nothing_found.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/query_text.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/checks/campaign_sheet.hpp"
 #include "search/draws/models.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/folding_text.hpp"
 #include "search/splitting/climber.hpp"
 #include "search/splitting/origin.hpp"
-#include "search/terminal/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

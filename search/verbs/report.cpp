@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "schema/files/text_file.hpp"
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/report_data.hpp"
+#include "search/report/report_data.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/options.hpp"

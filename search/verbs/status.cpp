@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "schema/catalogue/campaign_check.hpp"
-#include "search/draws/nothing_found.hpp"
+#include "search/terminal/nothing_found.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"

@@ -8,11 +8,11 @@
 #include <iterator>
 
 #include "schema/files/text_file.hpp"
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/deployer.hpp"
-#include "search/checks/sheet_files.hpp"
-#include "search/checks/stress_study.hpp"
 #include "search/ranks/stop_signal.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deployer.hpp"
+#include "search/sheets/sheet_files.hpp"
+#include "search/sheets/stress_study.hpp"
 #include "search/terminal/duration.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/terminal.hpp"

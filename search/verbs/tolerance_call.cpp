@@ -1,7 +1,7 @@
 #include "search/verbs/tolerance_call.hpp"
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/checks/campaign_sheet.hpp"
+#include "search/sheets/campaign_sheet.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 

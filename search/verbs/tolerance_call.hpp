@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "search/checks/chosen_sheet.hpp"
-#include "search/draws/tolerance.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/tolerance.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "solver/design/backlash.hpp"
 

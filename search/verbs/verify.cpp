@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "search/checks/chosen_sheet.hpp"
 #include "search/checks/pattern_check.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"

@@ -3,7 +3,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/report/report.hpp"
-#include "search/checks/report_data.hpp"
+#include "search/report/report_data.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-#include "search/checks/report_data.hpp"
+#include "search/report/report_data.hpp"
 #include "search/watch/file_mark.hpp"
 #include "search/watch/page_answer.hpp"
 

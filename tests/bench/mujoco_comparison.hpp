@@ -13,8 +13,8 @@
 
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/text_file.hpp"
-#include "search/checks/folded_sheet.hpp"
-#include "search/checks/release.hpp"
+#include "search/sheets/folded_sheet.hpp"
+#include "search/sheets/release.hpp"
 #include "solver/design/joint_tree.hpp"
 #include "tests/bench/mujoco_run.hpp"
 

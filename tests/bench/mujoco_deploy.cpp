@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "search/checks/chosen_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 
 namespace misalign::search {

@@ -10,8 +10,8 @@
 
 #include "schema/exchange/calculix_deck.hpp"
 #include "schema/exchange/calculix_result.hpp"
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/release.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/release.hpp"
 
 namespace misalign::search {
 namespace {

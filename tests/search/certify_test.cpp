@@ -2,11 +2,11 @@
 // candidates that are certified as they are found.
 #include <gtest/gtest.h>
 
-#include "search/checks/certify_text.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_task.hpp"
+#include "search/sheets/certify_text.hpp"
 #include "solver/certificate/certificate_check.hpp"
 #include "solver/verdict/path_record.hpp"
 

@@ -1,5 +1,5 @@
 // A spread of candidates against every other choice, and against near twins.
-#include "search/checks/choice.hpp"
+#include "search/sheets/choice.hpp"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "search/checks/folded_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
+#include "search/sheets/folded_sheet.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

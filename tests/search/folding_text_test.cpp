@@ -1,4 +1,4 @@
-#include "search/terminal/folding_text.hpp"
+#include "search/sheets/folding_text.hpp"
 
 #include <gtest/gtest.h>
 

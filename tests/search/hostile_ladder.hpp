@@ -7,11 +7,11 @@
 
 #include "../schema/catalogue_fixture.hpp"
 #include "climb_on.hpp"
-#include "search/checks/campaign_sheet.hpp"
-#include "search/checks/choice.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/choice.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/status_text.hpp"
 #include "tests/folder.hpp"

@@ -8,9 +8,9 @@
 #include "schema/campaign/campaign.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/text_file.hpp"
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/release.hpp"
 #include "search/draws/draw.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/release.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 #include "tests/folder.hpp"
 

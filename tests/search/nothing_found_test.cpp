@@ -1,4 +1,4 @@
-#include "search/draws/nothing_found.hpp"
+#include "search/terminal/nothing_found.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/sheet_files.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/sheet_files.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {

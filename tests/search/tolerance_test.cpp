@@ -4,9 +4,9 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <set>
 
-#include "search/draws/backlash_text.hpp"
 #include "search/draws/draw.hpp"
-#include "search/draws/tolerance_text.hpp"
+#include "search/sheets/backlash_text.hpp"
+#include "search/sheets/tolerance_text.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {

@@ -10,10 +10,10 @@
 #include "../schema/faulty_vfs.hpp"
 #include "climb_on.hpp"
 #include "schema/catalogue/ledger_check.hpp"
-#include "search/checks/campaign_sheet.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
-#include "search/draws/sheet_certifier.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/sheet_certifier.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {

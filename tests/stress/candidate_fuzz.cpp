@@ -7,10 +7,10 @@
 //   candidate_fuzz --corpus DIRECTORY    writes the candidates that it starts from
 #include "schema/exchange/actuation_json.hpp"
 #include "schema/exchange/fold_export.hpp"
-#include "search/checks/chosen_sheet.hpp"
-#include "search/checks/folded_sheet.hpp"
 #include "search/checks/pattern_check.hpp"
 #include "search/draws/draw.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/folded_sheet.hpp"
 #include "tests/folder.hpp"
 #include "tests/stress/mutations.hpp"
 

@@ -12,11 +12,11 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/database.hpp"
-#include "search/checks/campaign_sheet.hpp"
-#include "search/checks/chosen_sheet.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "solver/certificate/certificate_check.hpp"
 #include "solver/certificate/certifier.hpp"

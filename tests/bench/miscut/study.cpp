@@ -11,7 +11,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
-#include "search/draws/tolerance.hpp"
+#include "search/sheets/tolerance.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/verdict/flat_gradient.hpp"
 

@@ -1,0 +1,285 @@
+#include "search/ranks/certify_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <set>
+
+#include "schema/catalogue/catalogue.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "search/draws/draw.hpp"
+#include "search/draws/models.hpp"
+#include "search/ranks/certify_task.hpp"
+#include "search/ranks/coordinator.hpp"
+#include "search/ranks/exit_code.hpp"
+#include "search/ranks/rank_starter.hpp"
+#include "search/ranks/stop_signal.hpp"
+#include "search/ranks/worker.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/terminal/count_text.hpp"
+#include "search/terminal/shell_word.hpp"
+#include "search/terminal/terminal.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::UserError;
+
+// A chosen candidate: what is asked of it, and what is there.
+struct Sheet {
+  std::uint64_t draw;
+  double asked_deg = 0;
+  Eigen::Matrix2Xd shifts_mm = {};  // of a splitting campaign; a plain one's are made again
+  std::optional<CertifiedSheet> done = {};
+  std::string end = {};  // of the certificate that is checked
+};
+
+double deploys_from_deg(SQLite::Database& database, const schema::Campaign& campaign,
+                        std::uint64_t draw) {
+  return schema::reading(database, [&] {
+    SQLite::Statement row(database, "SELECT deploys_from_sample FROM candidate WHERE draw = ?");
+    row.bind(1, schema::stored(draw));
+    if (!row.executeStep()) {
+      throw schema::damaged(database, "draw " + std::to_string(draw) + " has no row");
+    }
+    return row.getColumn(0).getInt() * campaign.sample_deg;
+  });
+}
+
+std::string name_of_draw(std::uint64_t draw) { return SheetKey{draw, ""}.name(); }
+
+// One campaign made ready, on every rank.
+struct Ready {
+  Ready(schema::Campaign its_campaign, bool contact)
+      : campaign(std::move(its_campaign)),
+        model(model_of(campaign)),
+        certifier(campaign.pattern, model, contact) {}
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+
+  const schema::Campaign campaign;
+  const solver::Model model;
+  SheetCertifier certifier;
+};
+
+// Rank 0, as far as nobody else needs to know of it.
+class CertifyZero {
+ public:
+  explicit CertifyZero(const CertifyOptions& options)
+      : options_(options),
+        database_(schema::open_for_reading(options.path)),
+        ready_(schema::read_campaign_of(*database_, options.path), options.contact) {
+    std::set<std::uint64_t> chosen;
+    for (const std::uint64_t draw : options.choose(*database_)) {
+      if (chosen.insert(draw).second) add(draw);
+    }
+    report_.check.of = options.check ? open_.size() : 0;
+    if (options.check && open_.empty()) throw nothing_to_check();
+    // The writer's lock must not end with another connection of this process: see WriterLock.
+    if (!options.check) database_.reset();
+  }
+
+  const schema::Campaign& campaign() const { return ready_.campaign; }
+
+  void begin(const std::vector<std::string>& layouts) {
+    for (std::size_t k = 0; k < layouts.size(); ++k) {
+      if (layouts[k] == layouts[0]) continue;
+      throw UserError(schema::kExitOtherCampaign,
+                      fmt::format("rank {} sends its certificates in another layout than rank 0 "
+                                  "(another build); put the same program on every host",
+                                  k));
+    }
+    if (options_.check || open_.empty()) return;
+    catalogue_.emplace(options_.path, campaign(), ready_.model.mechanism(),
+                       std::optional<schema::Storage>(), schema::Missing::refused);
+  }
+
+  // Returns the exit code.
+  int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
+    CertifyTask task(ready_.certifier,
+                     {open_.size(), [&](std::size_t k) { return order_of(sheets_[open_[k]]); },
+                      [&](std::vector<SheetsToCertify::Done> done) { keep(std::move(done)); }},
+                     mpi.ranks());
+    CoordinatorOptions settings;
+    settings.progress = progress_style();
+    const RunEnd end = run_coordinator(mpi, heartbeat, task, settings);
+    if (catalogue_) catalogue_->close();
+    if (end == RunEnd::lost) return schema::kExitFailure;
+    if (!gone_.empty()) say_what_is_gone();
+    return 0;
+  }
+
+  CertifyReport report() {
+    for (Sheet& sheet : sheets_) {
+      if (sheet.done) {
+        report_.sheets.push_back(std::move(*sheet.done));
+      } else if (!options_.check) {
+        ++report_.left;
+      }
+    }
+    auto& findings = report_.check.findings;
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const auto& a, const auto& b) { return a.draw < b.draw; });
+    return std::move(report_);
+  }
+
+ private:
+  UserError nothing_to_check() const {
+    return {schema::kExitBadInput,
+            fmt::format("{}: of {} none has a certificate, so that there is nothing to check; make "
+                        "them: misalign certify {} --all",
+                        options_.path, count_text(sheets_.size(), "candidate"),
+                        shell_word(options_.path))};
+  }
+
+  void add(std::uint64_t draw) {
+    Sheet sheet{draw};
+    auto row = schema::read_certificate(*database_, draw);
+    if (options_.check) {
+      row ? open_.push_back(sheets_.size()) : void(++report_.check.without);
+      sheets_.push_back(std::move(sheet));
+      return;
+    }
+    sheet.asked_deg = options_.to_deg.value_or(deploys_from_deg(*database_, ready_.campaign, draw));
+    const Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database_, ready_.campaign, draw);
+    if (ready_.campaign.splitting) sheet.shifts_mm = shifts_mm;
+    if (row && is_good(shifts_mm, *row, sheet.asked_deg)) {
+      sheet.done = certified_sheet(name_of_draw(draw), std::move(*row), false);
+    } else {
+      open_.push_back(sheets_.size());
+    }
+    sheets_.push_back(std::move(sheet));
+  }
+
+  bool is_good(const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row,
+               double asked_deg) const {
+    if (options_.again) return false;
+    if (const auto fault = ready_.certifier.row_fault(shifts_mm, row)) {
+      spdlog::warn("{}: {}; its certificate is made again", name_of_draw(row.draw),
+                   schema::printable(fault->what));
+      return false;
+    }
+    return answers(row, asked_deg, options_.contact);
+  }
+
+  SheetOrder order_of(Sheet& sheet) {
+    SheetOrder order{sheet.draw, sheet.asked_deg, sheet.shifts_mm};
+    if (options_.check) {
+      order.stored = schema::read_certificate(*database_, sheet.draw);
+      order.shifts_mm = shifts_of_number(*database_, ready_.campaign, sheet.draw);
+      if (!order.stored) {
+        throw schema::damaged(*database_,
+                              name_of_draw(sheet.draw) + " has lost its certificate meanwhile");
+      }
+      sheet.end = order.stored->end;
+    } else if (!ready_.campaign.splitting) {
+      order.shifts_mm = shifts_of_draw(ready_.campaign, sheet.draw);
+    }
+    return order;
+  }
+
+  void keep(std::vector<SheetsToCertify::Done> done) {
+    if (options_.check) {
+      report_.check.checked += done.size();
+      for (auto& one : done) {
+        if (one.answer.finding) {
+          report_.check.findings.push_back(std::move(*one.answer.finding));
+        } else {
+          ++report_.check.ends[sheets_[open_[one.sheet]].end];
+        }
+      }
+      return;
+    }
+    std::vector<schema::CertificateRecord> rows;
+    for (auto& one : done) rows.push_back(std::move(*one.answer.made));
+    const std::vector<std::uint64_t> gone = catalogue_->keep(rows);
+    gone_.insert(gone_.end(), gone.begin(), gone.end());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      Sheet& sheet = sheets_[open_[done[k].sheet]];
+      sheet.done = certified_sheet(name_of_draw(sheet.draw), std::move(rows[k]), true);
+    }
+  }
+
+  void say_what_is_gone() const {
+    spdlog::warn(
+        "{}: {} candidates are not in it any more, draw {} among them (another catalogue took its "
+        "place); their certificates are not kept",
+        options_.path, gone_.size(), gone_.front());
+  }
+
+  // A few need no line on how far it is.
+  ProgressStyle progress_style() const {
+    constexpr std::size_t kFew = 20;
+    if (open_.size() <= kFew) return ProgressStyle::none;
+    return resolved(ProgressStyle::automatic, is_terminal(STDERR_FILENO) && terminal_is_able(),
+                    launched_by_mpi());
+  }
+
+  const CertifyOptions& options_;
+  std::unique_ptr<SQLite::Database> database_;  // of a check; otherwise closed before writing
+  Ready ready_;
+  std::vector<Sheet> sheets_;
+  std::vector<std::size_t> open_;  // of the sheets, those that are to be worked on
+  std::optional<schema::Catalogue> catalogue_;
+  std::vector<std::uint64_t> gone_;
+  CertifyReport report_;
+};
+
+int run_rank_zero(const CertifyOptions& options, MpiSession& mpi,
+                  const std::function<void(const CertifyReport&)>& show) {
+  std::optional<CertifyZero> zero;
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(exit_code_of([&] { zero.emplace(options); }))) return code;
+  mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
+  const auto layouts = mpi.gather(certify_layout());
+  if (const int code = mpi.broadcast(exit_code_of([&] { zero->begin(layouts); }))) return code;
+  int exit_code = 0;
+  const int failure = exit_code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
+  mpi.meet();
+  if (failure || exit_code) return failure ? failure : exit_code;
+  const CertifyReport report = zero->report();
+  show(report);
+  return report.check.findings.empty() ? 0 : schema::kExitCheckFailed;
+}
+
+int run_other_rank(const CertifyOptions& options, MpiSession& mpi) {
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(0)) return code;
+  const std::string resolved = mpi.broadcast(std::string());
+  int refused = 0;
+  const int failure = exit_code_of([&] {
+    Ready ready(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
+                options.contact);
+    mpi.gather(certify_layout());
+    refused = mpi.broadcast(0);
+    if (refused) return;
+    run_worker(
+        mpi, [&](const Bytes& job) { return CertifyWork(ready.certifier, unpack_orders(job)); },
+        [](CertifyWork& work, bool was_stopped) {
+          SentAnswers sent = work.take();
+          sent.was_stopped = was_stopped;
+          return pack(sent);
+        });
+  });
+  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
+  if (!refused) mpi.meet();
+  return refused;
+}
+
+}  // namespace
+
+int run_certify(const CertifyOptions& options,
+                const std::function<void(const CertifyReport&)>& show) {
+  hold_signals();
+  MpiSession mpi;
+  // As in a search; alone it may finish the sheet that it is at.
+  const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
+  watch_for_signals(mpi.rank() == 0 && mpi.ranks() > 1 ? kLeave_s : kLetGo_s,
+                    mpi.ranks() > 1 ? leave_code : 0);
+  if (mpi.rank() == 0) tell_starter();
+  return mpi.rank() == 0 ? run_rank_zero(options, mpi, show) : run_other_rank(options, mpi);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,35 @@
+// `misalign certify` on a catalogue: certificates of its candidates, alone or under mpirun.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "search/sheets/certify_text.hpp"
+
+namespace misalign::search {
+
+struct CertifyOptions {
+  std::string path;
+  std::function<std::vector<std::uint64_t>(SQLite::Database&)> choose;  ///< the draws
+  std::optional<double> to_deg;  ///< instead of each candidate's D
+  bool contact = false;          ///< also that no panels meet
+  bool again = false;            ///< those anew that have a certificate already
+  bool check = false;            ///< none is made: those that there are, are checked
+};
+
+/// What rank 0 knows in the end.
+struct CertifyReport {
+  std::vector<CertifiedSheet> sheets;  ///< in their order; none of a check
+  std::uint64_t left = 0;              ///< not done, because a signal asked to stop
+  CertificateCheck check;
+};
+
+/// Returns the exit code; `show` is called on rank 0 once all is stored.
+int run_certify(const CertifyOptions& options,
+                const std::function<void(const CertifyReport&)>& show);
+
+}  // namespace misalign::search

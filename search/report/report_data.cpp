@@ -1,0 +1,237 @@
+#include "search/report/report_data.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "schema/report/report.hpp"
+#include "search/ranks/build_info.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deployment_functions.hpp"
+#include "search/terminal/ladder_text.hpp"
+#include "search/terminal/long_work.hpp"
+#include "search/terminal/shell_word.hpp"
+#include "search/terminal/status_text.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+// Details may take about so much of the page; large sheets get fewer of them.
+constexpr std::size_t kMostDetailBytes = 24 << 20;
+
+std::string now() {
+  const auto time = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%FT%TZ}", fmt::gmtime(time));
+}
+
+std::vector<std::uint64_t> first_in_table(const Json& candidates, std::uint64_t most) {
+  std::vector<std::uint64_t> draws;
+  for (const Json& draw : candidates["columns"].value("draw", Json::array())) {
+    if (draws.size() >= most) break;
+    draws.push_back(std::stoull(draw.get<std::string>()));
+  }
+  return draws;
+}
+
+// Whose folding the page carries, none twice; the first `asked_for` whatever it takes.
+struct DrawsToLookAt {
+  std::vector<std::uint64_t> draws;
+  std::size_t asked_for = 0;
+
+  void add(const std::vector<std::uint64_t>& more) {
+    for (const std::uint64_t draw : more) {
+      if (std::find(draws.begin(), draws.end(), draw) == draws.end()) draws.push_back(draw);
+    }
+  }
+};
+
+DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidates,
+                               const ReportCall& call) {
+  DrawsToLookAt look;
+  look.add(call.draws);
+  look.asked_for = look.draws.size();
+  Choice choice = call.choice;
+  const bool counted = choice.best || choice.diverse;
+  if (!choice.chooses()) {
+    look.add(first_in_table(candidates, call.details));
+  } else if (call.details > 0 && (candidates["total"] > 0 || !choice.where.empty())) {
+    if (!counted) choice.best = call.details;
+    look.add(chosen_draws(database, choice));
+  }
+  if (counted) look.asked_for = look.draws.size();
+  return look;
+}
+
+Json details_json(SQLite::Database& database, const schema::Campaign& campaign,
+                  const SheetFolder& folder, const DrawsToLookAt& look, ReportDetails& details) {
+  Json json = Json::array();
+  std::size_t bytes = 0;
+  for (std::size_t k = 0; k < look.draws.size(); ++k) {
+    if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
+    show_work("sheets looked at closely", k, look.draws.size());
+    const std::uint64_t draw = look.draws[k];
+    const FoldedSheet folded = folder.fold(shifts_of_number(database, campaign, draw));
+    const bool accepted = campaign.accepts(folded.path.history.verdict);
+    json.push_back(details.of_draw(folded, draw, accepted));
+    bytes += json.back().dump().size();
+  }
+  return json;
+}
+
+Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mechanism) {
+  Json diagonals = Json::array();
+  for (const solver::Diagonal& diagonal : mechanism.diagonals) {
+    diagonals.push_back({{"diagonal", diagonals.size()},
+                         {"hole", schema::facet_json(pattern, mechanism.loops[diagonal.loop].hole)},
+                         {"from", solver::vertex_label(diagonal.from)},
+                         {"to", solver::vertex_label(diagonal.to)},
+                         {"from_vertex", diagonal.from},
+                         {"to_vertex", diagonal.to}});
+  }
+  return diagonals;
+}
+
+// The options that were given, for the page's commands.
+std::string options_of(const OtherActuators& actuators) {
+  std::string text;
+  if (const auto& k = actuators.stiffness_n_per_mm)
+    text += " --stiffness " + schema::shown_number(*k);
+  if (const auto& limit = actuators.stroke_limit) {
+    text += " --stroke-limit " + schema::shown_number(*limit);
+  }
+  return text;
+}
+
+// Whom the page shows, in its own words' terms.
+Json chosen_json(const ReportCall& call) {
+  const Choice& choice = call.choice;
+  return {{"draws", call.draws.size()},
+          {"best", choice.best ? Json(*choice.best) : Json()},
+          {"diverse", choice.diverse ? Json(*choice.diverse) : Json()},
+          {"where", choice.where.empty() ? Json() : Json(choice.where)},
+          {"by", choice.by ? Json(*choice.by) : Json()}};
+}
+
+// What the page's commands are made of: it shows how to go on from what it shows.
+Json commands_json(const ReportCall& call) {
+  std::string choice = text_of(call.choice);
+  if (call.details != ReportCall().details) {
+    choice += " --details " + std::to_string(call.details);
+  }
+  if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
+  if (call.wish.contact) choice += " --contact";
+  return {{"misalign", "misalign"},
+          {"catalogue", shell_path(call.path)},
+          {"choice", choice},
+          {"springs", options_of(call.actuators)},
+          {"output", shell_path(call.output)}};
+}
+
+// What the catalogue says, all of it of one moment: a search may be writing.
+Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
+                    const ReportCall& call, DrawsToLookAt& look) {
+  return schema::reading(database, [&] {
+    const SQLite::Transaction moment(database);
+    Json json = {{"state", report_state_json(schema::read_state(database))},
+                 {"faults", schema::faults_json(database, campaign)},
+                 {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
+    look = draws_to_look_at(database, json["candidates"], call);
+    json["yields"] = schema::report_yields_json(database, call.rows, look.draws);
+    json["certificates"] = schema::report_certificates_json(database, call.rows, look.draws);
+    return json;
+  });
+}
+
+// What is folded, and by what.
+Json folding_json(const SheetFolder& folder) {
+  const auto& limit = folder.actuators().stroke_limit;
+  return {{"sheet", schema::sheet_json(folder.base(), folder.mechanism())},
+          {"diagonals", diagonals_json(folder.base(), folder.mechanism())},
+          {"actuators",
+           {{"stiffness_n_per_mm", folder.actuators().stiffness_n_per_mm},
+            {"stroke_limit", limit ? Json(*limit) : Json()}}}};
+}
+
+// Who wrote the page, of what, and how it can be written again.
+Json origin_json(const ReportCall& call) {
+  return {{"format", 1},
+          {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
+          {"written_at", now()},
+          {"catalogue", call.path},
+          {"chosen", chosen_json(call)},
+          {"commands", commands_json(call)}};
+}
+
+// Those of a result of `misalign stress` are looked at whatever room they take, and are to be among
+// those that are shown.
+void settle_stress(const ReportCall& call, const std::vector<std::uint64_t>& stressed,
+                   DrawsToLookAt& look) {
+  for (std::size_t k = 0; k < stressed.size(); ++k) {
+    const auto at = std::find(look.draws.begin(), look.draws.end(), stressed[k]);
+    if (at == look.draws.end()) {
+      throw schema::UserError(
+          schema::kExitBadInput,
+          fmt::format(
+              "{}: is of draw {}, which is not among those that can be looked at closely on "
+              "this page; add --draw {}",
+              call.wish.stress_files[k], stressed[k], stressed[k]));
+    }
+    look.asked_for =
+        std::max(look.asked_for, static_cast<std::size_t>(at - look.draws.begin()) + 1);
+  }
+}
+
+}  // namespace
+
+Json report_state_json(const schema::CatalogueState& state) {
+  Json json = status_json(state);
+  json["without_end"] = state.goal_end == schema::kEndOfDraws;
+  if (!state.ladder) return json;
+  const schema::SplitRate* const rate = state.ladder->rate();
+  json["ladder"].update(
+      {{"why_not_converged", rate ? why_not_converged(*rate) : ""},
+       {"without_end", state.goal_end / schema::kNumbersOfPopulation >= schema::kEndOfPopulations},
+       {"numbers_of_population", schema::kNumbersOfPopulation}});
+  return json;
+}
+
+Json report_of_catalogue(const ReportCall& call) {
+  const auto database = schema::open_for_reading(call.path);
+  add_deployment_functions(*database, call.path, call.actuators.stiffness_n_per_mm);
+  schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
+  campaign.actuators = call.actuators.instead_of(campaign.actuators);
+  const SheetFolder folder(campaign);
+  ReportDetails details(folder, call.wish);
+  const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
+  DrawsToLookAt look;
+  const Json catalogue = catalogue_json(*database, campaign, call, look);
+  settle_stress(call, stressed, look);
+  Json data = origin_json(call);
+  data["campaign"] = {{"name", campaign.name},
+                      {"identity", schema::identity(campaign)},
+                      {"configuration", schema::campaign_json(campaign)}};
+  data.update(catalogue);
+  data.update(folding_json(folder));
+  data["details"] = details_json(*database, campaign, folder, look, details);
+  return data;
+}
+
+Json report_of_pattern(const ReportCall& call) {
+  const ChosenSheet sheet = sheet_of_pattern_file(call.path);
+  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
+  ReportDetails details(folder, call.wish);
+  details.check_stress(call.path, sheet.whose()["sheet"]);
+  Json data = origin_json(call);
+  data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};
+  data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
+  data.update(folding_json(folder));
+  data["details"] = Json::array({details.of_pattern(folder.fold(sheet.shifts_mm), sheet.pattern)});
+  return data;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,37 @@
+// What a report's page shows: of a catalogue, or of a pattern file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "search/report/report_details.hpp"
+#include "search/sheets/choice.hpp"
+
+namespace misalign::search {
+
+/// What a page is asked for.
+struct ReportCall {
+  std::string path;                  ///< a catalogue or a pattern file
+  std::string output;                ///< where the page is written, for the commands that it shows
+  std::vector<std::uint64_t> draws;  ///< to look at, beside the best; any draws of the campaign
+  std::uint64_t rows = 10000;        ///< at most so many candidates in the table
+  std::uint64_t details = 36;        ///< so many of the best ones can be looked at
+  Choice choice;                     ///< whom to look at instead; of `where` alone, `details` many
+  OtherActuators actuators;
+  bool let_go = false;  ///< the table says what comes of letting each go
+  ReportWish wish;
+};
+
+/// What the page of a catalogue shows, all that the catalogue says of one moment. UserError: 2 a
+/// choice of nothing; 3 as from open_for_reading, or a stress file of no sheet of this page.
+schema::Json report_of_catalogue(const ReportCall& call);
+
+/// The same of a pattern file's one sheet. UserError (3).
+schema::Json report_of_pattern(const ReportCall& call);
+
+/// The state as `status --json` has it; of a splitting search also why its rate is not to be
+/// believed yet, in the words of `status`, and what its numbers are made of.
+schema::Json report_state_json(const schema::CatalogueState& state);
+
+}  // namespace misalign::search

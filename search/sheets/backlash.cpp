@@ -1,0 +1,171 @@
+#include "search/sheets/backlash.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "search/draws/draw.hpp"
+
+namespace misalign::search {
+namespace {
+
+using solver::BacklashTrial;
+
+// Radii that are tried for the largest: each halves the logarithm of what is left.
+int radii_tried(double least_mm, double most_mm) {
+  return std::max(0, static_cast<int>(std::ceil(
+                         std::log2(std::log(most_mm / least_mm) / std::log(kRadiusRatio)))));
+}
+
+// All trials of one sheet, on some threads.
+class Trials {
+ public:
+  Trials(const solver::Model& model, const solver::BacklashSheet& sheet,
+         const solver::BacklashOptions& judge_options, std::uint64_t seed,
+         const BacklashStudyOptions& options, CopiesDone& copies)
+      : model_(model), seed_(seed), options_(options), copies_(copies) {
+    const std::uint64_t most = std::min<std::uint64_t>(std::max(options.jobs, 1), options.trials);
+    for (std::uint64_t k = 0; k < most; ++k) {
+      judges_.push_back(std::make_unique<solver::BacklashJudge>(model, sheet, judge_options));
+    }
+  }
+
+  // Everything about each of them.
+  std::vector<BacklashTrial> all(double backlash_mm) {
+    run(backlash_mm, false, options_.trials);
+    return trials_;
+  }
+  // How many move one way, if they are as many as wanted, and otherwise some number below that.
+  std::uint64_t one_way(double backlash_mm, std::uint64_t wanted) {
+    run(backlash_mm, true, options_.trials - wanted);
+    return options_.trials - misses_;
+  }
+
+ private:
+  // Until more than so many do not move one way.
+  void run(double backlash_mm, bool only_whether, std::uint64_t most_misses) {
+    trials_.assign(options_.trials, {});
+    next_ = misses_ = 0;
+    most_misses_ = most_misses;
+    const double scale = backlash_mm / model_.mechanism().panel_width_mm;
+    const std::uint64_t done_before = copies_.done;
+    std::vector<std::thread> others;
+    try {
+      for (std::size_t k = 1; k < judges_.size(); ++k) {
+        others.emplace_back([=, this] { work(*judges_[k], scale, only_whether); });
+      }
+    } catch (const std::system_error&) {
+      // No more threads are to be had: those that there are do it all.
+    }
+    work(*judges_.front(), scale, only_whether);
+    for (std::thread& other : others) other.join();
+    if (failure_) std::rethrow_exception(failure_);
+    copies_.done = done_before + options_.trials;  // what was not worth judging is done, too
+    if (options_.progress) options_.progress(copies_);
+  }
+
+  void work(solver::BacklashJudge& judge, double scale, bool only_whether) {
+    try {
+      for (std::uint64_t k; (k = next_++) < options_.trials && misses_ <= most_misses_;) {
+        trials_[k] = judge.judge(trial_offsets(model_.mechanism(), seed_, k), scale, only_whether);
+        if (!trials_[k].moves_one_way()) ++misses_;
+        const std::lock_guard lock(mutex_);
+        ++copies_.done;
+        if (options_.progress) options_.progress(copies_);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+
+  const solver::Model& model_;
+  const std::uint64_t seed_;
+  const BacklashStudyOptions& options_;
+  std::vector<std::unique_ptr<solver::BacklashJudge>> judges_;  // one for each thread
+  std::vector<BacklashTrial> trials_;
+  std::atomic<std::uint64_t> next_ = 0, misses_ = 0;
+  std::uint64_t most_misses_ = 0;
+  std::mutex mutex_;  // of what follows
+  CopiesDone& copies_;
+  std::exception_ptr failure_;
+};
+
+// By bisection between a backlash that is taken for good and one that is not, whatever was asked
+// about: so the answer is the same.
+void find_largest(Trials& trials, std::uint64_t all, Backlash& backlash) {
+  const auto wanted =
+      static_cast<std::uint64_t>(std::ceil(kWantedShare * static_cast<double>(all)));
+  double good_mm = backlash.least_mm, bad_mm = backlash.most_mm;
+  bool any_good = false, any_bad = false;
+  for (int k = radii_tried(good_mm, bad_mm); k > 0; --k) {
+    const double between_mm = std::sqrt(good_mm * bad_mm);
+    const std::uint64_t one_way = trials.one_way(between_mm, wanted);
+    if (one_way >= wanted) {
+      good_mm = between_mm;
+      backlash.with_largest = one_way;
+      any_good = true;
+    } else {
+      bad_mm = between_mm;
+      any_bad = true;
+    }
+  }
+  backlash.largest_mm = !any_bad ? backlash.most_mm : any_good ? good_mm : 0;
+}
+
+}  // namespace
+
+std::uint64_t Backlash::undecided() const {
+  return static_cast<std::uint64_t>(std::count_if(
+      trials.begin(), trials.end(), [](const BacklashTrial& trial) { return !trial.is_known; }));
+}
+
+std::uint64_t Backlash::one_way_to(double pilot_deg) const {
+  constexpr double kSame_deg = 1e-9;
+  return static_cast<std::uint64_t>(
+      std::count_if(trials.begin(), trials.end(), [&](const BacklashTrial& trial) {
+        return trial.is_known && trial.one_way_from_deg <= from_deg + kSame_deg &&
+               trial.one_way_to_deg >= pilot_deg - kSame_deg;
+      }));
+}
+
+BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
+                             const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                             const solver::BacklashOptions& options)
+    : model_(campaign.pattern.base, campaign.path(), campaign.criterion()),
+      seed_(campaign.seed),
+      options_(options) {
+  for (const Eigen::Matrix2Xd& shifts : shifts_mm) {
+    sheets_.push_back(solver::prepare_backlash(
+        model_, campaign.pattern.base.sheet.vertices_mm + shifts, options));
+  }
+}
+
+double BacklashStudy::most_mm(std::size_t sheet) const {
+  return kMostBacklash_creases * sheets_[sheet].shortest_crease_widths *
+         model_.mechanism().panel_width_mm;
+}
+
+std::vector<Backlash> BacklashStudy::run(const BacklashStudyOptions& options) const {
+  const double width_mm = model_.mechanism().panel_width_mm;
+  const double least_mm = kLeastBacklash_widths * width_mm;
+  CopiesDone copies{0, 0};
+  for (std::size_t k = 0; k < sheets_.size(); ++k) {
+    copies.all +=
+        options.trials * (1 + static_cast<std::uint64_t>(radii_tried(least_mm, most_mm(k))));
+  }
+  std::vector<Backlash> answers;
+  for (std::size_t k = 0; k < sheets_.size(); ++k) {
+    Trials trials(model_, sheets_[k], options_, seed_, options, copies);
+    answers.push_back({options.backlash_mm, options_.from_deg, sheets_[k].own_deg,
+                       trials.all(options.backlash_mm), width_mm, 0, least_mm, most_mm(k), 0});
+    find_largest(trials, options.trials, answers.back());
+  }
+  return answers;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,26 @@
+// What a study of backlash found, in words and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "search/sheets/backlash.hpp"
+
+namespace misalign::search {
+
+/// A sheet's name, "draw 17", what was found of it, and the threshold of its campaign, if it has
+/// one.
+struct NamedBacklash {
+  std::string name;
+  Backlash backlash;
+  std::optional<double> threshold_deg;
+};
+
+/// Of one sheet; what counts comes last.
+std::string backlash_text(const NamedBacklash& named);
+/// A line for each of several, the one that takes the most backlash last.
+std::string backlashes_text(std::vector<NamedBacklash> several);
+/// Without the sheet's name.
+schema::Json backlash_json(const NamedBacklash& named);
+
+}  // namespace misalign::search

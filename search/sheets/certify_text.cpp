@@ -1,0 +1,196 @@
+#include "search/sheets/certify_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "schema/files/text_table.hpp"
+#include "search/terminal/count_text.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+using solver::CertificateEnd;
+
+constexpr std::size_t kFew = 20;
+
+// Rounded down, but for what decimals cannot say: more is not certified.
+std::string shown_deg(double certified_deg) {
+  constexpr double kParts = 1e4, kRounding = 1e-6;
+  return fmt::format("{:.10g}", std::floor(certified_deg * kParts + kRounding) / kParts);
+}
+
+// What ends a certificate before the angle that was asked for.
+std::string reason(const schema::CertificateRecord& row) {
+  switch (solver::certificate_end(row.end).value_or(CertificateEnd::flat_branch)) {
+    case CertificateEnd::to_the_end:
+      break;
+    case CertificateEnd::reversal:
+      return "there the diagonal " + row.place + " turns back";
+    case CertificateEnd::over_folded:
+      return "there the crease " + row.place + " is folded past 180 deg";
+    case CertificateEnd::sign_changed:
+      return "there the crease " + row.place + " becomes flat";
+    case CertificateEnd::contact:
+      return "beyond, the panels " + row.place + " are not proven apart";
+    case CertificateEnd::fold_limit:
+      return "there the proof stops, as it does next to a fold limit";
+    case CertificateEnd::unclear_slope:
+      return "beyond, a diagonal or a crease is not proven to go on";
+    case CertificateEnd::flat_branch:
+      return "next to flat the branch cannot be proven";
+  }
+  return "";
+}
+
+template <class Value>
+auto median(std::vector<Value> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <class Of>
+auto median_of(const std::vector<CertifiedSheet>& sheets, const Of& of) {
+  std::vector<decltype(of(sheets.front()))> values;
+  for (const CertifiedSheet& sheet : sheets) values.push_back(of(sheet));
+  return median(std::move(values));
+}
+
+schema::Row row_of(const std::string& end, const std::vector<double>& certified_deg) {
+  return {end, std::to_string(certified_deg.size()),
+          shown_deg(*std::min_element(certified_deg.begin(), certified_deg.end())),
+          shown_deg(median(certified_deg)),
+          shown_deg(*std::max_element(certified_deg.begin(), certified_deg.end()))};
+}
+
+std::string summary_of(const std::vector<CertifiedSheet>& sheets) {
+  std::map<std::string, std::vector<double>> by_end;
+  std::vector<double> all;
+  std::size_t there_already = 0;
+  for (const CertifiedSheet& sheet : sheets) {
+    by_end[sheet.row.end].push_back(sheet.row.certified_deg);
+    all.push_back(sheet.row.certified_deg);
+    there_already += !sheet.is_new;
+  }
+  std::vector<schema::Row> rows = {{"end", "sheets", "least deg", "median deg", "most deg"}};
+  for (const auto& [end, certified_deg] : by_end) rows.push_back(row_of(end, certified_deg));
+  if (by_end.size() > 1) rows.push_back(row_of("all", all));
+  std::string text = schema::aligned(rows, {false, true, true, true, true});
+  text += fmt::format(
+      "in the median {:.3g} ms, {} intervals and {:.3g} kB",
+      1e3 * median_of(sheets, [](const CertifiedSheet& sheet) { return sheet.row.seconds; }),
+      median_of(sheets, [](const CertifiedSheet& sheet) { return sheet.row.intervals; }),
+      1e-3 * static_cast<double>(
+                 median_of(sheets, [](const CertifiedSheet& sheet) { return sheet.bytes; })));
+  if (there_already > 0) text += fmt::format("; {} were there already", there_already);
+  return text + "\n";
+}
+
+bool is_proven(const std::string& end) {
+  const auto known = solver::certificate_end(end);
+  return known && solver::is_proven(*known);
+}
+
+// How many, and which: "3 (reversal 2, to_the_end 1)"; empty of none.
+std::string ends_text(const CertificateCheck& check, bool proven) {
+  std::uint64_t count = 0;
+  std::string names;
+  for (const auto& [end, certificates] : check.ends) {
+    if (is_proven(end) != proven) continue;
+    count += certificates;
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", end, certificates);
+  }
+  return count == 0 ? "" : fmt::format("{} ({})", count, names);
+}
+
+// What is proven of why they end.
+std::string ends_text(const CertificateCheck& check) {
+  const std::string proven = ends_text(check, true), others = ends_text(check, false);
+  std::string text;
+  if (!proven.empty()) text += "what ends it is proven of " + proven + "\n";
+  if (!others.empty()) {
+    text += "what ends it is not proven of " + others +
+            ": there the proof stops, for whatever reason\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+CertifiedSheet certified_sheet(std::string name, schema::CertificateRecord row, bool is_new) {
+  const std::size_t bytes = row.proof.size();
+  row.proof = {};
+  return {std::move(name), std::move(row), bytes, is_new};
+}
+
+std::string certified_text(const CertifiedSheet& sheet) {
+  const schema::CertificateRecord& row = sheet.row;
+  std::string text = sheet.name + ": ";
+  if (row.intervals == 0) return text + "nothing is certified: " + reason(row) + "\n";
+  text += fmt::format("certified from flat to {} deg", shown_deg(row.certified_deg));
+  if (row.end == solver::name_of(CertificateEnd::to_the_end)) {
+    text += ", as asked";
+  } else {
+    text += fmt::format(" of {:.10g}; {}", row.asked_deg, reason(row));
+  }
+  if (row.contact) text += "; no panels meet";
+  text += fmt::format(" ({}, {:.3g} ms, {:.3g} kB", count_text(row.intervals, "interval"),
+                      1e3 * row.seconds, 1e-3 * static_cast<double>(sheet.bytes));
+  return text + (sheet.is_new ? ")\n" : ", there already)\n");
+}
+
+std::string certified_text(const std::vector<CertifiedSheet>& sheets) {
+  if (sheets.size() > kFew) return summary_of(sheets);
+  std::string text;
+  for (const CertifiedSheet& sheet : sheets) text += certified_text(sheet);
+  return text;
+}
+
+Json certified_json(const CertifiedSheet& sheet) {
+  Json json = schema::certificate_json(sheet.row);
+  json.erase("proof");
+  json["bytes"] = sheet.bytes;
+  return json;
+}
+
+std::string check_text(const CertificateCheck& check) {
+  std::string text;
+  for (const CertificateFinding& finding : check.findings) {
+    text += schema::printable(finding.sentence()) + "\n";
+  }
+  text += count_text(check.checked, "certificate") + " checked";
+  if (check.checked < check.of) text += fmt::format(" of {} (stopped)", check.of);
+  if (check.checked > 0 && check.findings.empty()) {
+    text += check.checked == 1 ? ": it holds, up to its certified angle"
+                               : ": all hold, up to their certified angles";
+  }
+  if (!check.findings.empty()) text += fmt::format(": {} do not hold", check.findings.size());
+  if (check.without > 0) {
+    text += fmt::format("; {} without a certificate", count_text(check.without, "sheet"));
+  }
+  return text + "\n" + ends_text(check);
+}
+
+Json check_json(const CertificateCheck& check) {
+  Json findings = Json::array();
+  for (const CertificateFinding& finding : check.findings) {
+    const auto& interval = finding.interval;
+    findings.push_back({{"draw", finding.draw},
+                        {"from_deg", interval ? Json(interval->from_deg) : Json()},
+                        {"to_deg", interval ? Json(interval->to_deg) : Json()},
+                        {"what", finding.what}});
+  }
+  Json ends = {{"proven", Json::object()}, {"unproven", Json::object()}};
+  for (const auto& [end, certificates] : check.ends) {
+    ends[is_proven(end) ? "proven" : "unproven"][end] = certificates;
+  }
+  return {{"checked", check.checked}, {"of", check.of},
+          {"without", check.without}, {"ends", ends},
+          {"findings", findings},     {"good", check.findings.empty()}};
+}
+
+}  // namespace misalign::search

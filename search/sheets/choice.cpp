@@ -1,0 +1,269 @@
+#include "search/sheets/choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/sql_tokens.hpp"
+#include "search/terminal/shell_word.hpp"
+#include "search/terminal/suggestion.hpp"
+#include "solver/design/farthest_first.hpp"
+
+namespace misalign::search {
+namespace {
+
+using schema::Json;
+
+std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
+  return schema::reading(database, [&] {
+    const SQLite::Statement candidates(database, "SELECT * FROM candidates LIMIT 0");
+    std::vector<std::string> columns;
+    for (int k = 0; k < candidates.getColumnCount(); ++k) {
+      columns.emplace_back(candidates.getColumnName(k));
+    }
+    return columns;
+  });
+}
+
+// "; did you mean stroke_max?", or nothing. D is the paper's and the README's word.
+std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
+  const bool is_d = typed == "D" || typed == "d";
+  const std::string meant = is_d ? "deploys_from_deg" : nearest_word(typed, columns);
+  return meant.empty() ? "" : "; did you mean " + meant + "?";
+}
+
+// Of SQLite's words about a condition: which column is none.
+std::string unknown_column(const std::string& refused, const std::vector<std::string>& columns) {
+  constexpr std::string_view kBefore = "no such column: ";
+  const std::size_t before = refused.find(kBefore);
+  if (before == std::string::npos) return "";
+  const std::size_t begin = before + kBefore.size(), end = refused.find(')', begin);
+  const std::string typed = refused.substr(begin, end - begin);
+  return " (" + typed + " is no column" + column_meant(typed, columns) + ")";
+}
+
+std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& sql) {
+  std::vector<std::uint64_t> draws;
+  schema::read_query(database, sql, [&](const SQLite::Statement& row) {
+    const SQLite::Column draw = row.getColumn(0);
+    if (!draw.isInteger() || draw.getInt64() < 0) {
+      throw schema::damaged(database, "a candidate's draw is " + schema::text_of(draw));
+    }
+    draws.push_back(schema::draw_of(draw));
+  });
+  return draws;
+}
+
+// What says how a candidate differs from others, as it is stored.
+struct Differences {
+  Json displacements_mm, elongation;
+};
+
+Json json_of(const SQLite::Column& column) {
+  return column.isText() ? schema::json_of(schema::text_of(column)) : Json();
+}
+
+// Rows of unequal length and meaning made comparable: each coordinate over its standard deviation,
+// divided so that the whole block counts like one coordinate.
+Eigen::MatrixXd standardized(const std::vector<std::vector<double>>& points) {
+  const auto rows = static_cast<Eigen::Index>(points.front().size());
+  Eigen::MatrixXd block(rows, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    block.col(static_cast<Eigen::Index>(k)) = Eigen::VectorXd::Map(points[k].data(), rows);
+  }
+  block.colwise() -= Eigen::VectorXd(block.rowwise().mean());
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    const double deviation =
+        std::sqrt(block.row(row).squaredNorm() / static_cast<double>(block.cols()));
+    if (deviation > 0) block.row(row) /= deviation * std::sqrt(static_cast<double>(rows));
+  }
+  return block;
+}
+
+// Elongations of the diagonals at D, one list per candidate.
+std::vector<std::vector<double>> elongations_of(const SQLite::Database& database,
+                                                const std::vector<Differences>& candidates) {
+  std::vector<std::vector<double>> elongations;
+  for (const Differences& candidate : candidates) {
+    const Json& list = candidate.elongation;
+    const bool numbers = list.is_array() && !list.empty() &&
+                         std::all_of(list.begin(), list.end(), std::mem_fn(&Json::is_number));
+    if (!numbers || (!elongations.empty() && elongations[0].size() != list.size())) {
+      throw schema::damaged(database, "a candidate's elongations are none");
+    }
+    elongations.push_back(list.get<std::vector<double>>());
+  }
+  return elongations;
+}
+
+// Shifts of every vertex that any of them shifts, x and y, one list per candidate.
+std::vector<std::vector<double>> shifts_of(const SQLite::Database& database,
+                                           const std::vector<Differences>& candidates) {
+  std::map<std::string, std::size_t> place;  // of a vertex in the lists
+  for (const Differences& candidate : candidates) {
+    if (!candidate.displacements_mm.is_object()) {
+      throw schema::damaged(database, "a candidate's displacements are none");
+    }
+    for (const auto& [label, shift] : candidate.displacements_mm.items()) {
+      if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() ||
+          !shift[1].is_number()) {
+        throw schema::damaged(database, "a candidate's displacement is " + shift.dump());
+      }
+      place.emplace(label, place.size());
+    }
+  }
+  std::vector<std::vector<double>> shifts;
+  for (const Differences& candidate : candidates) {
+    shifts.emplace_back(2 * place.size(), 0.0);
+    for (const auto& [label, shift] : candidate.displacements_mm.items()) {
+      shifts.back()[2 * place[label]] = shift[0].get<double>();
+      shifts.back()[2 * place[label] + 1] = shift[1].get<double>();
+    }
+  }
+  return shifts;
+}
+
+// Where candidates lie for a spread, a column for each: by their shifts, and by what the diagonals
+// do of it, which counts as much.
+Eigen::MatrixXd places_of(const SQLite::Database& database,
+                          const std::vector<Differences>& candidates) {
+  const Eigen::MatrixXd shifts = standardized(shifts_of(database, candidates));
+  const Eigen::MatrixXd elongations = standardized(elongations_of(database, candidates));
+  Eigen::MatrixXd places(shifts.rows() + elongations.rows(), shifts.cols());
+  places << shifts, elongations;
+  return places;
+}
+
+// Of these draws, each at its draw's place.
+std::vector<Differences> differences_of(SQLite::Database& database,
+                                        const std::vector<std::uint64_t>& draws) {
+  std::map<std::uint64_t, Differences> found;
+  const std::string sql =
+      fmt::format("SELECT draw, displacements_mm, elongation FROM candidate WHERE draw IN ({})",
+                  fmt::join(draws, ", "));
+  schema::read_query(database, sql, [&](const SQLite::Statement& row) {
+    found[schema::draw_of(row.getColumn(0))] = {json_of(row.getColumn(1)),
+                                                json_of(row.getColumn(2))};
+  });
+  std::vector<Differences> ordered;
+  for (const std::uint64_t draw : draws) {
+    const auto row = found.find(draw);
+    if (row == found.end()) {
+      throw schema::damaged(database, "draw " + std::to_string(draw) + " has no row");
+    }
+    ordered.push_back(row->second);
+  }
+  return ordered;
+}
+
+// That it is an expression by itself, so that what it says is about the rows of candidates, and
+// what is wrong with it is said of the condition, not of a query around it.
+void check_condition(SQLite::Database& database, const Choice& choice) {
+  const std::string& where = choice.where;
+  const auto refuse = [&](const std::string& why) {
+    throw schema::UserError(
+        schema::kExitUsage,
+        fmt::format("{}where {}: is no condition on the columns {}{}; try \"stroke_max < 0.08\"",
+                    choice.dashes, schema::printable(where),
+                    fmt::join(columns_of_candidates(database), ", "), why));
+  };
+  const std::string reason = schema::reason_not_to_enclose(where);
+  if (!reason.empty()) refuse(" (" + reason + ")");
+  try {
+    // In brackets it must end, behind an operator it must begin as an expression.
+    for (const std::string& condition : {"(" + where + "\n)", "0 OR " + where + "\n"}) {
+      draws_of(database, "SELECT draw FROM candidates WHERE " + condition + " LIMIT 0");
+    }
+  } catch (const schema::UserError& error) {
+    if (error.exit_code() != schema::kExitUsage) throw;
+    refuse(unknown_column(error.what(), columns_of_candidates(database)));
+  }
+}
+
+void check_column(SQLite::Database& database, const Choice& choice) {
+  const std::string& by = *choice.by;
+  const std::vector<std::string> columns = columns_of_candidates(database);
+  if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
+  throw schema::UserError(
+      schema::kExitUsage,
+      fmt::format("{}by {}: is no column of a candidate{}; choose one of {}", choice.dashes,
+                  schema::printable(by), column_meant(by, columns), fmt::join(columns, ", ")));
+}
+
+// In the order that "best" means, or by a column, the largest first, and the best first among
+// equals.
+std::string order_of(const std::optional<std::string>& by) {
+  const std::string best = schema::best_order(), head = "ORDER BY ";
+  return by ? head + *by + " DESC, " + best.substr(head.size()) : best;
+}
+
+// Of all that `where` lets through, in no order.
+std::string all_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
+  if (!choice.where.empty()) check_condition(database, choice);
+  return "SELECT " + columns + " FROM candidates" +
+         (choice.where.empty()
+              ? ""
+              : " WHERE (" + schema::costly_last(choice.where) + "\n)");  // which ends a comment
+}
+
+std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
+  if (!choice.draws.empty()) {
+    std::vector<std::uint64_t> draws;
+    for (const std::uint64_t draw : choice.draws) {
+      const std::string sql = "SELECT draw FROM candidate WHERE draw = " + std::to_string(draw);
+      if (!draws_of(database, sql).empty()) draws.push_back(draw);
+    }
+    return draws;
+  }
+  if (!choice.best && !choice.diverse) {
+    return draws_of(database, all_sql(database, "draw", choice) + " ORDER BY draw");
+  }
+  if (choice.best) return draws_of(database, best_sql(database, "draw", choice));
+  Choice best = choice;
+  best.best = kDiverseAmong;
+  const std::vector<std::uint64_t> among = draws_of(database, best_sql(database, "draw", best));
+  if (among.empty()) return {};
+  const Eigen::MatrixXd places = places_of(database, differences_of(database, among));
+  std::vector<std::uint64_t> spread;
+  for (const int k : solver::farthest_first(places, *choice.diverse)) {
+    spread.push_back(among[static_cast<std::size_t>(k)]);
+  }
+  return spread;
+}
+
+}  // namespace
+
+std::string best_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
+  std::string sql = all_sql(database, columns, choice);
+  if (choice.by) check_column(database, choice);
+  sql += " " + order_of(choice.by);
+  if (choice.best) sql += " LIMIT " + std::to_string(*choice.best);
+  return sql;
+}
+
+std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice) {
+  const std::vector<std::uint64_t> draws = chosen(database, choice);
+  if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
+    throw schema::UserError(schema::kExitUsage,
+                            database.getFilename() + ": holds no such candidate; `misalign query " +
+                                database.getFilename() +
+                                " best` shows those that it holds, `misalign replay` any draw");
+  }
+  return draws;
+}
+
+std::string text_of(const Choice& choice) {
+  std::string text;
+  if (choice.best) text += " --best " + std::to_string(*choice.best);
+  if (choice.diverse) text += " --diverse " + std::to_string(*choice.diverse);
+  if (choice.by) text += " --by " + shell_word(*choice.by);
+  if (!choice.where.empty()) text += " --where " + shell_word(choice.where);
+  return text;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,85 @@
+#include "search/sheets/chosen_sheet.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/files/hash.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+
+namespace misalign::search {
+
+std::string SheetKey::name() const { return draw ? "draw " + std::to_string(*draw) : pattern; }
+
+schema::Json SheetKey::json() const {
+  if (draw) return {{"draw", *draw}};
+  return {{"pattern", pattern}};
+}
+
+schema::Json ChosenSheet::whose() const {
+  schema::Json json = key().json();
+  if (drawn) {
+    json["campaign"] = schema::identity(drawn->campaign);
+  } else {
+    json["sheet"] = schema::hex(schema::hash_of(schema::pattern_json(base, shifts_mm).dump()));
+  }
+  return json;
+}
+
+bool is_pattern_file(const std::string& path) {
+  std::error_code ignored;
+  const auto kind = std::filesystem::status(path, ignored).type();
+  // A pipe holds its text once only, and no catalogue.
+  if (kind != std::filesystem::file_type::regular) {
+    return kind == std::filesystem::file_type::fifo ||
+           kind == std::filesystem::file_type::character;
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string start(1024, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  if (start.starts_with("\xEF\xBB\xBF")) start.erase(0, 3);
+  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && (start[first] == '{' || start[first] == '[');
+}
+
+ChosenSheet sheet_of_pattern_file(const std::string& path) {
+  auto [pattern, sampling, exported] = schema::read_sampled_pattern_file(path);
+  sampling.end_deg = std::min(sampling.end_deg, pattern.base.folding.end_deg());
+  const std::string stem = std::filesystem::path(path).stem().string();
+  const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
+  return {std::move(pattern), sampling, {}, shifts_mm, {}, schema::printable(schema::utf8(stem)),
+          std::move(exported)};
+}
+
+ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> draw) {
+  if (is_pattern_file(path)) {
+    if (draw) throw only_of_a_catalogue(path, "the draw " + std::to_string(*draw));
+    return sheet_of_pattern_file(path);
+  }
+  const auto database = schema::open_for_reading(path);
+  if (!draw) {
+    throw schema::UserError(schema::kExitUsage,
+                            path +
+                                ": no DRAW is given (a catalogue holds many); name one, such as a "
+                                "candidate that `misalign query` shows");
+  }
+  schema::Campaign campaign = schema::read_campaign_of(*database, path);
+  Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database, campaign, *draw);
+  return {campaign.pattern,
+          campaign.sampling(),
+          campaign.actuators,
+          std::move(shifts_mm),
+          ChosenSheet::Drawn{campaign, *draw},
+          "",
+          {}};
+}
+
+schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what) {
+  return schema::UserError(
+      schema::kExitUsage,
+      path + ": is a pattern, which is one sheet (" + what +
+          " can only be chosen from a catalogue); take that out, or name a catalogue");
+}
+
+}  // namespace misalign::search

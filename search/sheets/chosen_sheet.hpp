@@ -1,0 +1,58 @@
+// Which sheet a verb is about: a draw of a catalogue's campaign, or a pattern file's.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "search/sheets/folded_sheet.hpp"
+
+namespace misalign::search {
+
+/// Whose sheet it is: a draw's of a campaign, or a pattern file's.
+struct SheetKey {
+  std::optional<std::uint64_t> draw;
+  std::string pattern;  ///< name of a pattern file without its ending
+
+  /// "draw 7", or the pattern's name.
+  std::string name() const;
+  /// {"draw": 7}, or {"pattern": "table1"}: how data say whose they are.
+  schema::Json json() const;
+};
+
+struct ChosenSheet {
+  schema::Pattern base;
+  schema::Sampling sampling;
+  solver::Actuators actuators;
+  Eigen::Matrix2Xd shifts_mm;
+  /// The campaign that drew it; none for a pattern file, which nobody accepted or turned away.
+  struct Drawn {
+    schema::Campaign campaign;
+    std::uint64_t draw;
+  };
+  std::optional<Drawn> drawn;
+  std::string pattern;    ///< as in its key
+  schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
+
+  SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
+  /// The same, beyond doubt: also the draw's "campaign", or a fingerprint of the pattern's "sheet".
+  schema::Json whose() const;
+  /// "draw 7 of miura-6x6", or the pattern's name.
+  std::string name() const { return key().name() + (drawn ? " of " + drawn->campaign.name : ""); }
+};
+
+/// Whether a file holds JSON, and so a pattern, instead of a catalogue. False also for what cannot
+/// be read: whoever opens it as a catalogue says why.
+bool is_pattern_file(const std::string& path);
+
+/// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with the
+/// springs of a campaign that says nothing else. UserError (3) with every fault.
+ChosenSheet sheet_of_pattern_file(const std::string& path);
+
+/// That, or a draw of a catalogue's campaign, accepted or not. UserError: 2 no draw of a catalogue,
+/// or one of a pattern file; 3 as above and as from open_for_reading.
+ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> draw);
+
+/// UserError (2) with one sentence: a pattern file is one sheet, so `what` has no meaning.
+schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what);
+
+}  // namespace misalign::search

@@ -1,0 +1,112 @@
+#include "search/sheets/deployment_functions.hpp"
+
+#include <sqlite3.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/deployer.hpp"
+#include "search/terminal/long_work.hpp"
+
+namespace misalign::search {
+namespace {
+
+// One for all functions of a connection: its campaign and model are made when first asked for, and
+// the last draw is kept, since several functions usually ask for the same.
+class LetGo {
+ public:
+  LetGo(SQLite::Database& database, std::string path, std::optional<double> stiffness_n_per_mm)
+      : database_(database), path_(std::move(path)), stiffness_n_per_mm_(stiffness_n_per_mm) {}
+
+  const std::optional<solver::DeploymentStudy>& study(std::uint64_t draw,
+                                                      std::optional<double> from_deg) {
+    if (!campaign_) campaign_ = schema::read_campaign_of(database_, path_);
+    if (!deployer_ || from_deg_ != from_deg) {
+      DeployWish wish;
+      wish.from_deg = from_deg;
+      wish.stiffness_n_per_mm = stiffness_n_per_mm_;
+      deployer_ = std::make_unique<Deployer>(campaign_->pattern, campaign_->sampling(),
+                                             campaign_->actuators, wish);
+      from_deg_ = from_deg;
+      draw_.reset();
+    }
+    if (draw_ == draw) return study_;
+    draw_ = draw;
+    show_work("sheets let go", sheets_++);
+    const Eigen::Matrix2Xd shifts_mm = shifts_of_number(database_, *campaign_, draw);
+    // A candidate's is not less than the threshold: mostly that is known to be enough.
+    const bool is_enough = campaign_->threshold_deg >= kDeployFrom_deg && is_candidate(draw);
+    const double deploys_from_deg =
+        is_enough ? campaign_->threshold_deg : deployer_->deploys_from_deg(shifts_mm);
+    study_ = deployer_->study_if_possible(shifts_mm, deploys_from_deg);
+    return study_;
+  }
+
+ private:
+  bool is_candidate(std::uint64_t draw) {
+    // None that outlives the call: the connection must be able to close.
+    SQLite::Statement candidate(database_, "SELECT 1 FROM candidate WHERE draw = ?");
+    candidate.bind(1, static_cast<std::int64_t>(draw));
+    return candidate.executeStep();
+  }
+
+  SQLite::Database& database_;
+  const std::string path_;
+  const std::optional<double> stiffness_n_per_mm_;
+  std::optional<schema::Campaign> campaign_;
+  std::unique_ptr<Deployer> deployer_;
+  std::optional<double> from_deg_;
+  std::optional<std::uint64_t> draw_;
+  std::uint64_t sheets_ = 0;
+  std::optional<solver::DeploymentStudy> study_;
+};
+
+using Number = std::optional<double> (*)(const solver::DeploymentStudy&);
+
+struct Function {
+  std::shared_ptr<LetGo> let_go;
+  Number number;
+};
+
+void call(sqlite3_context* context, int count, sqlite3_value** values) {
+  const auto& function = *static_cast<const Function*>(sqlite3_user_data(context));
+  const bool has_angle = count > 1 && sqlite3_value_numeric_type(values[1]) != SQLITE_NULL;
+  const double from_deg = has_angle ? sqlite3_value_double(values[1]) : kDeployFrom_deg;
+  if (sqlite3_value_numeric_type(values[0]) != SQLITE_INTEGER ||
+      sqlite3_value_int64(values[0]) < 0 || !(from_deg > 0 && from_deg <= 180)) {
+    return sqlite3_result_null(context);
+  }
+  try {
+    const auto& study =
+        function.let_go->study(static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
+                               has_angle ? std::optional(from_deg) : std::nullopt);
+    const auto number = study ? function.number(*study) : std::nullopt;
+    number ? sqlite3_result_double(context, *number) : sqlite3_result_null(context);
+  } catch (const std::exception& error) {
+    sqlite3_result_error(context, error.what(), -1);
+  }
+}
+
+void forget(void* function) { delete static_cast<Function*>(function); }
+
+}  // namespace
+
+void add_deployment_functions(SQLite::Database& database, const std::string& path,
+                              std::optional<double> stiffness_n_per_mm) {
+  const auto let_go = std::make_shared<LetGo>(database, path, stiffness_n_per_mm);
+  const auto add = [&](const char* name, Number number) {
+    for (const int count : {1, 2}) {
+      sqlite3_create_function_v2(database.getHandle(), name, count,
+                                 SQLITE_UTF8 | SQLITE_DETERMINISTIC, new Function{let_go, number},
+                                 call, nullptr, nullptr, forget);
+    }
+  };
+  add("deploy_time_s", [](const solver::DeploymentStudy& study) { return study.deploy_time_s(); });
+  add("critical_friction_n_mm_per_mm",
+      [](const solver::DeploymentStudy& study) { return study.friction.critical_n_mm_per_mm; });
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,192 @@
+#include "search/sheets/deployment_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "schema/exchange/actuation_json.hpp"
+
+namespace misalign::search {
+namespace {
+
+using solver::DeploymentEvent;
+using solver::DeploymentRow;
+using solver::DeploymentStudy;
+using solver::Outcome;
+
+std::string what_was_let_go(const DeploymentStudy& study) {
+  const solver::Springs& springs = study.sheet.springs;
+  const solver::Plates& plates = study.sheet.plates;
+  const bool when_flat = springs.rest_deg == 0;
+  std::string text = fmt::format(
+      "let go at rest at {:g} deg: {} of {:g} N/mm, relaxed {}{}; panels of {:g} mm, {:.4g} g in "
+      "all; {}\n",
+      study.options.from_deg, springs.pull_only ? "wires" : "springs", springs.stiffness_n_per_mm,
+      when_flat ? "when flat" : fmt::format("at {:g} deg", springs.rest_deg),
+      springs.other_rests_deg.empty() ? "" : " (some elsewhere)", plates.thickness_mm,
+      study.mass_t * 1e6, study.sheet.held ? "one panel held" : "free in space");
+  const solver::JointResistance& joints = study.sheet.joints;
+  std::string hinges;
+  const auto add = [&](double value, const char* what) {
+    if (value > 0) hinges += fmt::format("{}{} {:g}", hinges.empty() ? "" : ", ", what, value);
+  };
+  add(joints.friction_n_mm_per_mm, "friction (N mm per mm of crease)");
+  add(joints.ball_friction_n_mm, "friction of ball joints (N mm)");
+  add(joints.damping_n_mm_s_per_mm, "damping (N mm s per mm of crease)");
+  add(joints.stiffness_n_mm_per_mm, "elastic creases (N mm/rad per mm)");
+  return hinges.empty() ? text : text + "joints: " + hinges + "\n";
+}
+
+std::string outcome_text(const DeploymentStudy& study) {
+  const DeploymentRow& last = study.run.last();
+  const std::string when = fmt::format("after {:.4g} s", last.time_s);
+  const std::string speed = fmt::format("{:.4g} deg/s", std::abs(last.rate_deg_per_s));
+  switch (study.run.outcome) {
+    case Outcome::flat:
+      return fmt::format("comes to rest flat ({:.3g} deg) {}\n", last.pilot_deg, when);
+    case Outcome::passed_flat:
+      return fmt::format("passes through flat {}, with {}: it needs a latch, or losses\n", when,
+                         speed);
+    case Outcome::latched:
+      return fmt::format("latched flat {}, at {}: {:.4g} N mm to be caught\n", when, speed,
+                         last.kinetic_n_mm);
+    case Outcome::stalled:
+      if (!study.sheet.joints.slows_down()) {
+        return fmt::format("stays at {:.4g} deg: nothing drives it\n", last.pilot_deg);
+      }
+      return fmt::format("stalls at {:.4g} deg {}: friction holds it\n", last.pilot_deg, when);
+    case Outcome::at_rest:
+      return fmt::format("comes to rest at {:.4g} deg {}\n", last.pilot_deg, when);
+    case Outcome::turned_back:
+      return fmt::format("turns round at {:.4g} deg {}: nothing slows it down\n", last.pilot_deg,
+                         when);
+    case Outcome::fold_limit:
+      return fmt::format("folds up to {:.4f} deg, as far as it can, {}\n", last.pilot_deg, when);
+    case Outcome::time_limit:
+      return fmt::format("still moves {}: at {:.4g} deg with {}\n", when, last.pilot_deg, speed);
+    case Outcome::failed:
+      break;
+  }
+  return fmt::format("the integration gave up {}, at {:.4g} deg\n", when, last.pilot_deg);
+}
+
+std::string friction_text(const DeploymentStudy& study) {
+  const solver::FrictionLimits& limits = study.friction;
+  const solver::JointResistance& joints = study.sheet.joints;
+  std::string text =
+      limits.critical_n_mm_per_mm
+          ? fmt::format(
+                "critical friction: {:.5g} N mm per mm of crease; with more it does not "
+                "get to flat\n",
+                *limits.critical_n_mm_per_mm)
+      : joints.damping_n_mm_s_per_mm > 0
+          ? "critical friction: none, with this damping it does not get to flat in time\n"
+          : "critical friction: none, it does not get to flat by itself\n";
+  if (joints.friction_n_mm_per_mm <= 0 && joints.ball_friction_n_mm <= 0) return text;
+  text += fmt::format("moving slowly it would stall at {:.4g} deg\n", limits.static_stall_deg);
+  if (limits.stiffness_needed_n_per_mm) {
+    text += fmt::format("to get to flat it needs springs of at least {:.5g} N/mm{}\n",
+                        *limits.stiffness_needed_n_per_mm,
+                        joints.damping_n_mm_s_per_mm > 0 ? ", but for the damping" : "");
+  }
+  return text;
+}
+
+std::string equilibria_text(const DeploymentStudy& study) {
+  if (study.equilibria.empty()) return "no equilibrium as far as it folds\n";
+  constexpr double kNone_n_mm = 1e-12;  // lengths are known to 1e-10 mm
+  std::string text;
+  int wells = 0;
+  for (const solver::Equilibrium& at : study.equilibria) {
+    if (at.x < 0) continue;  // mirror images
+    if (at.is_well) ++wells;
+    text += fmt::format("{} at {:.5g} deg: {:.5g} N mm", at.is_well ? "well" : "top", at.pilot_deg,
+                        std::abs(at.energy_n_mm) < kNone_n_mm ? 0 : at.energy_n_mm);
+    text += std::abs(at.x) > 0 ? fmt::format(", {:.5g} N mm/rad\n", at.stiffness_n_mm) : "\n";
+  }
+  if (wells == 1 && !study.sheet.springs.other_rests_deg.empty()) {
+    text += "one well only: diagonals are nearly in proportion, so all springs agree on an angle\n";
+  }
+  if (const auto barrier = study.barrier_n_mm()) {
+    text += fmt::format("barrier to the mirror image, at flat: {:.5g} N mm\n", *barrier);
+  }
+  return text;
+}
+
+std::string labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
+  std::vector<std::string> names;
+  for (const int d : diagonals) names.push_back(schema::diagonal_label(mechanism, d));
+  return names.empty() ? "none" : fmt::to_string(fmt::join(names, ", "));
+}
+
+std::string wires_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
+  const solver::Springs& springs = study.sheet.springs;
+  if (!springs.pull_only || springs.rest_deg == 0) return "";
+  const auto line = [&](const char* side, const std::vector<int>& diagonals) {
+    return fmt::format("wires that pull {} {:g} deg: {}\n", side, springs.rest_deg,
+                       labels(mechanism, diagonals));
+  };
+  return line("above", study.pulls_from_above) + line("below", study.pulls_from_below);
+}
+
+// The largest of each kind, and where.
+std::string forces_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
+  if (!study.forces) return "";
+  const solver::JointForces& forces = *study.forces;
+  const auto largest = [&](const Eigen::MatrixXd& vectors, const char* what, const char* unit,
+                           const auto& label) {
+    double most = -1;
+    Eigen::Index row = 0, joint = 0;
+    for (Eigen::Index i = 0; i < vectors.rows(); ++i) {
+      for (Eigen::Index k = 0; k < vectors.cols() / 3; ++k) {
+        const double size = vectors.block<1, 3>(i, 3 * k).norm();
+        if (size > most) most = size, row = i, joint = k;
+      }
+    }
+    if (most < 0) return std::string();
+    return fmt::format("largest {}: {:.4g} {} at {}, {:.4g} deg\n", what, most, unit,
+                       label(static_cast<std::size_t>(joint)),
+                       forces.pilot_deg[static_cast<std::size_t>(row)]);
+  };
+  const auto crease = [&](std::size_t k) {
+    return solver::line_label(mechanism.creases[k].a, mechanism.creases[k].b) +
+           (forces.crease_shared[k] ? " (shared)" : "");
+  };
+  const auto ball = [&](std::size_t k) { return solver::vertex_label(mechanism.balls[k].vertex); };
+  return largest(forces.crease_force_n, "force in a hinge", "N", crease) +
+         largest(forces.crease_moment_n_mm, "moment in a hinge", "N mm", crease) +
+         largest(forces.ball_force_n, "force in a ball joint", "N", ball) +
+         fmt::format(
+             "{} reactions of rank {}: {} round whole vertices are shared by their creases, "
+             "by least squares\n",
+             forces.reactions, forces.rank, forces.reactions - forces.rank);
+}
+
+// Every few degrees, and at events: some twenty rows a swing.
+std::string motion_text(const DeploymentStudy& study) {
+  const double from_deg = std::abs(study.options.from_deg);
+  const double every_deg = from_deg > 90 ? 10 : from_deg > 40 ? 5 : from_deg > 8 ? 2 : 0.5;
+  std::string text = "\n  time_s  pilot_deg  deg_per_s  springs_n_mm  kinetic_n_mm\n";
+  for (const DeploymentRow& row : study.run.rows) {
+    const bool is_event = row.event != DeploymentEvent::none;
+    if (!is_event && std::abs(std::remainder(row.pilot_deg, every_deg)) > 1e-6) continue;
+    const char* event = "";
+    if (row.event == DeploymentEvent::flat) event = "  flat";
+    if (row.event == DeploymentEvent::turn) event = "  turns";
+    text += fmt::format("{:>8.4f} {:>10.4g} {:>10.4g} {:>13.5g} {:>13.5g}{}\n", row.time_s,
+                        std::abs(row.pilot_deg) < 1e-9 ? 0 : row.pilot_deg, row.rate_deg_per_s,
+                        row.springs_n_mm, row.kinetic_n_mm, event);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string deployment_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
+  return what_was_let_go(study) + outcome_text(study) + friction_text(study) +
+         equilibria_text(study) + wires_text(mechanism, study) + forces_text(mechanism, study) +
+         motion_text(study);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,60 @@
+#include "search/sheets/miscut_copies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "schema/campaign/share_interval.hpp"
+
+namespace misalign::search {
+
+void MiscutCopies::add(const solver::Verdict& verdict) {
+  ++trials;
+  if (verdict.first_fault == solver::Fault::undecided) {
+    ++undecided;
+    return;
+  }
+  const auto sample = static_cast<std::size_t>(verdict.deploys_from_sample);
+  of_sample.resize(std::max(of_sample.size(), sample + 1));
+  ++of_sample[sample];
+}
+
+void MiscutCopies::add(const MiscutCopies& others) {
+  trials += others.trials;
+  undecided += others.undecided;
+  of_sample.resize(std::max(of_sample.size(), others.of_sample.size()));
+  for (std::size_t k = 0; k < others.of_sample.size(); ++k) of_sample[k] += others.of_sample[k];
+}
+
+std::uint64_t MiscutCopies::from(int sample) const {
+  const auto first = std::min(static_cast<std::size_t>(sample), of_sample.size());
+  return std::accumulate(of_sample.begin() + static_cast<std::ptrdiff_t>(first), of_sample.end(),
+                         std::uint64_t{0});
+}
+
+int MiscutCopies::quantile(double share) const {
+  const double wanted = std::max(std::ceil(share * static_cast<double>(decided())), 1.0);
+  std::uint64_t counted = 0;
+  for (std::size_t sample = 0; sample < of_sample.size(); ++sample) {
+    counted += of_sample[sample];
+    if (static_cast<double>(counted) >= wanted) return static_cast<int>(sample);
+  }
+  return 0;
+}
+
+double MiscutCopies::mean_sample() const {
+  if (decided() == 0) return 0;
+  double sum = 0;
+  for (std::size_t sample = 0; sample < of_sample.size(); ++sample) {
+    sum += static_cast<double>(sample) * static_cast<double>(of_sample[sample]);
+  }
+  return sum / static_cast<double>(decided());
+}
+
+ShareOfTrials share_of(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = schema::share_interval(hits, undecided, trials);
+  const auto decided = static_cast<double>(trials - undecided);
+  return {decided > 0 ? static_cast<double>(hits) / decided : 0, low, high};
+}
+
+}  // namespace misalign::search

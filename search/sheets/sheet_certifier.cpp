@@ -1,0 +1,63 @@
+#include "search/sheets/sheet_certifier.hpp"
+
+#include <fmt/format.h>
+
+#include "search/terminal/stopwatch.hpp"
+#include "solver/certificate/certificate_check.hpp"
+
+namespace misalign::search {
+
+std::string CertificateFinding::sentence() const {
+  if (!interval) return fmt::format("draw {}: {}", draw, what);
+  return fmt::format("draw {}, {:.10g} to {:.10g} deg: {}", draw, interval->from_deg,
+                     interval->to_deg, what);
+}
+
+SheetCertifier::SheetCertifier(const schema::Pattern& base, const solver::Model& model,
+                               bool contact)
+    : base_(base), model_(model), certifier_(model, {contact}) {}
+
+schema::CertificateRecord SheetCertifier::certify(std::uint64_t draw,
+                                                  const Eigen::Matrix2Xd& shifts_mm,
+                                                  double asked_deg) {
+  const Stopwatch watch;
+  const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
+  const solver::Certificate certificate = certifier_.certify(vertices_mm, asked_deg);
+  return schema::certificate_row(base_, model_.mechanism(), draw, shifts_mm, certificate,
+                                 watch.seconds());
+}
+
+std::optional<CertificateFinding> SheetCertifier::row_fault(
+    const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
+  const auto fault = schema::certificate_fault(base_, model_.mechanism(), shifts_mm, row);
+  if (!fault) return std::nullopt;
+  return CertificateFinding{row.draw, {}, *fault};
+}
+
+std::optional<CertificateFinding> SheetCertifier::check(
+    const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
+  if (const auto fault = row_fault(shifts_mm, row)) return fault;
+  const auto certificate = solver::decode(model_.mechanism(), row.proof);
+  const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
+  const auto fault = solver::check_certificate(model_, vertices_mm, *certificate);
+  if (!fault) return std::nullopt;
+  return CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
+}
+
+bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact) {
+  const bool ends_for_contact = row.end == solver::name_of(solver::CertificateEnd::contact);
+  return row.asked_deg >= asked_deg &&
+         (row.contact == contact || (row.contact && !ends_for_contact));
+}
+
+void certify_if_asked(DrawEvaluator& evaluator) {
+  if (!evaluator.campaign().certify) return;
+  const auto certifier =
+      std::make_shared<SheetCertifier>(evaluator.campaign().pattern, evaluator.model());
+  evaluator.certify_with(
+      [certifier](std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg) {
+        return certifier->certify(draw, shifts_mm, deploys_from_deg);
+      });
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,116 @@
+// A folded sheet as files: its data, crease pattern, folded states or model for a simulator, or its
+// rows of one table.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "schema/exchange/calculix_deck.hpp"
+#include "schema/exchange/history_table.hpp"
+#include "schema/exchange/mjcf_export.hpp"
+#include "schema/files/output_file.hpp"
+#include "schema/kit/kit_options.hpp"
+#include "search/sheets/deployer.hpp"
+#include "search/sheets/release.hpp"
+#include "solver/design/filler.hpp"
+
+namespace misalign::search {
+
+enum class SheetFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
+
+struct SheetFilesOptions {
+  std::string read_from;  ///< the catalogue or pattern file; is not replaced
+  std::string directory;
+  SheetFormat format = SheetFormat::json;
+  double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
+  bool joined = false;     ///< with `fold`: with fillers that join all panels
+  bool creases = false;    ///< with `csv`: also the table of fold angles
+  double every_deg = 0;    ///< with `csv`: as in diagonal_rows()
+  ReleaseOptions release;  ///< of `mjcf` and `inp`; `stl` has its plates
+  schema::MjcfOptions mjcf;
+  schema::DeckOptions deck;               ///< of `inp`
+  std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
+  std::function<void(const std::string&)> warn;  ///< of a kit, before it is written
+  /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
+  std::optional<double> trim_mm;
+
+  bool in_states() const {
+    return format == SheetFormat::fold || format == SheetFormat::obj || format == SheetFormat::stl;
+  }
+  bool is_drawn() const { return format == SheetFormat::svg || format == SheetFormat::dxf; }
+  bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
+  /// What a SheetFolder has to look at between the samples; 0: nothing.
+  double look_deg() const { return in_states() ? step_deg : 0; }
+};
+
+/// UserError (1) if there is no such directory and none can be made.
+void make_directory(const std::string& path);
+
+/// What a sheet's files say of whose they are.
+struct SheetLabel {
+  std::string stem;   ///< of their names
+  std::string title;  ///< in them
+  std::string name;   ///< in sentences
+};
+
+/// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
+/// UserError (2) if one of them is the file that is read, the plates are thicker than reaches D, or
+/// no fillers join the panels.
+class SheetFiles {
+ public:
+  SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options);
+  ~SheetFiles();
+
+  /// `origin`: the keys of the campaign that drew it, if there is one.
+  void write(const FoldedSheet& folded, const SheetLabel& label, const schema::Json& origin) const;
+
+ private:
+  schema::Json data_of(const FoldedSheet& folded, const schema::FoldingView& view,
+                       const schema::Json& origin) const;
+  schema::Json deployment_of(const FoldedSheet& folded) const;
+  std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
+                        const SheetLabel& label, const schema::Json& origin) const;
+  std::vector<solver::Filler> fillers_of(const FoldedSheet& folded,
+                                         const std::vector<Eigen::Index>& rows,
+                                         const std::string& name) const;
+  std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_drawings(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_states(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_plates(const FoldedSheet& folded, const SheetLabel& label) const;
+  void write_file(const std::string& stem, const std::string& text) const;
+
+  const SheetFolder& folder_;
+  const SheetFilesOptions& options_;
+  std::unique_ptr<Deployer> deployer_;  // of formats that say what comes of letting it go
+};
+
+/// All sheets as one long table, and as another one of creases if that is asked for. A sheet's rows
+/// are written as soon as they are known: any number of sheets takes the room of one. UserError as
+/// above.
+class SheetTables {
+ public:
+  SheetTables(const SheetFolder& folder, const SheetFilesOptions& options, const std::string& stem,
+              const std::string& key);
+
+  void add(const FoldedSheet& folded, const std::string& key);
+  /// The files are there from now on; prints their names.
+  void publish();
+
+ private:
+  struct Table {
+    explicit Table(const std::string& path) : name(path), file(schema::OutputFile::text(path)) {}
+    void publish();
+    const std::string name;
+    schema::OutputFile file;
+  };
+
+  const SheetFolder& folder_;
+  const double every_deg_;
+  schema::RowKey key_;
+  Table diagonals_;
+  std::optional<Table> creases_;
+};
+
+}  // namespace misalign::search

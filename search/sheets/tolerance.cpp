@@ -1,0 +1,205 @@
+#include "search/sheets/tolerance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <system_error>
+#include <thread>
+
+#include "search/draws/draw.hpp"
+
+namespace misalign::search {
+namespace {
+
+constexpr std::uint64_t kCopiesAtOnce = 256;  // full lanes, and pieces for every core
+
+std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
+  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
+}
+
+// Some copies of one sheet, in one piece of work.
+struct Piece {
+  std::size_t sheet;
+  int vertex;  // off its place, or all of them if negative
+  std::uint64_t first, count;
+};
+
+// What all threads share. A sheet is the base with shifts, a copy one with errors as well.
+class Study {
+ public:
+  Study(const schema::Campaign& campaign, const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+        const ToleranceOptions& options)
+      : campaign_(campaign),
+        shifts_mm_(shifts_mm),
+        options_(options),
+        model_(campaign.pattern.base, all_vertices(campaign.pattern.base.sheet), campaign.path(),
+               campaign.threshold_sample(), campaign.criterion()) {
+    const int vertices = model_.mechanism().vertices;
+    for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
+      tolerances_.push_back({options.amplitude_mm,
+                             campaign.sample_deg,
+                             campaign.threshold_deg,
+                             campaign.threshold_sample(),
+                             0,
+                             {},
+                             {}});
+      add_pieces(sheet, -1, options.trials);
+      if (!options.vertices) continue;
+      for (int v = 0; v < vertices; ++v) {
+        tolerances_.back().vertices.push_back({v, {}});
+        add_pieces(sheet, v, std::min(options.trials, kMostTrialsOfOneVertex));
+      }
+    }
+  }
+
+  std::vector<Tolerance> run() {
+    judge_the_sheets();
+    const auto most = static_cast<std::size_t>(std::max(options_.jobs, 1));
+    std::vector<std::thread> others;
+    try {
+      for (std::size_t k = 1; k < std::min(most, pieces_.size()); ++k) {
+        others.emplace_back([this] { work(); });
+      }
+    } catch (const std::system_error&) {
+      // No more threads are to be had: those that there are do it all.
+    }
+    work();
+    for (std::thread& other : others) other.join();
+    if (failure_) std::rethrow_exception(failure_);
+    for (Tolerance& tolerance : tolerances_) sort_by_harm(tolerance);
+    return std::move(tolerances_);
+  }
+
+ private:
+  void add_pieces(std::size_t sheet, int vertex, std::uint64_t trials) {
+    for (std::uint64_t first = 0; first < trials; first += kCopiesAtOnce) {
+      pieces_.push_back({sheet, vertex, first, std::min(kCopiesAtOnce, trials - first)});
+    }
+    copies_.all += trials;
+  }
+
+  std::unique_ptr<solver::Batch> batch() const { return solver::make_batch(options_.set, model_); }
+
+  void judge_the_sheets() {
+    const auto own_batch = batch();
+    for (std::size_t first = 0; first < shifts_mm_.size(); first += kCopiesAtOnce) {
+      solver::ShiftBlock block;
+      const std::size_t last = std::min(first + kCopiesAtOnce, shifts_mm_.size());
+      block.sheets = static_cast<int>(last - first);
+      for (std::size_t k = first; k < last; ++k) append(shifts_mm_[k], block);
+      const auto& verdicts = own_batch->judge(block);
+      for (std::size_t k = first; k < last; ++k) {
+        tolerances_[k].own_sample = verdicts[k - first].deploys_from_sample;
+      }
+    }
+  }
+
+  static void append(const Eigen::Matrix2Xd& shifts_mm, solver::ShiftBlock& block) {
+    block.shifts_mm.insert(block.shifts_mm.end(), shifts_mm.data(),
+                           shifts_mm.data() + shifts_mm.size());
+  }
+
+  // One thread's: the next piece, until there is none or somebody failed.
+  void work() {
+    try {
+      const auto own_batch = batch();
+      for (std::size_t k; (k = next_++) < pieces_.size();) {
+        const MiscutCopies copies = judge(pieces_[k], *own_batch);
+        const std::lock_guard lock(mutex_);
+        if (failure_) return;
+        Tolerance& tolerance = tolerances_[pieces_[k].sheet];
+        const int vertex = pieces_[k].vertex;
+        (vertex < 0 ? tolerance.copies
+                    : tolerance.vertices[static_cast<std::size_t>(vertex)].copies)
+            .add(copies);
+        copies_.done += copies.trials;
+        if (options_.progress) options_.progress(copies_);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+
+  MiscutCopies judge(const Piece& piece, solver::Batch& own_batch) const {
+    const Eigen::Matrix2Xd& shifts_mm = shifts_mm_[piece.sheet];
+    Eigen::Matrix2Xd errors_mm(2, shifts_mm.cols());
+    solver::ShiftBlock block;
+    block.sheets = static_cast<int>(piece.count);
+    for (std::uint64_t trial = piece.first; trial < piece.first + piece.count; ++trial) {
+      trial_errors(campaign_, options_.amplitude_mm, trial, errors_mm.data());
+      if (piece.vertex >= 0) {
+        const Eigen::Vector2d kept_mm = errors_mm.col(piece.vertex);
+        errors_mm.setZero();
+        errors_mm.col(piece.vertex) = kept_mm;
+      }
+      append(shifts_mm + errors_mm, block);
+    }
+    MiscutCopies copies;
+    for (const solver::Verdict& verdict : own_batch.judge(block)) {
+      copies.add(verdict);
+    }
+    return copies;
+  }
+
+  static void sort_by_harm(Tolerance& tolerance) {
+    const auto harm = [&](const VertexTolerance& vertex) {
+      const std::uint64_t survivors = vertex.copies.from(tolerance.threshold_sample);
+      return std::pair(-share_of(survivors, vertex.copies).share,
+                       tolerance.mean_loss_deg(vertex.copies));
+    };
+    std::stable_sort(tolerance.vertices.begin(), tolerance.vertices.end(),
+                     [&](const auto& a, const auto& b) { return harm(a) > harm(b); });
+  }
+
+  const schema::Campaign& campaign_;
+  const std::vector<Eigen::Matrix2Xd>& shifts_mm_;
+  const ToleranceOptions& options_;
+  const solver::Model model_;
+  std::vector<Piece> pieces_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;  // of what follows
+  std::vector<Tolerance> tolerances_;
+  CopiesDone copies_{0, 0};
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm) {
+  solver::CreasePattern sheet = base;
+  sheet.vertices_mm += shifts_mm;
+  return solver::largest_safe_amplitude_mm(sheet, all_vertices(sheet));
+}
+
+void check_miscut(const std::string& name, double amplitude_mm, const solver::CreasePattern& base,
+                  const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet) {
+  const double largest_mm = largest_miscut_mm(base, shifts_mm);
+  if (amplitude_mm < largest_mm) return;
+  throw schema::UserError(schema::kExitUsage,
+                          name + " " + schema::shown_number(amplitude_mm) + ": must be below " +
+                              schema::shown_number(largest_mm) + " mm (where a facet of " + sheet +
+                              " can lose convexity); try " +
+                              fmt::format("{:.1g}", largest_mm / 10));
+}
+
+void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,
+                  double* errors_mm) {
+  const schema::Misalignment errors{all_vertices(campaign.pattern.base.sheet), amplitude_mm,
+                                    schema::Levels::uniform};
+  draw_shifts(errors, campaign.seed, trial, errors_mm, kToleranceStream);
+}
+
+std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,
+                                       const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                                       const ToleranceOptions& options) {
+  return Study(campaign, shifts_mm, options).run();
+}
+
+}  // namespace misalign::search

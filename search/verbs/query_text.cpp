@@ -1,0 +1,48 @@
+#include "search/verbs/query_text.hpp"
+
+#include <algorithm>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "search/terminal/ladder_text.hpp"
+#include "search/terminal/suggestion.hpp"
+
+namespace misalign::search {
+namespace {
+
+bool is_one_word(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+  });
+}
+
+schema::UserError no_such_query(const std::string& name) {
+  // It went by the least slope, and foretold less than it said.
+  const bool is_former = name == "robust";
+  const std::string meant = is_former ? "tolerant" : nearest_word(name, schema::named_queries());
+  return schema::UserError(schema::kExitUsage,
+                           "the query was refused (" + name + " is the name of none" +
+                               (meant.empty() ? "" : "; did you mean " + meant + "?") +
+                               "); it must be one SELECT, or one of the names " +
+                               schema::named_query_list());
+}
+
+std::string sql_of_name(SQLite::Database& database, const std::string& name) {
+  if (name == "acceptance") {
+    const schema::CatalogueState state = schema::read_state(database);
+    if (state.ladder) return ladder_sql(*state.ladder);
+  }
+  return schema::named_query(name);
+}
+
+}  // namespace
+
+QueryText query_text(SQLite::Database& database, const std::string& name_or_sql) {
+  const std::string named = sql_of_name(database, name_or_sql);
+  if (!named.empty()) return {named, name_or_sql};
+  if (is_one_word(name_or_sql)) throw no_such_query(name_or_sql);
+  return {schema::costly_in_subqueries(name_or_sql), ""};
+}
+
+}  // namespace misalign::search
