@@ -38,7 +38,7 @@ CREATE TABLE run (
   commits INTEGER,
   commit_s REAL,
   longest_commit_s REAL,
-  -- By which definitions its candidates are measured (solver/verdict/metrics.hpp). Since version 4.
+  -- By which definitions its candidates are measured (solver/records/metrics.hpp). Since version 4.
   metrics_version INTEGER NOT NULL DEFAULT 1
 ) STRICT;
 

@@ -10,7 +10,7 @@
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/records/fault_sample.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 
 namespace misalign::schema {
 namespace {

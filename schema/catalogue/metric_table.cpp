@@ -1,4 +1,4 @@
-// To add a metric: a member of Metrics and its formula (solver/verdict/metrics), a row here, its
+// To add a metric: a member of Metrics and its formula (solver/records/metrics), a row here, its
 // column (schema/catalogue.sql, and a migration). Messages between ranks, rows, JSON, comparisons
 // and the report follow.
 #include "schema/catalogue/metric_table.hpp"

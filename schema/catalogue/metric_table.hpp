@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 
 namespace misalign::schema {
 

@@ -10,7 +10,7 @@
 #include "schema/campaign/draw_range.hpp"
 #include "schema/records/certificate_record.hpp"
 #include "schema/records/level_count.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 
 namespace misalign::schema {
 

@@ -6,7 +6,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"
-#include "solver/verdict/miscut_margin.hpp"
+#include "solver/model/miscut_margin.hpp"
 
 namespace misalign::search {
 using schema::Json;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "search/checks/sheet_check.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 
 namespace misalign::search {
 

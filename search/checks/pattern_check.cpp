@@ -7,7 +7,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "solver/design/shaped_path.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 
 namespace misalign::search {
 namespace {

@@ -10,7 +10,7 @@
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/contact.hpp"
 #include "solver/design/fold_lines.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::search {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::search {
 

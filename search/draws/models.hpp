@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/campaign/campaign.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::search {
 

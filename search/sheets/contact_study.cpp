@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "search/draws/models.hpp"
-#include "solver/verdict/path_record.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::search {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "schema/exchange/contact_json.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::search {
 

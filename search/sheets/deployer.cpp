@@ -8,7 +8,7 @@
 #include "schema/exchange/actuation_json.hpp"
 #include "search/draws/models.hpp"
 #include "solver/design/fold_lines.hpp"
-#include "solver/verdict/path_record.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::search {
 namespace {

@@ -7,7 +7,7 @@
 #include "schema/catalogue/certificate_row.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "solver/certificate/certifier.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::search {
 

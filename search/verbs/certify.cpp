@@ -13,7 +13,7 @@
 #include "search/verbs/options.hpp"
 #include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
-#include "solver/verdict/path_record.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::search {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "solver/certificate/certificate.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::solver {
 

@@ -6,7 +6,7 @@
 
 #include "solver/certificate/conditions.hpp"
 #include "solver/certificate/panel_proof.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "solver/certificate/certificate.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::solver {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solver/continuation/path_follower.hpp"
 #include "solver/linear/loose_closure.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/kinematics/loose_sheet.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "solver/design/smooth_table.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign::solver {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 

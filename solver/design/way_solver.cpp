@@ -4,8 +4,8 @@
 #include "solver/continuation/node_follower.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/design/folding_way.hpp"
+#include "solver/judging/sheet_queue.hpp"
 #include "solver/linear/held_correction.hpp"
-#include "solver/verdict/sheet_queue.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "solver/pattern/miura.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 using namespace misalign::solver;
 

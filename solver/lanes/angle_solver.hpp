@@ -16,7 +16,7 @@
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
 #include "solver/linear/held_correction.hpp"
-#include "solver/verdict/rejection_test.hpp"
+#include "solver/model/rejection_test.hpp"
 
 namespace misalign::solver {
 

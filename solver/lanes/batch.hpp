@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "solver/verdict/path_record.hpp"
-#include "solver/verdict/rejection_test.hpp"
+#include "solver/model/rejection_test.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::solver {
 

@@ -8,8 +8,8 @@
 
 #include "solver/lanes/angle_solver.hpp"
 #include "solver/lanes/observers.hpp"
-#include "solver/verdict/flat_gradient.hpp"
-#include "solver/verdict/shift_expansion.hpp"
+#include "solver/model/flat_gradient.hpp"
+#include "solver/model/shift_expansion.hpp"
 
 namespace misalign::solver {
 

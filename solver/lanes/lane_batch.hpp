@@ -6,8 +6,8 @@
 #include "solver/lanes/expansion_test.hpp"
 #include "solver/lanes/lane_test.hpp"
 #include "solver/lanes/observers.hpp"
-#include "solver/verdict/function_recorder.hpp"
-#include "solver/verdict/recorder.hpp"
+#include "solver/records/function_recorder.hpp"
+#include "solver/records/recorder.hpp"
 
 namespace misalign::solver {
 

@@ -4,12 +4,12 @@
 
 #include <vector>
 
+#include "solver/judging/close_judge.hpp"
+#include "solver/judging/dense_fallback.hpp"
+#include "solver/judging/function_judge.hpp"
+#include "solver/judging/sheet_queue.hpp"
 #include "solver/lanes/batch.hpp"
-#include "solver/verdict/close_judge.hpp"
-#include "solver/verdict/dense_fallback.hpp"
-#include "solver/verdict/dense_state.hpp"
-#include "solver/verdict/function_judge.hpp"
-#include "solver/verdict/sheet_queue.hpp"
+#include "solver/model/dense_state.hpp"
 
 namespace misalign::solver {
 

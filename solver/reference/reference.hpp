@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "solver/model/dense_state.hpp"
 #include "solver/reference/path_tracker.hpp"
-#include "solver/verdict/dense_state.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {

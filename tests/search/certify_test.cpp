@@ -8,7 +8,7 @@
 #include "search/ranks/certify_task.hpp"
 #include "search/sheets/certify_text.hpp"
 #include "solver/certificate/certificate_check.hpp"
-#include "solver/verdict/path_record.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::search {
 namespace {

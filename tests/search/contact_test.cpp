@@ -7,7 +7,7 @@
 
 #include "schema/campaign/campaign.hpp"
 #include "search/draws/draw.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::search {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "blocks.hpp"
-#include "solver/verdict/metrics.hpp"
+#include "solver/records/metrics.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

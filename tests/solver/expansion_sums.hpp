@@ -1,7 +1,7 @@
 // What the tables of a ShiftExpansion add up to, without registers.
 #pragma once
 
-#include "solver/verdict/shift_expansion.hpp"
+#include "solver/model/shift_expansion.hpp"
 
 namespace misalign::solver {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 

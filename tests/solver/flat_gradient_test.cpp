@@ -1,6 +1,6 @@
 // Gradients by the vertices of the flat sheet, against differences between whole paths of sheets
 // that are cut a little otherwise.
-#include "solver/verdict/flat_gradient.hpp"
+#include "solver/model/flat_gradient.hpp"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // The miscut margin, against another solver's differences, and in lanes against the scalar code.
-#include "solver/verdict/miscut_margin.hpp"
+#include "solver/model/miscut_margin.hpp"
 
 #include <limits>
 #include <xsimd/xsimd.hpp>

@@ -6,7 +6,7 @@
 
 #include "blocks.hpp"
 #include "solver/lanes/lane_batch.hpp"
-#include "solver/verdict/path_record.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,5 +1,5 @@
 // The rejection tests' rules on made-up observations, every margin from both sides.
-#include "solver/verdict/rejection_test.hpp"
+#include "solver/model/rejection_test.hpp"
 
 #include <cmath>
 #include <limits>

@@ -11,7 +11,7 @@
 #include "solver/linear/newton.hpp"
 #include "solver/pattern/miura.hpp"
 #include "solver/pattern/perforation.hpp"
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 

@@ -1,6 +1,6 @@
 // What tables say of a draw to second order is what its path shows, within the bounds they claim:
 // elongations and slopes (by central differences) of paths in steps of a tenth of a degree.
-#include "solver/verdict/shift_expansion.hpp"
+#include "solver/model/shift_expansion.hpp"
 
 #include "blocks.hpp"
 #include "expansion_sums.hpp"

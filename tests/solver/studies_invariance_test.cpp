@@ -8,8 +8,8 @@
 #include "solver/design/backlash.hpp"
 #include "solver/design/deployment_study.hpp"
 #include "solver/design/plate_thickness.hpp"
-#include "solver/verdict/metrics.hpp"
-#include "solver/verdict/path_record.hpp"
+#include "solver/records/metrics.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
-#include "solver/verdict/history.hpp"
+#include "solver/records/history.hpp"
 
 namespace misalign::solver {
 

@@ -8,10 +8,10 @@
 
 #include "schema/campaign/campaign.hpp"
 #include "solver/continuation/node_follower.hpp"
+#include "solver/judging/function_bumps.hpp"
 #include "solver/linear/newton.hpp"
-#include "solver/verdict/dense_state.hpp"
-#include "solver/verdict/function_bumps.hpp"
-#include "solver/verdict/model.hpp"
+#include "solver/model/dense_state.hpp"
+#include "solver/model/model.hpp"
 
 namespace misalign {
 namespace {

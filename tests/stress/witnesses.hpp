@@ -6,8 +6,8 @@
 
 #include "curve.hpp"
 #include "solver/continuation/homotopy.hpp"
+#include "solver/model/model.hpp"
 #include "solver/reference/path_tracker.hpp"
-#include "solver/verdict/model.hpp"
 
 namespace misalign::stress {
 

@@ -13,7 +13,7 @@
 #include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/linear/newton.hpp"
-#include "solver/verdict/flat_gradient.hpp"
+#include "solver/model/flat_gradient.hpp"
 
 namespace misalign::search {
 namespace {

@@ -1,0 +1,54 @@
+#include "solver/judging/dense_fallback.hpp"
+
+#include <algorithm>
+
+namespace misalign::solver {
+namespace {
+
+// Of 13 paths that end at 180 degrees, where another branch crosses, dense matrices come to within
+// 4e-7 degrees of it.
+constexpr double kSingularGap_deg = 1e-5;
+
+// False limits were seen within 1e-4 degrees of 180.
+constexpr double kDoubtfulLimitsFrom_deg = 180 - 1e-3;
+
+}  // namespace
+
+DenseFallback::DenseFallback(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+DenseFallback::~DenseFallback() = default;
+
+bool DenseFallback::consider(int sheet, const Verdict& verdict, const PathResult& path) {
+  const bool hangs_on_it = verdict.first_fault == Fault::fold_limit && is_doubtful(path);
+  if (!path.lost() && !hangs_on_it) return false;
+  candidates_.push_back({sheet, path.lost(), verdict.first_fault == Fault::undecided});
+  return true;
+}
+
+bool DenseFallback::counts(int sheet, const Verdict& dense) const {
+  const auto first = std::find_if(candidates_.begin(), candidates_.end(),
+                                  [&](const Candidate& one) { return one.sheet == sheet; });
+  return first->was_lost ? first->was_undecided : dense.first_fault != Fault::undecided;
+}
+
+bool DenseFallback::is_doubtful(const PathResult& path) {
+  return path.end == PathEnd::fold_limit && path.fold_limit_deg > kDoubtfulLimitsFrom_deg;
+}
+
+const std::vector<int>& DenseFallback::sheets() {
+  sheets_.clear();
+  for (const Candidate& candidate : candidates_) sheets_.push_back(candidate.sheet);
+  return sheets_;
+}
+
+DenseFallback::Follower& DenseFallback::follower() {
+  if (!follower_) {
+    system_ = std::make_unique<ClosureSystem>(mechanism_);
+    StepControlOptions options;
+    options.arc.singular_gap_rad = kSingularGap_deg * kRadPerDeg;
+    follower_ = std::make_unique<Follower>(mechanism_, DenseClosure(*system_), options);
+  }
+  return *follower_;
+}
+
+}  // namespace misalign::solver

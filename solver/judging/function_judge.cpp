@@ -1,0 +1,216 @@
+#include "solver/judging/function_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/continuation/node_control.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Of the band within which a diagonal is inactive, and of a limit point's angle (rad): what a
+// path's close steps leave.
+constexpr double kInactiveError_widths = 1e-9, kLimitError_rad = 1e-8;
+
+// Of a stop's stiffness, a share of it: in 16,000 stops of 4 x 4 and 6 x 6 sheets errors were below
+// 1e-3, and above 1e-4 in eleven, most of them next to the path's end.
+constexpr double kStiffnessError = 0.05;
+
+}  // namespace
+
+FunctionJudge::FunctionJudge(const Mechanism& mechanism, const Criterion& criterion)
+    : mechanism_(mechanism),
+      criterion_(criterion),
+      judge_(mechanism, criterion),
+      here_(mechanism),
+      again_(mechanism),
+      last_(mechanism.diagonals.size()),
+      last_errors_(last_),
+      before_last_errors_(last_),
+      state_(flat_state<double>(mechanism)) {
+  if (criterion.bumps == BumpRule::exact) bumps_.emplace(mechanism);
+}
+
+FunctionJudge::~FunctionJudge() = default;
+FunctionJudge::FunctionJudge(const FunctionJudge&) = default;
+
+void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_lengths) {
+  plan_ = &plan;
+  next_ = 0;
+  last_rad_ = 0;
+  samples_ = 0;
+  rows_.clear();
+  is_sure_ = true;
+  fault_known_ = false;
+  last_ = flat_lengths;
+  std::fill(last_errors_.begin(), last_errors_.end(), 0.0);
+  std::fill(before_last_errors_.begin(), before_last_errors_.end(), 0.0);
+  judge_.begin(flat_lengths);
+  if (bumps_) bumps_->begin(flat_lengths);
+}
+
+Answer FunctionJudge::see(const PathFunction& function) {
+  is_sure_ = true;
+  const bool turns = function.turns();
+  const double end = function.end(), end_rad = function.pilot(end);
+  const double end_error = turns ? function.pilot_error(end) + kLimitError_rad : 0;
+  limit_error_rad_ = end_error;
+  const bool clear = function.creases_are_clear();
+  if (bumps_) {
+    is_sure_ = FunctionBumps::can_look(function);  // otherwise the next piece looks at this one too
+    if (!is_sure_) return turns ? Answer::lost : Answer::go_on;
+    bumps_->begin_piece(function);
+  }
+  for (; next_ < plan_->stations.size(); ++next_) {
+    const Station& station = plan_->stations[next_];
+    const double pilot_rad = station.pilot_deg * kRadPerDeg;
+    if (turns && std::abs(pilot_rad - end_rad) <= end_error) return unsure();
+    if (pilot_rad > end_rad + (turns ? 0 : 1e-12)) break;
+    if (station.pilot_deg > NodeControlOptions{}.last_deg) return lost();
+    if (station.sample == 0) continue;
+    const double x = function.locate(pilot_rad);
+    function.find_lengths(x, here_.lengths, here_.length_errors);
+    const std::optional<bool> in_order = clear ? true : find_creases(x, function);
+    if (!in_order) return unsure();
+    const Answer answer = judge(station, x, *in_order, function);
+    if (answer != Answer::go_on) return answer;
+    std::swap(last_, here_.lengths);
+    std::swap(before_last_errors_, last_errors_);
+    std::swap(last_errors_, here_.length_errors);
+    last_rad_ = pilot_rad;
+    rows_.insert(rows_.end(), last_.begin(), last_.end());
+    ++samples_;
+  }
+  const bool goes_on = !turns && next_ < plan_->stations.size();
+  if (bumps_ && goes_on && bumps_->look_at_end(judge_, function) == FunctionBumps::Seen::unsure) {
+    return unsure();
+  }
+  return Answer::go_on;
+}
+
+// Whether they are in order, if that is certain.
+std::optional<bool> FunctionJudge::find_creases(double x, const PathFunction& function) {
+  const double error = function.find_creases(x, state_.creases);
+  bool in_order = true;
+  for (std::size_t k = 0; k < state_.creases.size(); ++k) {
+    const HalfAngle<double>& rho = state_.creases[k];
+    const double s = rho.s * mechanism_.creases[k].assignment;
+    if (std::abs(rho.c - kLeastCosine) <= error || std::abs(s) <= error) return std::nullopt;
+    in_order = in_order && rho.c > kLeastCosine && s > 0;
+  }
+  return in_order;
+}
+
+// The sample at this point of the piece, and the way to it.
+Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_order,
+                            const PathFunction& function) {
+  if (!is_decisive()) {
+    know_last_better(function);
+    if (!is_decisive()) return unsure();
+  }
+  fault_known_ = !judge_.is_in_order(creases_in_order ? nullptr : &state_, here_.lengths);
+  if (fault_known_ && !score_is_certain(x, function)) {
+    judge_.reconsider();
+    fault_known_ = false;
+    return unsure();
+  }
+  if (fault_known_) return Answer::enough;
+  if (bumps_) {
+    const FunctionBumps::Seen seen = bumps_->look_at_sample(x, judge_, function);
+    if (seen == FunctionBumps::Seen::unsure) return unsure();
+    if (seen == FunctionBumps::Seen::back) {
+      const std::optional<double> rate = bumps_->rate_there(x);
+      if (!rate) return unsure();
+      fault_known_ = true;
+      judge_.end_between(bumps_->where(), *rate);
+      return Answer::enough;
+    }
+    bumps_->take(station.pilot_deg * kRadPerDeg);
+  }
+  if (station.sample == criterion_.stop_sample) {
+    const std::optional<bool> is_stiff = find_stop_stiff(x, function);
+    if (!is_stiff) return unsure();
+    fault_known_ = !*is_stiff;
+    if (fault_known_) {
+      judge_.end(Fault::soft_stop, -1, criterion_.stop_part(again_.slopes));
+      return Answer::enough;
+    }
+  }
+  judge_.take(station, here_.lengths);
+  return Answer::go_on;
+}
+
+// Whether the part by which the sample missed is known well enough for the score, where one is
+// asked for.
+bool FunctionJudge::score_is_certain(double x, const PathFunction& function) {
+  if (!criterion_.scores) return true;
+  const bool by_crease =
+      judge_.fault() == Fault::over_folded || judge_.fault() == Fault::assignment_flipped;
+  const double crease_error = by_crease ? function.find_creases(x, state_.creases) : 0;
+  for (std::size_t d = 0; d < last_.size(); ++d) {
+    again_.length_errors[d] =
+        last_errors_[d] + std::max(before_last_errors_[d], here_.length_errors[d]);
+  }
+  return judge_.missed_part(&state_, here_.lengths, &again_.length_errors, crease_error)
+      .is_certain();
+}
+
+// Whether the stop that is asked for is as stiff, if that is certain.
+std::optional<bool> FunctionJudge::find_stop_stiff(double x, const PathFunction& function) {
+  function.look(x, again_);
+  const double part = criterion_.stop_part(again_.slopes);
+  if (std::abs(part - 1) <= kStiffnessError) return std::nullopt;
+  LeastPart missed;
+  missed.add(part, kStiffnessError);
+  if (criterion_.scores && part < 1 && !missed.is_certain()) return std::nullopt;
+  return part > 1;
+}
+
+// The last sample again, by polynomials through nodes that came after it.
+void FunctionJudge::know_last_better(const PathFunction& function) {
+  if (last_rad_ == 0 || last_rad_ < function.pilot_at_oldest()) return;
+  const double x = function.locate(last_rad_);
+  function.find_lengths(x, again_.lengths, again_.length_errors);
+  for (std::size_t d = 0; d < last_.size(); ++d) {
+    if (again_.length_errors[d] >= last_errors_[d]) continue;
+    last_[d] = again_.lengths[d];
+    last_errors_[d] = again_.length_errors[d];
+  }
+  judge_.correct_last(last_);
+  std::copy(last_.begin(), last_.end(), rows_.end() - static_cast<std::ptrdiff_t>(last_.size()));
+}
+
+// Whether every step is longer or shorter than the band by more than both errors, and the largest
+// step back is the largest for certain.
+bool FunctionJudge::is_decisive() {
+  double largest = 0, second = 0, error = 0;
+  for (std::size_t d = 0; d < last_.size(); ++d) {
+    const double step = here_.lengths[d] - last_[d];
+    const double room = here_.length_errors[d] + last_errors_[d];
+    if (std::abs(std::abs(step) - kStepBand_widths) <= room) return false;
+    if (std::abs(step) < kStepBand_widths) continue;
+    if (!judge_.goes_back(static_cast<int>(d), step)) continue;
+    error = std::max(error, room);
+    if (std::abs(step) > largest) {
+      second = largest;
+      largest = std::abs(step);
+    } else {
+      second = std::max(second, std::abs(step));
+    }
+  }
+  return largest == 0 || largest - second > 2 * error;
+}
+
+std::optional<Verdict> FunctionJudge::conclude(const PathResult& path) const {
+  if (!is_sure_ || (path.lost() && !fault_known_)) return std::nullopt;
+  if (std::abs(judge_.least_span() - kInactiveBand_widths) <= kInactiveError_widths) {
+    return std::nullopt;
+  }
+  if (criterion_.scores && judge_.fault() == Fault::none &&
+      !judge_.limit_part(path, limit_error_rad_).is_certain()) {
+    return std::nullopt;
+  }
+  return judge_.conclude(path);
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,70 @@
+// The verdict on a path that is a function: at every sample whatever its polynomials say for
+// certain. What hangs on their error is not said: such a sheet is for the close steps.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/continuation/path_function.hpp"
+#include "solver/judging/function_bumps.hpp"
+
+namespace misalign::solver {
+
+class FunctionJudge {
+ public:
+  /// Bumps are ignored or looked for exactly; cubics between samples are for close steps.
+  explicit FunctionJudge(const Mechanism& mechanism, const Criterion& criterion = {});
+  ~FunctionJudge();
+  FunctionJudge(const FunctionJudge&);
+
+  void begin(const PathPlan& plan, const std::vector<double>& flat_lengths);
+  /// Looks at the samples of the newest piece that it has not seen yet: enough once a fault is
+  /// known.
+  Answer see(const PathFunction& function);
+  /// The verdict once the path has ended; nothing where that is not certain, or would need to know
+  /// how a path goes on that was lost.
+  std::optional<Verdict> conclude(const PathResult& path) const;
+
+  /// How many samples are in order so far; the lengths at them, sample by sample (panel widths).
+  int samples_in_order() const { return samples_; }
+  const double* lengths_at(int sample) const {
+    return rows_.data() + static_cast<std::size_t>(sample - 1) * last_.size();
+  }
+  /// The diagonal that goes back and on again before the next sample, where that is the fault; -1:
+  /// none does.
+  int bump_where() const { return judge_.between().bump_where; }
+  /// +1 for a diagonal that grows, -1 for one that shrinks, 0 where it has not moved yet.
+  int direction(int diagonal) const { return judge_.direction(diagonal); }
+
+ private:
+  Answer judge(const Station& station, double x, bool creases_in_order,
+               const PathFunction& function);
+  std::optional<bool> find_creases(double x, const PathFunction& function);
+  bool is_decisive();
+  bool score_is_certain(double x, const PathFunction& function);
+  std::optional<bool> find_stop_stiff(double x, const PathFunction& function);
+  void know_last_better(const PathFunction& function);
+  Answer lost() {
+    is_sure_ = false;
+    return Answer::lost;
+  }
+  Answer unsure() {
+    is_sure_ = false;
+    return Answer::unsure;
+  }
+
+  const Mechanism& mechanism_;
+  const Criterion criterion_;
+  Judge judge_;
+  const PathPlan* plan_ = nullptr;
+  std::size_t next_ = 0;
+  bool is_sure_ = true, fault_known_ = false;
+  double last_rad_ = 0, limit_error_rad_ = 0;
+  PathEstimate here_, again_;
+  int samples_ = 0;
+  std::vector<double> last_, last_errors_, before_last_errors_, rows_;
+  FoldState<double> state_;
+  std::optional<FunctionBumps> bumps_;  // where they are looked for
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,101 @@
+#include "solver/judging/sheet_queue.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace misalign::solver {
+
+SheetBlock::SheetBlock(const Model& model, const ShiftBlock& shifts)
+    : model_(&model), shifts_(&shifts) {}
+
+SheetBlock::SheetBlock(const FlatVertices& vertices_mm) : vertices_mm_(&vertices_mm) {}
+
+int SheetBlock::sheets() const { return shifts_ ? shifts_->sheets : 1; }
+
+void SheetBlock::place(int sheet, FlatVertices& vertices_mm) const {
+  if (vertices_mm_) {
+    vertices_mm = *vertices_mm_;
+  } else {
+    model_->displace(shifts_->of(sheet), vertices_mm);
+  }
+}
+
+PlacedSheet::PlacedSheet(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+PlacedSheet::~PlacedSheet() = default;
+
+const SheetGeometry<double>& PlacedSheet::of(const SheetBlock& block, int sheet) {
+  block.place(sheet, vertices_mm_);
+  place(mechanism_, vertices_mm_, geometry_);
+  return geometry_;
+}
+
+SheetQueue::SheetQueue(const Model& model, int lanes)
+    : model_(model), sheet_of_lane_(lanes), placed_(model.mechanism()) {}
+
+SheetQueue::~SheetQueue() = default;
+
+void SheetQueue::begin(const SheetBlock& block) {
+  block_ = &block;
+  waiting_.resize(static_cast<std::size_t>(block.sheets()));
+  std::iota(waiting_.begin(), waiting_.end(), 0);
+  next_ = far_count_ = 0;
+}
+
+void SheetQueue::begin_again(const std::vector<int>& sheets) {
+  waiting_ = sheets;
+  next_ = 0;
+}
+
+bool SheetQueue::put_next(PathStart& start, int lane) {
+  if (next_ == waiting_.size()) return false;
+  const SheetGeometry<double>& geometry = put(waiting_[next_++], lane);
+  const FarSheet* const far = far_sheet(of_lane(lane));
+  const bool is_found = far && far->end == PathEnd::end_reached;
+  start = {&geometry, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
+  return true;
+}
+
+bool SheetQueue::has_ended(PathResult& path, int lane) {
+  if (path.end != PathEnd::start_lost) return true;
+  const int sheet = of_lane(lane);
+  const bool is_known = far_sheet(sheet) != nullptr;
+  const FarSheet& far = is_known ? *far_sheet(sheet) : look_for_start(sheet);
+  if (far.end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
+  if (is_known || far.end != PathEnd::end_reached) return true;
+  waiting_.push_back(sheet);
+  return false;
+}
+
+SheetQueue::FarSheet* SheetQueue::far_sheet(int sheet) {
+  const auto end = far_.begin() + static_cast<std::ptrdiff_t>(far_count_);
+  const auto at =
+      std::find_if(far_.begin(), end, [&](const FarSheet& one) { return one.sheet == sheet; });
+  return at == end ? nullptr : &*at;
+}
+
+const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet) {
+  if (!homotopy_) {
+    homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.path(),
+                                                model_.base().sheet.vertices_mm);
+  }
+  block_->place(sheet, vertices_mm_);
+  const PathEnd end = homotopy_->find(vertices_mm_);
+  if (far_count_ == far_.size()) far_.emplace_back();
+  FarSheet& far = far_[far_count_++];
+  far.sheet = sheet;
+  far.end = end;
+  far.start = homotopy_->state();
+  return far;
+}
+
+const SheetGeometry<double>& SheetQueue::put(int sheet, int lane) {
+  sheet_of_lane_[lane] = sheet;
+  return geometry_of_lane(lane);
+}
+
+const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
+  return placed_.of(*block_, of_lane(lane));
+}
+
+}  // namespace misalign::solver

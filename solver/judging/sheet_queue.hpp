@@ -1,0 +1,87 @@
+// The sheets of a block on their way to the lanes of a path follower.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/continuation/homotopy.hpp"
+#include "solver/model/model.hpp"
+
+namespace misalign::solver {
+
+/// Sheets by their number from 0 on: a model's with these shifts, or the one with these vertices.
+/// What it is made from must outlive it.
+class SheetBlock {
+ public:
+  SheetBlock(const Model& model, const ShiftBlock& shifts);
+  explicit SheetBlock(const FlatVertices& vertices_mm);
+
+  int sheets() const;
+  void place(int sheet, FlatVertices& vertices_mm) const;
+
+ private:
+  const Model* model_ = nullptr;
+  const ShiftBlock* shifts_ = nullptr;
+  const FlatVertices* vertices_mm_ = nullptr;
+};
+
+/// Where the vertices of one sheet of a block lie.
+class PlacedSheet {
+ public:
+  /// `mechanism` must outlive this object.
+  explicit PlacedSheet(const Mechanism& mechanism);
+  ~PlacedSheet();
+
+  /// Until another one is asked for.
+  const SheetGeometry<double>& of(const SheetBlock& block, int sheet);
+
+ private:
+  const Mechanism& mechanism_;
+  FlatVertices vertices_mm_;
+  SheetGeometry<double> geometry_;
+};
+
+/// Hands out sheets one after the other, each with the state it starts from: of the base folding,
+/// or where that is too far off, found from there.
+class SheetQueue {
+ public:
+  SheetQueue(const Model& model, int lanes);
+  ~SheetQueue();
+
+  /// `block` must live until its paths have ended.
+  void begin(const SheetBlock& block);
+  /// Only these of the block once more; starts that were found, or are not to be had, stay known.
+  void begin_again(const std::vector<int>& sheets);
+  /// Puts the next sheet into this lane, to start along the model's path; false: there is none.
+  bool put_next(PathStart& start, int lane);
+  /// The path of this lane's sheet has ended. False if it only lost its start, and will go again
+  /// from a better one; where there is none, `path` says that it cannot fold next to flat.
+  bool has_ended(PathResult& path, int lane);
+  /// Puts this sheet into this lane.
+  const SheetGeometry<double>& put(int sheet, int lane);
+  int of_lane(int lane) const { return sheet_of_lane_[lane]; }
+  /// Of the sheet in this lane, until another one is asked for.
+  const SheetGeometry<double>& geometry_of_lane(int lane);
+
+ private:
+  const Model& model_;
+  const SheetBlock* block_ = nullptr;
+  std::vector<int> waiting_;
+  std::size_t next_ = 0;
+  std::vector<int> sheet_of_lane_;
+  std::unique_ptr<ShiftHomotopy> homotopy_;  // made when first needed
+  // What it said of sheets that the base folding was too far off for; grows to what a block needs.
+  struct FarSheet {
+    int sheet;
+    PathEnd end;
+    FoldState<double> start;
+  };
+  FarSheet* far_sheet(int sheet);
+  const FarSheet& look_for_start(int sheet);
+  std::vector<FarSheet> far_;
+  std::size_t far_count_ = 0;
+  FlatVertices vertices_mm_;
+  PlacedSheet placed_;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,52 @@
+#include "solver/model/dense_state.hpp"
+
+namespace misalign::solver {
+
+struct DenseState::Matrices {
+  explicit Matrices(const Mechanism& mechanism)
+      : system(mechanism),
+        newton(mechanism),
+        factors(mechanism.equations),
+        smallest(mechanism.equations),
+        misfit(mechanism.equations) {}
+
+  ClosureSystem system;
+  Newton newton;
+  DenseSolve factors;
+  SmallestSingularValue<double> smallest;
+  FoldState<double> trial;
+  Eigen::VectorXd misfit;
+};
+
+DenseState::DenseState(const Mechanism& mechanism) : mechanism_(mechanism) {}
+
+DenseState::~DenseState() = default;
+
+void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
+                      PathPoint& point) {
+  if (!matrices_) matrices_ = std::make_unique<Matrices>(mechanism_);
+  auto& [system, newton, factors, smallest, trial, misfit] = *matrices_;
+  point.state = state;
+  open_by_ = system.evaluate(geometry, point.state);
+  if (open_by_ > NewtonOptions{}.closure_tolerance) {
+    trial = point.state;
+    if (newton.correct(geometry, trial).end == NewtonEnd::converged) point.state = trial;
+    open_by_ = system.evaluate(geometry, point.state);
+  }
+  factors.factorize(system.jacobian().leftCols(mechanism_.equations));
+  point.rates.resize(static_cast<std::size_t>(mechanism_.unknowns));
+  auto rates = Eigen::VectorXd::Map(point.rates.data(), mechanism_.unknowns);
+  rates.head(mechanism_.equations) = -factors.solve(system.jacobian().col(mechanism_.equations));
+  rates[mechanism_.equations] = 1;  // the pilot's, last
+  point.pilot_rate = 1 / rates.norm();
+  folded_lengths_and_slopes(mechanism_, geometry, point.state, point.rates.data(),
+                            point.lengths.data(), point.slopes.data(), misfit.data());
+  point.misfit = misfit.cwiseAbs().maxCoeff();
+}
+
+double DenseState::singular_value() {
+  matrices_->smallest.restart(0);
+  return matrices_->smallest.of(matrices_->factors);
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,109 @@
+// The rejection tests' rules: what an expansion and a few converged states of a sheet say about its
+// verdict. They only ever reject, and only what every sample's own test would reject too: samples
+// are a subset of those that the verdict looks at, and every comparison leaves room for the error
+// of both sides.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/model/model.hpp"
+#include "solver/verdict/verdict.hpp"
+
+namespace misalign::solver {
+
+/// What is left for errors, and when nothing is believed. Not for users: these are bounds.
+struct RejectionTolerances {
+  /// Errors of a converged state: of a diagonal (1e-13 was seen) and of its change.
+  double path_length_widths = 1e-10;
+  double path_slope_widths_per_rad = 1e-5;
+  /// A slope counts when it carries the diagonal by more than this in one degree: a diagonal that
+  /// turned round and back again within two degrees had smaller ones in 318,000 cases.
+  double least_slope_widths_per_deg = 1e-6;
+  /// Slopes speak of the samples next to theirs only if those are close.
+  double longest_sample_for_slopes_deg = 2;
+  /// How well a fold limit on the approach to the threshold is known, and how far below the
+  /// threshold it must lie to be certain.
+  double approach_limit_deg = 0.1;
+  double certain_limit_deg = 4 * approach_limit_deg;
+  /// Fold angles of a converged state are better than this by far.
+  double fold_angle_rad = 1e-8;
+  /// Of the second correction to the first: beyond it, nothing is believed (2 of 1,000 sheets at
+  /// 150 degrees).
+  double largest_ratio = 0.25;
+  /// Room for the constant K, which is found from the corrections, and for how much of a rounding
+  /// shows in a diagonal, which is found on the base folding (0.2 of it at most was seen).
+  double safety = 10;
+  /// The same for what is left of a slope's error, in corrections: the estimate that corrects it
+  /// has the base folding's weights. Beside the floors 1.9 were seen in double precision, 4.0 in
+  /// single, in 150,000 cases.
+  double slope_safety = 5;
+};
+inline constexpr RejectionTolerances kRejection;
+
+/// What became of one sheet.
+struct Rejection {
+  Fault fault = Fault::none;  ///< none: not decided, the full path must tell
+  int sample = 0;             ///< where the test looked
+};
+
+/// One state of a sheet at a sample, its diagonals in panel widths and per radian of pilot.
+struct Observation {
+  int sample;
+  const double* lengths;
+  double length_error;
+  const double* slopes;  ///< null: not known
+  double slope_error;
+};
+
+/// How far a diagonal is from that of the solution (panel widths) after two corrections of these
+/// sizes (rad); none where they do not shrink fast enough for that to be believed. Both by Newton:
+/// each squares the error, e' = K e^2, and the corrections give K (Kantorovich).
+std::optional<double> newton_error(double first_correction_rad, double second_correction_rad,
+                                   double length_per_rad);
+/// Both by the same factors: each shrinks the error by the same ratio.
+std::optional<double> chord_error(double first_correction_rad, double second_correction_rad,
+                                  double length_per_rad);
+/// What rounding may leave in a diagonal (panel widths) at a test's angle, for numbers that differ
+/// by `epsilon` next to 1: a loop closes to a few roundings of the sheet's extent.
+double rounding_error(double epsilon, double extent, const TestAngle& test);
+/// Error of slopes that were corrected by at most this much: so many times that, and a floor.
+double slope_error(double correction);
+
+/// The memory of a block of sheets while they are tested.
+class RejectionTest {
+ public:
+  explicit RejectionTest(const Model& model);
+  ~RejectionTest();
+
+  /// Forgets everything; room for `sheets` of them.
+  void begin(int sheets);
+  /// The sheet's flat diagonals, before anything else about it.
+  void set_flat(int sheet, const double* lengths);
+  /// What is certain of a sheet's diagonals at samples up to this one, before anything else: 1, it
+  /// grows somewhere, -1, it shrinks. Rejects the sheet if one does both.
+  void expect(int sheet, const signed char* directions, bool both, int sample);
+  /// Rejects the sheet if a diagonal was seen both growing and shrinking. Observations of one sheet
+  /// at equal samples are taken as one.
+  void observe(int sheet, const Observation& observation);
+  /// Rejects it if a crease is over-folded or lost its sign in this state of its path.
+  void observe(int sheet, int sample, const FoldState<double>& state);
+  /// Rejects it if its path ended, by a fold limit short of the threshold.
+  void path_ended(int sheet, const PathResult& path);
+
+  const std::vector<Rejection>& results() const { return rejections_; }
+  bool decided(int sheet) const { return rejections_[sheet].fault != Fault::none; }
+
+ private:
+  bool sees_both(int sheet, const Observation& observation);
+
+  const Model& model_;
+  const std::size_t diagonals_;
+  std::vector<Rejection> rejections_;
+  std::vector<double> flat_, earlier_;  // per sheet and diagonal
+  std::vector<int> earlier_sample_;     // per sheet; 0: nothing seen yet
+  std::vector<double> earlier_error_;   // per sheet
+  std::vector<signed char> direction_;  // per sheet and diagonal; 0: not seen to move
+};
+
+}  // namespace misalign::solver

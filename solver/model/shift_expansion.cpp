@@ -1,0 +1,267 @@
+#include "solver/model/shift_expansion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace misalign::solver {
+namespace {
+
+constexpr double kEarlyShare = 0.1, kLateShare = 0.8;
+
+// The largest sum there can be is this many units; a pair's rounding is half a unit.
+constexpr double kLargestSum = 32000;
+// Of the largest share that was left out on the sheets that were measured. Among 30,000 sheets of
+// 6 x 6 the largest is 1.6 times that of all but one in a thousand.
+constexpr float kSafety = 4;
+// No diagonal's share is taken to be less than this part of the largest: it was luck.
+constexpr float kLeastShare = 0.5F;
+
+// The second order of a sheet counts as at least this part of the median's: where it is small by
+// accident, what is left out is not.
+constexpr float kLeastOrder = 0.5F;
+
+// Shifts of a vertex in its place, in amplitudes.
+struct Levels {
+  explicit Levels(int place) : x(place / 3 - 1), y(place % 3 - 1) {}
+  double x, y;
+};
+
+// One quantity as a polynomial in the levels of all coordinates.
+class Polynomial {
+ public:
+  Polynomial(const ShiftGradients& gradients, ShiftedQuantity quantity, int diagonal)
+      : g_(gradients), q_(quantity), d_(diagonal) {}
+
+  /// Alone: the mean of its slope over the step, by Simpson's rule, and what is even.
+  double odd(int i) const { return (forth(i, i) + back(i, i) + 4 * g_.none(q_, d_, i)) / 6; }
+  double even(int i) const { return (forth(i, i) - back(i, i)) / 4; }
+  /// Of two coordinates: x_i x_j, and what the third order has of two only, x_i^2 x_j.
+  double mixed(int i, int j) const {
+    return (forth(i, j) - back(i, j) + forth(j, i) - back(j, i)) / 4;
+  }
+  double squared(int i, int j) const { return (forth(i, j) + back(i, j)) / 2 - g_.none(q_, d_, j); }
+
+  double first(int vertex, const Levels& at) const {
+    return odd(2 * vertex) * at.x + odd(2 * vertex + 1) * at.y;
+  }
+  double second(int vertex, const Levels& at) const {
+    return even(2 * vertex) * at.x * at.x + even(2 * vertex + 1) * at.y * at.y +
+           of_two(2 * vertex, at.x, 2 * vertex + 1, at.y);
+  }
+  double of_vertices(int g, const Levels& at_g, int h, const Levels& at_h) const {
+    return of_two(2 * g, at_g.x, 2 * h, at_h.x) + of_two(2 * g, at_g.x, 2 * h + 1, at_h.y) +
+           of_two(2 * g + 1, at_g.y, 2 * h, at_h.x) + of_two(2 * g + 1, at_g.y, 2 * h + 1, at_h.y);
+  }
+  /// No sum is larger.
+  double bound() const {
+    double sum = 0;
+    for (int i = 0; i < g_.coordinates(); ++i) {
+      sum += std::abs(odd(i)) + std::abs(even(i));
+      for (int j = 0; j < i; ++j) {
+        sum += std::abs(mixed(i, j)) + std::abs(squared(i, j)) + std::abs(squared(j, i));
+      }
+    }
+    return sum;
+  }
+
+ private:
+  double forth(int i, int j) const { return g_.forth(q_, d_, i, j); }
+  double back(int i, int j) const { return g_.back(q_, d_, i, j); }
+  double of_two(int i, double x, int j, double y) const {
+    return mixed(i, j) * x * y + squared(i, j) * x * x * y + squared(j, i) * y * y * x;
+  }
+
+  const ShiftGradients& g_;
+  const ShiftedQuantity q_;
+  const int d_;
+};
+
+ShiftExpansion::Short rounded(double value, double unit) {
+  return static_cast<ShiftExpansion::Short>(std::lround(value / unit));
+}
+
+}  // namespace
+
+int early_sample(int far_sample) { return static_cast<int>(kEarlyShare * far_sample); }
+int late_sample(int far_sample) { return static_cast<int>(kLateShare * far_sample); }
+
+ShiftAngles::ShiftAngles(const Model& model, int early_sample, int late_sample) {
+  const double late_deg = late_sample * model.sample_deg();
+  all.push_back(model.angle(early_sample * model.sample_deg(), early_sample, true));
+  all.push_back(model.angle(late_deg - kHalfStep_deg, 0, true));
+  all.push_back(model.angle(late_deg + kHalfStep_deg, 0, true));
+  all.push_back(model.angle(late_deg, late_sample, true));
+}
+
+ShiftAngles::~ShiftAngles() = default;
+
+ShiftGradients::ShiftGradients(const Model& model)
+    : coordinates_(static_cast<int>(2 * model.shifted().size())),
+      diagonals_(model.mechanism().diagonal_count()) {
+  const std::size_t count = static_cast<std::size_t>(coordinates_);
+  sheets_.sheets = 1 + 2 * coordinates_;
+  sheets_.shifts_mm.assign((1 + 2 * count) * count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    sheets_.shifts_mm[(1 + 2 * i) * count + i] = model.ternary_mm();
+    sheets_.shifts_mm[(2 + 2 * i) * count + i] = -model.ternary_mm();
+  }
+  values_.assign(2 * static_cast<std::size_t>(diagonals_) * sheets_.shifts_mm.size(), 0);
+}
+
+ShiftGradients::~ShiftGradients() = default;
+
+std::size_t ShiftGradients::place(ShiftedQuantity quantity, int diagonal, int sheet,
+                                  int coordinate) const {
+  const std::size_t row =
+      static_cast<std::size_t>(static_cast<int>(quantity) * diagonals_ + diagonal);
+  return (row * static_cast<std::size_t>(sheets_.sheets) + static_cast<std::size_t>(sheet)) *
+             static_cast<std::size_t>(coordinates_) +
+         static_cast<std::size_t>(coordinate);
+}
+
+void ShiftGradients::add(ShiftedQuantity quantity, int diagonal, int sheet, int coordinate,
+                         double value) {
+  values_[place(quantity, diagonal, sheet, coordinate)] += value;
+}
+
+ShiftSample::ShiftSample(const Model& model, int sheets) {
+  std::mt19937 words;
+  block.sheets = sheets;
+  block.shifts_mm.resize(static_cast<std::size_t>(sheets) * 2 * model.shifted().size());
+  for (double& shift_mm : block.shifts_mm) {
+    shift_mm = (static_cast<double>(words() % 3) - 1) * model.ternary_mm();
+  }
+  elongations.resize(static_cast<std::size_t>(sheets) * model.mechanism().diagonals.size());
+  slopes.resize(elongations.size());
+  is_known.assign(static_cast<std::size_t>(sheets), 0);
+}
+
+ShiftSample::~ShiftSample() = default;
+
+ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients)
+    : vertices_(gradients.coordinates() / 2),
+      diagonals_(gradients.diagonals()),
+      groups_((diagonals_ + kDiagonals - 1) / kDiagonals),
+      alone_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * 2 * kTogether),
+      together_(static_cast<std::size_t>(groups_) * pairs_before(vertices_) * kPlaces * kPlaces *
+                kTogether) {
+  fill(ShiftedQuantity::elongation, gradients);
+  fill(ShiftedQuantity::slope, gradients);
+}
+
+ShiftExpansion::~ShiftExpansion() = default;
+
+std::size_t ShiftExpansion::bytes(int vertices, int diagonals) {
+  const std::size_t groups = static_cast<std::size_t>((diagonals + kDiagonals - 1) / kDiagonals);
+  const std::size_t pairs = static_cast<std::size_t>(vertices) * (vertices - 1) / 2;
+  return groups * pairs * kPlaces * kPlaces * kTogether * sizeof(Short);
+}
+
+void ShiftExpansion::fill(ShiftedQuantity quantity, const ShiftGradients& gradients) {
+  Kind& kind = kinds_[static_cast<int>(quantity)];
+  kind.unit.assign(static_cast<std::size_t>(groups_ * kDiagonals), 0);
+  kind.share = kind.unit;
+  for (int d = 0; d < diagonals_; ++d) {
+    const Polynomial q(gradients, quantity, d);
+    const double unit = q.bound() / kLargestSum;
+    kind.unit[static_cast<std::size_t>(d)] = static_cast<float>(unit);
+    const int group = d / kDiagonals;
+    const std::size_t column =
+        static_cast<std::size_t>(static_cast<int>(quantity) * kDiagonals + d % kDiagonals);
+    for (int g = 0; g < vertices_; ++g) {
+      for (int place = 0; place < kPlaces; ++place) {
+        const Levels at(place);
+        Short* row = alone_.data() + at_alone(group, g, place) + column;
+        row[0] = rounded(q.first(g, at), unit);
+        row[kTogether] = rounded(q.second(g, at), unit);
+        row = together_.data() + at_together(group, g, place) + column;
+        for (int h = g + 1; h < vertices_; ++h) {
+          for (int other = 0; other < kPlaces; ++other, row += kTogether) {
+            *row = rounded(q.of_vertices(g, at, h, Levels(other)), unit);
+          }
+        }
+      }
+    }
+  }
+}
+
+float ShiftExpansion::second_order(int kind, const Short* sums) const {
+  float largest = 0;
+  const float* unit = kinds_[kind].unit.data();
+  for (int group = 0; group < groups_; ++group, unit += kDiagonals) {
+    const Short* const second = sums + (2 * group + 1) * kTogether + kind * kDiagonals;
+    for (int k = 0; k < kDiagonals; ++k) {
+      largest = std::max(largest, std::abs(static_cast<float>(second[k]) * unit[k]));
+    }
+  }
+  return std::max(largest, kinds_[kind].least);
+}
+
+void ShiftExpansion::calibrate(const std::vector<Short>& sums, const ShiftSample& sample) {
+  const std::size_t sheets = sample.is_known.size();
+  for (int kind = 0; kind < 2; ++kind) {
+    const std::vector<double>& truth = kind == 0 ? sample.elongations : sample.slopes;
+    Kind& of = kinds_[kind];
+    std::vector<float> orders(sheets);
+    for (std::size_t s = 0; s < sheets; ++s) {
+      orders[s] = second_order(kind, sums.data() + s * this->sums());
+    }
+    std::vector<float> sorted = orders;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sheets / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    of.least = kLeastOrder * *middle;
+    for (std::size_t s = 0; s < sheets; ++s) {
+      for (int d = 0; d < diagonals_ && sample.is_known[s]; ++d) {
+        const std::size_t k = static_cast<std::size_t>(d);
+        const double known =
+            estimate(static_cast<ShiftedQuantity>(kind), d, sums.data() + s * this->sums()).value;
+        const double left = std::abs(truth[s * static_cast<std::size_t>(diagonals_) + k] - known);
+        of.share[k] =
+            std::max(of.share[k], static_cast<float>(left) / std::max(orders[s], of.least));
+      }
+    }
+    const float largest = *std::max_element(of.share.begin(), of.share.end());
+    for (float& share : of.share) share = kSafety * std::max(share, kLeastShare * largest);
+  }
+}
+
+ShiftExpansion::Estimate ShiftExpansion::estimate(ShiftedQuantity quantity, int diagonal,
+                                                  const Short* sums) const {
+  const int which = static_cast<int>(quantity);
+  const Kind& kind = kinds_[which];
+  const std::size_t d = static_cast<std::size_t>(diagonal);
+  const Short* const first =
+      sums + diagonal / kDiagonals * 2 * kTogether + which * kDiagonals + diagonal % kDiagonals;
+  return {(first[0] + first[kTogether]) * static_cast<double>(kind.unit[d]),
+          static_cast<double>(kind.share[d]) * static_cast<double>(second_order(which, sums))};
+}
+
+bool ShiftExpansion::see(const Short* sums, signed char* directions) const {
+  const float scale[2] = {second_order(0, sums), second_order(1, sums)};
+  bool both = false;
+  for (int group = 0; group < groups_; ++group, sums += 2 * kTogether) {
+    int grows[kDiagonals] = {}, shrinks[kDiagonals] = {};
+    for (int kind = 0; kind < 2; ++kind) {
+      const Short* const first = sums + kind * kDiagonals;
+      const float* const unit = kinds_[kind].unit.data() + group * kDiagonals;
+      const float* const share = kinds_[kind].share.data() + group * kDiagonals;
+      for (int k = 0; k < kDiagonals; ++k) {
+        const float value = static_cast<float>(first[k] + first[kTogether + k]) * unit[k];
+        const float bound = share[k] * scale[kind];
+        grows[k] |= value > bound;
+        shrinks[k] |= value < -bound;
+      }
+    }
+    const int count = std::min(kDiagonals, diagonals_ - group * kDiagonals);
+    int conflicts = 0;
+    for (int k = 0; k < kDiagonals; ++k) conflicts |= grows[k] & shrinks[k];
+    both = both || conflicts != 0;
+    for (int k = 0; k < count; ++k) {
+      *directions++ = static_cast<signed char>(grows[k] - shrinks[k]);
+    }
+  }
+  return both;
+}
+
+}  // namespace misalign::solver

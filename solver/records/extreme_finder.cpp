@@ -1,0 +1,145 @@
+#include "solver/records/extreme_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/verdict/from_flat.hpp"
+
+namespace misalign::solver {
+
+// Where the rate of change falls to zero, from the stretch's start, where it is positive, to
+// `high`, where it is not.
+double ExtremeFinder::Stretch::root_of_slope(double high) const {
+  double low = from;
+  for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
+    const double middle = 0.5 * (low + high);
+    (slope(middle) > 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Where it is least, if it has one minimum (golden section).
+double ExtremeFinder::Stretch::least_slope_at() const {
+  constexpr double kGolden = 0.6180339887498949;
+  double low = from, high = to;
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+  double at_a = slope(a), at_b = slope(b);
+  for (int k = 0; k < 30; ++k) {
+    if (at_a < at_b) {
+      high = b;
+      b = a;
+      at_b = at_a;
+      at_a = slope(a = high - kGolden * (high - low));
+    } else {
+      low = a;
+      a = b;
+      at_a = at_b;
+      at_b = slope(b = low + kGolden * (high - low));
+    }
+  }
+  return 0.5 * (low + high);
+}
+
+ExtremeFinder::ExtremeFinder(int diagonals)
+    : last_(static_cast<std::size_t>(diagonals)), last_slopes_(last_), back_since_deg_(last_) {}
+
+ExtremeFinder::~ExtremeFinder() = default;
+ExtremeFinder::ExtremeFinder(const ExtremeFinder&) = default;
+
+void ExtremeFinder::begin(const std::vector<double>& flat_lengths) {
+  extremes_ = {};
+  least_slope_ = {};
+  reversal_ = {};
+  last_deg_ = 0;
+  last_ = flat_lengths;
+  std::fill(last_slopes_.begin(), last_slopes_.end(), 0.0);
+  std::fill(back_since_deg_.begin(), back_since_deg_.end(), 0.0);
+}
+
+void ExtremeFinder::see(const Station& station, double x, const PathEstimate& here,
+                        const FunctionJudge& judge, const PathFunction& function) {
+  const double step_rad = (station.pilot_deg - last_deg_) * kRadPerDeg;
+  const bool is_in_order = station.sample <= judge.samples_in_order();
+  const bool counts = is_in_order && last_deg_ >= kInactiveFrom_deg;
+  double first_x = std::numeric_limits<double>::infinity();
+  int first_of = -1;
+  for (int d = 0; d < static_cast<int>(last_.size()); ++d) {
+    const int direction = judge.direction(d);
+    if (direction == 0) continue;
+    // The cubic's rate is a parabola, above the least of these three (its Bernstein coefficients).
+    const double left = direction * last_slopes_[d], right = direction * here.slopes[d];
+    const double inner = 3 * direction * (here.lengths[d] - last_[d]) / step_rad - left - right;
+    const double above = std::min({left, right, inner});
+    if (above >= 0 && !(counts && above < least_slope_.slope)) {
+      back_since_deg_[d] = 0;
+      continue;
+    }
+    const BetweenSamples seen = look_between(
+        {last_[d], last_slopes_[d]}, {here.lengths[d], here.slopes[d]}, step_rad, 1, direction);
+    // The variable may have changed since the last sample.
+    const double last_x = last_deg_ > 0 ? function.locate(last_deg_ * kRadPerDeg) : 0;
+    const Stretch stretch{function, d, direction, last_x, x};
+    if (counts) {
+      note_slope(left, last_x, last_deg_);
+      if (seen.least_slope < std::min(left, right)) {
+        const double least_x = stretch.least_slope_at();
+        note_slope(stretch.slope(least_x), least_x, function.pilot(least_x) / kRadPerDeg);
+      }
+    }
+    const bool goes_on = right >= 0, from_flat = last_deg_ == 0;
+    const bool sets_out_back =
+        from_flat &&
+        FromFlat(direction * (here.lengths[d] - last_[d]), right, step_rad).sets_out_back();
+    if (goes_on && !(from_flat ? sets_out_back : seen.least_slope < 0)) {
+      back_since_deg_[d] = 0;
+      continue;
+    }
+    double from_deg = back_since_deg_[d];
+    if (from_deg == 0) {
+      const double high = goes_on ? stretch.least_slope_at() : x;
+      if (!sets_out_back && stretch.slope(high) >= 0) continue;
+      const double root = sets_out_back ? 0 : stretch.root_of_slope(high);
+      from_deg = function.pilot(root) / kRadPerDeg;
+      if (root < first_x) {
+        first_x = root;
+        first_of = d;
+      }
+    }
+    back_since_deg_[d] = goes_on ? 0 : from_deg;
+    if (!is_in_order || !goes_on || seen.back < kBumpBand_widths) continue;
+    if (extremes_.bump_deg && *extremes_.bump_deg <= from_deg) continue;
+    extremes_.bump_deg = from_deg;
+    extremes_.bump_where = d;
+  }
+  if (first_of >= 0 && reversal_.diagonal < 0) note_reversal(first_of, first_x, function);
+  last_deg_ = station.pilot_deg;
+  last_ = here.lengths;
+  last_slopes_ = here.slopes;
+}
+
+void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
+  if (slope < least_slope_.slope) least_slope_ = {slope, x, pilot_deg};
+}
+
+void ExtremeFinder::note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
+                              const PathFunction& function) {
+  const int d = judge.bump_where();
+  const Stretch stretch{function, d, judge.direction(d),
+                        function.locate(from.pilot_deg * kRadPerDeg),
+                        function.locate(to.pilot_deg * kRadPerDeg)};
+  const double root = stretch.root_of_slope(stretch.least_slope_at());
+  extremes_.bump_where = d;
+  extremes_.bump_deg = function.pilot(root) / kRadPerDeg;
+}
+
+void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {
+  constexpr double kPart = 1e-3;  // of a piece
+  const double by = kPart * (function.to() - function.from());
+  const double pilot_deg = function.pilot(x) / kRadPerDeg;
+  reversal_ = {diagonal, x, pilot_deg,
+               (function.slope(diagonal, x + by) - function.slope(diagonal, x - by)) /
+                   (function.pilot(x + by) - function.pilot(x - by))};
+  extremes_.reverses_deg = pilot_deg;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,350 @@
+#include "solver/records/function_records.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+// Between two states that were looked at the least singular value was never below this share of
+// the smaller of theirs, where it does not go on falling beyond them.
+constexpr double kLeastBetween = 0.5;
+
+// Errors of functions are below this by far; other branches are farther away.
+constexpr double kSameLength_widths = 1e-5;
+
+// Where close steps take over at the latest.
+constexpr double kLastHandedOver_deg = 178;
+
+// Pieces of fewer samples are short.
+constexpr int kShortPiece_samples = 4;
+
+}  // namespace
+
+FunctionRecords::FunctionRecords(const Model& model, int lanes)
+    : model_(model),
+      queue_(model, lanes),
+      lanes_(static_cast<std::size_t>(lanes),
+             Lane{FunctionJudge(model.mechanism(), model.criterion()),
+                  ExtremeFinder(model.mechanism().diagonal_count())}),
+      solved_(static_cast<std::size_t>(lanes)),
+      flat_(model.mechanism().diagonals.size()),
+      here_(model.mechanism()),
+      near_(flat_state<double>(model.mechanism())) {
+  for (const Station& station : model.path().stations) {
+    if (station.sample > 0) samples_.push_back(&station);
+  }
+  const std::size_t diagonals = flat_.size();
+  const SolvedState nothing{0, 0, 0, std::vector<double>(diagonals),
+                            std::vector<double>(diagonals)};
+  for (auto& of_lane : solved_) of_lane.assign(static_cast<std::size_t>(wanted_count()), nothing);
+}
+
+FunctionRecords::~FunctionRecords() = default;
+
+void FunctionRecords::begin(const SheetBlock& block) {
+  records_.resize(static_cast<std::size_t>(block.sheets()));
+  queue_.begin(block);
+  unfinished_.clear();
+  next_unfinished_ = 0;
+}
+
+bool FunctionRecords::next(PathStart& start, int lane) {
+  if (!queue_.put_next(start, lane)) return false;
+  flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
+  Lane& one = lanes_[lane];
+  one.judge.begin(*start.plan, flat_);
+  one.record = {};
+  one.record.record.flat = flat_;
+  one.record.wanted.resize(model_.margin_samples().size() + kWantedBesideMargin);
+  one.next = 0;
+  one.fault_seen = false;
+  one.least_step = std::numeric_limits<double>::infinity();
+  one.finder.begin(flat_);
+  return true;
+}
+
+Answer FunctionRecords::look(const PathFunction& function, int lane) {
+  requests_.clear();
+  Lane& one = lanes_[lane];
+  const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
+  if (one.fault_seen) {
+    look_up_to(end_deg, function, one);
+    return Answer::go_on;
+  }
+  const Answer seen = one.judge.see(function);
+  if (seen == Answer::unsure || seen == Answer::lost) return seen;
+  const int in_order = one.judge.samples_in_order();
+  one.fault_seen = seen == Answer::enough;
+  if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
+  look_up_to(end_deg, function, one);
+  if (one.judge.bump_where() >= 0) {
+    one.finder.note_bump(station_of(in_order), station_of(in_order + 1), one.judge, function);
+  }
+  const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
+  // After short pieces the last nodes may not reach back to D any more: it is noted on the way.
+  const double piece_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
+  const bool is_short = piece_deg < kShortPiece_samples * samples_.front()->pilot_deg;
+  if ((one.fault_seen || is_last || is_short) && in_order > 0) want_d(in_order, function, one);
+  return Answer::go_on;
+}
+
+void FunctionRecords::want_d(int sample, const PathFunction& function, Lane& lane) {
+  WantedState& at_d = lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::at_d))];
+  WantedState& before =
+      lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::before_d))];
+  const double reaches_rad =
+      function.pilot(function.at(std::min(function.kept(), kStateNodes) - 1));
+  const auto is_reached = [&](int k) {
+    return station_of(k).pilot_deg * kRadPerDeg >= reaches_rad;
+  };
+  const int last = std::max(sample - 1, 1);
+  if (at_d.sample == last && before.sample != last && !is_reached(last)) std::swap(at_d, before);
+  if (before.sample != last) want(wanted_index(Wanted::before_d), station_of(last), function, lane);
+  if (at_d.sample != sample) want(wanted_index(Wanted::at_d), station_of(sample), function, lane);
+}
+
+// Samples up to the piece's end; beyond D only for the first reversal.
+void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, Lane& lane) {
+  const int in_order = lane.judge.samples_in_order();
+  const std::vector<int>& margin = model_.margin_samples();
+  const int least_step_before = lane.record.least_step_sample;
+  const double least_slope_before = lane.finder.least_slope().slope;
+  for (; lane.next < samples_.size() && samples_[lane.next]->pilot_deg <= end_deg; ++lane.next) {
+    const Station& station = *samples_[lane.next];
+    const bool is_in_order = station.sample <= in_order;
+    if (!is_in_order && (!lane.fault_seen || lane.has_reversed())) break;
+    const double x = function.locate(station.pilot_deg * kRadPerDeg);
+    function.look(x, here_);
+    if (is_in_order) {
+      std::copy_n(lane.judge.lengths_at(station.sample), here_.lengths.size(),
+                  here_.lengths.begin());
+      const auto at = std::lower_bound(margin.begin(), margin.end(), station.sample);
+      if (at != margin.end() && *at == station.sample) {
+        want(static_cast<int>(at - margin.begin()), station, function, lane);
+      }
+      if (station.sample == 1) want(wanted_index(Wanted::first), station, function, lane);
+      if (station.sample <= 2) want(wanted_index(Wanted::second), station, function, lane);
+      note_least_step(station, lane);
+    }
+    const bool had_reversed = lane.has_reversed();
+    lane.finder.see(station, x, here_, lane.judge, function);
+    if (had_reversed || !lane.has_reversed()) continue;
+    const Reversal& reversal = lane.finder.first_reversal();
+    if (reversal.pilot_deg == 0) continue;
+    want(wanted_index(Wanted::reversal), reversal.pilot_deg, reversal.x, lane);
+  }
+  if (const LeastSlope& slope = lane.finder.least_slope(); slope.slope < least_slope_before) {
+    want(wanted_index(Wanted::least_slope), slope.pilot_deg, slope.x, lane);
+  }
+  const int least = lane.record.least_step_sample;
+  if (least == least_step_before) return;
+  want(wanted_index(Wanted::before_least_step), station_of(std::max(least - 1, 1)), function, lane);
+  want(wanted_index(Wanted::after_least_step), station_of(least), function, lane);
+}
+
+void FunctionRecords::note_least_step(const Station& station, Lane& lane) {
+  if (station.pilot_deg < kInactiveFrom_deg) return;
+  for (std::size_t d = 0; d < here_.lengths.size(); ++d) {
+    const double step = std::abs(here_.lengths[d] - lane.finder.lengths()[d]);
+    if (step >= lane.least_step) continue;
+    lane.least_step = step;
+    lane.record.least_step_sample = station.sample;
+  }
+}
+
+void FunctionRecords::want(int index, const Station& station, const PathFunction& function,
+                           Lane& lane) {
+  want(index, station.pilot_deg, function.locate(station.pilot_deg * kRadPerDeg), lane);
+  lane.record.wanted[static_cast<std::size_t>(index)].sample = station.sample;
+}
+
+void FunctionRecords::want(int index, double pilot_deg, double x, Lane& lane) {
+  WantedState& wanted = lane.record.wanted[static_cast<std::size_t>(index)];
+  wanted.pilot_deg = pilot_deg;
+  wanted.pilot = half_angle_of_deg(pilot_deg);
+  wanted.near.creases.resize(model_.mechanism().creases.size());
+  wanted.near.balls.resize(model_.mechanism().balls.size());
+  requests_.push_back({index, x});
+}
+
+// Says where the state is wanted from which an unfinished path goes on.
+std::optional<double> FunctionRecords::conclude(const PathResult& path,
+                                                const PathFunction& function, int forward_sign,
+                                                int lane) {
+  effort_.add(path);
+  Lane& one = lanes_[lane];
+  const int sheet = queue_.of_lane(lane);
+  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+  const std::optional<Verdict> verdict = one.judge.conclude(path);
+  made = std::move(one.record);
+  made.is_sure = verdict.has_value();
+  if (!verdict) return std::nullopt;
+  PathRecord& record = made.record;
+  record.verdict = *verdict;
+  record.path = path;
+  record.extremes = one.finder.extremes();
+  if (model_.bumps() == BumpRule::exact && one.judge.bump_where() < 0) record.extremes.drop_bump();
+  made.slopes.begin(one.finder);
+  const int in_order = verdict->deploys_from_sample;
+  made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
+  if (!made.is_accepted) return std::nullopt;
+  const double* const lengths = one.judge.lengths_at(1);
+  record.lengths.assign(lengths, lengths + static_cast<std::size_t>(in_order) * flat_.size());
+  // What never came to be wanted is as good as another state that is.
+  const WantedState& at_d = made.wanted[static_cast<std::size_t>(wanted_index(Wanted::at_d))];
+  for (WantedState& wanted : made.wanted) {
+    if (wanted.pilot_deg == 0) wanted = at_d;
+  }
+  if (!path.lost()) return std::nullopt;
+  const auto& stations = model_.path().stations;
+  const double last_deg =
+      std::min(function.pilot(function.at(0)) / kRadPerDeg, kLastHandedOver_deg);
+  const auto next = std::upper_bound(
+      stations.begin(), stations.end(), last_deg,
+      [](double angle_deg, const Station& station) { return angle_deg < station.pilot_deg; });
+  const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
+  // A reversal must have been found before, or is looked for in close steps.
+  made.is_sure = next != stations.begin() && stations[station].sample >= in_order &&
+                 made.slopes.has_reversal();
+  if (!made.is_sure) return std::nullopt;
+  unfinished_.push_back({sheet, station, forward_sign, near_});
+  return function.locate(stations[station].pilot_deg * kRadPerDeg);
+}
+
+bool FunctionRecords::next_unfinished(PathStart& start, int lane) {
+  if (next_unfinished_ == unfinished_.size()) return false;
+  const Unfinished& one = unfinished_[next_unfinished_++];
+  start = {&queue_.put(one.sheet, lane), &one.near, &model_.path(), one.station, one.forward_sign};
+  return true;
+}
+
+void FunctionRecords::finish(const PathResult& path, int lane) {
+  effort_.add(path);
+  FunctionRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
+  made.record.path = path;
+  made.is_sure = !path.lost() && !DenseFallback::is_doubtful(path);
+}
+
+void FunctionRecords::leave_all() {
+  for (FunctionRecord& made : records_) made.is_sure = false;
+}
+
+const std::vector<int>& FunctionRecords::complete() {
+  complete_.clear();
+  for (std::size_t k = 0; k < records_.size(); ++k) {
+    if (records_[k].is_sure && records_[k].is_accepted) complete_.push_back(static_cast<int>(k));
+  }
+  return complete_;
+}
+
+const std::vector<int>& FunctionRecords::left() {
+  left_.clear();
+  for (std::size_t k = 0; k < records_.size(); ++k) {
+    if (!records_[k].is_sure) left_.push_back(static_cast<int>(k));
+  }
+  return left_;
+}
+
+const WantedState& FunctionRecords::wanted(int sheet, int k) const {
+  return records_[static_cast<std::size_t>(sheet)].wanted[static_cast<std::size_t>(k)];
+}
+
+SolvedState& FunctionRecords::solved(int lane, int k) {
+  return solved_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(k)];
+}
+
+const std::vector<PathRecord>& FunctionRecords::merge(const std::vector<FoldingHistory>& left) {
+  merged_.resize(records_.size());
+  for (std::size_t k = 0; k < records_.size(); ++k) {
+    merged_[k] = records_[k].is_sure ? std::move(records_[k].record)
+                                     : record_of(left[k], model_.mechanism());
+  }
+  return merged_;
+}
+
+// Whether a solved state is the one that the function has there.
+bool FunctionRecords::is_the_same(const PathRecord& record, const WantedState& wanted,
+                                  const SolvedState& solved) const {
+  if (!(solved.open_by <= NewtonOptions{}.closure_tolerance)) return false;
+  if (wanted.sample == 0) return true;
+  const double* const expected =
+      record.lengths.data() + static_cast<std::size_t>(wanted.sample - 1) * flat_.size();
+  for (std::size_t d = 0; d < flat_.size(); ++d) {
+    if (!(std::abs(solved.lengths[d] - expected[d]) <= kSameLength_widths)) return false;
+  }
+  return true;
+}
+
+void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_margin_mm) {
+  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+  const std::vector<SolvedState>& solved = solved_[static_cast<std::size_t>(lane)];
+  PathRecord& record = made.record;
+  record.miscut_margin_mm = miscut_margin_mm;
+  for (std::size_t k = 0; k < solved.size(); ++k) {
+    made.is_sure = made.is_sure && is_the_same(record, made.wanted[k], solved[k]);
+  }
+  if (!made.is_sure) return;
+  const auto of = [&](Wanted wanted) -> const SolvedState& {
+    return solved[static_cast<std::size_t>(wanted_index(wanted))];
+  };
+  const auto put_lengths = [&](int sample, const SolvedState& state) {
+    std::copy(state.lengths.begin(), state.lengths.end(),
+              record.lengths.begin() + static_cast<std::ptrdiff_t>(sample - 1) *
+                                           static_cast<std::ptrdiff_t>(state.lengths.size()));
+  };
+  const int in_order = record.verdict.deploys_from_sample;
+  put_lengths(std::max(in_order - 1, 1), of(Wanted::before_d));
+  put_lengths(in_order, of(Wanted::at_d));
+  if (made.least_step_sample > 0) {
+    put_lengths(std::max(made.least_step_sample - 1, 1), of(Wanted::before_least_step));
+    put_lengths(made.least_step_sample, of(Wanted::after_least_step));
+  }
+  const auto judged = static_cast<std::size_t>(wanted_index(Wanted::least_slope));
+  for (std::size_t k = 0; k < judged; ++k) {
+    record.residual_max = std::max(record.residual_max, solved[k].open_by);
+    record.isometry_error = std::max(record.isometry_error, solved[k].isometry_error);
+  }
+  std::vector<double> values = {of(Wanted::first).singular_value,
+                                of(Wanted::second).singular_value};
+  for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
+    if (model_.margin_samples()[k] > 2 && model_.margin_samples()[k] < in_order - 1) {
+      values.push_back(solved[k].singular_value);
+    }
+  }
+  values.push_back(of(Wanted::before_d).singular_value);
+  values.push_back(of(Wanted::at_d).singular_value);
+  record.singular_value_min = *std::min_element(values.begin(), values.end());
+  made.is_sure = std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
+  made.is_sure =
+      made.slopes.put_into(record, of(Wanted::at_d).slopes, of(Wanted::least_slope).slopes,
+                           of(Wanted::reversal).slopes) &&
+      made.is_sure;
+}
+
+bool FunctionRecords::wants_again(int sheet, int lane) {
+  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+  const int index = wanted_index(Wanted::reversal);
+  const auto next_deg = made.slopes.next_reversal_deg(solved(lane, index).slopes);
+  WantedState& wanted = made.wanted[static_cast<std::size_t>(index)];
+  if (next_deg) wanted.pilot = half_angle_of_deg(*next_deg);
+  return next_deg.has_value();
+}
+
+bool FunctionRecords::ends_are_least(const std::vector<double>& values, int in_order) {
+  if (in_order <= 4) return true;  // all were looked at
+  const std::size_t last = values.size() - 1;
+  const double least = std::min(values[0], values[last]);
+  const bool falls_to_first = values[0] <= values[1],
+             falls_to_last = values[last] <= values[last - 1];
+  for (std::size_t k = 1; k + 2 <= last; ++k) {
+    const double here = values[k], next = values[k + 1];
+    if (kLeastBetween * std::min(here, next) >= least) continue;
+    const bool leads_to_first = k == 1 && falls_to_first && here <= next;
+    const bool leads_to_last = k + 2 == last && falls_to_last && next <= here;
+    if (!leads_to_first && !leads_to_last) return false;
+  }
+  return least <= values[1] && least <= values[last - 1];
+}
+
+}  // namespace misalign::solver

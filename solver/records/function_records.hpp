@@ -1,0 +1,167 @@
+// Records of paths that are functions, in the making: one for each lane. What it wants to know
+// exactly it asks to be solved.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/continuation/node_control.hpp"
+#include "solver/judging/dense_fallback.hpp"
+#include "solver/judging/sheet_queue.hpp"
+#include "solver/model/model.hpp"
+#include "solver/records/found_slopes.hpp"
+
+namespace misalign::solver {
+
+/// A state of a path that is to be solved: near it, with the pilot at this angle.
+struct WantedState {
+  int sample = 0;  ///< 0: none
+  double pilot_deg = 0;
+  HalfAngle<double> pilot{1, 0};
+  FoldState<double> near;
+};
+
+/// What was found there.
+struct SolvedState {
+  double open_by, singular_value, isometry_error;  ///< as in SolveQuality
+  std::vector<double> lengths, slopes;             ///< panel widths, per radian of pilot
+};
+
+/// Which states of a path are wanted: those of the model's margin_samples, and these, in this
+/// order.
+enum class Wanted {
+  first,
+  second,
+  before_d,
+  at_d,
+  before_least_step,
+  after_least_step,
+  least_slope,
+  reversal
+};
+inline constexpr int kWantedBesideMargin = 8;
+
+/// One sheet of a block.
+struct FunctionRecord {
+  bool is_sure = false;      ///< otherwise it is for the close steps
+  bool is_accepted = false;  ///< it deploys from the threshold: the record is complete
+  PathRecord record;
+  std::vector<WantedState> wanted;  ///< of margin_samples, and of Wanted
+  FoundSlopes slopes;
+  int least_step_sample = 0;
+};
+
+class FunctionRecords {
+ public:
+  FunctionRecords(const Model& model, int lanes);
+  ~FunctionRecords();
+
+  void begin(const SheetBlock& block);
+  bool next(PathStart& start, int lane);
+  /// `find_state(x, state)` gives a state near the path's at a point of the function.
+  template <class FindState>
+  Answer see(const PathFunction& function, int lane, const FindState& find_state) {
+    const Answer seen = look(function, lane);
+    for (const Request& request : requests_) find_state(request.x, wanted_near(request, lane));
+    return seen;
+  }
+  template <class FindState>
+  void ended(const PathResult& path, const PathFunction& function, int forward_sign, int lane,
+             const FindState& find_state) {
+    const std::optional<double> x = conclude(path, function, forward_sign, lane);
+    if (x) find_state(*x, unfinished_.back().near);
+  }
+
+  /// Paths whose nodes ended after the verdict, but before the path did: for a close follower, from
+  /// the last station before.
+  class Ends {
+   public:
+    explicit Ends(FunctionRecords& records) : records_(records) {}
+    bool next(PathStart& start, int lane) { return records_.next_unfinished(start, lane); }
+    bool see(const Station&, int) { return true; }
+    void ended(const PathResult& path, int lane) { records_.finish(path, lane); }
+
+   private:
+    FunctionRecords& records_;
+  };
+
+  /// Every sheet of the block is for the close steps.
+  void leave_all();
+  /// The sheets whose wanted states are to be solved; those that are for the close steps.
+  const std::vector<int>& complete();
+  const std::vector<int>& left();
+  int wanted_count() const { return wanted_index(Wanted::reversal) + 1; }
+  const WantedState& wanted(int sheet, int k) const;
+  /// Where what is found at the k-th wanted state of a lane's sheet is to be written.
+  SolvedState& solved(int lane, int k);
+  /// Whether the reversal of the lane's sheet, as it was solved, is to be solved once more where
+  /// wanted() has it now.
+  bool wants_again(int sheet, int lane);
+  /// Takes what was found at the wanted states of a sheet, in this lane, into its record.
+  void take(int sheet, int lane, std::optional<double> miscut_margin_mm);
+  /// All of the block, those that were left by their histories.
+  const std::vector<PathRecord>& merge(const std::vector<FoldingHistory>& left);
+
+  const Effort& effort() const { return effort_; }
+
+ private:
+  struct Request {
+    int index;  // of wanted
+    double x;
+  };
+  struct Lane {
+    FunctionJudge judge;
+    ExtremeFinder finder;
+    FunctionRecord record{};
+    std::size_t next = 0;  // station
+    bool fault_seen = false;
+    double least_step = 0;
+
+    bool has_reversed() const { return finder.first_reversal().diagonal >= 0; }
+  };
+
+  bool is_the_same(const PathRecord& record, const WantedState& wanted,
+                   const SolvedState& solved) const;
+  std::optional<double> conclude(const PathResult& path, const PathFunction& function,
+                                 int forward_sign, int lane);
+  bool next_unfinished(PathStart& start, int lane);
+  void finish(const PathResult& path, int lane);
+  static bool ends_are_least(const std::vector<double>& singular_values, int in_order);
+  Answer look(const PathFunction& function, int lane);
+  void look_up_to(double end_deg, const PathFunction& function, Lane& lane);
+  void want_d(int sample, const PathFunction& function, Lane& lane);
+  void note_least_step(const Station& station, Lane& lane);
+  void want(int index, const Station& station, const PathFunction& function, Lane& lane);
+  void want(int index, double pilot_deg, double x, Lane& lane);
+  int wanted_index(Wanted wanted) const {
+    return static_cast<int>(model_.margin_samples().size()) + static_cast<int>(wanted);
+  }
+  const Station& station_of(int sample) const { return *samples_[sample - 1]; }
+  FoldState<double>& wanted_near(const Request& request, int lane) {
+    return lanes_[lane].record.wanted[request.index].near;
+  }
+
+  const Model& model_;
+  std::vector<const Station*> samples_;  // of the model's path
+  SheetQueue queue_;
+  std::vector<Lane> lanes_;
+  std::vector<FunctionRecord> records_;
+  std::vector<PathRecord> merged_;
+  std::vector<std::vector<SolvedState>> solved_;  // of lanes
+  std::vector<int> complete_, left_;
+  struct Unfinished {
+    int sheet;
+    std::size_t station;
+    int forward_sign;
+    FoldState<double> near;
+  };
+  std::vector<Unfinished> unfinished_;
+  std::size_t next_unfinished_ = 0;
+  std::vector<Request> requests_;
+  std::vector<double> flat_;
+  PathEstimate here_;
+  const FoldState<double> near_;  // of the size that a state has
+  Effort effort_;
+};
+
+}  // namespace misalign::solver

@@ -1,0 +1,25 @@
+#include "solver/records/history.hpp"
+
+#include <utility>
+
+#include "solver/records/recorder.hpp"
+
+namespace misalign::solver {
+
+FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
+                              const StationVisitor* visit) {
+  PathFollower<double> follower(model.mechanism(), model.elimination());
+  Recorder<double> recorder(model, follower, visit);
+  return std::move(recorder.record(SheetBlock(vertices_mm)).front());
+}
+
+FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm) {
+  RecordingObserver observer(model, 1);
+  DenseFallback dense(model.mechanism());
+  const SheetBlock sheet(vertices_mm);
+  observer.begin(sheet);
+  dense.follow(observer);
+  return std::move(observer.histories().front());
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,62 @@
+// Everything about one path, its verdict too.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "solver/model/model.hpp"
+#include "solver/verdict/verdict.hpp"
+
+namespace misalign::solver {
+
+/// Of the diagonals' rates of change in their directions, all over the path.
+struct PathExtremes {
+  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
+  double least_slope = std::numeric_limits<double>::infinity();
+  /// Where a diagonal first goes back, and on again before D without a sample having shown it; or
+  /// where bumps are asked for, the one that is the fault.
+  std::optional<double> bump_deg;
+  int bump_where = -1;  ///< which one
+  /// Where a diagonal first turns back, up to the last sample that was followed.
+  std::optional<double> reverses_deg;
+
+  /// There is none: it would have ended D.
+  void drop_bump() {
+    bump_deg.reset();
+    bump_where = -1;
+  }
+};
+
+/// One row or entry per station that was solved; verdicts look at those with sample > 0.
+struct FoldingHistory {
+  Verdict verdict;
+  PathResult path;
+  Between between;
+  std::optional<PathExtremes> extremes;  ///< where they were looked for, all but bumps
+  std::vector<double> flat_mm;           ///< per diagonal
+  std::vector<Station> stations;
+  Eigen::MatrixXd length_mm;         ///< stations x diagonals
+  Eigen::MatrixXd slope_mm_per_deg;  ///< the same: their rates of change
+  Eigen::MatrixXd fold_angle_deg;    ///< stations x creases
+  std::vector<double> open_by;       ///< largest closure entry: radians, panel widths
+  std::vector<double> singular_value_min;
+  std::vector<double> isometry_error_mm;         ///< see FoldedShape
+  std::vector<FoldState<double>> margin_states;  ///< at the model's margin_samples
+  std::optional<double> miscut_margin_mm;        ///< once the path has reached all of those
+};
+
+/// Called at each station of a path, in order, with what was found there.
+using StationVisitor = std::function<void(const Station&, const PathPoint&)>;
+
+/// Follows the path of the sheet with these vertices to the model's end or the fold limit, past
+/// faults. Where dense matrices follow it again (see dense_fallback) `visit` sees it from the first
+/// station once more.
+FoldingHistory record_history(const Model& model, const FlatVertices& vertices_mm,
+                              const StationVisitor* visit = nullptr);
+
+/// The same by dense matrices with pivoting alone.
+FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm);
+
+}  // namespace misalign::solver

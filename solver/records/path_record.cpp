@@ -1,0 +1,63 @@
+#include "solver/records/path_record.hpp"
+
+#include <algorithm>
+
+#include "solver/records/function_recorder.hpp"
+
+namespace misalign::solver {
+PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) {
+  const double width_mm = mechanism.panel_width_mm;
+  PathRecord record;
+  record.verdict = history.verdict;
+  record.path = history.path;
+  record.miscut_margin_mm = history.miscut_margin_mm;
+  for (const double length_mm : history.flat_mm) record.flat.push_back(length_mm / width_mm);
+  if (history.extremes) {
+    record.extremes = *history.extremes;
+  } else {
+    record.extremes.least_slope = history.between.least_slope;
+  }
+  record.extremes.bump_where = history.between.bump_where;
+  if (history.between.bump_where >= 0) record.extremes.bump_deg = history.between.bump_deg;
+  for (std::size_t i = 0; i < history.stations.size(); ++i) {
+    const int sample = history.stations[i].sample;
+    if (sample == 0 || sample > history.verdict.deploys_from_sample) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+      record.lengths.push_back(history.length_mm(row, d) / width_mm);
+    }
+    record.singular_value_min = std::min(record.singular_value_min, history.singular_value_min[i]);
+    record.residual_max = std::max(record.residual_max, history.open_by[i]);
+    record.isometry_error =
+        std::max(record.isometry_error, history.isometry_error_mm[i] / width_mm);
+  }
+  return record;
+}
+
+PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
+  NodeFollower<double> node_follower(model.mechanism(), model.elimination());
+  PathFollower<double> follower(model.mechanism(), model.elimination());
+  FunctionRecorder<double> functions(model, node_follower, follower);
+  Recorder<double> recorder(model, follower);
+  return measure_paths(SheetBlock(vertices_mm), functions, recorder).front();
+}
+
+PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
+                     const FoldingHistory& history) {
+  PathRecord record = record_of(history, model.mechanism());
+  if (history.verdict.deploys_from_sample == 0) return record;  // nothing was measured
+  const PathRecord function = record_path(model, vertices_mm);
+  const bool is_whole = !function.lengths.empty();
+  if (is_whole) record.extremes = function.extremes;
+  return record;
+}
+
+PathRecord settle_between(const Model& model, const FlatVertices& vertices_mm,
+                          FoldingHistory& history) {
+  PathRecord record = record_of(model, vertices_mm, history);
+  history.between.bump_where = record.extremes.bump_where;
+  history.between.bump_deg = record.extremes.bump_deg.value_or(0);
+  return record;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,88 @@
+// Full paths of the sheets that are worth it, seen past faults: a history in the making for each
+// lane.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/judging/close_judge.hpp"
+#include "solver/judging/dense_fallback.hpp"
+#include "solver/judging/sheet_queue.hpp"
+#include "solver/model/dense_state.hpp"
+#include "solver/records/history.hpp"
+#include "solver/records/solved_extremes.hpp"
+
+namespace misalign::solver {
+
+/// How well a station was solved, and can be.
+struct SolveQuality {
+  double open_by;             ///< largest closure entry: radians, panel widths
+  double singular_value_min;  ///< of the square Jacobian
+  double isometry_error;      ///< panel widths
+};
+
+/// Followed by a DenseFallback, it is an observer by itself and takes all but the state from dense
+/// matrices; a follower of lanes is seen by a Recorder, which looks at all lanes together.
+class RecordingObserver {
+ public:
+  /// All must outlive this object.
+  RecordingObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
+  ~RecordingObserver();
+
+  void begin(const SheetBlock& block);
+  /// Only these sheets of the block, and their extremes as well.
+  void measure_only(const std::vector<int>& sheets);
+  bool next(PathStart& start, int lane);
+  PathPoint& point() { return point_; }
+  bool wants_slopes() const { return false; }
+  /// point() from its state alone, by dense factors.
+  bool see(const Station& station, int lane);
+  /// The next station of this lane's path, as point() has it; past faults too.
+  void keep(const Station& station, int lane, const SolveQuality& quality);
+  void ended(PathResult path, int lane);
+  /// Once every path has ended: those that are for dense matrices, by dense matrices from the last
+  /// station on that they reached.
+  void fall_back();
+
+  std::vector<FoldingHistory>& histories() { return histories_; }
+  const Effort& effort() const { return effort_; }
+
+ private:
+  struct Lane {
+    CloseJudge judge;
+    SolvedExtremes extremes;
+    FoldingHistory history{};
+    std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
+    FoldState<double> last{};                                             // at the last of them
+  };
+  // Of a sheet that is for dense matrices, as the first pass left it.
+  struct Unfinished {
+    int sheet;
+    std::unique_ptr<Lane> lane;
+  };
+
+  std::unique_ptr<Lane> new_lane() {
+    return std::make_unique<Lane>(
+        Lane{CloseJudge(model_, bumps_), SolvedExtremes(model_.mechanism(), between_)});
+  }
+
+  // A sheet that was not finished takes its lane back, and begins where it was.
+  bool goes_on(PathStart& start, int lane);
+
+  const Model& model_;
+  const StationVisitor* visit_;
+  SheetQueue queue_;
+  BetweenSolver between_;
+  SolvedBumps bumps_;
+  bool finds_extremes_ = false;
+  std::vector<std::unique_ptr<Lane>> lanes_;
+  std::vector<Unfinished> unfinished_;
+  std::vector<FoldingHistory> histories_;
+  PathPoint point_;
+  FoldedPoints<double> points_;
+  DenseState dense_state_;
+  DenseFallback fallback_;
+  Effort effort_;
+};
+
+}  // namespace misalign::solver
