@@ -1,4 +1,4 @@
-# Writes what this build was made from into OUTPUT; see search/ranks/build_info.hpp.
+# Writes what this build was made from into OUTPUT; see search/terminal/build_info.hpp.
 execute_process(COMMAND git -C "${ROOT}" describe --always --dirty --abbrev=12 --exclude=*
                 OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT commit)
@@ -6,7 +6,7 @@ if(NOT commit)
 endif()
 string(STRIP "${FLAGS}" flags)
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [=[
-#include "search/ranks/build_info.hpp"
+#include "search/terminal/build_info.hpp"
 
 namespace misalign::search {
 

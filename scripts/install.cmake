@@ -11,10 +11,6 @@ install(DIRECTORY schema/migrations schema/queries schema/versions
 # Beside each other: campaigns name the files of ../patterns.
 install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-if(MISALIGN_PYTHON)
-  install(TARGETS _misalign LIBRARY DESTINATION ${MISALIGN_PYTHON_DIR}/misalign COMPONENT python)
-  install(FILES ${PYTHON_FILES} DESTINATION ${MISALIGN_PYTHON_DIR}/misalign COMPONENT python)
-endif()
 
 # find_package(misalign): the target misalign::solver, used as solver/example does. Left out are headers of what is
 # inside: the yardstick, and what needs xsimd or FLINT.

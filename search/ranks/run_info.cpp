@@ -3,7 +3,7 @@
 #include <sched.h>
 #include <unistd.h>
 
-#include "search/ranks/build_info.hpp"
+#include "search/terminal/build_info.hpp"
 
 namespace misalign::search {
 

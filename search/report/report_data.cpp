@@ -7,10 +7,10 @@
 #include <chrono>
 
 #include "schema/report/report.hpp"
-#include "search/ranks/build_info.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deployment_functions.hpp"
+#include "search/terminal/build_info.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"

@@ -13,13 +13,13 @@
 #include <thread>
 
 #include "schema/files/input.hpp"
-#include "search/ranks/build_info.hpp"
 #include "search/ranks/mpi_session.hpp"
+#include "search/terminal/build_info.hpp"
 #include "search/terminal/failure.hpp"
-#include "search/terminal/help_format.hpp"
-#include "search/terminal/log.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/help_format.hpp"
+#include "search/verbs/log.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/usage.hpp"
 #include "search/verbs/verbs.hpp"

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/result_table.hpp"
-#include "search/terminal/help_format.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/help_format.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

@@ -1,6 +1,6 @@
 // `misalign help`: what another verb does.
-#include "search/terminal/help_format.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/help_format.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 

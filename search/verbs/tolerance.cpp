@@ -4,10 +4,10 @@
 #include <spdlog/spdlog.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/ranks/build_info.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/sheets/backlash_text.hpp"
 #include "search/sheets/tolerance_text.hpp"
+#include "search/terminal/build_info.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/tolerance_call.hpp"

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "search/terminal/help_format.hpp"
 #include "search/terminal/suggestion.hpp"
+#include "search/verbs/help_format.hpp"
 
 namespace misalign::search {
 namespace {

@@ -10,7 +10,7 @@
 #include "schema/files/file_name.hpp"
 #include "schema/files/storage.hpp"
 #include "schema/report/report.hpp"
-#include "search/ranks/build_info.hpp"
+#include "search/terminal/build_info.hpp"
 #include "search/terminal/failure.hpp"
 #include "search/watch/live_state.hpp"
 

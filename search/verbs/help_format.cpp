@@ -1,4 +1,4 @@
-#include "search/terminal/help_format.hpp"
+#include "search/verbs/help_format.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "search/terminal/log.hpp"
+#include "search/verbs/log.hpp"
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>

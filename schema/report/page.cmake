@@ -1,0 +1,23 @@
+# The page of `misalign report`: its packages as the lock file pins them, bundled into one file.
+find_program(NODE node)
+find_program(NPM npm)
+if(NOT NODE OR NOT NPM)
+  message(FATAL_ERROR "Node.js and npm are needed for the page of `misalign report`; "
+                      "configure with -DMISALIGN_REPORT=OFF to build without it")
+endif()
+set(REPORT_PAGE ${PROJECT_BINARY_DIR}/report/report_page.html)
+set(PACKAGES ${PROJECT_BINARY_DIR}/report/node_modules/.package-lock.json)
+set(PACKAGE_FILES package.json package-lock.json .npmrc)
+list(TRANSFORM PACKAGE_FILES PREPEND ${PROJECT_SOURCE_DIR}/schema/report/)
+add_custom_command(OUTPUT ${PACKAGES}
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/report
+  COMMAND ${CMAKE_COMMAND} -E copy ${PACKAGE_FILES} ${PROJECT_BINARY_DIR}/report
+  COMMAND ${CMAKE_COMMAND} -E chdir report ${NPM} ci --silent
+  COMMAND ${CMAKE_COMMAND} -E touch ${PACKAGES}
+  DEPENDS ${PACKAGE_FILES} WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)
+file(GLOB REPORT_FILES CONFIGURE_DEPENDS schema/report/*.js schema/report/*.mjs
+     schema/report/*.css schema/report/*.html)
+add_custom_command(OUTPUT ${REPORT_PAGE}
+  COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/schema/report/build.mjs ${REPORT_PAGE}
+          ${PROJECT_BINARY_DIR}/report
+  DEPENDS ${PACKAGES} ${REPORT_FILES} VERBATIM)
