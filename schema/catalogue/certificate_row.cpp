@@ -10,7 +10,7 @@
 #include "schema/catalogue/since.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/hash.hpp"
-#include "solver/design/contact.hpp"
+#include "solver/design/contact_finder.hpp"
 #include "solver/design/fold_lines.hpp"
 
 namespace misalign::schema {

@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "solver/design/contact.hpp"
+#include "solver/design/contact_finder.hpp"
 
 namespace misalign::solver {
 

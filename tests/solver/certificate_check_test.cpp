@@ -7,7 +7,7 @@
 
 #include "solver/certificate/certifier.hpp"
 #include "solver/certificate/proven_piece.hpp"
-#include "solver/design/contact.hpp"
+#include "solver/design/contact_finder.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "tests/solver/sheets.hpp"
 

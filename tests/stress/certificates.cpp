@@ -20,7 +20,7 @@
 #include "search/terminal/stopwatch.hpp"
 #include "solver/certificate/certificate_check.hpp"
 #include "solver/certificate/certifier.hpp"
-#include "solver/design/contact.hpp"
+#include "solver/design/contact_finder.hpp"
 #include "solver/design/panel_motion.hpp"
 
 namespace misalign {

@@ -1,4 +1,4 @@
-#include "solver/design/contact.hpp"
+#include "solver/design/contact_finder.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
