@@ -35,7 +35,8 @@ Json pair_json(const Pattern& base, const solver::Panels& panels, const solver::
           {"joint", joint_json(panels, pair)}};
 }
 
-Json thickness_json(const Pattern& base, const solver::Panels& panels, const ContactStudy& study) {
+Json thickness_json(const Pattern& base, const solver::Panels& panels,
+                    const solver::ContactStudy& study) {
   if (!study.thickness) return nullptr;
   const solver::PlateThickness& plates = *study.thickness;
   const bool by_taper = plates.limit == solver::ThicknessLimit::taper;
@@ -73,7 +74,7 @@ Json contact_json(const Pattern& base, const solver::Panels& panels,
 }
 
 Json contact_study_json(const Pattern& base, const solver::Panels& panels,
-                        const ContactStudy& study) {
+                        const solver::ContactStudy& study) {
   Json clearance = {{"pilot_deg", study.pilot_deg}};
   for (const solver::Clearance& least : study.clearances) {
     clearance["apart_mm"].push_back(std::isfinite(least.apart_mm) ? Json(least.apart_mm) : Json());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "schema/exchange/contact_json.hpp"
 #include "schema/report/report.hpp"
 
 namespace misalign::search {

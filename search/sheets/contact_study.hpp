@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "schema/exchange/contact_json.hpp"
+#include "schema/campaign/pattern_file.hpp"
+#include "solver/design/contact.hpp"
 #include "solver/model/model.hpp"
 
 namespace misalign::search {
@@ -20,7 +21,7 @@ class ContactStudier {
   /// Of the sheet with these shifts, its corners trimmed by so much (none: kTrimPart of the panel
   /// width). UserError: 2 where that leaves nothing of an edge, 1 where the path is lost; `name` is
   /// the sheet's in the sentence.
-  schema::ContactStudy study(const Eigen::Matrix2Xd& shifts_mm, std::optional<double> trim_mm,
+  solver::ContactStudy study(const Eigen::Matrix2Xd& shifts_mm, std::optional<double> trim_mm,
                              const std::string& name);
 
   const schema::Pattern& base() const { return base_; }
@@ -36,9 +37,5 @@ class ContactStudier {
   const solver::Panels panels_;
   solver::ResolvedWay ways_;
 };
-
-/// For people: lines.
-std::string contact_text(const schema::Pattern& base, const solver::Panels& panels,
-                         const schema::ContactStudy& study);
 
 }  // namespace misalign::search

@@ -210,7 +210,7 @@ void SheetFiles::write_plates(const FoldedSheet& folded, const SheetLabel& label
   const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
   folder_.check_shapes(folded, rows, label.name);
   ContactStudier studier(folder_.base(), folder_.sampling());
-  const schema::ContactStudy study = studier.study(folded.shifts_mm, options_.trim_mm, label.name);
+  const solver::ContactStudy study = studier.study(folded.shifts_mm, options_.trim_mm, label.name);
   const double largest_mm = study.thickness ? study.thickness->thickness_mm : 0;
   if (!(options_.release.plates.thickness_mm <= largest_mm)) {
     throw schema::UserError(

@@ -1,8 +1,10 @@
 // `misalign contact`: where the panels of one sheet meet, and how thick they may be.
 #include <fmt/format.h>
 
+#include "schema/exchange/contact_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_study.hpp"
+#include "search/sheets/contact_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -21,7 +23,7 @@ void show_contact(const ContactCall& call) {
   const ChosenSheet sheet = choose_sheet(call.path, call.draw);
   const std::string name = schema::printable(sheet.name());
   ContactStudier studier(sheet.base, sheet.sampling);
-  const schema::ContactStudy study = studier.study(sheet.shifts_mm, call.trim_mm, name);
+  const solver::ContactStudy study = studier.study(sheet.shifts_mm, call.trim_mm, name);
   if (call.json) {
     schema::Json json = schema::contact_study_json(sheet.base, studier.panels(), study);
     json.update(sheet.key().json());

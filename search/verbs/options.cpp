@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "schema/campaign/draw_range.hpp"
-#include "schema/exchange/contact_json.hpp"
 #include "search/terminal/suggestion.hpp"
+#include "solver/design/contact.hpp"
 
 namespace misalign::search {
 namespace {
@@ -174,7 +174,7 @@ void settle(ReleaseWish& release, DeckWish& deck) {
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {
   verb.add_option("--trim", trim_mm,
                   fmt::format("how far corners of plates are trimmed, mm [{:g} of the panel width]",
-                              schema::kTrimPart))
+                              solver::kTrimPart))
       ->check(within(0, 1e6))
       ->type_name("MM");
 }
