@@ -11,7 +11,7 @@
 #include "schema/campaign/pattern_file.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "schema/campaign/stop_rule.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/design/actuators.hpp"
 
 namespace misalign::schema {
 

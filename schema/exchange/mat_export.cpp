@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/mat_file.hpp"
 #include "solver/pattern/outline.hpp"
 

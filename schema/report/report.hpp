@@ -3,8 +3,8 @@
 #pragma once
 
 #include "schema/catalogue/database.hpp"
-#include "schema/exchange/actuation_json.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "schema/exchange/actuators_json.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::schema {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 #include "search/draws/models.hpp"
 #include "solver/design/fold_lines.hpp"
 #include "solver/records/path_record.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "schema/campaign/pattern_file.hpp"
-#include "solver/design/actuation.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/actuators.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::search {
 

@@ -1,6 +1,6 @@
 #include "search/sheets/folded_sheet.hpp"
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {

@@ -3,7 +3,7 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/models.hpp"
-#include "solver/design/actuation.hpp"
+#include "solver/design/actuators.hpp"
 #include "solver/design/fold_lines.hpp"
 
 namespace misalign::search {

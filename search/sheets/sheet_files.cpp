@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "schema/exchange/actuation_json.hpp"
-#include "schema/exchange/deployment_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
+#include "schema/exchange/deploy_json.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "schema/exchange/dxf_pen.hpp"
 #include "schema/exchange/fold_export.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"

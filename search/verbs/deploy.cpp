@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/exchange/deployment_json.hpp"
+#include "schema/exchange/deploy_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deployment_text.hpp"
+#include "search/sheets/deploy_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/deploy_options.hpp"
 #include "search/verbs/options.hpp"

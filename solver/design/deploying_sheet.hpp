@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/design/actuation.hpp"
+#include "solver/design/actuators.hpp"
 #include "solver/design/folding_way.hpp"
 #include "solver/design/plates.hpp"
 

@@ -1,8 +1,8 @@
 // candidate.schema.json describes what `misalign export` writes.
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/yield.hpp"
-#include "schema/exchange/actuation_json.hpp"
-#include "schema/exchange/deployment_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
+#include "schema/exchange/deploy_json.hpp"
 #include "schema_agreement.hpp"
 #include "solver/certificate/certifier.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "coordinate_mass.hpp"
 #include "families.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 #include "vertex_coordinates.hpp"
 
 namespace misalign::solver {

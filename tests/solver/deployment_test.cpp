@@ -6,7 +6,7 @@
 
 #include "coordinate_mass.hpp"
 #include "sheets.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 #include "solver/design/joint_forces.hpp"
 
 namespace misalign::solver {

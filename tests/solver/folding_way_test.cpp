@@ -7,7 +7,7 @@
 #include "blocks.hpp"
 #include "coordinate_mass.hpp"
 #include "sheets.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 #include "solver/design/joint_forces.hpp"
 #include "vertex_coordinates.hpp"
 

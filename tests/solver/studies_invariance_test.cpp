@@ -6,7 +6,7 @@
 
 #include "seen_family.hpp"
 #include "solver/design/backlash.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 #include "solver/design/plate_thickness.hpp"
 #include "solver/records/metrics.hpp"
 #include "solver/records/path_record.hpp"

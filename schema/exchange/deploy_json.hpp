@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::schema {
 

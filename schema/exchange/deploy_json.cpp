@@ -1,6 +1,6 @@
-#include "schema/exchange/deployment_json.hpp"
+#include "schema/exchange/deploy_json.hpp"
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::search {
 

@@ -1,4 +1,4 @@
-#include "solver/design/deployment_study.hpp"
+#include "solver/design/deploy.hpp"
 
 #include <algorithm>
 

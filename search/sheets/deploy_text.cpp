@@ -1,11 +1,11 @@
-#include "search/sheets/deployment_text.hpp"
+#include "search/sheets/deploy_text.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <vector>
 
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 
 namespace misalign::search {
 namespace {

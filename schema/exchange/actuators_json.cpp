@@ -1,4 +1,4 @@
-#include "schema/exchange/actuation_json.hpp"
+#include "schema/exchange/actuators_json.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "solver/design/actuation.hpp"
+#include "solver/design/actuators.hpp"
 
 #include <algorithm>
 #include <cmath>
