@@ -19,7 +19,7 @@ namespace {
 using solver::CertificateEnd;
 
 // Of draws that are no candidates nothing is kept.
-constexpr const char* kInsert =
+constexpr const char* kInsertCertificate =
     "INSERT INTO certificate (draw, certified_deg, asked_deg, ended, place, contact, intervals, "
     "seconds, hash, proof) SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10 "
     "WHERE EXISTS (SELECT 1 FROM candidate WHERE draw = ?1) "
@@ -255,7 +255,7 @@ std::optional<CertificateRecord> read_certificate(SQLite::Database& database, st
 std::vector<std::uint64_t> write_certificates(SQLite::Database& database,
                                               const std::vector<CertificateRecord>& rows) {
   std::vector<std::uint64_t> no_candidates;
-  SQLite::Statement insert(database, kInsert);
+  SQLite::Statement insert(database, kInsertCertificate);
   for (const CertificateRecord& row : rows) {
     insert.tryReset();
     insert.bind(1, stored(row.draw));

@@ -14,6 +14,7 @@
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/yield_check.hpp"
 #include "schema/files/hexadecimal.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -7,6 +7,7 @@
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/digest.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {

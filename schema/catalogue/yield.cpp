@@ -8,7 +8,7 @@ namespace misalign::schema {
 namespace {
 
 // Of draws that are no candidates nothing is kept; of as many trials the one that is there stays.
-constexpr const char* kInsert =
+constexpr const char* kInsertYield =
     "INSERT INTO yield (draw, amplitude_mm, trials, survivors, undecided, share, share_low, "
     "share_high, \"commit\", made_at) "
     "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10 "
@@ -29,7 +29,7 @@ void copy(SQLite::Database& from, SQLite::Database& into, const std::string& whi
           const Renumber& renumber) {
   SQLite::Statement select =
       prepared(from, std::string("SELECT ") + kColumns + " FROM yield " + which);
-  SQLite::Statement insert(into, kInsert);
+  SQLite::Statement insert(into, kInsertYield);
   copy_rows(from, select, insert, [&] {
     const std::optional<std::uint64_t> draw = renumber(draw_of(select.getColumn(0)));
     draw ? insert.bind(1, stored(*draw)) : insert.bind(1);  // null: of no candidate
@@ -67,7 +67,7 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
                                         const std::vector<Yield>& yields,
                                         const std::string& commit) {
   std::vector<std::uint64_t> no_candidates;
-  SQLite::Statement insert(database, kInsert);
+  SQLite::Statement insert(database, kInsertYield);
   SQLite::Statement candidate(database, "SELECT 1 FROM candidate WHERE draw = ?");
   const std::string now = database.execAndGet("SELECT strftime('%Y-%m-%dT%H:%M:%fZ')").getString();
   for (const Yield& yield : yields) {

@@ -5,10 +5,10 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "schema/catalogue/unit_writer.hpp"
 #include "schema/exchange/deploy_json.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/records/fault_sample.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

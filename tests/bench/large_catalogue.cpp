@@ -14,6 +14,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/records/fault_sample.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "tests/bench/scale/invented_draws.hpp"

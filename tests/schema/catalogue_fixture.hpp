@@ -18,6 +18,7 @@
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 

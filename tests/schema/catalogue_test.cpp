@@ -2,6 +2,7 @@
 #include "catalogue_fixture.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/ledger_check.hpp"
+#include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {
 namespace {

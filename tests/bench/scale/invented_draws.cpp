@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "schema/records/fault_sample.hpp"
+
 namespace misalign::bench {
 namespace {
 
