@@ -9,6 +9,7 @@
 #include "schema/campaign/goal.hpp"
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"
+#include "schema/catalogue/population_rows.hpp"
 #include "schema/catalogue/standing.hpp"
 #include "schema/catalogue/unit_writer.hpp"
 #include "schema/catalogue/write_ahead_log.hpp"
