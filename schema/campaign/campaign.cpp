@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "schema/files/hash.hpp"
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -271,7 +272,6 @@ Json campaign_json(const Campaign& campaign) {
   } else {
     for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
   }
-  const auto or_null = [](const auto& limit) { return limit ? Json(*limit) : Json(); };
   const std::optional<WishedStop>& stop = campaign.wished_stop;
   return {{"name", campaign.name},
           {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},

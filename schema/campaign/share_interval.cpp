@@ -4,6 +4,10 @@
 
 namespace misalign::schema {
 
+double share(std::uint64_t hits, std::uint64_t trials) {
+  return trials > 0 ? static_cast<double>(hits) / static_cast<double>(trials) : 0;
+}
+
 ShareInterval share_interval(std::uint64_t hits, std::uint64_t trials) {
   return share_interval_of(static_cast<double>(hits), static_cast<double>(trials));
 }

@@ -10,6 +10,9 @@ struct ShareInterval {
   friend bool operator==(const ShareInterval&, const ShareInterval&) = default;
 };
 
+/// Of all trials; 0 without any.
+double share(std::uint64_t hits, std::uint64_t trials);
+
 /// The exact (Clopper-Pearson) 95 % interval of a share of `hits` in `trials`: each end excludes
 /// 2.5 %. Where all or none hit there is one end only and it excludes 5 %: from 0 to 3 / trials for
 /// none, the rule of three. (0, 1) without trials.

@@ -1,5 +1,7 @@
 #include "schema/campaign/split_rate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,6 +84,24 @@ SplitRate split_rate(const std::vector<double>& shares) {
 
 bool has_converged(const SplitRate& rate) {
   return rate.interval && rate.largest_part <= kLargestPart && rate.reached >= kLeastReached;
+}
+
+std::string why_not_converged(const SplitRate& rate) {
+  if (rate.populations < kLeastPopulations) {
+    return fmt::format("an interval is shown from {} populations on", kLeastPopulations);
+  }
+  if (has_converged(rate)) return "";
+  if (rate.reached < kLeastReached) {
+    return fmt::format(
+        "the rate is not to be believed yet: {} of {} populations came to the last level, where "
+        "{} at least should; more populations help, or more particles and sweeps",
+        rate.reached, rate.populations, kLeastReached);
+  }
+  return fmt::format(
+      "the rate is not to be believed yet: one population makes up {:.0f} % of it; more "
+      "populations "
+      "help, or more particles and sweeps",
+      100 * rate.largest_part);
 }
 
 }  // namespace misalign::schema

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "schema/campaign/share_interval.hpp"
@@ -53,5 +54,7 @@ inline constexpr std::size_t kLeastReached = 10;
 
 /// Whether there is an interval and neither limit is missed.
 bool has_converged(const SplitRate& rate);
+/// Why the rate is not to be believed yet, in words; empty if it is.
+std::string why_not_converged(const SplitRate& rate);
 
 }  // namespace misalign::schema

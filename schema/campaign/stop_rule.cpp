@@ -1,6 +1,7 @@
 #include "schema/campaign/stop_rule.hpp"
 
 #include "schema/campaign/splitting.hpp"
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 
@@ -38,7 +39,6 @@ void read_stop(ObjectReader reader, StopRule& stop) {
 }
 
 Json stop_json(const StopRule& stop) {
-  const auto or_null = [](const auto& limit) { return limit ? Json(*limit) : Json(); };
   return {{"draws", or_null(stop.draws)},
           {"populations", or_null(stop.populations)},
           {"accepted", or_null(stop.accepted)},

@@ -1,5 +1,7 @@
 #include "schema/catalogue/candidate_row.hpp"
 
+#include "schema/files/json_values.hpp"
+
 namespace misalign::schema {
 
 Json diagonal_json(const Pattern& base, const solver::Mechanism& mechanism,
@@ -43,7 +45,7 @@ Json metrics_json(const solver::Metrics& metrics) {
   Json json;
   each_metric(metrics, [&](const MetricEntry& entry, const auto& value) {
     if constexpr (requires { value.has_value(); }) {
-      json[entry.name] = value ? Json(*value) : Json();
+      json[entry.name] = or_null(value);
     } else {
       json[entry.name] = value;
     }

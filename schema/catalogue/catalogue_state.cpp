@@ -186,6 +186,24 @@ CatalogueState state_of(SQLite::Database& database) {
 
 }  // namespace
 
+WeightedCount CatalogueState::sampled() const {
+  WeightedCount sum;
+  for (const auto& [fault, rows] : faults) sum += rows;
+  return sum;
+}
+
+std::uint64_t CatalogueState::missing() const {
+  std::uint64_t all = 0;
+  for (const DrawRange& gap : gaps) all += gap.size();
+  return all;
+}
+
+std::uint64_t CatalogueState::missing_populations() const {
+  std::uint64_t populations = 0;
+  for (const DrawRange& gap : gaps) populations += gap.size() / kNumbersOfPopulation;
+  return populations;
+}
+
 CatalogueState read_state(SQLite::Database& database) {
   return reading(database, [&] { return state_of(database); });
 }

@@ -29,6 +29,12 @@ struct CatalogueState {
       faults;                         ///< first faults of the rejected draws in the sample
   std::optional<LadderState> ladder;  ///< of a splitting search
   double draws_per_s;  ///< of the last run that committed something, all ranks together
+
+  /// All first faults of the sample.
+  WeightedCount sampled() const;
+  /// Draws in the gaps, and populations.
+  std::uint64_t missing() const;
+  std::uint64_t missing_populations() const;
 };
 
 /// UserError (3) if the ledger contradicts itself, here and below.

@@ -1,5 +1,7 @@
 #include "schema/catalogue/ladder_state.hpp"
 
+#include <fmt/format.h>
+
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/since.hpp"
 #include "solver/verdict/score.hpp"
@@ -50,6 +52,32 @@ LadderState read_ladder(SQLite::Database& database, std::uint64_t end) {
     for (std::size_t k = 0; k < shares.size(); ++k) ladder.levels[k].rate = split_rate(shares[k]);
     return ladder;
   });
+}
+
+std::string ladder_sql(const LadderState& ladder) {
+  std::vector<std::string> rows;
+  if (ladder.levels.empty()) {  // VALUES needs a row
+    rows.emplace_back(
+        "(NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL)");
+  }
+  for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
+    const LadderLevel& level = ladder.levels[k];
+    const auto number = [](std::optional<double> value) {
+      return value ? fmt::format("{:.17g}", *value) : std::string("NULL");
+    };
+    const auto& interval = level.rate.interval;
+    rows.push_back(fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {})", k,
+                               k > 0 ? number(level.deploys_from_deg) : "NULL",
+                               number(level.rate.mean), interval ? number(interval->low) : "NULL",
+                               interval ? number(interval->high) : "NULL", level.rate.reached,
+                               level.particles, level.survivors, level.ancestors, level.tried,
+                               level.taken, level.met, number(level.seconds)));
+  }
+  return fmt::format(
+      "WITH ladder (level, deploys_from_deg, rate, rate_low, rate_high, populations_here, "
+      "particles, survivors, ancestors, tried, taken, met, worker_seconds) AS (VALUES {}) "
+      "SELECT * FROM ladder WHERE level IS NOT NULL",
+      fmt::join(rows, ", "));
 }
 
 }  // namespace misalign::schema

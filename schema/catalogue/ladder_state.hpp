@@ -31,4 +31,7 @@ struct LadderState {
 /// Of the populations whose numbers lie below `end`. UserError (3).
 LadderState read_ladder(SQLite::Database& database, std::uint64_t end);
 
+/// A SELECT of a row for each level, in numbers.
+std::string ladder_sql(const LadderState& ladder);
+
 }  // namespace misalign::schema

@@ -1,6 +1,6 @@
 #include "schema/exchange/actuators_json.hpp"
 
-#include <cmath>
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 // A list; null for what is no number.
 Json numbers_json(const std::vector<double>& numbers) {
   Json list = Json::array();
-  for (const double x : numbers) list.push_back(std::isfinite(x) ? Json(x) : Json());
+  for (const double x : numbers) list.push_back(finite_or_null(x));
   return list;
 }
 
@@ -49,7 +49,7 @@ Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
   }
   const auto& limit = actuation.actuators.stroke_limit;
   Json json = {{"stiffness_n_per_mm", actuation.actuators.stiffness_n_per_mm},
-               {"stroke_limit", limit ? Json(*limit) : Json()},
+               {"stroke_limit", or_null(limit)},
                {"energy_n_mm", actuation.energy_n_mm[at_d]},
                {"forces", forces}};
   json.update(limits_json(actuation));

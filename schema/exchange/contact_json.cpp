@@ -1,6 +1,6 @@
 #include "schema/exchange/contact_json.hpp"
 
-#include <cmath>
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -40,13 +40,12 @@ Json thickness_json(const Pattern& base, const solver::Panels& panels,
   if (!study.thickness) return nullptr;
   const solver::PlateThickness& plates = *study.thickness;
   const bool by_taper = plates.limit == solver::ThicknessLimit::taper;
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-  Json json = {{"largest_mm", number(plates.thickness_mm)},
+  Json json = {{"largest_mm", finite_or_null(plates.thickness_mm)},
                {"reaches_deg", study.reach_deg},
                {"trim_mm", study.trim_mm},
                {"limit", by_taper ? "taper" : kind_name(plates.pair.kind)},
-               {"clear_mm", number(plates.clear_mm)},
-               {"taper_mm", number(plates.taper_mm)}};
+               {"clear_mm", finite_or_null(plates.clear_mm)},
+               {"taper_mm", finite_or_null(plates.taper_mm)}};
   json["closest"] = pair_json(base, panels, plates.pair);
   json["closest"]["pilot_deg"] = plates.pilot_deg;
   if (plates.panel >= 0) json["tapered"] = place_of_panel(base, panels, plates.panel);
@@ -77,7 +76,7 @@ Json contact_study_json(const Pattern& base, const solver::Panels& panels,
                         const solver::ContactStudy& study) {
   Json clearance = {{"pilot_deg", study.pilot_deg}};
   for (const solver::Clearance& least : study.clearances) {
-    clearance["apart_mm"].push_back(std::isfinite(least.apart_mm) ? Json(least.apart_mm) : Json());
+    clearance["apart_mm"].push_back(finite_or_null(least.apart_mm));
     clearance["vertex_deg"].push_back(least.vertex_deg);
     clearance["crease_deg"].push_back(least.crease_deg);
   }

@@ -1,11 +1,10 @@
 #include "schema/exchange/deploy_json.hpp"
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
 namespace {
-
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 const char* name_of(solver::DeploymentEvent event) {
   switch (event) {

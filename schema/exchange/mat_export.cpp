@@ -6,6 +6,7 @@
 
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/mat_file.hpp"
+#include "schema/files/json_values.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
@@ -126,7 +127,7 @@ MatValue springs(const solver::Actuation& actuation) {
   std::vector<MatValue> fields;
   const auto& limit = actuation.actuators.stroke_limit;
   fields.push_back(MatValue::json("stiffness_n_per_mm", actuation.actuators.stiffness_n_per_mm));
-  fields.push_back(MatValue::json("stroke_limit", limit ? Json(*limit) : Json()));
+  fields.push_back(MatValue::json("stroke_limit", or_null(limit)));
   fields.push_back(MatValue::matrix("force_n", actuation.force_n));
   fields.push_back(MatValue::matrix("moment_by_n_mm", actuation.moment_by_n_mm));
   fields.push_back(MatValue::column("energy_n_mm", actuation.energy_n_mm));

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "schema/catalogue/candidate_row.hpp"
+#include "schema/files/json_values.hpp"
 #include "search/splitting/origin.hpp"
 
 namespace misalign::search {
@@ -23,8 +24,6 @@ StoredVerdict as_stored(std::uint64_t draw, const solver::Verdict& verdict,
           schema::where_label(mechanism, verdict)};
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 void compare(const StoredVerdict& stored, const StoredVerdict& again,
              std::vector<schema::Finding>& findings) {
   if (is_undecided(stored) || is_undecided(again)) return;
@@ -37,7 +36,7 @@ void compare(const StoredVerdict& stored, const StoredVerdict& again,
   if (!solver::may_be_one_fault(stored.first_fault, again.first_fault)) {
     compare("first_fault", stored.first_fault, again.first_fault);
   }
-  compare("fault_deg", or_null(stored.fault_deg), or_null(again.fault_deg));
+  compare("fault_deg", schema::or_null(stored.fault_deg), schema::or_null(again.fault_deg));
   compare("where", stored.where, again.where);
 }
 
@@ -186,7 +185,7 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
       const bool is_right = kept ? *kept <= draw : draw > end;
       if (!is_right) {
         findings.push_back(schema::differs("draw " + std::to_string(draw), "kept as",
-                                           kept ? Json(*kept) : Json(), draw));
+                                           schema::or_null(kept), draw));
       }
       if (const auto at = stored.find(draw); at != stored.end()) {
         const int sample = found.candidate.metrics.deploys_from_sample;

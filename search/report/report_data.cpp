@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <chrono>
 
+#include "schema/exchange/status_json.hpp"
+#include "schema/files/json_values.hpp"
 #include "schema/report/report.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deployment_functions.hpp"
 #include "search/terminal/build_info.hpp"
-#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "search/terminal/status_text.hpp"
 
 namespace misalign::search {
 namespace {
@@ -111,10 +111,10 @@ std::string options_of(const OtherActuators& actuators) {
 Json chosen_json(const ReportCall& call) {
   const Choice& choice = call.choice;
   return {{"draws", call.draws.size()},
-          {"best", choice.best ? Json(*choice.best) : Json()},
-          {"diverse", choice.diverse ? Json(*choice.diverse) : Json()},
+          {"best", schema::or_null(choice.best)},
+          {"diverse", schema::or_null(choice.diverse)},
           {"where", choice.where.empty() ? Json() : Json(choice.where)},
-          {"by", choice.by ? Json(*choice.by) : Json()}};
+          {"by", schema::or_null(choice.by)}};
 }
 
 // What the page's commands are made of: it shows how to go on from what it shows.
@@ -137,7 +137,7 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
                     const ReportCall& call, DrawsToLookAt& look) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    Json json = {{"state", report_state_json(schema::read_state(database))},
+    Json json = {{"state", schema::page_state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
                  {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
     look = draws_to_look_at(database, json["candidates"], call);
@@ -154,7 +154,7 @@ Json folding_json(const SheetFolder& folder) {
           {"diagonals", diagonals_json(folder.base(), folder.mechanism())},
           {"actuators",
            {{"stiffness_n_per_mm", folder.actuators().stiffness_n_per_mm},
-            {"stroke_limit", limit ? Json(*limit) : Json()}}}};
+            {"stroke_limit", schema::or_null(limit)}}}};
 }
 
 // Who wrote the page, of what, and how it can be written again.
@@ -187,18 +187,6 @@ void settle_stress(const ReportCall& call, const std::vector<std::uint64_t>& str
 }
 
 }  // namespace
-
-Json report_state_json(const schema::CatalogueState& state) {
-  Json json = status_json(state);
-  json["without_end"] = state.goal_end == schema::kEndOfDraws;
-  if (!state.ladder) return json;
-  const schema::SplitRate* const rate = state.ladder->rate();
-  json["ladder"].update(
-      {{"why_not_converged", rate ? why_not_converged(*rate) : ""},
-       {"without_end", state.goal_end / schema::kNumbersOfPopulation >= schema::kEndOfPopulations},
-       {"numbers_of_population", schema::kNumbersOfPopulation}});
-  return json;
-}
 
 Json report_of_catalogue(const ReportCall& call) {
   const auto database = schema::open_for_reading(call.path);

@@ -30,8 +30,4 @@ schema::Json report_of_catalogue(const ReportCall& call);
 /// The same of a pattern file's one sheet. UserError (3).
 schema::Json report_of_pattern(const ReportCall& call);
 
-/// The state as `status --json` has it; of a splitting search also why its rate is not to be
-/// believed yet, in the words of `status`, and what its numbers are made of.
-schema::Json report_state_json(const schema::CatalogueState& state);
-
 }  // namespace misalign::search

@@ -8,18 +8,7 @@
 namespace misalign::search {
 namespace {
 
-using schema::Json;
 using schema::LadderLevel;
-
-std::uint64_t populations_in(const schema::DrawRange& numbers) {
-  return numbers.size() / schema::kNumbersOfPopulation;
-}
-
-std::uint64_t missing_populations(const schema::CatalogueState& state) {
-  std::uint64_t count = 0;
-  for (const schema::DrawRange& gap : state.gaps) count += populations_in(gap);
-  return count;
-}
 
 std::string rate_text(double rate) { return fmt::format("{:.3g}", rate); }
 
@@ -34,31 +23,7 @@ std::string share_text(std::uint64_t some, std::uint64_t all) {
              : "";
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-Json share_json(std::uint64_t some, std::uint64_t all) {
-  return all > 0 ? Json(static_cast<double>(some) / static_cast<double>(all)) : Json();
-}
-
 }  // namespace
-
-std::string why_not_converged(const schema::SplitRate& rate) {
-  if (rate.populations < schema::kLeastPopulations) {
-    return fmt::format("an interval is shown from {} populations on", schema::kLeastPopulations);
-  }
-  if (schema::has_converged(rate)) return "";
-  if (rate.reached < schema::kLeastReached) {
-    return fmt::format(
-        "the rate is not to be believed yet: {} of {} populations came to the last level, where "
-        "{} at least should; more populations help, or more particles and sweeps",
-        rate.reached, rate.populations, schema::kLeastReached);
-  }
-  return fmt::format(
-      "the rate is not to be believed yet: one population makes up {:.0f} % of it; more "
-      "populations "
-      "help, or more particles and sweeps",
-      100 * rate.largest_part);
-}
 
 std::string population_goal(const schema::CatalogueState& state) {
   const std::uint64_t lo = state.goal.range.lo / schema::kNumbersOfPopulation;
@@ -69,7 +34,7 @@ std::string population_goal(const schema::CatalogueState& state) {
     text += fmt::format(", or a rate known to {} %",
                         schema::shown_number(100 * *state.goal.relative_error));
   }
-  const std::uint64_t missing = missing_populations(state);
+  const std::uint64_t missing = state.missing_populations();
   if (missing > 0 && end < schema::kEndOfPopulations) {
     text += fmt::format(", {} of them missing", missing);
   }
@@ -102,7 +67,7 @@ std::string ladder_text(const schema::CatalogueState& state) {
     text += fmt::format("{} undecided (numerical failures) and not taken\n",
                         count_text(undecided, "move"));
   }
-  const std::string why = why_not_converged(*ladder.rate());
+  const std::string why = schema::why_not_converged(*ladder.rate());
   return why.empty() ? text : text + why + "\n";
 }
 
@@ -116,59 +81,6 @@ std::string ladder_summary(const schema::CatalogueState& state) {
   const std::string interval = interval_text(*ladder.rate());
   if (!interval.empty()) text += fmt::format(" (95 %: {})", interval);
   return text;
-}
-
-std::string ladder_sql(const schema::LadderState& ladder) {
-  std::vector<std::string> rows;
-  if (ladder.levels.empty()) {  // VALUES needs a row
-    rows.emplace_back(
-        "(NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL)");
-  }
-  for (std::size_t k = 0; k < ladder.levels.size(); ++k) {
-    const LadderLevel& level = ladder.levels[k];
-    const auto number = [](std::optional<double> value) {
-      return value ? fmt::format("{:.17g}", *value) : std::string("NULL");
-    };
-    const auto& interval = level.rate.interval;
-    rows.push_back(fmt::format("({}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {})", k,
-                               k > 0 ? number(level.deploys_from_deg) : "NULL",
-                               number(level.rate.mean), interval ? number(interval->low) : "NULL",
-                               interval ? number(interval->high) : "NULL", level.rate.reached,
-                               level.particles, level.survivors, level.ancestors, level.tried,
-                               level.taken, level.met, number(level.seconds)));
-  }
-  return fmt::format(
-      "WITH ladder (level, deploys_from_deg, rate, rate_low, rate_high, populations_here, "
-      "particles, survivors, ancestors, tried, taken, met, worker_seconds) AS (VALUES {}) "
-      "SELECT * FROM ladder WHERE level IS NOT NULL",
-      fmt::join(rows, ", "));
-}
-
-Json ladder_json(const schema::CatalogueState& state) {
-  Json levels = Json::array();
-  for (const LadderLevel& level : state.ladder->levels) {
-    const schema::SplitRate& rate = level.rate;
-    levels.push_back({{"level", levels.size()},
-                      {"deploys_from_deg", levels.empty() ? Json() : Json(level.deploys_from_deg)},
-                      {"rate", rate.mean},
-                      {"rate_low", rate.interval ? Json(rate.interval->low) : Json()},
-                      {"rate_high", rate.interval ? Json(rate.interval->high) : Json()},
-                      {"relative_error", or_null(rate.relative_half_width())},
-                      {"populations_here", rate.reached},
-                      {"largest_part", rate.largest_part},
-                      {"reach_next", share_json(level.survivors, level.particles)},
-                      {"ancestors", level.ancestors},
-                      {"tried", level.tried},
-                      {"taken", level.taken},
-                      {"undecided", level.undecided},
-                      {"met", level.met},
-                      {"core_s", level.seconds}});
-  }
-  const schema::SplitRate* const rate = state.ladder->rate();
-  return {{"populations", state.ladder->populations},
-          {"missing", missing_populations(state)},
-          {"converged", rate && schema::has_converged(*rate)},
-          {"levels", levels}};
 }
 
 }  // namespace misalign::search

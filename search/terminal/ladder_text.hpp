@@ -1,4 +1,4 @@
-// How far a splitting search is, and how rare is what it finds, for people and as JSON.
+// How far a splitting search is, and how rare is what it finds, for people.
 #pragma once
 
 #include <string>
@@ -14,10 +14,5 @@ std::string ladder_text(const schema::CatalogueState& state);
 std::string population_goal(const schema::CatalogueState& state);
 /// "6 populations, 3094 candidates, 1 in 98000 draws (95 %: ...)", for one line.
 std::string ladder_summary(const schema::CatalogueState& state);
-schema::Json ladder_json(const schema::CatalogueState& state);
-/// A SELECT of a row for each level, in numbers.
-std::string ladder_sql(const schema::LadderState& ladder);
-/// Why the rate is not to be believed yet; empty if it is.
-std::string why_not_converged(const schema::SplitRate& rate);
 
 }  // namespace misalign::search

@@ -14,19 +14,6 @@
 namespace misalign::search {
 namespace {
 
-double share(std::uint64_t hits, std::uint64_t trials) {
-  return trials > 0 ? static_cast<double>(hits) / static_cast<double>(trials) : 0;
-}
-
-schema::Json rate_json(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
-  const auto [low, high] = schema::share_interval(hits, undecided, trials);
-  return {{"rate", trials > 0 ? schema::Json(share(hits, trials)) : schema::Json()},
-          {"rate_low", low},
-          {"rate_high", high},
-          {"relative_error",
-           hits > 0 ? schema::Json((high - low) / (2 * share(hits, trials))) : schema::Json()}};
-}
-
 std::string percent(double value) { return fmt::format("{:.4g} %", 100 * value); }
 
 std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
@@ -36,36 +23,12 @@ std::string interval_text(std::uint64_t hits, std::uint64_t undecided, std::uint
 
 bool endless(std::uint64_t end) { return end == schema::kEndOfDraws; }
 
-schema::WeightedCount sum_of(const std::map<std::string, schema::WeightedCount>& faults) {
-  schema::WeightedCount sum;
-  for (const auto& [fault, draws] : faults) sum += draws;
-  return sum;
-}
-
-schema::Json faults_json(const std::map<std::string, schema::WeightedCount>& faults) {
-  const schema::WeightedCount all = sum_of(faults);
-  schema::Json json = schema::Json::object();
-  for (const auto& [fault, draws] : faults) {
-    const auto [low, high] = schema::share_interval(draws, all);
-    json[fault] = {{"sampled", draws.rows},
-                   {"share", schema::share(draws, all)},
-                   {"share_low", low},
-                   {"share_high", high}};
-  }
-  return json;
-}
-
-std::uint64_t missing(const schema::CatalogueState& state) {
-  std::uint64_t draws = 0;
-  for (const schema::DrawRange& gap : state.gaps) draws += gap.size();
-  return draws;
-}
-
 // Of plain draws: what became of them.
 std::string draws_text(const schema::CatalogueState& state,
-                       const std::optional<DeployingFrom>& deploying) {
+                       const std::optional<schema::DeployingFrom>& deploying) {
   const auto row = [&](const std::string& name, std::uint64_t draws, std::uint64_t of) {
-    return schema::Row{name, std::to_string(draws), of > 0 ? percent(share(draws, of)) : "", ""};
+    return schema::Row{name, std::to_string(draws), of > 0 ? percent(schema::share(draws, of)) : "",
+                       ""};
   };
   std::vector<schema::Row> rows = {{"", "draws", "share", "95 % interval"},
                                    {"done", std::to_string(state.draws)}};
@@ -81,7 +44,7 @@ std::string draws_text(const schema::CatalogueState& state,
   rows.push_back(row("  undecided", state.undecided, state.draws));
   if (state.undecided > 0) rows.back()[3] = "rejected at the low ends, accepted at the high ones";
   if (!endless(state.goal_end)) {
-    const std::uint64_t draws = missing(state);
+    const std::uint64_t draws = state.missing();
     rows.push_back(
         {"missing", std::to_string(draws), "",
          draws > 0 ? "of the last run's goal; time or a signal may end a run before" : ""});
@@ -90,7 +53,7 @@ std::string draws_text(const schema::CatalogueState& state,
     rows.push_back({"beyond goal", std::to_string(state.draws_in_ledger - state.draws), "",
                     "not counted above; queries and report have them"});
   }
-  const schema::WeightedCount sampled = sum_of(state.faults);
+  const schema::WeightedCount sampled = state.sampled();
   if (sampled.rows > 0) {
     rows.push_back({"first faults", std::to_string(sampled.rows), "", "of a sample"});
   }
@@ -120,7 +83,7 @@ std::string goal_text(const schema::CatalogueState& state) {
 }  // namespace
 
 std::string status_text(const schema::CatalogueState& state,
-                        const std::optional<DeployingFrom>& deploying, const Paint& paint) {
+                        const std::optional<schema::DeployingFrom>& deploying, const Paint& paint) {
   const bool complete = state.gaps.empty();
   const double draws_per_s = std::round(state.draws_per_s * 10) / 10;
   std::vector<schema::Row> rows = {{"goal", goal_text(state)}};
@@ -167,39 +130,9 @@ std::string next_step(const schema::CatalogueState& state, const std::string& pa
   return "misalign query " + file + " best; misalign export " + file + " --best 3 --output found";
 }
 
-schema::Json status_json(const schema::CatalogueState& state) {
-  const auto or_null = [](const auto& limit) {
-    return limit ? schema::Json(*limit) : schema::Json();
-  };
-  schema::Json gaps = schema::Json::array();
-  for (const schema::DrawRange& gap : state.gaps) gaps.push_back({gap.lo, gap.hi});
-  schema::Json json = {{"campaign", state.name},
-                       {"identity", state.identity},
-                       {"range", {state.goal.range.lo, state.goal.range.hi}},
-                       {"goal_end", state.goal_end},
-                       {"threshold_deg", state.threshold_deg},
-                       {"goal",
-                        {{"draws", or_null(state.goal.draws)},
-                         {"accepted", or_null(state.goal.accepted)},
-                         {"relative_error", or_null(state.goal.relative_error)}}},
-                       {"complete", state.gaps.empty()},
-                       {"draws", state.draws},
-                       {"missing", missing(state)},
-                       {"draws_in_ledger", state.draws_in_ledger},
-                       {"accepted", state.accepted},
-                       {"rejected", state.rejected},
-                       {"undecided", state.undecided},
-                       {"acceptance", rate_json(state.accepted, state.undecided, state.draws)},
-                       {"fault_sample", faults_json(state.faults)},
-                       {"draws_per_s", state.draws_per_s},
-                       {"gaps", gaps},
-                       {"digest", state.digest}};
-  if (state.ladder) json["ladder"] = ladder_json(state);
-  return json;
-}
-
-DeployingFrom deploying_from(SQLite::Database& database, const schema::CatalogueState& state,
-                             const schema::Campaign& campaign, double at_deg) {
+schema::DeployingFrom deploying_from(SQLite::Database& database,
+                                     const schema::CatalogueState& state,
+                                     const schema::Campaign& campaign, double at_deg) {
   if (!(at_deg >= campaign.threshold_deg && at_deg <= campaign.end_deg)) {
     throw schema::UserError(
         schema::kExitUsage,
@@ -209,13 +142,6 @@ DeployingFrom deploying_from(SQLite::Database& database, const schema::Catalogue
   }
   const int sample = static_cast<int>(std::ceil(at_deg / campaign.sample_deg - 1e-9));
   return {at_deg, std::min(schema::count_deploying_from(database, sample), state.accepted)};
-}
-
-schema::Json deploying_json(const DeployingFrom& deploying, const schema::CatalogueState& state) {
-  schema::Json json = rate_json(deploying.accepted, state.undecided, state.draws);
-  json["deploys_from_deg"] = deploying.at_deg;
-  json["accepted"] = deploying.accepted;
-  return json;
 }
 
 }  // namespace misalign::search

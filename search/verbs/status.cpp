@@ -24,16 +24,16 @@ int show_status(const StatusCall& call) {
   const schema::CatalogueState state = schema::read_state(*database);
   const auto goal_fault =
       schema::reading(*database, [&] { return schema::goal_fault(*database, state); });
-  std::optional<DeployingFrom> deploying;
+  std::optional<schema::DeployingFrom> deploying;
   if (call.at_deg) {
     const schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
     deploying = deploying_from(*database, state, campaign, *call.at_deg);
   }
   const schema::Survival survival = schema::read_survival(*database);
   if (call.json) {
-    schema::Json answer = status_json(state);
+    schema::Json answer = schema::status_json(state);
     answer["survival"] = survival_json(survival, state);
-    if (deploying) answer["at"] = deploying_json(*deploying, state);
+    if (deploying) answer["at"] = schema::deploying_json(*deploying, state);
     put_json(answer);
   } else {
     put(status_text(state, deploying, paint_for(STDOUT_FILENO)));

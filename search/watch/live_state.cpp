@@ -2,8 +2,8 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
+#include "schema/exchange/status_json.hpp"
 #include "schema/report/report.hpp"
-#include "search/report/report_data.hpp"
 
 namespace misalign::search {
 namespace {
@@ -30,7 +30,7 @@ Json angles_json(SQLite::Database& database, double sample_deg) {
 Json live_state_json(SQLite::Database& database, const schema::Campaign& campaign) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    Json live = {{"state", report_state_json(schema::read_state(database))},
+    Json live = {{"state", schema::page_state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)}};
     live["state"].erase("gaps");
     const Json best = schema::candidates_json(database, kBest);

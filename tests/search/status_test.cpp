@@ -80,7 +80,8 @@ TEST(StatusText, CompleteOrEndlessOrAtAHigherThreshold) {
   EXPECT_NE(status_text(state(200, 50, 0), {}, Paint(false)).find(": complete\n"),
             std::string::npos);
   EXPECT_NE(status_text(state(200, 50, 0), {}, Paint(true)).find("\x1b["), std::string::npos);
-  const std::string at = status_text(state(200, 50, 0), DeployingFrom{172, 7}, Paint(false));
+  const std::string at =
+      status_text(state(200, 50, 0), schema::DeployingFrom{172, 7}, Paint(false));
   EXPECT_EQ(line(at, "from")[3], "7") << at;
   schema::CatalogueState endless = state(200, 50, 10);
   endless.goal_end = schema::kEndOfDraws;

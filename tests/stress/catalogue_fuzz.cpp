@@ -142,9 +142,9 @@ class Reader {
       const bool is_plain = ends([&] { export_plain(*database, plain); });
       if (is_plain != std::filesystem::exists(plain)) found("a plain export by halves");
       const CatalogueState state = read_state(*database);
-      search::status_json(state).dump();
+      status_json(state).dump();
       if (state.ladder && !state.ladder->levels.empty()) {
-        const std::string sql = search::ladder_sql(*state.ladder);
+        const std::string sql = ladder_sql(*state.ladder);
         check_shown(query_table(*database, sql, TableStyle::aligned), std::string::npos);
       }
       const Campaign campaign = read_campaign_of(*database, path);
