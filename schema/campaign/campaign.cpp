@@ -76,7 +76,8 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
   }
   std::string levels = "ternary";
   reader.text("levels", levels, "write \"ternary\" or \"uniform\"");
-  misalignment.levels = levels == "uniform" ? Levels::uniform : Levels::ternary;
+  misalignment.distribution =
+      levels == "uniform" ? ShiftDistribution::uniform : ShiftDistribution::ternary;
   if (levels != "uniform" && levels != "ternary") {
     faults.add(reader.shown("levels"), "is no set of levels", "write \"ternary\" or \"uniform\"");
   }
@@ -84,7 +85,7 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
 }
 
 // Null, both of them, for no stop.
-void read_wished_stop(ObjectReader& accept, std::optional<WishedStop>& stop) {
+void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop) {
   const auto is_there = [&](const char* key) {
     const Json* value = accept.find(key);
     return value && !value->is_null();
@@ -97,7 +98,7 @@ void read_wished_stop(ObjectReader& accept, std::optional<WishedStop>& stop) {
                         "write both, or neither: where the sheet stops, and how stiffly at least");
   }
   if (!angle || !stiffness) return;
-  stop = WishedStop{0, 0};
+  stop = RequiredStop{0, 0};
   accept.number("stops_at_deg", stop->at_deg, 0.01, 180, "try 60, or null for no stop");
   accept.number("stop_stiffness_mm2_per_rad2", stop->least_mm2_per_rad2, 1e-9, 1e9,
                 "try 5, or null for no stop");
@@ -111,7 +112,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
   read_between_samples(accept, campaign.between_samples);
-  read_wished_stop(accept, campaign.wished_stop);
+  read_required_stop(accept, campaign.required_stop);
   const bool numbers_good = faults.count() == before;
   path.refuse_unknown_keys();
   accept.refuse_unknown_keys();
@@ -139,8 +140,8 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
                                      campaign.sample_deg));
   }
   check(accept, "deploys_from_deg", campaign.threshold_deg, campaign.end_deg, "end_deg");
-  if (campaign.wished_stop) {
-    check(accept, "stops_at_deg", campaign.wished_stop->at_deg, campaign.threshold_deg,
+  if (campaign.required_stop) {
+    check(accept, "stops_at_deg", campaign.required_stop->at_deg, campaign.threshold_deg,
           "deploys_from_deg");
   }
 }
@@ -196,10 +197,10 @@ int Campaign::threshold_sample() const {
 }
 
 solver::Criterion Campaign::criterion() const {
-  if (!wished_stop) return {between_samples, 0, 0};
+  if (!required_stop) return {between_samples, 0, 0};
   const double width_mm = pattern.base.sheet.panel_width_mm;
-  return {between_samples, static_cast<int>(std::lround(wished_stop->at_deg / sample_deg)),
-          wished_stop->least_mm2_per_rad2 / (width_mm * width_mm)};
+  return {between_samples, static_cast<int>(std::lround(required_stop->at_deg / sample_deg)),
+          required_stop->least_mm2_per_rad2 / (width_mm * width_mm)};
 }
 
 bool Campaign::accepts(const solver::Verdict& verdict) const {
@@ -272,26 +273,28 @@ Json campaign_json(const Campaign& campaign) {
   } else {
     for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
   }
-  const std::optional<WishedStop>& stop = campaign.wished_stop;
-  return {{"name", campaign.name},
-          {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
-          {"misalignment",
-           {{"vertices", vertices},
-            {"amplitude_mm", campaign.misalignment.amplitude_mm},
-            {"levels", campaign.misalignment.levels == Levels::ternary ? "ternary" : "uniform"}}},
-          {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
-          {"accept",
-           {{"deploys_from_deg", campaign.threshold_deg},
-            {"between_samples", between_samples_json(campaign.between_samples)},
-            {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
-            {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
-          {"search", search_json(campaign.splitting)},
-          {"seed", campaign.seed},
-          {"stop", stop_json(campaign.stop)},
-          {"actuators",
-           {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
-            {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}},
-          {"certify", campaign.certify}};
+  const std::optional<RequiredStop>& stop = campaign.required_stop;
+  return {
+      {"name", campaign.name},
+      {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
+      {"misalignment",
+       {{"vertices", vertices},
+        {"amplitude_mm", campaign.misalignment.amplitude_mm},
+        {"levels", campaign.misalignment.distribution == ShiftDistribution::ternary ? "ternary"
+                                                                                    : "uniform"}}},
+      {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
+      {"accept",
+       {{"deploys_from_deg", campaign.threshold_deg},
+        {"between_samples", between_samples_json(campaign.between_samples)},
+        {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
+        {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
+      {"search", search_json(campaign.splitting)},
+      {"seed", campaign.seed},
+      {"stop", stop_json(campaign.stop)},
+      {"actuators",
+       {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
+        {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}},
+      {"certify", campaign.certify}};
 }
 
 Json stored_configuration(const Campaign& campaign) {
@@ -304,7 +307,7 @@ Json stored_configuration(const Campaign& campaign) {
     if (configuration["stop"]["populations"] == defaults["stop"]["populations"])
       configuration["stop"].erase("populations");
   }
-  if (!campaign.wished_stop) {
+  if (!campaign.required_stop) {
     configuration["accept"].erase("stops_at_deg");
     configuration["accept"].erase("stop_stiffness_mm2_per_rad2");
   }

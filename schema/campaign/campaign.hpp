@@ -15,7 +15,7 @@
 
 namespace misalign::schema {
 
-enum class Levels {
+enum class ShiftDistribution {
   ternary,  ///< -a, 0, +a
   uniform   ///< on [-a, +a]
 };
@@ -24,15 +24,15 @@ enum class Levels {
 struct Misalignment {
   std::vector<int> vertices;  ///< ascending
   double amplitude_mm = 0.4;
-  Levels levels = Levels::ternary;
+  ShiftDistribution distribution = ShiftDistribution::ternary;
 };
 
 /// A stop on the way: springs that are relaxed at this pilot angle hold the sheet there.
-struct WishedStop {
+struct RequiredStop {
   double at_deg;
   double least_mm2_per_rad2;  ///< of solver::stop_stiffness; times a spring's k: N mm/rad
 
-  bool operator==(const WishedStop&) const = default;
+  bool operator==(const RequiredStop&) const = default;
 };
 
 /// The member initializers are the released defaults: they never change (identity leaves them out).
@@ -44,8 +44,8 @@ struct Campaign {
   double end_deg = 180;
   double threshold_deg = 170;
   solver::BumpRule between_samples = solver::BumpRule::ignored;
-  std::optional<WishedStop> wished_stop;  ///< not beyond the threshold
-  std::optional<Splitting> splitting;     ///< nothing: plain draws
+  std::optional<RequiredStop> required_stop;  ///< not beyond the threshold
+  std::optional<Splitting> splitting;         ///< nothing: plain draws
   std::uint64_t seed = 1;
   StopRule stop;
   solver::Actuators actuators;  ///< outside the identity: what is shown of candidates

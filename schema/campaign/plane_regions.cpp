@@ -42,7 +42,7 @@ class Telling {
     }
     for (std::size_t r = 0; r < regions.size(); ++r) {
       if (regions[r].bounded()) continue;
-      each_side(r, [&](const Side&, std::size_t over, bool) { settle(over, Kind::face); });
+      each_side(r, [&](const Side&, std::size_t over, bool) { decide(over, Kind::face); });
     }
     while (!near_.empty() || !far_.empty()) {
       const bool border = near_.empty();
@@ -52,7 +52,7 @@ class Telling {
       if (!border) far_.push_back(r);
       const Kind other = kinds_[r] == Kind::face ? Kind::hole : Kind::face;
       each_side(r, [&](const Side&, std::size_t over, bool is_border) {
-        if (is_border == border) settle(over, border ? other : kinds_[r]);
+        if (is_border == border) decide(over, border ? other : kinds_[r]);
       });
     }
   }
@@ -81,7 +81,7 @@ class Telling {
     }
   }
 
-  void settle(std::size_t r, Kind kind) {
+  void decide(std::size_t r, Kind kind) {
     if (!regions_[r].bounded() || kinds_[r] != Kind::unknown) return;
     kinds_[r] = kind;
     near_.push_back(r);

@@ -12,7 +12,7 @@ namespace misalign::schema {
 
 /// A splitting search. The member initializers are the released defaults: they never change.
 struct Splitting {
-  /// Ascending; the threshold is the last. Empty: found by a pilot.
+  /// Ascending; the threshold is the last. Empty: found by a level finder.
   std::vector<double> levels_deg;
   std::uint32_t particles = 1000;      ///< of a population, at every level
   std::uint32_t sweeps = 10;           ///< moves of each particle at a level
@@ -37,7 +37,7 @@ inline DrawRange numbers_of(const DrawRange& populations) {
   return {populations.lo * kNumbersOfPopulation, populations.hi * kNumbersOfPopulation};
 }
 
-/// The scores of the levels that it names; none if a pilot is to find them.
+/// The scores of the levels that it names; none if a level finder is to find them.
 std::vector<int> named_scores(const Splitting& splitting, double sample_deg);
 
 /// Reads the part "search" of a campaign whose threshold and samples are known; nothing for a plain

@@ -98,7 +98,7 @@ CertificateRecord claims_of(const Pattern& base, const solver::Mechanism& mechan
   row.end = solver::name_of(certificate.end);
   row.place = place_of(base, mechanism, certificate);
   row.contact = certificate.contact;
-  row.intervals = static_cast<std::uint32_t>(certificate.pieces.size());
+  row.intervals = static_cast<std::uint32_t>(certificate.intervals.size());
   return row;
 }
 

@@ -15,7 +15,7 @@ namespace misalign::schema {
 enum class TableStyle { aligned, json, csv };
 
 /// Takes a table's text piece by piece; false if no more is wanted.
-using TextSink = std::function<bool(const std::string& piece)>;
+using TextSink = std::function<bool(const std::string& part)>;
 
 /// Runs one read-only statement and gives its rows on as they come, with bounded memory; how many
 /// there were. The first line of an aligned table, and of CSV, names the columns, and is a piece of

@@ -123,12 +123,12 @@ bool remove_leftovers(const std::string& output, const std::vector<std::string>&
 }
 
 // What lies there; `error` where that cannot be said, for then it may be a database.
-struct LookedAt {
+struct ExistingFile {
   bool is_database = false;
   int error = 0;
 };
 
-LookedAt look_at(const std::string& path) {
+ExistingFile existing_file(const std::string& path) {
   Stat found{};
   if (::stat(path.c_str(), &found) != 0) {
     const bool is_nothing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;
@@ -154,7 +154,7 @@ void refuse_database(const std::string& path, const std::string& output) {
     if (path.ends_with(suffix)) paths.push_back(path.substr(0, path.size() - suffix.size()));
   }
   for (const std::string& one : paths) {
-    const LookedAt found = look_at(one);
+    const ExistingFile found = existing_file(one);
     if (found.is_database) {
       throw UserError(kExitUsage, output +
                                       ": is a database, or belongs to one; name another file with "

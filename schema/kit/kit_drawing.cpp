@@ -7,7 +7,7 @@
 
 #include "schema/kit/kit_layout.hpp"
 #include "schema/kit/kit_notes.hpp"
-#include "schema/kit/part_piece.hpp"
+#include "schema/kit/part_item.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -50,11 +50,11 @@ class Kit {
       notes_.emplace_back("springs end on vertices: in a tab's bore, or in the ball joint's wire");
     }
     if (options_.bed_mm) parts = fitted(parts);
-    std::vector<KitPiece> pieces;
+    std::vector<KitItem> items;
     for (const KitPart& part : parts) {
-      pieces.push_back(part_piece(sheet_, part, fittings_, options_));
+      items.push_back(part_item(sheet_, part, fittings_, options_));
     }
-    return {laid_out(std::move(pieces)), warning_};
+    return {laid_out(std::move(items)), warning_};
   }
 
  private:
@@ -101,13 +101,13 @@ class Kit {
   // Parts that are too large for the bed cut along creases.
   std::vector<KitPart> fitted(const std::vector<KitPart>& parts) {
     refuse_bed();
-    std::vector<KitPart> pieces;
+    std::vector<KitPart> smaller;
     for (const KitPart& part : parts) {
-      std::vector<KitPart> cut = in_pieces(part, room_mm());
+      std::vector<KitPart> cut = divided_to_fit(part, room_mm());
       if (cut.size() > 1) note_cuts(part, cut);
-      pieces.insert(pieces.end(), cut.begin(), cut.end());
+      smaller.insert(smaller.end(), cut.begin(), cut.end());
     }
-    return pieces;
+    return smaller;
   }
 
   void refuse_bed() const {
@@ -122,13 +122,13 @@ class Kit {
   }
 
   // In the fewest cells of a grid in which everything fits.
-  std::vector<KitPart> in_pieces(const KitPart& part, const Vector2d& room_mm) const {
+  std::vector<KitPart> divided_to_fit(const KitPart& part, const Vector2d& room_mm) const {
     const auto [rows, columns] = rows_and_columns(sheet_, part);
     for (int cells = 1; cells <= rows * columns; ++cells) {
       for (int down = 1; down <= std::min(cells, rows); ++down) {
         if (cells % down != 0 || cells / down > columns) continue;
-        std::vector<KitPart> pieces = divided(sheet_, part, down, cells / down);
-        if (fit(pieces, room_mm)) return pieces;
+        std::vector<KitPart> smaller = divided(sheet_, part, down, cells / down);
+        if (fit(smaller, room_mm)) return smaller;
       }
     }
     for (const KitPart& panel : divided(sheet_, part, rows, columns)) {
@@ -145,24 +145,24 @@ class Kit {
     return {};  // not reached: single panels fit
   }
 
-  void note_cuts(const KitPart& part, const std::vector<KitPart>& pieces) {
+  void note_cuts(const KitPart& part, const std::vector<KitPart>& smaller) {
     for (const int c : part.creases) {
-      const bool kept = std::any_of(pieces.begin(), pieces.end(), [&](const KitPart& piece) {
-        return std::binary_search(piece.creases.begin(), piece.creases.end(), c);
+      const bool kept = std::any_of(smaller.begin(), smaller.end(), [&](const KitPart& one) {
+        return std::binary_search(one.creases.begin(), one.creases.end(), c);
       });
       if (!kept) cuts_.push_back(c);
     }
   }
 
-  std::vector<LineDrawing> laid_out(std::vector<KitPiece> pieces) const {
+  std::vector<LineDrawing> laid_out(std::vector<KitItem> items) const {
     const double gap_mm = options_.gap_mm;
     const Vector2d margin = Vector2d::Constant(options_.margin_mm);
     Vector2d room(0, INFINITY);
     if (options_.bed_mm) room = room_mm();
-    for (KitPiece& block : kit_tables(sheet_, springs_, cuts_, room.y()))
-      pieces.push_back(std::move(block));
+    for (KitItem& block : kit_tables(sheet_, springs_, cuts_, room.y()))
+      items.push_back(std::move(block));
     std::vector<LayoutBox> boxes;
-    for (const KitPiece& piece : pieces) boxes.push_back({piece.size_mm(), piece.may_turn});
+    for (const KitItem& item : items) boxes.push_back({item.size_mm(), item.may_turn});
     if (!options_.bed_mm) room.x() = std::max(sheet_width_mm(boxes, gap_mm), kLeastHeading_mm);
     const std::vector<LaidOut> laid = lay_out(boxes, room, gap_mm);
     std::size_t beds = 1;
@@ -173,27 +173,27 @@ class Kit {
       used = used.cwiseMax(laid[k].at_mm + (laid[k].turned ? size.reverse().eval() : size));
     }
     if (!options_.bed_mm) room.x() = std::max(used.x(), kLeastHeading_mm);
-    std::vector<KitPiece> sheets;
+    std::vector<KitItem> sheets;
     for (std::size_t bed = 0; bed < beds; ++bed) {
-      const KitPiece heading = kit_heading(sentences(bed, beds), room.x());
+      const KitItem heading = kit_heading(sentences(bed, beds), room.x());
       const Vector2d page =
           options_.bed_mm ? *options_.bed_mm
                           : Vector2d(2 * margin +
                                      Vector2d(room.x(), used.y() + gap_mm + heading.size_mm().y()));
-      sheets.push_back(empty_piece({0, 0}, page));
+      sheets.push_back(empty_item({0, 0}, page));
       sheets.back().drawing.title = title_;
       sheets.back().add(heading, margin, false);
     }
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      KitPiece& sheet = sheets[static_cast<std::size_t>(laid[k].bed)];
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      KitItem& sheet = sheets[static_cast<std::size_t>(laid[k].bed)];
       const double height = laid[k].turned ? boxes[k].size_mm.x() : boxes[k].size_mm.y();
-      sheet.add(pieces[k],
+      sheet.add(items[k],
                 {margin.x() + laid[k].at_mm.x(),
                  sheet.drawing.most_mm.y() - margin.y() - laid[k].at_mm.y() - height},
                 laid[k].turned);
     }
     std::vector<LineDrawing> drawings;
-    for (KitPiece& sheet : sheets) {
+    for (KitItem& sheet : sheets) {
       std::erase_if(sheet.drawing.layers, [](const LineLayer& layer) { return layer.is_empty(); });
       drawings.push_back(std::move(sheet.drawing));
     }

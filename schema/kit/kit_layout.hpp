@@ -1,4 +1,4 @@
-// Where the pieces of a kit lie: in shelves on as many beds as are needed.
+// Where the parts of a kit lie: in shelves on as many beds as are needed.
 #pragma once
 
 #include <Eigen/Core>

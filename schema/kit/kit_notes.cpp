@@ -36,7 +36,7 @@ DrawnText written(double x, double y, const std::string& words) {
 }
 
 // Rows below a line of headings, in columns as wide as their widest words.
-KitPiece table(const std::string& caption, const Row& heads, const std::vector<Row>& rows) {
+KitItem table(const std::string& caption, const Row& heads, const std::vector<Row>& rows) {
   constexpr double kBetween_mm = 3;
   std::vector<double> starts(1, 0.0);
   for (std::size_t c = 0; c < heads.size(); ++c) {
@@ -46,8 +46,8 @@ KitPiece table(const std::string& caption, const Row& heads, const std::vector<R
   }
   const double width = std::max(starts.back() - kBetween_mm, text_width(caption) * kNote_mm);
   const double height = static_cast<double>(rows.size() + 2) * kNoteLine_mm;
-  KitPiece piece = empty_piece({0, 0}, {width, height});
-  LineLayer& note = piece.on(KitLayer::note);
+  KitItem item = empty_item({0, 0}, {width, height});
+  LineLayer& note = item.on(KitLayer::note);
   double y = height - kNote_mm;
   note.texts.push_back(written(0, y, caption));
   const auto add = [&](const Row& row) {
@@ -60,19 +60,19 @@ KitPiece table(const std::string& caption, const Row& heads, const std::vector<R
   const double under = y - 0.4 * (kNoteLine_mm - kNote_mm);
   note.paths.push_back({{{0, under}, {width, under}}, false});
   for (const Row& row : rows) add(row);
-  return piece;
+  return item;
 }
 
 void add_blocks(const std::string& caption, const Row& heads, const std::vector<Row>& rows,
-                double most_height_mm, std::vector<KitPiece>& pieces) {
+                double most_height_mm, std::vector<KitItem>& items) {
   constexpr double kMostRows = 25;
   const auto most =
       static_cast<std::size_t>(std::clamp(most_height_mm / kNoteLine_mm - 2, 1.0, kMostRows));
   for (std::size_t first = 0; first < rows.size(); first += most) {
     const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = static_cast<std::ptrdiff_t>(std::min(most, rows.size() - first));
-    pieces.push_back(table(first == 0 ? caption : caption + ", continued", heads,
-                           std::vector<Row>(begin, begin + count)));
+    items.push_back(table(first == 0 ? caption : caption + ", continued", heads,
+                          std::vector<Row>(begin, begin + count)));
   }
 }
 
@@ -103,15 +103,15 @@ std::vector<Row> spring_way_rows(const std::vector<KitSpring>& springs) {
   std::vector<Row> rows;
   for (const KitSpring& spring : springs) {
     rows.push_back({number_of(spring), fmt::format("{:.3f}", spring.length_mm.back()),
-                    fmt::format("{:.3f}", spring.stroke_mm()), word_of(spring.way),
-                    word_of(spring.diagonal_way)});
+                    fmt::format("{:.3f}", spring.stroke_mm()), word_of(spring.trend),
+                    word_of(spring.diagonal_trend)});
   }
   return rows;
 }
 
 // A few springs a table: lengths flat, every ten degrees, and at the end.
 void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
-                   double most_height_mm, std::vector<KitPiece>& pieces) {
+                   double most_height_mm, std::vector<KitItem>& items) {
   constexpr std::size_t kSprings = 4;
   constexpr double kStep_deg = 10;
   const auto shown = solver::rows_to_show(sheet.mechanism, sheet.path, kStep_deg);
@@ -130,13 +130,13 @@ void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
         rows.back().push_back(fmt::format("{:.3f}", springs[s].length_mm[at + 1]));
       }
     }
-    add_blocks("springs' lengths, mm, at the pilot's angle", heads, rows, most_height_mm, pieces);
+    add_blocks("springs' lengths, mm, at the pilot's angle", heads, rows, most_height_mm, items);
   }
 }
 
 }  // namespace
 
-KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm) {
+KitItem kit_heading(const std::vector<std::string>& sentences, double width_mm) {
   constexpr double kGauge_mm = 100, kTick_mm = 4;
   const auto letters = static_cast<std::size_t>(width_mm / (kNote_mm * text_width("x")));
   std::vector<std::string> lines;
@@ -146,8 +146,8 @@ KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm)
     }
   }
   const double height = static_cast<double>(lines.size()) * kNoteLine_mm + kTick_mm;
-  KitPiece piece = empty_piece({0, 0}, {width_mm, height});
-  LineLayer& note = piece.on(KitLayer::note);
+  KitItem item = empty_item({0, 0}, {width_mm, height});
+  LineLayer& note = item.on(KitLayer::note);
   double y = height - kNote_mm;
   for (const std::string& line : lines) {
     note.texts.push_back(written(0, y, line));
@@ -159,22 +159,22 @@ KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm)
     note.paths.push_back({{{x, 0}, {x, kTick_mm}}, false});
   }
   note.texts.push_back(written(kGauge_mm + kNote_mm, middle - 0.5 * kNote_mm, "100 mm"));
-  return piece;
+  return item;
 }
 
-std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
-                                 const std::vector<int>& cuts, double most_height_mm) {
-  std::vector<KitPiece> pieces;
-  add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, pieces);
+std::vector<KitItem> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
+                                const std::vector<int>& cuts, double most_height_mm) {
+  std::vector<KitItem> items;
+  add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, items);
   add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "spring"}, spring_rows(springs),
-             most_height_mm, pieces);
+             most_height_mm, items);
   const Eigen::Index rows = solver::rows_shown(sheet.mechanism, sheet.path);
   const double end_deg =
       rows == 0 ? 0 : sheet.path.history.stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
   add_blocks(fmt::format("springs, mm, from flat to {:.10g} deg", end_deg),
              {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_way_rows(springs),
-             most_height_mm, pieces);
-  add_histories(sheet, springs, most_height_mm, pieces);
+             most_height_mm, items);
+  add_histories(sheet, springs, most_height_mm, items);
   std::vector<Row> hinges;
   for (const int c : cuts) {
     const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];
@@ -182,8 +182,8 @@ std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<KitSpr
                       sheet.panel_label(crease.right)});
   }
   add_blocks("cut for the bed: to be hinged", {"crease", "panel", "panel"}, hinges, most_height_mm,
-             pieces);
-  return pieces;
+             items);
+  return items;
 }
 
 }  // namespace misalign::schema

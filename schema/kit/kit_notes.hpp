@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "schema/kit/kit_piece.hpp"
+#include "schema/kit/kit_item.hpp"
 #include "schema/kit/kit_springs.hpp"
 
 namespace misalign::schema {
 
 /// Sentences within a width, a line or more each, and below them a line of exactly 100 mm between
 /// two ticks.
-KitPiece kit_heading(const std::vector<std::string>& sentences, double width_mm);
+KitItem kit_heading(const std::vector<std::string>& sentences, double width_mm);
 /// The least width that it needs.
 inline constexpr double kLeastHeading_mm = 120;
 
@@ -20,7 +20,7 @@ inline constexpr double kLeastHeading_mm = 120;
 /// its own ends; on the way to D: how long at D, its stroke, which way, and the diagonal's; their
 /// lengths every ten degrees. Of the creases (of the mechanism) that were cut for the bed a last
 /// one.
-std::vector<KitPiece> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
-                                 const std::vector<int>& cuts, double most_height_mm);
+std::vector<KitItem> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
+                                const std::vector<int>& cuts, double most_height_mm);
 
 }  // namespace misalign::schema

@@ -1,4 +1,4 @@
-// The pieces of a kit: panels that creases hold together.
+// The parts of a kit: panels that creases hold together.
 #pragma once
 
 #include <optional>

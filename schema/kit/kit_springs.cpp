@@ -25,7 +25,7 @@ Vector3d folded_point(const KitSheet& sheet, const SpringEnd& end, const Eigen::
   return folded + share.x() * (shape.col(next) - folded) + share.y() * (shape.col(before) - folded);
 }
 
-LengthWay way_of(const std::vector<double>& length_mm, double band_mm) {
+LengthTrend trend_of(const std::vector<double>& length_mm, double band_mm) {
   double least = length_mm[0], most = length_mm[0], fallen = 0, risen = 0;
   for (const double length : length_mm) {  // the farthest below what it had, and above
     least = std::min(least, length);
@@ -33,22 +33,22 @@ LengthWay way_of(const std::vector<double>& length_mm, double band_mm) {
     fallen = std::max(fallen, most - length);
     risen = std::max(risen, length - least);
   }
-  if (fallen > band_mm && risen > band_mm) return LengthWay::reverses;
-  if (fallen > band_mm) return LengthWay::shortens;
-  return risen > band_mm ? LengthWay::lengthens : LengthWay::constant;
+  if (fallen > band_mm && risen > band_mm) return LengthTrend::reverses;
+  if (fallen > band_mm) return LengthTrend::shortens;
+  return risen > band_mm ? LengthTrend::lengthens : LengthTrend::constant;
 }
 
 }  // namespace
 
-const char* word_of(LengthWay way) {
-  switch (way) {
-    case LengthWay::constant:
+const char* word_of(LengthTrend trend) {
+  switch (trend) {
+    case LengthTrend::constant:
       return "constant";
-    case LengthWay::lengthens:
+    case LengthTrend::lengthens:
       return "lengthens";
-    case LengthWay::shortens:
+    case LengthTrend::shortens:
       return "shortens";
-    case LengthWay::reverses:
+    case LengthTrend::reverses:
       break;
   }
   return "reverses";
@@ -77,8 +77,8 @@ std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fit
           (folded_point(sheet, from, shape) - folded_point(sheet, to, shape)).norm());
       spring.diagonal_mm.push_back((shape.col(from.vertex) - shape.col(to.vertex)).norm());
     }
-    spring.way = way_of(spring.length_mm, band_mm);
-    spring.diagonal_way = way_of(spring.diagonal_mm, band_mm);
+    spring.trend = trend_of(spring.length_mm, band_mm);
+    spring.diagonal_trend = trend_of(spring.diagonal_mm, band_mm);
     springs.push_back(std::move(spring));
   }
   return springs;
@@ -88,10 +88,10 @@ std::string contradiction_of(const std::vector<KitSpring>& springs) {
   int reverse = 0, driven = 0, idle = 0, opposite = 0;
   for (const KitSpring& spring : springs) {
     if (!spring.contradicts_verdict()) continue;
-    ++(spring.diagonal_way == LengthWay::constant ? driven
-       : spring.way == LengthWay::reverses        ? reverse
-       : spring.way == LengthWay::constant        ? idle
-                                                  : opposite);
+    ++(spring.diagonal_trend == LengthTrend::constant ? driven
+       : spring.trend == LengthTrend::reverses        ? reverse
+       : spring.trend == LengthTrend::constant        ? idle
+                                                      : opposite);
   }
   std::vector<std::string> kinds;
   const auto add = [&](int count, const char* one, const char* many) {

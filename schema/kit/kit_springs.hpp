@@ -10,22 +10,22 @@
 namespace misalign::schema {
 
 /// From flat to folded.
-enum class LengthWay { constant, lengthens, shortens, reverses };
+enum class LengthTrend { constant, lengthens, shortens, reverses };
 
 /// "lengthens".
-const char* word_of(LengthWay way);
+const char* word_of(LengthTrend trend);
 
 struct KitSpring {
   SpringEnd from, to;
   /// Flat, and at each row of the path that is shown (solver::rows_shown).
   std::vector<double> length_mm, diagonal_mm;
-  LengthWay way, diagonal_way;
+  LengthTrend trend, diagonal_trend;
 
   /// Longest less shortest.
   double stroke_mm() const;
   /// Of a diagonal that itself reverses the verdict promises nothing.
   bool contradicts_verdict() const {
-    return diagonal_way != LengthWay::reverses && way != diagonal_way;
+    return diagonal_trend != LengthTrend::reverses && trend != diagonal_trend;
   }
 };
 

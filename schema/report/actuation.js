@@ -4,7 +4,7 @@ import * as Plot from "@observablehq/plot";
 import { folding_chart, deployment, path_of, range } from "./chart.js";
 import { degrees, fixed, h, number, percent, plural, power, powers } from "./format.js";
 import { single } from "./save.js";
-import { is_pattern } from "./whose.js";
+import { is_pattern } from "./page_kind.js";
 
 const kHeight = 270;
 

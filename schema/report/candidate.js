@@ -3,7 +3,7 @@ import { ends_of } from "./data.js";
 import { certified, count, dashed, degrees, fixed, h, percent, plural } from "./format.js";
 import { metrics, with_unit } from "./metrics.js";
 import { save_text } from "./save.js";
-import { is_pattern, kExports, noun, pattern_commands } from "./whose.js";
+import { is_pattern, kExports, noun, pattern_commands } from "./page_kind.js";
 import { fault_words } from "./words.js";
 
 async function copy(text) {

@@ -3,7 +3,7 @@ import { actuation_rows } from "./actuation.js";
 import { label_of } from "./data.js";
 import { history_rows } from "./histories.js";
 import { add_saving, single } from "./save.js";
-import { file_stem } from "./whose.js";
+import { file_stem } from "./page_kind.js";
 
 /** Vertices of the flat sheet in mm, and what each is shifted by. */
 function flat_rows({ sheet }, { displacements_mm }) {

@@ -1,6 +1,6 @@
 // The figures of the overview: a tile for each, and those that every campaign may have.
 import { by_id, count, degrees, h, number, plural } from "./format.js";
-import { noun } from "./whose.js";
+import { noun } from "./page_kind.js";
 
 export function tile(term, value, more, title) {
   return h(

@@ -18,10 +18,10 @@ import { make_folding_view } from "./folding_view.js";
 import { by_id, count, degrees } from "./format.js";
 import { make_diagonal_list, make_histories } from "./histories.js";
 import { metric_of, with_unit } from "./metrics.js";
-import { make_let_go } from "./let_go.js";
+import { make_deployment } from "./deployment.js";
 import { make_pilot } from "./pilot.js";
 import { make_stress } from "./stress.js";
-import { end_of_path, heading, population_words } from "./whose.js";
+import { end_of_path, heading, population_words } from "./page_kind.js";
 
 const kFirstPilot_deg = 80; // a pose that shows the fold well
 
@@ -138,8 +138,8 @@ export class Inspector {
       this.#place_chart(box, chart),
     );
     for (const { box, chart } of actuation) this.#place_chart(box, chart);
-    const let_go = make_let_go(report, along);
-    if (let_go) this.#place_chart(by_id("let-go"), let_go);
+    const deployment = make_deployment(report, along);
+    if (deployment) this.#place_chart(by_id("let-go"), deployment);
     for (const { box, chart } of make_stress(report, detail, decoded)) this.#place_chart(box, chart);
     show_contact(detail);
     pilot.load(detail, decoded);

@@ -11,7 +11,7 @@ import { make_table, save_rows } from "./table.js";
 import { is_order } from "./table_columns.js";
 import { set_up_theme } from "./theme.js";
 import { watch } from "./watch.js";
-import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./whose.js";
+import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./page_kind.js";
 
 /** Whose folding the page carries, in words. */
 function chosen_words(report) {

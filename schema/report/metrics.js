@@ -87,7 +87,7 @@ const kEnergy = [
   },
 ];
 // Where `--deploy` asked for them.
-const kLetGo = [
+const kDeployment = [
   {
     name: "deploy_time_s",
     label: "deploy time",
@@ -108,7 +108,7 @@ const kLetGo = [
     about: "The most friction of the creases, per mm, with which it then still gets to flat.",
   },
 ];
-const kAfter = { reverses_at_deg: kCertified, miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kLetGo] };
+const kAfter = { reverses_at_deg: kCertified, miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kDeployment] };
 
 export const metrics = kStored.flatMap((metric) => [metric, ...(kAfter[metric.name] ?? [])]);
 

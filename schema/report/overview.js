@@ -1,10 +1,10 @@
 // The overview: the campaign's name, what it asked, and what became of it.
 import { show_acceptance } from "./acceptance.js";
 import { show_angles } from "./angles.js";
-import { asked } from "./asked.js";
+import { asked } from "./campaign_words.js";
 import { by_id } from "./format.js";
 import { show_ladder } from "./ladder.js";
-import { is_splitting } from "./whose.js";
+import { is_splitting } from "./page_kind.js";
 
 /** Again whenever the report has changed. */
 export function show_overview(report) {

@@ -130,16 +130,17 @@ Json words_json() {
   return {{"faults", faults}, {"metrics", metrics}};
 }
 
-Json candidates_json(SQLite::Database& database, std::uint64_t most, bool let_go) {
+Json candidates_json(SQLite::Database& database, std::uint64_t most, bool with_deployment) {
   const std::string first =
       "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most);
   // The functions of the rows that are shown alone.
   const Json rows = query_rows(
-      database, let_go ? "SELECT *, deploy_time_s(draw) AS deploy_time_s, "
-                         "critical_friction_n_mm_per_mm(draw) AS critical_friction_n_mm_per_mm "
-                         "FROM (" +
-                             first + ")"
-                       : first);
+      database, with_deployment
+                    ? "SELECT *, deploy_time_s(draw) AS deploy_time_s, "
+                      "critical_friction_n_mm_per_mm(draw) AS critical_friction_n_mm_per_mm "
+                      "FROM (" +
+                          first + ")"
+                    : first);
   const Json total = query_rows(database, "SELECT count(*) AS total FROM candidate");
   Json columns = Json::object();
   for (const Json& row : rows) {
@@ -236,7 +237,7 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
   return json;
 }
 
-Json let_go_json(const solver::DeploymentStudy& study) {
+Json page_deployment_json(const solver::DeploymentStudy& study) {
   std::vector<double> time_s, pilot_deg;
   for (const solver::DeploymentRow& row : study.run.rows) {
     time_s.push_back(row.time_s);

@@ -15,7 +15,7 @@ Json words_json();
 /// Draws as texts (they may exceed 2^53), columns of the candidates view: the `most` first ones in
 /// the order of the query `best`, and how many there are. With `let_go` also what the connection's
 /// functions say of deploying them.
-Json candidates_json(SQLite::Database& database, std::uint64_t most, bool let_go = false);
+Json candidates_json(SQLite::Database& database, std::uint64_t most, bool with_deployment = false);
 
 /// What was found of miscut copies of those candidates, and of `draws`: {"draw", and what
 /// yield_json says}.
@@ -45,7 +45,7 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
 
 /// What the page shows of a sheet that was let go: outcome, limits, and in base64 when the pilot
 /// had which angle.
-Json let_go_json(const solver::DeploymentStudy& study);
+Json page_deployment_json(const solver::DeploymentStudy& study);
 
 /// The page with this data. UserError (1) if the program was built without the page.
 std::string report_page(const Json& data);

@@ -7,7 +7,7 @@ import { stress_colours } from "./panel_paint.js";
 import { add_saving, single } from "./save.js";
 import { panel_name, place_name } from "./sheet.js";
 import { on_theme } from "./theme.js";
-import { file_stem } from "./whose.js";
+import { file_stem } from "./page_kind.js";
 
 const kHeight = 260;
 

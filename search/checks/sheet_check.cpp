@@ -63,7 +63,7 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
                               Eigen::Index samples, SheetReport& report) const {
   const auto& [vertices_mm, history, states] = sheet;
   solver::ShapeCheck shape_check(vertices_mm, panels_.corners, panels_.folds);
-  ContactCheck contact_check(vertices_mm, panels_.corners);
+  CrossingCheck crossing_check(vertices_mm, panels_.corners);
   solver::SheetGeometry<double> geometry;
   place(mechanism(), vertices_mm, geometry);
   std::vector<double> claimed_deg(panels_.folds.size());
@@ -82,7 +82,7 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
           std::max(report.diagonal_mm, std::abs(length_mm - history.length_mm(k, d)));
     }
     if (report.first_contact_deg) continue;
-    if (const auto panels = contact_check.crossing(corners_mm)) {
+    if (const auto panels = crossing_check.crossing(corners_mm)) {
       const auto place_of = [&](int panel) {
         return schema::facet_json(base_, panels_.facets[panel]).dump();
       };

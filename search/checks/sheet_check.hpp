@@ -8,7 +8,7 @@
 #include "schema/catalogue/ledger_check.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "search/checks/column_tolerances.hpp"
-#include "search/checks/contact.hpp"
+#include "search/checks/crossing_check.hpp"
 #include "solver/design/fold_lines.hpp"
 #include "solver/records/history.hpp"
 

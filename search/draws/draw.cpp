@@ -9,7 +9,7 @@ namespace misalign::search {
 namespace {
 
 double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
-  if (misalignment.levels == schema::Levels::ternary) {
+  if (misalignment.distribution == schema::ShiftDistribution::ternary) {
     return ternary_level(word) * misalignment.amplitude_mm;
   }
   return uniform_share(word) * misalignment.amplitude_mm;
@@ -18,7 +18,7 @@ double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
 // A level, or a share whose word gives it again.
 bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
   const double share = shift_mm / misalignment.amplitude_mm;
-  if (misalignment.levels == schema::Levels::ternary) {
+  if (misalignment.distribution == schema::ShiftDistribution::ternary) {
     return share == 0 || shift_mm == misalignment.amplitude_mm ||
            shift_mm == -misalignment.amplitude_mm;
   }

@@ -4,12 +4,12 @@ namespace misalign::search {
 
 namespace {
 
-solver::PathPlanOptions path_of(const schema::Sampling& sampling, const Looks& looks) {
+solver::PathPlanOptions path_of(const schema::Sampling& sampling, const StationOptions& stations) {
   solver::PathPlanOptions path;
   path.sample_deg = sampling.sample_deg;
   path.end_deg = sampling.end_deg;
-  path.look_deg = looks.step_deg;
-  path.look_at_deg = looks.at_deg;
+  path.look_deg = stations.step_deg;
+  path.look_at_deg = stations.at_deg;
   return path;
 }
 
@@ -21,13 +21,15 @@ solver::Model model_of(const schema::Campaign& campaign, const solver::PathPlanO
           path,
           threshold_sample,
           criterion,
-          misalignment.levels == schema::Levels::ternary ? misalignment.amplitude_mm : 0};
+          misalignment.distribution == schema::ShiftDistribution::ternary
+              ? misalignment.amplitude_mm
+              : 0};
 }
 
 }  // namespace
 
-solver::Model model_of(const schema::Campaign& campaign, const Looks& looks) {
-  return model_of(campaign, path_of(campaign.sampling(), looks), campaign.threshold_sample(),
+solver::Model model_of(const schema::Campaign& campaign, const StationOptions& stations) {
+  return model_of(campaign, path_of(campaign.sampling(), stations), campaign.threshold_sample(),
                   campaign.criterion());
 }
 
@@ -38,8 +40,8 @@ solver::Model scoring_model_of(const schema::Campaign& campaign, int sample) {
 }
 
 solver::Model model_of(const schema::Pattern& pattern, const schema::Sampling& sampling,
-                       const Looks& looks) {
-  return solver::Model(pattern.base, path_of(sampling, looks), {sampling.between_samples});
+                       const StationOptions& stations) {
+  return solver::Model(pattern.base, path_of(sampling, stations), {sampling.between_samples});
 }
 
 }  // namespace misalign::search

@@ -68,11 +68,11 @@ py::dict fold(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm,
   using namespace py::literals;
   const schema::Pattern& base = source.sheet.base;
   const schema::Sampling sampling = sampling_for(stations_deg, source);
-  Looks looks(0, stations_deg.value_or(std::vector<double>()));
-  std::erase(looks.at_deg, 0);  // which no path has to be followed to
+  StationOptions stations(0, stations_deg.value_or(std::vector<double>()));
+  std::erase(stations.at_deg, 0);  // which no path has to be followed to
   std::optional<SheetFolder> folder;
   const solver::ShapedPath path = unlocked([&] {
-    folder.emplace(base, sampling, source.sheet.actuators, looks);
+    folder.emplace(base, sampling, source.sheet.actuators, stations);
     return folder->follow(shifts_mm);
   });
   const solver::FoldingHistory& history = path.history;

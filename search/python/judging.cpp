@@ -1,7 +1,7 @@
 // `_misalign.accepted` and `_misalign.verdicts`: whole arrays of shifts in the lanes.
 #include <algorithm>
 
-#include "search/draws/sheet_judge.hpp"
+#include "search/draws/decision_stream.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/model_shelf.hpp"
@@ -15,36 +15,37 @@ namespace py = pybind11;
 
 using Source = std::shared_ptr<SheetSource>;
 
-ModelWish wish_for(const Source& source, ShiftBlocks& blocks, int threshold_sample) {
+ModelKey key_for(const Source& source, ShiftBlocks& blocks, int threshold_sample) {
   const auto& campaign = source->campaign;
-  const bool says_levels = campaign && campaign->misalignment.levels == schema::Levels::ternary;
+  const bool says_levels =
+      campaign && campaign->misalignment.distribution == schema::ShiftDistribution::ternary;
   const double ternary_mm = threshold_sample == 0 ? 0
                             : says_levels         ? campaign->misalignment.amplitude_mm
                                                   : blocks.ternary_mm();
   return {source, source->usual, ternary_mm, threshold_sample};
 }
 
-ModelWish with_all_vertices(ModelWish wish) {
-  wish.shifted.clear();
-  for (int v = 0; v < wish.source->vertices(); ++v) wish.shifted.push_back(v);
-  return wish;
+ModelKey with_all_vertices(ModelKey key) {
+  key.shifted.clear();
+  for (int v = 0; v < key.source->vertices(); ++v) key.shifted.push_back(v);
+  return key;
 }
 
 // Judges sheets from `first` on until none is left, or until one has shifts at vertices that the
 // model does not know; the first sheet that was not judged. `one` gets a judge and a block, `rest`
 // the judge at the end; Python's signals are looked at between them.
 template <class One, class Rest>
-std::uint64_t judge_from(std::uint64_t first, const ModelWish& wish, ShiftBlocks& blocks,
+std::uint64_t judge_from(std::uint64_t first, const ModelKey& key, ShiftBlocks& blocks,
                          const One& one, const Rest& rest) {
-  const ModelLoan loan(wish);
-  SheetJudge judge(loan.model(), loan.batch());
+  const ModelLoan loan(key);
+  DecisionStream stream(loan.model(), loan.batch());
   Draws block;
   bool fits = true;
   while (fits && first < blocks.sheets()) {
-    const std::uint64_t count = std::min(judge.next_block(), blocks.sheets() - first);
+    const std::uint64_t count = std::min(stream.next_block(), blocks.sheets() - first);
     const double* const rows = blocks.rows(first, count);
     unlocked([&] {
-      fits = blocks.pack(rows, first, count, wish.shifted, block);
+      fits = blocks.pack(rows, first, count, key.shifted, block);
       if (fits) one(judge, block);
     });
     if (fits) first += count;
@@ -55,9 +56,9 @@ std::uint64_t judge_from(std::uint64_t first, const ModelWish& wish, ShiftBlocks
 }
 
 template <class One, class Rest>
-void judge_all(const ModelWish& wish, ShiftBlocks& blocks, const One& one, const Rest& rest) {
-  const std::uint64_t judged = judge_from(0, wish, blocks, one, rest);
-  if (judged < blocks.sheets()) judge_from(judged, with_all_vertices(wish), blocks, one, rest);
+void judge_all(const ModelKey& key, ShiftBlocks& blocks, const One& one, const Rest& rest) {
+  const std::uint64_t judged = judge_from(0, key, blocks, one, rest);
+  if (judged < blocks.sheets()) judge_from(judged, with_all_vertices(key), blocks, one, rest);
 }
 
 // [N]: 0 not accepted, 1 accepted, 2 undecided.
@@ -65,16 +66,16 @@ py::array_t<std::uint8_t> accepted(const Source& source, const py::object& shift
                                    double threshold_deg) {
   ShiftBlocks blocks(shifts_mm, *source);
   const int sample = threshold_sample_of(threshold_deg, source->sheet.sampling, "threshold_deg");
-  py::array_t<std::uint8_t> standings(static_cast<py::ssize_t>(blocks.sheets()));
-  std::uint8_t* const to = standings.mutable_data();
-  const SheetJudge::Standings tell = [to](std::uint64_t number, Standing standing) {
-    to[number] = static_cast<std::uint8_t>(standing);
+  py::array_t<std::uint8_t> decisions(static_cast<py::ssize_t>(blocks.sheets()));
+  std::uint8_t* const to = decisions.mutable_data();
+  const DecisionStream::TellDecision tell = [to](std::uint64_t number, Decision decision) {
+    to[number] = static_cast<std::uint8_t>(decision);
   };
   judge_all(
-      wish_for(source, blocks, sample), blocks,
-      [&](SheetJudge& judge, const Draws& block) { judge.accept(block, tell); },
-      [&](SheetJudge& judge) { judge.finish(tell); });
-  return standings;
+      key_for(source, blocks, sample), blocks,
+      [&](DecisionStream& stream, const Draws& block) { stream.accept(block, tell); },
+      [&](DecisionStream& stream) { stream.finish(tell); });
+  return decisions;
 }
 
 // Three arrays [N]: D in degrees, the fault's number in `faults`, the crease or diagonal or -1.
@@ -89,9 +90,9 @@ py::tuple verdicts(const Source& source, const py::object& shifts_mm) {
   std::uint8_t* const to_fault = fault.mutable_data();
   std::int32_t* const to_where = where.mutable_data();
   judge_all(
-      wish_for(source, blocks, 0), blocks,
-      [&](SheetJudge& judge, const Draws& block) {
-        const std::vector<solver::Verdict>& judged = judge.judge(block.shifts);
+      key_for(source, blocks, 0), blocks,
+      [&](DecisionStream& stream, const Draws& block) {
+        const std::vector<solver::Verdict>& judged = stream.judge(block.shifts);
         for (std::size_t k = 0; k < block.size(); ++k) {
           const std::uint64_t at = block.numbers[k];
           to_deg[at] = judged[k].deploys_from_sample * sample_deg;
@@ -99,7 +100,7 @@ py::tuple verdicts(const Source& source, const py::object& shifts_mm) {
           to_where[at] = judged[k].where;
         }
       },
-      [](SheetJudge&) {});
+      [](DecisionStream&) {});
   return py::make_tuple(deploys_from_deg, fault, where);
 }
 

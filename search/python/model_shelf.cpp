@@ -16,37 +16,37 @@ std::list<std::shared_ptr<ShelvedModel>>& shelf() {
   return models;
 }
 
-bool is_same(const ModelWish& a, const ModelWish& b) {
+bool is_same(const ModelKey& a, const ModelKey& b) {
   return a.threshold_sample == b.threshold_sample && a.ternary_mm == b.ternary_mm &&
          a.shifted == b.shifted && a.source->key == b.source->key;
 }
 
-std::shared_ptr<ShelvedModel> taken(const ModelWish& wish) {
+std::shared_ptr<ShelvedModel> taken(const ModelKey& key) {
   auto& models = shelf();
   const auto at = std::find_if(models.begin(), models.end(),
-                               [&](const auto& model) { return is_same(model->wish, wish); });
+                               [&](const auto& model) { return is_same(model->key, key); });
   if (at == models.end()) return nullptr;
   models.splice(models.begin(), models, at);
   return models.front();
 }
 
-std::shared_ptr<ShelvedModel> make(const ModelWish& wish) {
-  const schema::Sampling& sampling = wish.source->sheet.sampling;
+std::shared_ptr<ShelvedModel> make(const ModelKey& key) {
+  const schema::Sampling& sampling = key.source->sheet.sampling;
   const solver::PathPlanOptions path{sampling.sample_deg, sampling.end_deg};
   return std::make_shared<ShelvedModel>(
-      ShelvedModel{wish,
-                   std::make_unique<const solver::Model>(wish.source->sheet.base.base, wish.shifted,
-                                                         path, wish.threshold_sample,
-                                                         wish.source->criterion, wish.ternary_mm),
+      ShelvedModel{key,
+                   std::make_unique<const solver::Model>(key.source->sheet.base.base, key.shifted,
+                                                         path, key.threshold_sample,
+                                                         key.source->criterion, key.ternary_mm),
                    {}});
 }
 
 }  // namespace
 
-ModelLoan::ModelLoan(const ModelWish& wish) : shelved_(taken(wish)) {
+ModelLoan::ModelLoan(const ModelKey& key) : shelved_(taken(key)) {
   if (!shelved_) {
-    const auto made = unlocked([&] { return make(wish); });
-    shelved_ = taken(wish);  // somebody else may have made it meanwhile
+    const auto made = unlocked([&] { return make(key); });
+    shelved_ = taken(key);  // somebody else may have made it meanwhile
     if (!shelved_) {
       shelved_ = made;
       shelf().push_front(made);

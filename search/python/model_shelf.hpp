@@ -13,7 +13,7 @@
 namespace misalign::search::python {
 
 /// What tells one model from another.
-struct ModelWish {
+struct ModelKey {
   std::shared_ptr<SheetSource> source;
   std::vector<int> shifted;
   double ternary_mm;
@@ -21,7 +21,7 @@ struct ModelWish {
 };
 
 struct ShelvedModel {
-  ModelWish wish;
+  ModelKey key;
   std::unique_ptr<const solver::Model> model;
   std::vector<std::unique_ptr<solver::Batch>> idle;
 };
@@ -30,7 +30,7 @@ struct ShelvedModel {
 /// GIL, which it gives up while it makes something ready.
 class ModelLoan {
  public:
-  explicit ModelLoan(const ModelWish& wish);
+  explicit ModelLoan(const ModelKey& key);
   ~ModelLoan();
   ModelLoan(const ModelLoan&) = delete;
   ModelLoan& operator=(const ModelLoan&) = delete;

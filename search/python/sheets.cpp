@@ -31,7 +31,9 @@ py::dict campaign_of(const schema::Campaign& campaign) {
       "name"_a = campaign.name, "identity"_a = schema::identity(campaign), "seed"_a = campaign.seed,
       "threshold_deg"_a = campaign.threshold_deg,
       "amplitude_mm"_a = campaign.misalignment.amplitude_mm,
-      "levels"_a = campaign.misalignment.levels == schema::Levels::ternary ? "ternary" : "uniform",
+      "levels"_a = campaign.misalignment.distribution == schema::ShiftDistribution::ternary
+                       ? "ternary"
+                       : "uniform",
       "vertices"_a = list_of(campaign.misalignment.vertices),
       "is_splitting"_a = campaign.splitting.has_value(),
       "configuration"_a = schema::campaign_json(campaign).dump());

@@ -11,10 +11,10 @@ void sheet_order_fields(Wire& wire, Order& order) {
   optional_field(wire, order.stored, [&](auto& row) { certificate_fields(wire, row); });
 }
 
-template <class Wire, class Answer>
-void sheet_answer_fields(Wire& wire, Answer& answer) {
-  optional_field(wire, answer.made, [&](auto& row) { certificate_fields(wire, row); });
-  optional_field(wire, answer.finding, [&](auto& finding) {
+template <class Wire, class Result>
+void sheet_result_fields(Wire& wire, Result& result) {
+  optional_field(wire, result.made, [&](auto& row) { certificate_fields(wire, row); });
+  optional_field(wire, result.finding, [&](auto& finding) {
     wire.field(finding.draw);
     optional_field(wire, finding.interval, [&](auto& interval) { wire.field(interval); });
     wire.text(finding.what);
@@ -25,7 +25,7 @@ template <class Wire, class Sent>
 void sent_fields(Wire& wire, Sent& sent) {
   wire.field(sent.was_stopped);
   wire.field(sent.seconds);
-  list(wire, sent.answers, [&](auto& answer) { sheet_answer_fields(wire, answer); });
+  list(wire, sent.results, [&](auto& result) { sheet_result_fields(wire, result); });
 }
 
 }  // namespace
@@ -45,15 +45,15 @@ std::vector<SheetOrder> unpack_orders(const Bytes& bytes) {
   return orders;
 }
 
-Bytes pack(const SentAnswers& sent) {
+Bytes pack(const SentResults& sent) {
   Writer wire;
   sent_fields(wire, sent);
   return wire.take();
 }
 
-SentAnswers unpack_answers(const Bytes& bytes) {
+SentResults unpack_results(const Bytes& bytes) {
   Reader wire(bytes);
-  SentAnswers sent;
+  SentResults sent;
   sent_fields(wire, sent);
   return sent;
 }

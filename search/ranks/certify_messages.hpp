@@ -19,14 +19,14 @@ struct SheetOrder {
 };
 
 /// What came of it: a certificate that was made, or what is wrong with the one that was checked.
-struct SheetAnswer {
+struct SheetResult {
   std::optional<schema::CertificateRecord> made;
   std::optional<CertificateFinding> finding;
 };
 
 /// What a worker sends back of its sheets: of the first ones, all if it was not interrupted.
-struct SentAnswers {
-  std::vector<SheetAnswer> answers;
+struct SentResults {
+  std::vector<SheetResult> results;
   double seconds = 0;
   bool was_stopped = false;  ///< by a signal
 };
@@ -36,7 +36,7 @@ std::string certify_layout();
 
 Bytes pack(const std::vector<SheetOrder>& orders);
 std::vector<SheetOrder> unpack_orders(const Bytes& bytes);
-Bytes pack(const SentAnswers& sent);
-SentAnswers unpack_answers(const Bytes& bytes);
+Bytes pack(const SentResults& sent);
+SentResults unpack_results(const Bytes& bytes);
 
 }  // namespace misalign::search

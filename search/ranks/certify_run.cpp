@@ -183,8 +183,8 @@ class CertifyZero {
     if (options_.check) {
       report_.check.checked += done.size();
       for (auto& one : done) {
-        if (one.answer.finding) {
-          report_.check.findings.push_back(std::move(*one.answer.finding));
+        if (one.result.finding) {
+          report_.check.findings.push_back(std::move(*one.result.finding));
         } else {
           ++report_.check.ends[sheets_[open_[one.sheet]].end];
         }
@@ -192,7 +192,7 @@ class CertifyZero {
       return;
     }
     std::vector<schema::CertificateRecord> rows;
-    for (auto& one : done) rows.push_back(std::move(*one.answer.made));
+    for (auto& one : done) rows.push_back(std::move(*one.result.made));
     const std::vector<std::uint64_t> gone = catalogue_->keep(rows);
     gone_.insert(gone_.end(), gone.begin(), gone.end());
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -258,7 +258,7 @@ int run_other_rank(const CertifyOptions& options, MpiSession& mpi) {
     run_worker(
         mpi, [&](const Bytes& job) { return CertifyWork(ready.certifier, unpack_orders(job)); },
         [](CertifyWork& work, bool was_stopped) {
-          SentAnswers sent = work.take();
+          SentResults sent = work.take();
           sent.was_stopped = was_stopped;
           return pack(sent);
         });
@@ -276,7 +276,7 @@ int run_certify(const CertifyOptions& options,
   MpiSession mpi;
   // As in a search; alone it may finish the sheet that it is at.
   const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
-  watch_for_signals(mpi.rank() == 0 && mpi.ranks() > 1 ? kLeave_s : kLetGo_s,
+  watch_for_signals(mpi.rank() == 0 && mpi.ranks() > 1 ? kLeave_s : kRelease_s,
                     mpi.ranks() > 1 ? leave_code : 0);
   if (mpi.rank() == 0) tell_starter();
   return mpi.rank() == 0 ? run_rank_zero(options, mpi, show) : run_other_rank(options, mpi);

@@ -7,7 +7,7 @@
 namespace misalign::search {
 namespace {
 
-SheetAnswer answer(SheetCertifier& certifier, const SheetOrder& order) {
+SheetResult certify_sheet(SheetCertifier& certifier, const SheetOrder& order) {
   if (order.stored) return {{}, certifier.check(order.shifts_mm, *order.stored)};
   return {certifier.certify(order.draw, order.shifts_mm, order.asked_deg), {}};
 }
@@ -16,7 +16,7 @@ SheetAnswer answer(SheetCertifier& certifier, const SheetOrder& order) {
 
 void CertifyWork::run_next_block() {
   const Stopwatch watch;
-  sent_.answers.push_back(answer(certifier_, orders_[sent_.answers.size()]));
+  sent_.results.push_back(certify_sheet(certifier_, orders_[sent_.results.size()]));
   sent_.seconds += watch.seconds();
 }
 
@@ -51,15 +51,15 @@ std::optional<Bytes> CertifyTask::assign(int worker) {
 
 bool CertifyTask::take_back(int worker, const Bytes& result) {
   Worker& w = workers_[worker];
-  SentAnswers sent = unpack_answers(result);
-  const std::size_t answers = std::min(sent.answers.size(), w.sheets.size());
-  if (answers > 0) w.seconds_each = sent.seconds / static_cast<double>(answers);
-  for (std::size_t k = 0; k < answers; ++k) {
-    waiting_.push_back({w.sheets[k], std::move(sent.answers[k])});
+  SentResults sent = unpack_results(result);
+  const std::size_t results = std::min(sent.results.size(), w.sheets.size());
+  if (results > 0) w.seconds_each = sent.seconds / static_cast<double>(results);
+  for (std::size_t k = 0; k < results; ++k) {
+    waiting_.push_back({w.sheets[k], std::move(sent.results[k])});
   }
-  done_ += answers;
+  done_ += results;
   given_out_ -= w.sheets.size();
-  open_.insert(open_.begin(), w.sheets.begin() + static_cast<std::ptrdiff_t>(answers),
+  open_.insert(open_.begin(), w.sheets.begin() + static_cast<std::ptrdiff_t>(results),
                w.sheets.end());
   w.sheets.clear();
   return sent.was_stopped;
@@ -69,7 +69,7 @@ bool CertifyTask::compute_one_block() {
   if (open_.empty()) return false;
   const std::size_t sheet = open_.front();
   open_.pop_front();
-  waiting_.push_back({sheet, answer(certifier_, sheets_.order_of(sheet))});
+  waiting_.push_back({sheet, certify_sheet(certifier_, sheets_.order_of(sheet))});
   ++done_;
   return true;
 }

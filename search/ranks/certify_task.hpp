@@ -17,15 +17,15 @@ class CertifyWork {
   CertifyWork(SheetCertifier& certifier, std::vector<SheetOrder> orders)
       : certifier_(certifier), orders_(std::move(orders)) {}
 
-  bool finished() const { return sent_.answers.size() == orders_.size(); }
+  bool finished() const { return sent_.results.size() == orders_.size(); }
   bool is_full() const { return false; }
   void run_next_block();
-  SentAnswers take() { return std::move(sent_); }
+  SentResults take() { return std::move(sent_); }
 
  private:
   SheetCertifier& certifier_;
   const std::vector<SheetOrder> orders_;
-  SentAnswers sent_;
+  SentResults sent_;
 };
 
 /// The sheets of a run by their numbers, from 0 on.
@@ -35,7 +35,7 @@ struct SheetsToCertify {
   /// Of sheets that are done: keeps what came of them, in one transaction.
   struct Done {
     std::size_t sheet;
-    SheetAnswer answer;
+    SheetResult result;
   };
   std::function<void(std::vector<Done>)> keep;
 };

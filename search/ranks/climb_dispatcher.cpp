@@ -25,18 +25,18 @@ ClimbDispatcher::ClimbDispatcher(const Ladder& ladder, int last_score, Ledger po
       workers_(workers),
       most_found_(most_found) {
   if (ladder.scores.empty() && populations_.open_draws() > 0) {
-    pilot_.emplace(ladder.seed, ladder.particles, ladder.first_draws, last_score);
+    level_finder_.emplace(ladder.seed, ladder.particles, ladder.first_draws, last_score);
   }
 }
 
 bool ClimbDispatcher::restore(PieceResult result) {
   const std::uint32_t number = result.population;
-  if (number == Pilot::kNumber) {
-    if (!pilot_ || !pilot_->restore(std::move(result))) return false;
+  if (number == LevelFinder::kNumber) {
+    if (!level_finder_ || !level_finder_->restore(std::move(result))) return false;
     look_at_end(number);
     return true;
   }
-  if (pilot_) return false;
+  if (level_finder_) return false;
   Population* const population = climbing_.contains(number) ? &climbing_.at(number) : begin(number);
   if (!population || !population->restore(std::move(result))) return false;
   look_at_end(number);
@@ -52,7 +52,7 @@ Population* ClimbDispatcher::begin(std::uint32_t number) {
 std::optional<PieceOrder> ClimbDispatcher::assign(int worker) {
   Worker& w = workers_[static_cast<std::size_t>(worker)];
   assert(!w.population);
-  if (pilot_) return take(*pilot_, w);
+  if (level_finder_) return take(*level_finder_, w);
   for (auto& [number, population] : climbing_) {
     if (number >= end_) return std::nullopt;
     if (auto order = take(population, w)) return order;
@@ -80,20 +80,20 @@ std::uint32_t ClimbDispatcher::piece_size(const Worker& worker, bool is_first,
   if (per_s <= 0) return is_first ? kFirstDraws : kFirstParticles;
   // Where nothing else is left to begin, all of them share what there is.
   const int sharing =
-      populations_.open_draws() > 0 && !pilot_ ? 1 : static_cast<int>(workers_.size());
+      populations_.open_draws() > 0 && !level_finder_ ? 1 : static_cast<int>(workers_.size());
   const std::uint64_t size = unit_draws(per_s, kPiece_s, open, sharing);
   return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(size, kLeastParticles, kBeyondAll));
 }
 
-void ClimbDispatcher::settle(int worker, PieceResult result) {
+void ClimbDispatcher::finish(int worker, PieceResult result) {
   Worker& w = workers_[static_cast<std::size_t>(worker)];
   assert(w.population == result.population);
   const double done = result.hi - result.lo;
   if (done > 0 && result.seconds > 0)
     (w.is_first ? w.first_per_s : w.particles_per_s) = done / result.seconds;
   const std::uint32_t number = *std::exchange(w.population, std::nullopt);
-  if (number == Pilot::kNumber) {
-    pilot_->add(w.end, std::move(result));
+  if (number == LevelFinder::kNumber) {
+    level_finder_->add(w.end, std::move(result));
   } else {
     climbing_.at(number).add(w.end, std::move(result));
   }
@@ -101,10 +101,10 @@ void ClimbDispatcher::settle(int worker, PieceResult result) {
 }
 
 void ClimbDispatcher::look_at_end(std::uint32_t number) {
-  if (number == Pilot::kNumber) {
-    if (!pilot_->is_done()) return;
-    ladder_ = pilot_->ladder();
-    pilot_.reset();
+  if (number == LevelFinder::kNumber) {
+    if (!level_finder_->is_done()) return;
+    ladder_ = level_finder_->ladder();
+    level_finder_.reset();
     has_news_of_levels_ = true;
     return;
   }
@@ -124,14 +124,14 @@ void ClimbDispatcher::cut(std::uint64_t end) {
 }
 
 bool ClimbDispatcher::anything_open() const {
-  if (pilot_) return pilot_->open() > 0;
+  if (level_finder_) return level_finder_->open() > 0;
   return populations_.open_draws() > 0 || std::ranges::any_of(climbing_, [&](const auto& one) {
            return one.first < end_ && one.second.open() > 0;
          });
 }
 
 std::string ClimbDispatcher::under_way() const {
-  if (pilot_) return fmt::format("the pilot at level {}", pilot_->level());
+  if (level_finder_) return fmt::format("the pilot at level {}", level_finder_->level());
   if (climbing_.empty()) return "";
   const Population& lowest = climbing_.begin()->second;
   return fmt::format("population {} at level {} of {}", lowest.number(), lowest.level(),

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "search/splitting/pilot.hpp"
+#include "search/splitting/level_finder.hpp"
 #include "search/splitting/population.hpp"
 
 namespace misalign::search {
@@ -16,30 +16,30 @@ namespace misalign::search {
 /// nothing else is to be done, and then its levels are cut into pieces for all of them.
 class ClimbDispatcher {
  public:
-  /// `ladder` without scores: a pilot finds them first.
+  /// `ladder` without scores: a level finder finds them first.
   ClimbDispatcher(const Ladder& ladder, int last_score, Ledger populations, int workers,
                   std::uint64_t most_found = kAllSheets);
 
   ClimbDispatcher(const ClimbDispatcher&) = delete;
   ClimbDispatcher& operator=(const ClimbDispatcher&) = delete;
 
-  /// What an earlier run did of a population under way, or of the pilot. False if it is no use:
-  /// then it will be done again.
+  /// What an earlier run did of a population under way, or of the level finder. False if it is no
+  /// use: then it will be done again.
   bool restore(PieceResult result);
   std::optional<PieceOrder> assign(int worker);
-  void settle(int worker, PieceResult result);
+  void finish(int worker, PieceResult result);
   bool has_job(int worker) const { return workers_[worker].population.has_value(); }
 
   /// Populations that have come to their end since this was last asked.
   std::vector<PopulationRecord> take_done();
-  /// The levels, once they are known; and whether the pilot has found them since this was last
-  /// asked.
+  /// The levels, once they are known; and whether the level finder has found them since this was
+  /// last asked.
   const Ladder& ladder() const { return ladder_; }
   bool take_news_of_levels() { return std::exchange(has_news_of_levels_, false); }
 
   /// The goal ends here now: populations from this one on are wanted no more.
   void cut(std::uint64_t end);
-  bool complete() const { return !pilot_ && populations_.complete(); }
+  bool complete() const { return !level_finder_ && populations_.complete(); }
   bool anything_open() const;
   /// Populations that are not done.
   std::uint64_t populations_left() const {
@@ -64,7 +64,7 @@ class ClimbDispatcher {
   Ladder ladder_;
   Ledger populations_;
   std::uint64_t end_ = schema::kEndOfPopulations;  // above what is wanted
-  std::optional<Pilot> pilot_;
+  std::optional<LevelFinder> level_finder_;
   bool has_news_of_levels_ = false;
   std::map<std::uint32_t, Population> climbing_;
   std::vector<PopulationRecord> done_;

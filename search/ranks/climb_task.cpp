@@ -55,9 +55,9 @@ void ClimbTask::restore() {
 }
 
 void ClimbTask::write_levels() {
-  catalogue_.keep_levels(dispatcher_.ladder().scores, Pilot::kNumber);
+  catalogue_.keep_levels(dispatcher_.ladder().scores, LevelFinder::kNumber);
   std::erase_if(waiting_,
-                [](const schema::PieceRow& row) { return row.population == Pilot::kNumber; });
+                [](const schema::PieceRow& row) { return row.population == LevelFinder::kNumber; });
 }
 
 std::optional<Bytes> ClimbTask::assign(int worker) {
@@ -82,7 +82,7 @@ void ClimbTask::take_back(int worker, PieceResult result) {
                         {bytes.begin(), bytes.end()}});
   }
   rows_ += 1 + result.met.size();
-  dispatcher_.settle(worker, std::move(result));
+  dispatcher_.finish(worker, std::move(result));
 }
 
 bool ClimbTask::compute_one_block() {

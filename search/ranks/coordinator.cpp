@@ -30,7 +30,7 @@ class Coordinator {
         backoff_.wait();
       }
       if (progress_.due()) progress_.show(counts());
-      if (status_wish()) progress_.show_status(counts());
+      if (status_request()) progress_.show_status(counts());
       stop = reason_to_stop();
     }
     task_.hand_in_own();
@@ -45,7 +45,7 @@ class Coordinator {
  private:
   std::optional<RunEnd> reason_to_stop() const {
     if (heartbeat_.lost()) return RunEnd::lost;
-    if (stop_wish() != StopWish::none || worker_was_stopped_) return RunEnd::stopped;
+    if (stop_request() != StopRequest::none || worker_was_stopped_) return RunEnd::stopped;
     if (options_.max_time_s && progress_.seconds() >= *options_.max_time_s) return RunEnd::max_time;
     return std::nullopt;
   }

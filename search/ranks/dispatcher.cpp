@@ -38,7 +38,7 @@ std::optional<DrawRange> Dispatcher::assign(int worker) {
   return w.assigned;
 }
 
-void Dispatcher::settle(int worker, std::uint64_t done_to, double seconds) {
+void Dispatcher::finish(int worker, std::uint64_t done_to, double seconds) {
   Worker& w = workers_[worker];
   assert(w.assigned);
   const std::uint64_t draws = done_to - w.assigned->lo;

@@ -27,7 +27,7 @@ class Dispatcher {
   /// A range for a worker that has none; nothing if none is open.
   std::optional<DrawRange> assign(int worker);
   /// The worker has done its range up to `done_to` in so many seconds; the rest is open again.
-  void settle(int worker, std::uint64_t done_to, double seconds);
+  void finish(int worker, std::uint64_t done_to, double seconds);
   /// The goal ends here now, see Ledger::cut.
   void cut(std::uint64_t end) { ledger_.cut(end); }
 

@@ -30,7 +30,7 @@ bool DrawTask::take_back(int worker, const Bytes& result) {
 }
 
 void DrawTask::take_back(schema::UnitRecord unit) {
-  dispatcher_.settle(unit.worker, unit.range.hi, unit.seconds);
+  dispatcher_.finish(unit.worker, unit.range.hi, unit.seconds);
   rows_ += 1 + unit.candidates.size() + unit.fault_sample.size();
   waiting_.push_back(std::move(unit));
 }

@@ -20,7 +20,7 @@ void unit_fields(Wire& wire, Unit& unit) {
   list(wire, unit.fault_sample, [&](auto& draw) { wire.field(draw); });
 }
 
-using Seen = std::pair<std::pair<int, int>, std::uint64_t>;
+using Screened = std::pair<std::pair<int, int>, std::uint64_t>;
 
 }  // namespace
 
@@ -40,8 +40,8 @@ Bytes pack(const SentUnit& sent) {
   const schema::UnitRecord& unit = sent.unit;
   wire.field(sent.was_stopped);
   unit_fields(wire, unit);
-  const std::vector<Seen> screened(unit.screened.begin(), unit.screened.end());
-  list(wire, screened, [&](const Seen& seen) {
+  const std::vector<Screened> screened(unit.screened.begin(), unit.screened.end());
+  list(wire, screened, [&](const Screened& seen) {
     wire.field(seen.first.first);
     wire.field(seen.first.second);
     wire.field(seen.second);
@@ -68,8 +68,8 @@ SentUnit unpack_unit(const Bytes& bytes) {
   schema::UnitRecord& unit = sent.unit;
   wire.field(sent.was_stopped);
   unit_fields(wire, unit);
-  std::vector<Seen> screened;
-  list(wire, screened, [&](Seen& seen) {
+  std::vector<Screened> screened;
+  list(wire, screened, [&](Screened& seen) {
     wire.field(seen.first.first);
     wire.field(seen.first.second);
     wire.field(seen.second);

@@ -140,7 +140,7 @@ void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
   const std::vector<std::uint64_t> draws = catalogue.undecided();
   std::size_t decided = 0;
   for (const std::uint64_t draw : draws) {
-    if (stop_wish() != StopWish::none) break;
+    if (stop_request() != StopRequest::none) break;
     const schema::UnitRecord unit = judge_again(evaluator, draw);
     if (!unit.undecided.empty()) continue;
     catalogue.settle(unit);
@@ -316,15 +316,15 @@ std::string default_catalogue_path(const schema::Campaign& campaign) {
   return "results/" + campaign.name + "-" + schema::identity(campaign).substr(0, 8) + ".db";
 }
 
-int run_search(const SearchOptions& wished) {
-  SearchOptions options = wished;
-  options.progress = resolved(wished.progress, is_terminal(STDERR_FILENO) && terminal_is_able(),
-                              launched_by_mpi());
+int run_search(const SearchOptions& given) {
+  SearchOptions options = given;
+  options.progress =
+      resolved(given.progress, is_terminal(STDERR_FILENO) && terminal_is_able(), launched_by_mpi());
   hold_signals();
   MpiSession mpi;
   // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
   const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
-  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kLetGo_s, mpi.ranks() > 1 ? leave_code : 0);
+  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kRelease_s, mpi.ranks() > 1 ? leave_code : 0);
   if (mpi.rank() == 0) tell_starter();
   return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
 }

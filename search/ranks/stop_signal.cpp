@@ -95,12 +95,12 @@ void watch_for_signals(double leave_s, int code) {
   pthread_sigmask(SIG_UNBLOCK, &watched, nullptr);
 }
 
-StopWish stop_wish() {
-  if (leave_seen) return StopWish::leave;
-  return drain_seen ? StopWish::drain : StopWish::none;
+StopRequest stop_request() {
+  if (leave_seen) return StopRequest::leave;
+  return drain_seen ? StopRequest::drain : StopRequest::none;
 }
 
-bool status_wish() {
+bool status_request() {
   if (!status_seen) return false;
   status_seen = 0;
   return true;

@@ -4,7 +4,7 @@
 
 namespace misalign::search {
 
-enum class StopWish {
+enum class StopRequest {
   none,
   drain,  ///< SIGUSR1: cut the units under way short and commit all of them, however long it takes
   leave   ///< SIGTERM, SIGINT: the same in kLeave_s, then without what is not there yet
@@ -12,7 +12,7 @@ enum class StopWish {
 
 /// How long rank 0 may take to leave: mpirun kills its ranks a second after it was asked to stop.
 /// The others leave when rank 0 lets them go, or soon after if it does not.
-inline constexpr double kLeave_s = 0.4, kLetGo_s = 3;
+inline constexpr double kLeave_s = 0.4, kRelease_s = 3;
 
 /// From now on a file that is cut short where it is mapped ends the process with a sentence and
 /// exit code 1. Before MPI begins, which would have a handler of its own.
@@ -26,9 +26,9 @@ void hold_signals();
 /// is left `leave_s` after the first is ended too, with `leave_code`.
 void watch_for_signals(double leave_s, int leave_code);
 
-StopWish stop_wish();
+StopRequest stop_request();
 
 /// Whether SIGUSR2 has asked for a status line since this was last called.
-bool status_wish();
+bool status_request();
 
 }  // namespace misalign::search

@@ -16,7 +16,7 @@ void run_worker(const MpiSession& mpi, const Begin& begin, const End& end) {
     const Bytes job = mpi.receive_job();
     if (job.empty()) return;
     auto work = begin(job);
-    while (!work.finished() && !work.is_full() && stop_wish() == StopWish::none &&
+    while (!work.finished() && !work.is_full() && stop_request() == StopRequest::none &&
            !mpi.job_waiting()) {
       work.run_next_block();
     }

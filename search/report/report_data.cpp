@@ -39,7 +39,7 @@ std::vector<std::uint64_t> first_in_table(const Json& candidates, std::uint64_t 
 }
 
 // Whose folding the page carries, none twice; the first `asked_for` whatever it takes.
-struct DrawsToLookAt {
+struct DetailedDraws {
   std::vector<std::uint64_t> draws;
   std::size_t asked_for = 0;
 
@@ -50,31 +50,32 @@ struct DrawsToLookAt {
   }
 };
 
-DrawsToLookAt draws_to_look_at(SQLite::Database& database, const Json& candidates,
-                               const ReportCall& call) {
-  DrawsToLookAt look;
-  look.add(call.draws);
-  look.asked_for = look.draws.size();
+DetailedDraws detailed_draws(SQLite::Database& database, const Json& candidates,
+                             const ReportCall& call) {
+  DetailedDraws detailed;
+  detailed.add(call.draws);
+  detailed.asked_for = detailed.draws.size();
   Choice choice = call.choice;
   const bool counted = choice.best || choice.diverse;
   if (!choice.chooses()) {
-    look.add(first_in_table(candidates, call.details));
+    detailed.add(first_in_table(candidates, call.details));
   } else if (call.details > 0 && (candidates["total"] > 0 || !choice.where.empty())) {
     if (!counted) choice.best = call.details;
-    look.add(chosen_draws(database, choice));
+    detailed.add(chosen_draws(database, choice));
   }
-  if (counted) look.asked_for = look.draws.size();
-  return look;
+  if (counted) detailed.asked_for = detailed.draws.size();
+  return detailed;
 }
 
 Json details_json(SQLite::Database& database, const schema::Campaign& campaign,
-                  const SheetFolder& folder, const DrawsToLookAt& look, ReportDetails& details) {
+                  const SheetFolder& folder, const DetailedDraws& detailed,
+                  ReportDetails& details) {
   Json json = Json::array();
   std::size_t bytes = 0;
-  for (std::size_t k = 0; k < look.draws.size(); ++k) {
-    if (k >= look.asked_for && bytes >= kMostDetailBytes) break;
-    show_work("sheets looked at closely", k, look.draws.size());
-    const std::uint64_t draw = look.draws[k];
+  for (std::size_t k = 0; k < detailed.draws.size(); ++k) {
+    if (k >= detailed.asked_for && bytes >= kMostDetailBytes) break;
+    show_work("sheets looked at closely", k, detailed.draws.size());
+    const std::uint64_t draw = detailed.draws[k];
     const FoldedSheet folded = folder.fold(shifts_of_number(database, campaign, draw));
     const bool accepted = campaign.accepts(folded.path.history.verdict);
     json.push_back(details.of_draw(folded, draw, accepted));
@@ -124,7 +125,7 @@ Json commands_json(const ReportCall& call) {
     choice += " --details " + std::to_string(call.details);
   }
   if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
-  if (call.wish.contact) choice += " --contact";
+  if (call.detail.contact) choice += " --contact";
   return {{"misalign", "misalign"},
           {"catalogue", shell_path(call.path)},
           {"choice", choice},
@@ -134,15 +135,16 @@ Json commands_json(const ReportCall& call) {
 
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
-                    const ReportCall& call, DrawsToLookAt& look) {
+                    const ReportCall& call, DetailedDraws& detailed) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    Json json = {{"state", schema::page_state_json(schema::read_state(database))},
-                 {"faults", schema::faults_json(database, campaign)},
-                 {"candidates", schema::candidates_json(database, call.rows, call.let_go)}};
-    look = draws_to_look_at(database, json["candidates"], call);
-    json["yields"] = schema::report_yields_json(database, call.rows, look.draws);
-    json["certificates"] = schema::report_certificates_json(database, call.rows, look.draws);
+    Json json = {
+        {"state", schema::page_state_json(schema::read_state(database))},
+        {"faults", schema::faults_json(database, campaign)},
+        {"candidates", schema::candidates_json(database, call.rows, call.with_deployment)}};
+    detailed = detailed_draws(database, json["candidates"], call);
+    json["yields"] = schema::report_yields_json(database, call.rows, detailed.draws);
+    json["certificates"] = schema::report_certificates_json(database, call.rows, detailed.draws);
     return json;
   });
 }
@@ -169,20 +171,20 @@ Json origin_json(const ReportCall& call) {
 
 // Those of a result of `misalign stress` are looked at whatever room they take, and are to be among
 // those that are shown.
-void settle_stress(const ReportCall& call, const std::vector<std::uint64_t>& stressed,
-                   DrawsToLookAt& look) {
+void require_stressed_draws(const ReportCall& call, const std::vector<std::uint64_t>& stressed,
+                            DetailedDraws& detailed) {
   for (std::size_t k = 0; k < stressed.size(); ++k) {
-    const auto at = std::find(look.draws.begin(), look.draws.end(), stressed[k]);
-    if (at == look.draws.end()) {
+    const auto at = std::find(detailed.draws.begin(), detailed.draws.end(), stressed[k]);
+    if (at == detailed.draws.end()) {
       throw schema::UserError(
           schema::kExitBadInput,
           fmt::format(
               "{}: is of draw {}, which is not among those that can be looked at closely on "
               "this page; add --draw {}",
-              call.wish.stress_files[k], stressed[k], stressed[k]));
+              call.detail.stress_files[k], stressed[k], stressed[k]));
     }
-    look.asked_for =
-        std::max(look.asked_for, static_cast<std::size_t>(at - look.draws.begin()) + 1);
+    detailed.asked_for =
+        std::max(detailed.asked_for, static_cast<std::size_t>(at - detailed.draws.begin()) + 1);
   }
 }
 
@@ -194,25 +196,25 @@ Json report_of_catalogue(const ReportCall& call) {
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);
   const SheetFolder folder(campaign);
-  ReportDetails details(folder, call.wish);
+  ReportDetails details(folder, call.detail);
   const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
-  DrawsToLookAt look;
-  const Json catalogue = catalogue_json(*database, campaign, call, look);
-  settle_stress(call, stressed, look);
+  DetailedDraws detailed;
+  const Json catalogue = catalogue_json(*database, campaign, call, detailed);
+  require_stressed_draws(call, stressed, detailed);
   Json data = origin_json(call);
   data["campaign"] = {{"name", campaign.name},
                       {"identity", schema::identity(campaign)},
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
   data.update(folding_json(folder));
-  data["details"] = details_json(*database, campaign, folder, look, details);
+  data["details"] = details_json(*database, campaign, folder, detailed, details);
   return data;
 }
 
 Json report_of_pattern(const ReportCall& call) {
   const ChosenSheet sheet = sheet_of_pattern_file(call.path);
   const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
-  ReportDetails details(folder, call.wish);
+  ReportDetails details(folder, call.detail);
   details.check_stress(call.path, sheet.whose()["sheet"]);
   Json data = origin_json(call);
   data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};

@@ -19,8 +19,8 @@ struct ReportCall {
   std::uint64_t details = 36;        ///< so many of the best ones can be looked at
   Choice choice;                     ///< whom to look at instead; of `where` alone, `details` many
   OtherActuators actuators;
-  bool let_go = false;  ///< the table says what comes of letting each go
-  ReportWish wish;
+  bool with_deployment = false;  ///< the table says what comes of letting each go
+  DetailOptions detail;
 };
 
 /// What the page of a catalogue shows, all that the catalogue says of one moment. UserError: 2 a

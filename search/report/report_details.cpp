@@ -28,12 +28,12 @@ UserError of_another(const schema::StressResult& result, const std::string& show
 
 }  // namespace
 
-ReportDetails::ReportDetails(const SheetFolder& folder, const ReportWish& wish)
+ReportDetails::ReportDetails(const SheetFolder& folder, const DetailOptions& options)
     : folder_(folder), deployer_(folder.base(), folder.sampling(), folder.actuators(), {}) {
-  for (const std::string& path : wish.stress_files) {
+  for (const std::string& path : options.stress_files) {
     stress_.push_back(schema::read_stress_result(path));
   }
-  if (wish.contact) contact_.emplace(folder.base(), folder.sampling());
+  if (options.contact) contact_.emplace(folder.base(), folder.sampling());
 }
 
 std::vector<std::uint64_t> ReportDetails::draws_with_stress(
@@ -87,17 +87,17 @@ Json ReportDetails::of_pattern(const FoldedSheet& folded, const std::string& nam
 Json ReportDetails::detail(const FoldedSheet& folded, std::uint64_t draw, bool accepted) {
   Json json = schema::detail_json(folder_.view(folded), draw, accepted, folded.path,
                                   folded.actuation, folded.metrics);
-  json["let_go"] = let_go(folded);
+  json["let_go"] = deployment(folded);
   if (contact_) json["contact"] = contact(folded);
   return json;
 }
 
 // What comes of letting it go; null where it cannot be let go.
-Json ReportDetails::let_go(const FoldedSheet& folded) {
+Json ReportDetails::deployment(const FoldedSheet& folded) {
   const double deploys_from_deg =
       folded.path.history.verdict.deploys_from_sample * folder_.sampling().sample_deg;
   const auto study = deployer_.study_if_possible(folded.shifts_mm, deploys_from_deg);
-  return study ? schema::let_go_json(*study) : Json();
+  return study ? schema::page_deployment_json(*study) : Json();
 }
 
 // Where its panels meet, its corners trimmed by the usual or, where that leaves nothing of an edge,

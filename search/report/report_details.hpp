@@ -13,7 +13,7 @@
 namespace misalign::search {
 
 /// What is asked for beyond what every page has.
-struct ReportWish {
+struct DetailOptions {
   bool contact = false;                   ///< where panels meet
   std::vector<std::string> stress_files;  ///< of `misalign stress`
 };
@@ -21,7 +21,7 @@ struct ReportWish {
 class ReportDetails {
  public:
   /// Reads the files of `wish`; UserError (3). `folder` must outlive this object.
-  ReportDetails(const SheetFolder& folder, const ReportWish& wish);
+  ReportDetails(const SheetFolder& folder, const DetailOptions& options);
 
   /// Of a draw of a campaign.
   schema::Json of_draw(const FoldedSheet& folded, std::uint64_t draw, bool accepted);
@@ -36,7 +36,7 @@ class ReportDetails {
 
  private:
   schema::Json detail(const FoldedSheet& folded, std::uint64_t draw, bool accepted);
-  schema::Json let_go(const FoldedSheet& folded);
+  schema::Json deployment(const FoldedSheet& folded);
   schema::Json contact(const FoldedSheet& folded);
 
   const SheetFolder& folder_;

@@ -30,7 +30,7 @@ class Trials {
       : model_(model), seed_(seed), options_(options), copies_(copies) {
     const std::uint64_t most = std::min<std::uint64_t>(std::max(options.jobs, 1), options.trials);
     for (std::uint64_t k = 0; k < most; ++k) {
-      judges_.push_back(std::make_unique<solver::BacklashJudge>(model, sheet, judge_options));
+      followers_.push_back(std::make_unique<solver::BacklashFollower>(model, sheet, judge_options));
     }
   }
 
@@ -55,23 +55,24 @@ class Trials {
     const std::uint64_t done_before = copies_.done;
     std::vector<std::thread> others;
     try {
-      for (std::size_t k = 1; k < judges_.size(); ++k) {
-        others.emplace_back([=, this] { work(*judges_[k], scale, only_whether); });
+      for (std::size_t k = 1; k < followers_.size(); ++k) {
+        others.emplace_back([=, this] { work(*followers_[k], scale, only_whether); });
       }
     } catch (const std::system_error&) {
       // No more threads are to be had: those that there are do it all.
     }
-    work(*judges_.front(), scale, only_whether);
+    work(*followers_.front(), scale, only_whether);
     for (std::thread& other : others) other.join();
     if (failure_) std::rethrow_exception(failure_);
     copies_.done = done_before + options_.trials;  // what was not worth judging is done, too
     if (options_.progress) options_.progress(copies_);
   }
 
-  void work(solver::BacklashJudge& judge, double scale, bool only_whether) {
+  void work(solver::BacklashFollower& follower, double scale, bool only_whether) {
     try {
       for (std::uint64_t k; (k = next_++) < options_.trials && misses_ <= most_misses_;) {
-        trials_[k] = judge.judge(trial_offsets(model_.mechanism(), seed_, k), scale, only_whether);
+        trials_[k] =
+            follower.trial(trial_offsets(model_.mechanism(), seed_, k), scale, only_whether);
         if (!trials_[k].moves_one_way()) ++misses_;
         const std::lock_guard lock(mutex_);
         ++copies_.done;
@@ -86,7 +87,7 @@ class Trials {
   const solver::Model& model_;
   const std::uint64_t seed_;
   const BacklashStudyOptions& options_;
-  std::vector<std::unique_ptr<solver::BacklashJudge>> judges_;  // one for each thread
+  std::vector<std::unique_ptr<solver::BacklashFollower>> followers_;  // one for each thread
   std::vector<BacklashTrial> trials_;
   std::atomic<std::uint64_t> next_ = 0, misses_ = 0;
   std::uint64_t most_misses_ = 0;

@@ -114,7 +114,7 @@ std::string job_file(const std::string& directory, const std::string& job, const
 
 CalculixEnd run_calculix(const std::string& ccx, const std::string& directory,
                          const std::string& job, const std::function<bool()>& goes_on) {
-  constexpr auto kBetweenLooks = std::chrono::milliseconds(200);
+  constexpr auto kPollInterval = std::chrono::milliseconds(200);
   constexpr int kLooksToEnd = 25;  // after it was asked to
   const pid_t child = started(ccx, directory, job);
   CalculixEnd end;
@@ -123,7 +123,7 @@ CalculixEnd run_calculix(const std::string& ccx, const std::string& directory,
   while (wait4(child, &status, WNOHANG, &usage) != child) {
     end.was_stopped = end.was_stopped || !goes_on();
     if (end.was_stopped && looks++ % kLooksToEnd == 0) kill(child, looks == 1 ? SIGTERM : SIGKILL);
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kPollInterval);
   }
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);

@@ -15,7 +15,7 @@ using solver::DeploymentRow;
 using solver::DeploymentStudy;
 using solver::Outcome;
 
-std::string what_was_let_go(const DeploymentStudy& study) {
+std::string released_sheet_text(const DeploymentStudy& study) {
   const solver::Springs& springs = study.sheet.springs;
   const solver::Plates& plates = study.sheet.plates;
   const bool when_flat = springs.rest_deg == 0;
@@ -184,7 +184,7 @@ std::string motion_text(const DeploymentStudy& study) {
 }  // namespace
 
 std::string deployment_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
-  return what_was_let_go(study) + outcome_text(study) + friction_text(study) +
+  return released_sheet_text(study) + outcome_text(study) + friction_text(study) +
          equilibria_text(study) + wires_text(mechanism, study) + forces_text(mechanism, study) +
          motion_text(study);
 }

@@ -16,9 +16,10 @@ namespace {
 
 // One for all functions of a connection: its campaign and model are made when first asked for, and
 // the last draw is kept, since several functions usually ask for the same.
-class LetGo {
+class DeploymentCache {
  public:
-  LetGo(SQLite::Database& database, std::string path, std::optional<double> stiffness_n_per_mm)
+  DeploymentCache(SQLite::Database& database, std::string path,
+                  std::optional<double> stiffness_n_per_mm)
       : database_(database), path_(std::move(path)), stiffness_n_per_mm_(stiffness_n_per_mm) {}
 
   const std::optional<solver::DeploymentStudy>& study(std::uint64_t draw,
@@ -67,7 +68,7 @@ class LetGo {
 using Number = std::optional<double> (*)(const solver::DeploymentStudy&);
 
 struct Function {
-  std::shared_ptr<LetGo> let_go;
+  std::shared_ptr<DeploymentCache> cache;
   Number number;
 };
 
@@ -81,8 +82,8 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
   }
   try {
     const auto& study =
-        function.let_go->study(static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
-                               has_angle ? std::optional(from_deg) : std::nullopt);
+        function.cache->study(static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
+                              has_angle ? std::optional(from_deg) : std::nullopt);
     const auto number = study ? function.number(*study) : std::nullopt;
     number ? sqlite3_result_double(context, *number) : sqlite3_result_null(context);
   } catch (const std::exception& error) {
@@ -96,11 +97,11 @@ void forget(void* function) { delete static_cast<Function*>(function); }
 
 void add_deployment_functions(SQLite::Database& database, const std::string& path,
                               std::optional<double> stiffness_n_per_mm) {
-  const auto let_go = std::make_shared<LetGo>(database, path, stiffness_n_per_mm);
+  const auto cache = std::make_shared<DeploymentCache>(database, path, stiffness_n_per_mm);
   const auto add = [&](const char* name, Number number) {
     for (const int count : {1, 2}) {
       sqlite3_create_function_v2(database.getHandle(), name, count,
-                                 SQLITE_UTF8 | SQLITE_DETERMINISTIC, new Function{let_go, number},
+                                 SQLITE_UTF8 | SQLITE_DETERMINISTIC, new Function{cache, number},
                                  call, nullptr, nullptr, forget);
     }
   };

@@ -12,18 +12,18 @@ solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const 
 }
 
 SheetFolder::SheetFolder(const schema::Pattern& base, const schema::Sampling& sampling,
-                         const solver::Actuators& actuators, const Looks& looks)
+                         const solver::Actuators& actuators, const StationOptions& stations)
     : base_(base),
       sampling_(sampling),
       actuators_(actuators),
-      model_(model_of(base, sampling, looks)),
+      model_(model_of(base, sampling, stations)),
       panels_(solver::panels_of(base.base, mechanism())) {}
 
-SheetFolder::SheetFolder(const schema::Campaign& campaign, const Looks& looks)
+SheetFolder::SheetFolder(const schema::Campaign& campaign, const StationOptions& stations)
     : base_(campaign.pattern),
       sampling_(campaign.sampling()),
       actuators_(campaign.actuators),
-      model_(model_of(campaign, looks)),
+      model_(model_of(campaign, stations)),
       panels_(solver::panels_of(base_.base, mechanism())) {}
 
 FoldedSheet SheetFolder::fold(const Eigen::Matrix2Xd& shifts_mm) const {

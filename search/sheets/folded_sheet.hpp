@@ -26,9 +26,9 @@ class SheetFolder {
  public:
   /// `base` must outlive this object; its own shifts do not matter.
   SheetFolder(const schema::Pattern& base, const schema::Sampling& sampling,
-              const solver::Actuators& actuators, const Looks& looks = {});
+              const solver::Actuators& actuators, const StationOptions& stations = {});
   /// A campaign's sheets, with its springs.
-  explicit SheetFolder(const schema::Campaign& campaign, const Looks& looks = {});
+  explicit SheetFolder(const schema::Campaign& campaign, const StationOptions& stations = {});
   SheetFolder(const SheetFolder&) = delete;
   SheetFolder& operator=(const SheetFolder&) = delete;
 

@@ -24,7 +24,7 @@ std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
 }
 
 // Some copies of one sheet, in one piece of work.
-struct Piece {
+struct CopyRange {
   std::size_t sheet;
   int vertex;  // off its place, or all of them if negative
   std::uint64_t first, count;
@@ -49,11 +49,11 @@ class Study {
                              0,
                              {},
                              {}});
-      add_pieces(sheet, -1, options.trials);
+      add_ranges(sheet, -1, options.trials);
       if (!options.vertices) continue;
       for (int v = 0; v < vertices; ++v) {
         tolerances_.back().vertices.push_back({v, {}});
-        add_pieces(sheet, v, std::min(options.trials, kMostTrialsOfOneVertex));
+        add_ranges(sheet, v, std::min(options.trials, kMostTrialsOfOneVertex));
       }
     }
   }
@@ -63,7 +63,7 @@ class Study {
     const auto most = static_cast<std::size_t>(std::max(options_.jobs, 1));
     std::vector<std::thread> others;
     try {
-      for (std::size_t k = 1; k < std::min(most, pieces_.size()); ++k) {
+      for (std::size_t k = 1; k < std::min(most, ranges_.size()); ++k) {
         others.emplace_back([this] { work(); });
       }
     } catch (const std::system_error&) {
@@ -77,9 +77,9 @@ class Study {
   }
 
  private:
-  void add_pieces(std::size_t sheet, int vertex, std::uint64_t trials) {
+  void add_ranges(std::size_t sheet, int vertex, std::uint64_t trials) {
     for (std::uint64_t first = 0; first < trials; first += kCopiesAtOnce) {
-      pieces_.push_back({sheet, vertex, first, std::min(kCopiesAtOnce, trials - first)});
+      ranges_.push_back({sheet, vertex, first, std::min(kCopiesAtOnce, trials - first)});
     }
     copies_.all += trials;
   }
@@ -109,12 +109,12 @@ class Study {
   void work() {
     try {
       const auto own_batch = batch();
-      for (std::size_t k; (k = next_++) < pieces_.size();) {
-        const MiscutCopies copies = judge(pieces_[k], *own_batch);
+      for (std::size_t k; (k = next_++) < ranges_.size();) {
+        const MiscutCopies copies = try_copies(ranges_[k], *own_batch);
         const std::lock_guard lock(mutex_);
         if (failure_) return;
-        Tolerance& tolerance = tolerances_[pieces_[k].sheet];
-        const int vertex = pieces_[k].vertex;
+        Tolerance& tolerance = tolerances_[ranges_[k].sheet];
+        const int vertex = ranges_[k].vertex;
         (vertex < 0 ? tolerance.copies
                     : tolerance.vertices[static_cast<std::size_t>(vertex)].copies)
             .add(copies);
@@ -127,17 +127,17 @@ class Study {
     }
   }
 
-  MiscutCopies judge(const Piece& piece, solver::Batch& own_batch) const {
-    const Eigen::Matrix2Xd& shifts_mm = shifts_mm_[piece.sheet];
+  MiscutCopies try_copies(const CopyRange& range, solver::Batch& own_batch) const {
+    const Eigen::Matrix2Xd& shifts_mm = shifts_mm_[range.sheet];
     Eigen::Matrix2Xd errors_mm(2, shifts_mm.cols());
     solver::ShiftBlock block;
-    block.sheets = static_cast<int>(piece.count);
-    for (std::uint64_t trial = piece.first; trial < piece.first + piece.count; ++trial) {
+    block.sheets = static_cast<int>(range.count);
+    for (std::uint64_t trial = range.first; trial < range.first + range.count; ++trial) {
       trial_errors(campaign_, options_.amplitude_mm, trial, errors_mm.data());
-      if (piece.vertex >= 0) {
-        const Eigen::Vector2d kept_mm = errors_mm.col(piece.vertex);
+      if (range.vertex >= 0) {
+        const Eigen::Vector2d kept_mm = errors_mm.col(range.vertex);
         errors_mm.setZero();
-        errors_mm.col(piece.vertex) = kept_mm;
+        errors_mm.col(range.vertex) = kept_mm;
       }
       append(shifts_mm + errors_mm, block);
     }
@@ -162,7 +162,7 @@ class Study {
   const std::vector<Eigen::Matrix2Xd>& shifts_mm_;
   const ToleranceOptions& options_;
   const solver::Model model_;
-  std::vector<Piece> pieces_;
+  std::vector<CopyRange> ranges_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows
   std::vector<Tolerance> tolerances_;
@@ -192,7 +192,7 @@ void check_miscut(const std::string& name, double amplitude_mm, const solver::Cr
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,
                   double* errors_mm) {
   const schema::Misalignment errors{all_vertices(campaign.pattern.base.sheet), amplitude_mm,
-                                    schema::Levels::uniform};
+                                    schema::ShiftDistribution::uniform};
   draw_shifts(errors, campaign.seed, trial, errors_mm, kToleranceStream);
 }
 

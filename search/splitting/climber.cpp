@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "search/splitting/pilot.hpp"
+#include "search/splitting/level_finder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -23,7 +23,7 @@ void climb_alone(Climb& climb, Climber& climber) {
 }  // namespace
 
 Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
-    : moves_(campaign), sweeps_(campaign.splitting->sweeps), judges_(campaign, set) {}
+    : moves_(campaign), sweeps_(campaign.splitting->sweeps), scorers_(campaign, set) {}
 
 Ladder named_ladder(const schema::Campaign& campaign) {
   const schema::Splitting& splitting = *campaign.splitting;
@@ -50,9 +50,9 @@ Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& s
 Ladder ladder_of(const schema::Campaign& campaign, Climber& climber) {
   const Ladder named = named_ladder(campaign);
   if (!named.scores.empty()) return named;
-  Pilot pilot(named.seed, named.particles, named.first_draws, last_level(campaign));
-  climb_alone(pilot, climber);
-  return pilot.ladder();
+  LevelFinder level_finder(named.seed, named.particles, named.first_draws, last_level(campaign));
+  climb_alone(level_finder, climber);
+  return level_finder.ladder();
 }
 
 PopulationRecord climbed(const Ladder& ladder, std::uint32_t number, Climber& climber) {

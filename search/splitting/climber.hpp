@@ -13,23 +13,23 @@ class Climber {
   /// `campaign` must outlive this object.
   Climber(const schema::Campaign& campaign, solver::InstructionSet set);
 
-  PieceWork start(PieceOrder order) { return {moves_, sweeps_, judges_, std::move(order)}; }
-  const schema::Campaign& campaign() const { return judges_.campaign(); }
+  PieceWork start(PieceOrder order) { return {moves_, sweeps_, scorers_, std::move(order)}; }
+  const schema::Campaign& campaign() const { return scorers_.campaign(); }
   const Moves& moves() const { return moves_; }
-  LevelJudges& judges() { return judges_; }
+  LevelScorers& scorers() { return scorers_; }
 
  private:
   const Moves moves_;
   const std::uint32_t sweeps_;
-  LevelJudges judges_;
+  LevelScorers scorers_;
 };
 
 /// The ladder of a campaign, without levels where it names none.
 Ladder named_ladder(const schema::Campaign& campaign);
-/// The same with the levels that its catalogue keeps, if a pilot has found them. UserError (3) if
-/// they can be none of this campaign.
+/// The same with the levels that its catalogue keeps, if a level finder has found them. UserError
+/// (3) if they can be none of this campaign.
 Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& stored);
-/// The levels of a campaign: those that it names, or what a pilot finds.
+/// The levels of a campaign: those that it names, or what a level finder finds.
 Ladder ladder_of(const schema::Campaign& campaign, Climber& climber);
 
 /// One population from its first draws to the last level, by one rank alone.

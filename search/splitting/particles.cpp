@@ -7,10 +7,12 @@
 namespace misalign::search {
 
 ShiftCode::ShiftCode(const schema::Misalignment& misalignment)
-    : levels_(misalignment.levels),
+    : distribution_(misalignment.distribution),
       amplitude_mm_(misalignment.amplitude_mm),
       shifts_(2 * misalignment.vertices.size()),
-      width_(misalignment.levels == schema::Levels::ternary ? 1 : sizeof(std::uint32_t)) {}
+      width_(misalignment.distribution == schema::ShiftDistribution::ternary
+                 ? 1
+                 : sizeof(std::uint32_t)) {}
 
 std::uint32_t ShiftCode::code(ConstSheet sheet, std::size_t k) const {
   if (is_ternary()) return sheet[k];

@@ -36,7 +36,7 @@ class ShiftCode {
   std::uint32_t code(ConstSheet sheet, std::size_t k) const;
   void set(Sheet sheet, std::size_t k, std::uint32_t code) const;
 
-  schema::Levels levels_;
+  schema::ShiftDistribution distribution_;
   double amplitude_mm_;
   std::size_t shifts_, width_;
 };

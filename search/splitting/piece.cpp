@@ -30,11 +30,11 @@ bool PieceResult::are_all_from(int score) const {
   return std::ranges::all_of(there.scores, [&](int one) { return one >= score; });
 }
 
-PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelJudges& judges,
+PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers,
                      PieceOrder order)
     : moves_(moves),
       sweeps_(sweeps),
-      judges_(judges),
+      scorers_(scorers),
       order_(std::move(order)),
       bytes_(moves.code().bytes()),
       next_(order_.lo) {
@@ -72,7 +72,7 @@ void PieceWork::make_proposals() {
   shifts_.sheets = static_cast<int>(block_);
   shifts_.shifts_mm.resize(block_ * moves_.code().shifts());
   for (std::uint32_t k = 0; k < block_; ++k) {
-    const StepWords words(judges_.campaign().seed, order_.population, order_.level, step_,
+    const StepWords words(scorers_.campaign().seed, order_.population, order_.level, step_,
                           next_ + k);
     if (order_.is_first) {
       moves_.draw(words, tried_[k]);
@@ -86,8 +86,8 @@ void PieceWork::make_proposals() {
 // Of the first draws those that reach the next level; later those that stay within theirs.
 void PieceWork::take_good_ones() {
   const int least = order_.is_first ? order_.next : order_.within;
-  const std::vector<int>& scores = judges_.from(least).judge(shifts_);
-  const int accepted = last_level(judges_.campaign());
+  const std::vector<int>& scores = scorers_.from(least).score(shifts_);
+  const int accepted = last_level(scorers_.campaign());
   for (std::uint32_t k = 0; k < block_; ++k) {
     ++of_block_.tried;
     of_block_.undecided += scores[k] == kUndecided;
@@ -121,7 +121,7 @@ void PieceWork::collect_met() {
   }
   met_.clear();
   if (shifts.sheets == 0) return;
-  std::vector<schema::Candidate> candidates = judges_.measured(shifts);
+  std::vector<schema::Candidate> candidates = scorers_.measured(shifts);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     result_.met[known + k].candidate = std::move(candidates[k]);
   }

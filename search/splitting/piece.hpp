@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "schema/records/unit_record.hpp"
-#include "search/splitting/level_judge.hpp"
+#include "search/splitting/level_scorer.hpp"
 #include "search/splitting/moves.hpp"
 
 namespace misalign::search {
@@ -53,7 +53,7 @@ struct PieceResult {
 class PieceWork {
  public:
   /// All must outlive this object.
-  PieceWork(const Moves& moves, std::uint32_t sweeps, LevelJudges& judges, PieceOrder order);
+  PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& scorers, PieceOrder order);
 
   bool finished() const { return next_ == order_.hi; }
   bool is_full() const { return false; }  // orders are small enough
@@ -73,7 +73,7 @@ class PieceWork {
 
   const Moves& moves_;
   const std::uint32_t sweeps_;
-  LevelJudges& judges_;
+  LevelScorers& scorers_;
   const PieceOrder order_;
   const std::size_t bytes_;
   std::uint32_t next_;       // the first particle that is not done

@@ -18,7 +18,7 @@
 namespace misalign::search {
 namespace {
 
-ColorWish color_wish = ColorWish::automatic;
+ColorMode color_mode = ColorMode::automatic;
 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -87,8 +87,8 @@ bool locale_is_utf8() {
   return false;
 }
 
-bool colors_wanted(ColorWish wish, bool to_terminal) {
-  if (wish != ColorWish::automatic) return wish == ColorWish::always;
+bool colors_wanted(ColorMode mode, bool to_terminal) {
+  if (mode != ColorMode::automatic) return mode == ColorMode::always;
   return to_terminal && terminal_is_able() && environment("NO_COLOR").empty();
 }
 
@@ -101,13 +101,13 @@ std::string Paint::dim(const std::string& text) const { return marked(kDim, text
 std::string Paint::good(const std::string& text) const { return marked(kGood, text); }
 std::string Paint::bad(const std::string& text) const { return marked(kBad, text); }
 
-void wish_colors(ColorWish wish) { color_wish = wish; }
+void set_color_mode(ColorMode mode) { color_mode = mode; }
 
-Paint paint_for(int file) { return Paint(colors_wanted(color_wish, is_terminal(file))); }
+Paint paint_for(int file) { return Paint(colors_wanted(color_mode, is_terminal(file))); }
 
 std::string pager_command() {
-  const char* wished = std::getenv("PAGER");
-  const std::string command = wished ? wished : "less";
+  const char* chosen = std::getenv("PAGER");
+  const std::string command = chosen ? chosen : "less";
   return command == "cat" ? "" : command;
 }
 

@@ -12,7 +12,7 @@
 
 namespace misalign::search {
 
-enum class ColorWish { automatic, always, never };
+enum class ColorMode { automatic, always, never };
 
 bool is_terminal(int file);
 /// Columns of the terminal behind a file; 80 where there is none, or where it does not say.
@@ -23,7 +23,7 @@ bool terminal_is_able();
 bool locale_is_utf8();
 
 /// As wished; else only to an able terminal, and never with NO_COLOR set.
-bool colors_wanted(ColorWish wish, bool to_terminal);
+bool colors_wanted(ColorMode mode, bool to_terminal);
 
 /// Marks words, or leaves them as they are.
 class Paint {
@@ -41,7 +41,7 @@ class Paint {
 };
 
 /// What --color said; once, before anything is shown.
-void wish_colors(ColorWish wish);
+void set_color_mode(ColorMode mode);
 Paint paint_for(int file);
 
 /// $PAGER, without one less; empty if that is empty or cat: then nothing is paged.

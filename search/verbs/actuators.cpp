@@ -96,13 +96,13 @@ void show_actuators(const ActuatorsCall& call) {
   }
   const solver::Verdict& verdict = folded.path.history.verdict;
   const double deploys_from_deg = verdict.deploys_from_sample * folder.sampling().sample_deg;
-  const char* standing = "";
+  const char* decision = "";
   if (sheet.drawn) {
     const bool accepted = sheet.drawn->campaign.accepts(verdict);
-    standing = accepted ? "accepted, " : "not accepted, ";
+    decision = accepted ? "accepted, " : "not accepted, ";
   }
   const bool is_undecided = verdict.first_fault == solver::Fault::undecided;
-  put("{}: {}deploys from {:g} deg{}\n", schema::printable(sheet.name()), standing,
+  put("{}: {}deploys from {:g} deg{}\n", schema::printable(sheet.name()), decision,
       deploys_from_deg, is_undecided ? " as far as could be told (undecided)" : "");
   print_summary(folder.mechanism(), folded);
   print_way(folded);

@@ -112,14 +112,14 @@ int run_command_line(int argc, char** argv) {
       "  misalign query results/miura-4x4-*.db best\n"
       "  misalign fold search/patterns/table1.json");
   std::string level = "info";
-  auto color = ColorWish::automatic;
+  auto color = ColorMode::automatic;
   app.add_option("--log-level", level, "least important messages to show [info]")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
   app.add_option("--color", color,
                  "when to color; auto: on terminals, unless NO_COLOR is set [auto]")
-      ->transform(one_of<ColorWish>({{"auto", ColorWish::automatic},
-                                     {"always", ColorWish::always},
-                                     {"never", ColorWish::never}}));
+      ->transform(one_of<ColorMode>({{"auto", ColorMode::automatic},
+                                     {"always", ColorMode::always},
+                                     {"never", ColorMode::never}}));
   const Words typed(argv, argv + argc);
   std::map<const CLI::App*, Action> actions;
   for (const Verb& each : all_verbs(typed)) {
@@ -134,7 +134,7 @@ int run_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return usage_error(app, error, words);
   }
-  wish_colors(color);
+  set_color_mode(color);
   set_up_log(level, color);
   try {
     std::optional<LongWork> work;

@@ -26,9 +26,9 @@ struct ExportCall {
   SheetFilesOptions files;
   Choice choice;
   OtherActuators actuators;
-  ReleaseWish release;
-  DeckWish deck;
-  KitWish kit;
+  ReleaseCall release;
+  DeckCall deck;
+  KitCall kit;
   bool compat = false;
 };
 
@@ -113,7 +113,7 @@ void export_pattern(const ExportCall& call) {
 }
 
 // Options that say nothing about the format that is asked for are a mistake.
-void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, const CLI::App& verb) {
+void refuse_idle_options(const SheetFilesOptions& files, const KitCall& kit, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
     if (verb.count(option) == 0 || has_sense) return;
     throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
@@ -145,7 +145,7 @@ void refuse_idle_options(const SheetFilesOptions& files, const KitWish& kit, con
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
   refuse_idle_options(call.files, call.kit, verb);
-  settle(call.release, call.deck);
+  read_material(call.release, call.deck);
   call.files.release = call.release.release;
   call.files.deck = call.deck.deck;
   call.files.kit = chosen_kit(call.kit);

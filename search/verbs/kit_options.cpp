@@ -23,12 +23,12 @@ CLI::Validator a_bed() {
 
 }  // namespace
 
-void add_kit(CLI::App& verb, KitWish& wish) {
-  schema::KitOptions& kit = wish.options;
+void add_kit(CLI::App& verb, KitCall& call) {
+  schema::KitOptions& kit = call.options;
   const auto add_mm = [&](const char* name, auto& value, const std::string& meaning, double least) {
     verb.add_option(name, value, meaning)->check(within(least, kMost_mm))->type_name("MM");
   };
-  verb.add_flag("--kit", wish.wanted, "svg and dxf: numbered parts to cut, see above");
+  verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
   verb.add_option("--crease", kit.crease,
                   "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
                   "[score]")
@@ -66,7 +66,7 @@ void add_kit(CLI::App& verb, KitWish& wish) {
                      kit.bore_edge_mm),
          0);
   add_mm("--gap", kit.gap_mm, fmt::format("with --kit: between parts [{:g}]", kit.gap_mm), 0);
-  verb.add_option("--bed", wish.bed,
+  verb.add_option("--bed", call.bed,
                   "with --kit: width and height of the machine's bed, mm; a file for each, larger "
                   "parts cut along creases [one sheet for all]")
       ->check(a_bed())
@@ -75,12 +75,12 @@ void add_kit(CLI::App& verb, KitWish& wish) {
          fmt::format("with --kit: round all parts [{:g}]", kit.margin_mm), 0);
 }
 
-std::optional<schema::KitOptions> chosen_kit(const KitWish& wish) {
-  if (!wish.wanted) return std::nullopt;
-  schema::KitOptions kit = wish.options;
-  if (!wish.bed.empty()) {
-    const std::size_t by = wish.bed.find('x');
-    kit.bed_mm.emplace(std::stod(wish.bed.substr(0, by)), std::stod(wish.bed.substr(by + 1)));
+std::optional<schema::KitOptions> chosen_kit(const KitCall& call) {
+  if (!call.wanted) return std::nullopt;
+  schema::KitOptions kit = call.options;
+  if (!call.bed.empty()) {
+    const std::size_t by = call.bed.find('x');
+    kit.bed_mm.emplace(std::stod(call.bed.substr(0, by)), std::stod(call.bed.substr(by + 1)));
   }
   return kit;
 }

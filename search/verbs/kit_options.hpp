@@ -10,19 +10,19 @@
 
 namespace misalign::search {
 
-struct KitWish {
+struct KitCall {
   bool wanted = false;
   schema::KitOptions options;
   std::string bed;  ///< "600x400"
 };
 
 /// --kit, and what goes with it alone.
-void add_kit(CLI::App& verb, KitWish& wish);
+void add_kit(CLI::App& verb, KitCall& call);
 inline constexpr std::array kKitOptions = {
     "--crease",    "--dash-mm",   "--kerf", "--joint-bore", "--spring-bore",
     "--spring-at", "--bore-edge", "--gap",  "--bed",        "--margin"};
 
 /// With the bed, if one is asked for; nothing without --kit.
-std::optional<schema::KitOptions> chosen_kit(const KitWish& wish);
+std::optional<schema::KitOptions> chosen_kit(const KitCall& call);
 
 }  // namespace misalign::search

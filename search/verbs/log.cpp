@@ -43,7 +43,7 @@ class MessageSink : public ColorSink {
 
 }  // namespace
 
-void set_up_log(const std::string& level, ColorWish color) {
+void set_up_log(const std::string& level, ColorMode color) {
   auto sink = std::make_shared<MessageSink>(colors_wanted(color, is_terminal(STDERR_FILENO))
                                                 ? spdlog::color_mode::always
                                                 : spdlog::color_mode::never);

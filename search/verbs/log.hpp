@@ -8,6 +8,6 @@
 namespace misalign::search {
 
 /// From now on spdlog's functions write them; `level`: the least important ones that are shown.
-void set_up_log(const std::string& level, ColorWish color);
+void set_up_log(const std::string& level, ColorMode color);
 
 }  // namespace misalign::search

@@ -136,34 +136,34 @@ void add_thickness(CLI::App& verb, solver::Plates& plates) {
       ->type_name("MM");
 }
 
-void add_release(CLI::App& verb, ReleaseWish& wish) {
+void add_release(CLI::App& verb, ReleaseCall& call) {
   constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
-  add_from(verb, wish.release.from_deg, kLeast_deg);
+  add_from(verb, call.release.from_deg, kLeast_deg);
   verb.add_option(
-          "--rest-deg", wish.release.rest_deg,
-          fmt::format("pilot angle where the springs are relaxed [{:g}]", wish.release.rest_deg))
+          "--rest-deg", call.release.rest_deg,
+          fmt::format("pilot angle where the springs are relaxed [{:g}]", call.release.rest_deg))
       ->check(within(0, 180))
       ->type_name("DEG");
-  add_thickness(verb, wish.release.plates);
-  verb.add_option("--density", wish.density_g_per_cm3,
+  add_thickness(verb, call.release.plates);
+  verb.add_option("--density", call.density_g_per_cm3,
                   fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
-                              wish.release.plates.density_g_per_cm3))
+                              call.release.plates.density_g_per_cm3))
       ->check(within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3))
       ->type_name("G_PER_CM3");
 }
 
-void add_deck(CLI::App& verb, DeckWish& wish) {
-  verb.add_option("--mesh", wish.deck.elements,
-                  fmt::format("elements along a panel's side [{}]", wish.deck.elements))
+void add_deck(CLI::App& verb, DeckCall& call) {
+  verb.add_option("--mesh", call.deck.elements,
+                  fmt::format("elements along a panel's side [{}]", call.deck.elements))
       ->check(counted(2, 40))
       ->type_name("N");
-  verb.add_option("--material", wish.material_file,
+  verb.add_option("--material", call.material_file,
                   fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3 [{}]",
-                              wish.deck.material.name))
+                              call.deck.material.name))
       ->type_name("FILE");
 }
 
-void settle(ReleaseWish& release, DeckWish& deck) {
+void read_material(ReleaseCall& release, DeckCall& deck) {
   if (!deck.material_file.empty()) {
     deck.deck.material = schema::read_material_file(deck.material_file);
   }

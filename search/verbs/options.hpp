@@ -60,20 +60,20 @@ inline constexpr double kLeastThickness_mm = 1e-3, kMostThickness_mm = 100;
 inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 = 100;
 
 /// Those, --rest-deg and --density: of a sheet that is let go.
-struct ReleaseWish {
+struct ReleaseCall {
   ReleaseOptions release;
   std::optional<double> density_g_per_cm3;  ///< the material's otherwise
 };
-void add_release(CLI::App& verb, ReleaseWish& wish);
+void add_release(CLI::App& verb, ReleaseCall& call);
 
 /// --mesh and --material: of panels as elastic shells.
-struct DeckWish {
+struct DeckCall {
   schema::DeckOptions deck;
   std::string material_file;
 };
-void add_deck(CLI::App& verb, DeckWish& wish);
+void add_deck(CLI::App& verb, DeckCall& call);
 /// Reads the material file, if there is one, into both. UserError (3).
-void settle(ReleaseWish& release, DeckWish& deck);
+void read_material(ReleaseCall& release, DeckCall& deck);
 /// --trim, of the plates' corners.
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 

@@ -65,8 +65,8 @@ void query(const QueryCall& call) {
     return;
   }
   const auto style = call.json ? schema::TableStyle::json : schema::TableStyle::csv;
-  schema::write_query(*database, text.sql, style, [&](const std::string& piece) {
-    call.json ? put_json(piece) : put_csv(piece);
+  schema::write_query(*database, text.sql, style, [&](const std::string& part) {
+    call.json ? put_json(part) : put_csv(part);
     return std::ferror(stdout) == 0;
   });
 }

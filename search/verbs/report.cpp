@@ -38,7 +38,7 @@ CLI::Validator as_many_as_browsers_show() {
 }
 
 void refuse_own_input(const ReportCall& call) {
-  std::vector<std::string> read = call.wish.stress_files;
+  std::vector<std::string> read = call.detail.stress_files;
   read.push_back(call.path);
   for (const std::string& path : read) {
     std::error_code error;
@@ -90,14 +90,14 @@ Action report_verb(CLI::App& verb) {
   }
   add_other_actuators(verb, call->actuators);
   verb.add_flag(
-      "--deploy", call->let_go,
+      "--deploy", call->with_deployment,
       "in the table also when candidates that are let go are flat, and what friction they "
       "overcome (some milliseconds each)");
   verb.add_flag(
-      "--contact", call->wish.contact,
+      "--contact", call->detail.contact,
       "also where panels first meet, of each sheet that can be looked at closely (about a "
       "tenth of a second each)");
-  verb.add_option("--stress", call->wish.stress_files,
+  verb.add_option("--stress", call->detail.stress_files,
                   "NAME-stress.json that `misalign stress` wrote of a sheet that can be looked at "
                   "closely: colours its panels (again: and that one)")
       ->expected(1)

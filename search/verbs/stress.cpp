@@ -28,8 +28,8 @@ struct StressCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
   OtherActuators actuators;
-  ReleaseWish release;
-  DeckWish deck;
+  ReleaseCall release;
+  DeckCall deck;
   StressStudyOptions options;
   std::string directory;
   bool json = false;
@@ -166,27 +166,27 @@ void print_way(const StressStudy& study) {
 
 // With rigid panels; it is the way that the motion tends to as panels get stiffer.
 std::vector<solver::DeploymentRow> rigid_motion(const ChosenSheet& sheet,
-                                                const schema::SimulatedSheet& let_go) {
+                                                const schema::SimulatedSheet& released) {
   DeployWish wish;
-  wish.from_deg = let_go.pilot_deg;
-  wish.stiffness_n_per_mm = let_go.stiffness_n_per_mm;
-  wish.sheet.springs.rest_deg = let_go.rest_deg;
-  wish.sheet.plates = let_go.plates;
+  wish.from_deg = released.pilot_deg;
+  wish.stiffness_n_per_mm = released.stiffness_n_per_mm;
+  wish.sheet.springs.rest_deg = released.rest_deg;
+  wish.sheet.plates = released.plates;
   Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
-  return deployer.study(sheet.shifts_mm, let_go.pilot_deg, schema::printable(sheet.name()))
+  return deployer.study(sheet.shifts_mm, released.pilot_deg, schema::printable(sheet.name()))
       .run.rows;
 }
 
 void show_stress(StressCall& call) {
-  settle(call.release, call.deck);
+  read_material(call.release, call.deck);
   call.options.deck.elements = call.deck.deck.elements;
   call.options.deck.material = call.deck.deck.material;
   const ChosenSheet sheet = choose_sheet(call.path, call.draw);
   const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
-  const schema::SimulatedSheet let_go =
+  const schema::SimulatedSheet released =
       release(folder, folder.fold(sheet.shifts_mm), call.release.release,
               "misalign: " + sheet.name(), schema::printable(sheet.name()));
-  if (let_go.rest_deg > 0) call.options.flat_deg = 0;
+  if (released.rest_deg > 0) call.options.flat_deg = 0;
   find_calculix();
   make_directory(call.directory);
   const std::string job = job_of(call, sheet);
@@ -198,18 +198,18 @@ void show_stress(StressCall& call) {
     constexpr double kToReadAndWrite_s = 120;
     watch_for_signals(kToReadAndWrite_s, schema::kExitFailure);
     StressProgress progress(call.options.deck.end_s);
-    study = study_stress(let_go, call.options, call.directory, job, [&](const ElasticRow& row) {
+    study = study_stress(released, call.options, call.directory, job, [&](const ElasticRow& row) {
       progress.show(row);
-      return stop_wish() == StopWish::none;
+      return stop_request() == StopRequest::none;
     });
   }
-  study.rigid = rigid_motion(sheet, let_go);
-  schema::Json json = stress_json(let_go, call.options, study);
+  study.rigid = rigid_motion(sheet, released);
+  schema::Json json = stress_json(released, call.options, study);
   json.update(sheet.whose());
   schema::write_text_file(result, json.dump(1) + "\n");
   if (call.json) return put_json(json);
   put("{}: let go from ", schema::printable(sheet.name()));
-  print_study(let_go, call.options, study);
+  print_study(released, call.options, study);
   print_way(study);
   put("\n{}\n", schema::printable(result));
 }

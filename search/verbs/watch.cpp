@@ -38,12 +38,12 @@ void wait_for_the_end(const std::atomic<bool>& ended) {
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
-void serve(PageServer& server, const Answerer& answer) {
+void serve(PageServer& server, const PageHandler& handler) {
   std::atomic<bool> ended = false;
   std::exception_ptr failure;
   std::thread serving([&] {
     try {
-      server.serve(answer);
+      server.serve(handler);
     } catch (...) {
       failure = std::current_exception();
     }

@@ -14,7 +14,7 @@
 namespace misalign::search {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{200};
+constexpr std::chrono::milliseconds kPollInterval{200};
 
 struct Connection {
   int descriptor;
@@ -61,7 +61,7 @@ ConnectionPatience::ConnectionPatience(int port, std::size_t served_at_once,
     std::unique_lock lock(resting);
     while (!stop.stop_requested()) {
       look();
-      rest.wait_for(lock, stop, kBetweenLooks, [] { return false; });
+      rest.wait_for(lock, stop, kPollInterval, [] { return false; });
     }
   });
 }

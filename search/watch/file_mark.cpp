@@ -32,13 +32,13 @@ FileMark FileMark::of(const std::string& path) {
   mark.is_written_ = mark.exists_ && schema::is_being_written(file);
   timespec now{};
   clock_gettime(CLOCK_REALTIME, &now);
-  mark.is_settled_ = newest_s + kTick_s <
-                     static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  mark.is_quiet_ = newest_s + kTick_s <
+                   static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   return mark;
 }
 
 bool FileMark::is_like(const FileMark& later) const {
-  return exists_ && is_settled_ && later.exists_ && is_written_ == later.is_written_ &&
+  return exists_ && is_quiet_ && later.exists_ && is_written_ == later.is_written_ &&
          files_ == later.files_;
 }
 

@@ -33,7 +33,7 @@ class FileMark {
   static Times times_of(const struct stat& file);
 
   std::array<Times, 2> files_{};
-  bool exists_ = false, is_written_ = false, is_settled_ = false;
+  bool exists_ = false, is_written_ = false, is_quiet_ = false;
 };
 
 }  // namespace misalign::search

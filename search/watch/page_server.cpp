@@ -42,12 +42,12 @@ PageRequest request_of(const httplib::Request& request) {
 }
 
 // By a provider: what is set as a body is compressed, for seconds where it is large.
-void give(const PageAnswer& answer, httplib::Response& response) {
-  response.status = answer.status;
-  response.set_header("Content-Security-Policy", answer.policy);
-  const auto body = answer.body;
+void give(const PageResponse& page, httplib::Response& response) {
+  response.status = page.status;
+  response.set_header("Content-Security-Policy", page.policy);
+  const auto body = page.body;
   response.set_content_provider(
-      body->size(), answer.type,
+      body->size(), page.type,
       [body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
         return sink.write(body->data() + offset, length);
       });
@@ -86,13 +86,13 @@ class PageServer::Impl {
                     address, wanted > 0 ? fmt::format("port {}", wanted) : "any port"));
   }
 
-  void serve(const Answerer& answer) {
+  void serve(const PageHandler& handler) {
     ConnectionPatience patience(place_.port, kThreads);
     server_.set_pre_routing_handler([&](const httplib::Request& got, httplib::Response& response) {
       patience.heard(got.remote_port);
-      const PageAnswer answered = answer_to(request_of(got), answer);
-      if (answered.status == 405) response.set_header("Allow", "GET, HEAD");
-      give(answered, response);
+      const PageResponse response_page = response_to(request_of(got), handler);
+      if (response_page.status == 405) response.set_header("Allow", "GET, HEAD");
+      give(response_page, response);
       return httplib::Server::HandlerResponse::Handled;
     });
     const bool served = server_.listen_after_bind();
@@ -103,12 +103,12 @@ class PageServer::Impl {
     }
   }
 
-  PageAnswer answer_to(const PageRequest& request, const Answerer& answer) const {
+  PageResponse response_to(const PageRequest& request, const PageHandler& handler) const {
     try {
       const std::optional<Refusal> refused = refusal(request, place_);
-      return refused ? problem_answer(refused->status, refused->sentence) : answer(request);
+      return refused ? problem_response(refused->status, refused->sentence) : handler(request);
     } catch (const std::exception& error) {
-      return problem_answer(500, failure_of(error).sentence);
+      return problem_response(500, failure_of(error).sentence);
     }
   }
 
@@ -131,7 +131,7 @@ PageServer::PageServer(const std::string& address, std::optional<int> port)
     : impl_(std::make_unique<Impl>(address, port)) {}
 PageServer::~PageServer() = default;
 PagePlace PageServer::place() const { return impl_->place(); }
-void PageServer::serve(const Answerer& answer) { impl_->serve(answer); }
+void PageServer::serve(const PageHandler& handler) { impl_->serve(handler); }
 void PageServer::stop() { impl_->stop(); }
 
 }  // namespace misalign::search

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "search/watch/page_answer.hpp"
+#include "search/watch/page_response.hpp"
 
 namespace misalign::search {
 
@@ -24,7 +24,7 @@ class PageServer {
   PagePlace place() const;
   /// Answers until stop(), by `answer` what refusal() lets through; with headers that keep every
   /// answer from other sites and from caches. UserError (1) if connections cannot be taken.
-  void serve(const Answerer& answer);
+  void serve(const PageHandler& handler);
   /// From another thread. Requests under way are answered; whoever says nothing is left within two
   /// seconds.
   void stop();

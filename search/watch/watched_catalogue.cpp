@@ -61,7 +61,7 @@ void check_storage(const std::string& path) {
           "disk, or ask for `misalign status` now and then");
 }
 
-PageAnswer html_answer(int status, const schema::ServedPage& page) {
+PageResponse html_response(int status, const schema::ServedPage& page) {
   return {status, kHtml, std::make_shared<const std::string>(page.text), page.policy};
 }
 
@@ -88,69 +88,69 @@ WatchedCatalogue::WatchedCatalogue(const std::string& path) : call_(call_for(pat
   }
 }
 
-PageAnswer WatchedCatalogue::page() {
-  return answer(page_, kShareForPages, [this](const FileMark& mark) {
+PageResponse WatchedCatalogue::page() {
+  return response(page_, kShareForPages, [this](const FileMark& mark) {
     try {
       check_readable(mark);
       Json data = report_of_catalogue(call_);
       data["watch"] = {{"live", kLivePath}};
-      return html_answer(200, schema::served_page(data));
+      return html_response(200, schema::served_page(data));
     } catch (const std::exception& error) {
       return page_about(failure_of(error).sentence);
     }
   });
 }
 
-PageAnswer WatchedCatalogue::live() {
-  return answer(live_, kShareForLive, [this](const FileMark& mark) {
+PageResponse WatchedCatalogue::live() {
+  return response(live_, kShareForLive, [this](const FileMark& mark) {
     try {
       check_readable(mark);
       const auto database = schema::open_for_reading(call_.path);
       Json live = live_state_json(*database, schema::read_campaign_of(*database, call_.path));
       live["writing"] = mark.is_written();
       live["read_at_s"] = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-      return json_answer(200, live.dump(-1, ' ', false, Json::error_handler_t::replace));
+      return json_response(200, live.dump(-1, ' ', false, Json::error_handler_t::replace));
     } catch (const std::exception& error) {
-      return problem_answer(503, failure_of(error).sentence);
+      return problem_response(503, failure_of(error).sentence);
     }
   });
 }
 
-PageAnswer WatchedCatalogue::answer(Kept& kept, double share_of_core, const Maker& make) {
+PageResponse WatchedCatalogue::response(Kept& kept, double share_of_core, const Maker& make) {
   const auto told = [&](bool also_old) {
     const std::lock_guard own(kept.asking);
     const bool rests = also_old || Clock::now() < kept.rests_until;
-    return rests ? kept.answer : PageAnswer();
+    return rests ? kept.response : PageResponse();
   };
-  if (PageAnswer answer = told(false); answer.body) return answer;
+  if (PageResponse response = told(false); response.body) return response;
   std::unique_lock reading(reading_, std::try_to_lock);
   if (!reading.owns_lock()) {
-    if (PageAnswer answer = told(!kept.waits); answer.body) return answer;
+    if (PageResponse response = told(!kept.waits); response.body) return response;
     reading.lock();
-    if (PageAnswer answer = told(false); answer.body) return answer;
+    if (PageResponse response = told(false); response.body) return response;
   }
   const double begin_s = core_time_s();
   const FileMark mark = FileMark::of(call_.path);
   // What went wrong may be over without a change of the file, such as a lock.
-  if (kept.answer.status == 200 && kept.mark.is_like(mark)) return kept.answer;
-  PageAnswer made = make(mark);
+  if (kept.response.status == 200 && kept.mark.is_like(mark)) return kept.response;
+  PageResponse made = make(mark);
   const double took_s = core_time_s() - begin_s;
   const std::chrono::duration<double> rest(std::max(kLeastRest_s, took_s / share_of_core));
   const std::lock_guard own(kept.asking);
   kept.mark = mark;
-  kept.answer = made;
+  kept.response = made;
   kept.rests_until = Clock::now() + std::chrono::duration_cast<Clock::duration>(rest);
   return made;
 }
 
 // The page without a campaign: it says what is wrong, and waits until all is well.
-PageAnswer WatchedCatalogue::page_about(const std::string& problem) const {
+PageResponse WatchedCatalogue::page_about(const std::string& problem) const {
   const Json data = {
       {"format", 1},
       {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
       {"catalogue", call_.path},
       {"watch", {{"live", kLivePath}, {"problem", problem}}}};
-  return html_answer(503, schema::served_page(data));
+  return html_response(503, schema::served_page(data));
 }
 
 // What a reader would wait for, or make the writer wait for, is not even opened.

@@ -9,7 +9,7 @@
 
 #include "search/report/report_data.hpp"
 #include "search/watch/file_mark.hpp"
-#include "search/watch/page_answer.hpp"
+#include "search/watch/page_response.hpp"
 
 namespace misalign::search {
 
@@ -27,23 +27,23 @@ class WatchedCatalogue {
 
   bool exists() const { return FileMark::of(call_.path).exists(); }
   /// The report's page, which asks for live() every second.
-  PageAnswer page();
+  PageResponse page();
   /// JSON: live_state_json with "writing": whether a search is at work, "read_at_s": when this was
   /// read, in seconds that only go on; or, with status 503, {"problem": a sentence}.
-  PageAnswer live();
+  PageResponse live();
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Kept {
-    std::mutex asking;   // of what follows
-    bool waits = false;  // for others that read, rather than telling what is old
-    PageAnswer answer;   // without a body before the first time
+    std::mutex asking;      // of what follows
+    bool waits = false;     // for others that read, rather than telling what is old
+    PageResponse response;  // without a body before the first time
     FileMark mark;
     Clock::time_point rests_until;
   };
-  using Maker = std::function<PageAnswer(const FileMark& mark)>;
-  PageAnswer answer(Kept& kept, double share_of_core, const Maker& make);
-  PageAnswer page_about(const std::string& problem) const;
+  using Maker = std::function<PageResponse(const FileMark& mark)>;
+  PageResponse response(Kept& kept, double share_of_core, const Maker& make);
+  PageResponse page_about(const std::string& problem) const;
   void check_readable(const FileMark& mark) const;
 
   const ReportCall call_;

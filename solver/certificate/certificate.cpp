@@ -22,15 +22,15 @@ void put_bits(std::string& bytes, Bits bits) {
 void put(std::string& bytes, double value) { put_bits(bytes, std::bit_cast<std::uint64_t>(value)); }
 void put(std::string& bytes, float value) { put_bits(bytes, std::bit_cast<std::uint32_t>(value)); }
 
-void put(std::string& bytes, const PathPiece& piece) {
-  put(bytes, piece.to_deg);
-  put(bytes, static_cast<float>(piece.box));
-  put_bits<std::uint32_t>(bytes, piece.graded ? 1 : 0);
+void put(std::string& bytes, const PathInterval& interval) {
+  put(bytes, interval.to_deg);
+  put(bytes, static_cast<float>(interval.box));
+  put_bits<std::uint32_t>(bytes, interval.graded ? 1 : 0);
   // Tangents of a quarter of the angle: by arithmetic that is the same everywhere.
-  for (const HalfAngle<double>& h : piece.middle.creases) {
+  for (const HalfAngle<double>& h : interval.middle.creases) {
     put(bytes, static_cast<float>(h.s / (1 + h.c)));
   }
-  for (const Quaternion<double>& q : piece.middle.balls) {
+  for (const Quaternion<double>& q : interval.middle.balls) {
     const double scale = (q.w < 0 ? -1 : 1) / (1 + std::abs(q.w));
     for (const double part : {q.x, q.y, q.z}) put(bytes, static_cast<float>(scale * part));
   }
@@ -63,23 +63,23 @@ class Reader {
 constexpr double kLargestTangent = 1.01;
 constexpr std::size_t kHeadBytes = 4 * 4 + 4 + 4 + 8;
 
-std::size_t piece_bytes(const Mechanism& mechanism) {
+std::size_t interval_bytes(const Mechanism& mechanism) {
   return 8 + 4 + 4 + 4 * mechanism.creases.size() + 12 * mechanism.balls.size();
 }
 
-// Whether it is a piece from `from_deg` on.
-bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathPiece& piece) {
-  piece.from_deg = from_deg;
-  piece.to_deg = reader.real();
-  piece.box = reader.single();
+// Whether it is a interval from `from_deg` on.
+bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathInterval& interval) {
+  interval.from_deg = from_deg;
+  interval.to_deg = reader.real();
+  interval.box = reader.single();
   const auto graded = reader.bits<std::uint32_t>();
-  piece.graded = graded == 1;
-  bool good = graded <= 1 && piece.to_deg > from_deg && piece.to_deg <= 180 && piece.box > 0 &&
-              piece.box < 1;
+  interval.graded = graded == 1;
+  bool good = graded <= 1 && interval.to_deg > from_deg && interval.to_deg <= 180 &&
+              interval.box > 0 && interval.box < 1;
   for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
     const double t = reader.single(), scale = 1 / (1 + t * t);
     good = good && std::abs(t) <= kLargestTangent;
-    piece.middle.creases.push_back({scale * (1 - t * t), scale * 2 * t});
+    interval.middle.creases.push_back({scale * (1 - t * t), scale * 2 * t});
   }
   for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
     std::array<double, 3> t{};
@@ -90,7 +90,7 @@ bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathPiece
     }
     good = good && squares <= kLargestTangent;
     const double scale = 1 / (1 + squares);
-    piece.middle.balls.push_back(
+    interval.middle.balls.push_back(
         {scale * (1 - squares), scale * 2 * t[0], scale * 2 * t[1], scale * 2 * t[2]});
   }
   return good;
@@ -117,14 +117,14 @@ std::string encode(const Mechanism& mechanism, const Certificate& certificate) {
   put_bits(bytes, kVersion);
   put_bits(bytes, static_cast<std::uint32_t>(mechanism.creases.size()));
   put_bits(bytes, static_cast<std::uint32_t>(mechanism.balls.size()));
-  put_bits(bytes, static_cast<std::uint32_t>(certificate.pieces.size()));
+  put_bits(bytes, static_cast<std::uint32_t>(certificate.intervals.size()));
   put_bits(bytes, static_cast<std::uint8_t>(certificate.end));
   put_bits<std::uint8_t>(bytes, certificate.contact ? 1 : 0);
   put_bits<std::uint8_t>(bytes, certificate.closing ? 1 : 0);
   put_bits<std::uint8_t>(bytes, 0);
   put_bits(bytes, static_cast<std::uint32_t>(certificate.where));
   put(bytes, certificate.asked_deg);
-  for (const PathPiece& piece : certificate.pieces) put(bytes, piece);
+  for (const PathInterval& interval : certificate.intervals) put(bytes, interval);
   if (certificate.closing) put(bytes, *certificate.closing);
   return bytes;
 }
@@ -135,7 +135,7 @@ std::optional<Certificate> decode(const Mechanism& mechanism, std::string_view b
   if (reader.bits<std::uint32_t>() != kVersion) return std::nullopt;
   if (reader.bits<std::uint32_t>() != mechanism.creases.size()) return std::nullopt;
   if (reader.bits<std::uint32_t>() != mechanism.balls.size()) return std::nullopt;
-  const auto pieces = reader.bits<std::uint32_t>();
+  const auto intervals = reader.bits<std::uint32_t>();
   const auto end = reader.bits<std::uint8_t>(), contact = reader.bits<std::uint8_t>();
   const auto closing = reader.bits<std::uint8_t>(), nothing = reader.bits<std::uint8_t>();
   if (end >= kCertificateEnds || contact > 1 || closing > 1 || nothing != 0) return std::nullopt;
@@ -145,13 +145,13 @@ std::optional<Certificate> decode(const Mechanism& mechanism, std::string_view b
   certificate.where = static_cast<std::int32_t>(reader.bits<std::uint32_t>());
   certificate.asked_deg = reader.real();
   const bool good = certificate.asked_deg >= 0 && certificate.asked_deg <= 180;
-  if (!good || reader.left() != (std::size_t{pieces} + closing) * piece_bytes(mechanism)) {
+  if (!good || reader.left() != (std::size_t{intervals} + closing) * interval_bytes(mechanism)) {
     return std::nullopt;
   }
-  for (std::uint32_t k = 0; k < pieces; ++k) {
-    PathPiece piece;
-    if (!read(mechanism, reader, certificate.certified_deg(), piece)) return std::nullopt;
-    certificate.pieces.push_back(std::move(piece));
+  for (std::uint32_t k = 0; k < intervals; ++k) {
+    PathInterval interval;
+    if (!read(mechanism, reader, certificate.certified_deg(), interval)) return std::nullopt;
+    certificate.intervals.push_back(std::move(interval));
   }
   if (closing == 1) {
     certificate.closing.emplace();

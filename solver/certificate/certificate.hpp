@@ -33,7 +33,7 @@ std::optional<CertificateEnd> certificate_end(std::string_view name);
 bool is_proven(CertificateEnd end);
 
 /// An interval of pilot angles, and the state in its middle.
-struct PathPiece {
+struct PathInterval {
   double from_deg = 0, to_deg = 0;
   /// Written in the joints' half-angle tangents over the pilot's, tau; its middle is then that of
   /// tau^2, otherwise that of the angle.
@@ -44,8 +44,8 @@ struct PathPiece {
   FoldState<double> middle;
 };
 
-/// In its coordinates, the path's state in the middle of a piece is at most this far from the one
-/// that the certificate holds, joint by joint: those are kept in single precision.
+/// In its coordinates, the path's state in the middle of a interval is at most this far from the
+/// one that the certificate holds, joint by joint: those are kept in single precision.
 inline constexpr double kMiddleBox = 1e-6;
 /// A reversal, or what else ends a certificate, is enclosed to within this.
 inline constexpr double kClosing_deg = 1e-4;
@@ -58,20 +58,20 @@ struct Certificate {
   int where = -1;
   bool contact = false;  ///< whether it proves that no panels meet as well
   /// From flat on, each beginning where the one before ends.
-  std::vector<PathPiece> pieces;
+  std::vector<PathInterval> intervals;
   /// Where the end is one that is proven to happen: from certified_deg() to at most kClosing_deg
   /// more, at whose end it has happened.
-  std::optional<PathPiece> closing;
+  std::optional<PathInterval> closing;
 
   /// The angle up to which everything is proven.
-  double certified_deg() const { return pieces.empty() ? 0 : pieces.back().to_deg; }
+  double certified_deg() const { return intervals.empty() ? 0 : intervals.back().to_deg; }
 };
 
 /// As bytes, all numbers little-endian:
-///   u32 version (1), u32 creases, u32 balls, u32 pieces, u8 end, u8 contact, u8 closing, u8 0, i32
-///   where, f64 asked_deg; then each piece, the closing one last: f64 to_deg, f32 box, u8 graded, 3
-///   x u8 0, for each crease f32 tan(fold angle / 4), for each ball joint 3 x f32 (x, y, z) / (1 +
-///   w) of its quaternion with w >= 0.
+///   u32 version (1), u32 creases, u32 balls, u32 intervals, u8 end, u8 contact, u8 closing, u8 0,
+///   i32 where, f64 asked_deg; then each interval, the closing one last: f64 to_deg, f32 box, u8
+///   graded, 3 x u8 0, for each crease f32 tan(fold angle / 4), for each ball joint 3 x f32 (x, y,
+///   z) / (1 + w) of its quaternion with w >= 0.
 std::string encode(const Mechanism& mechanism, const Certificate& certificate);
 
 /// None where these are not the bytes of a certificate of such a sheet: wrong sizes, numbers that

@@ -52,7 +52,7 @@ const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
   if ((certificate.end == CertificateEnd::to_the_end) != (certified_deg == certificate.asked_deg)) {
     return "where it ends is not the angle asked for, or that is not called its end";
   }
-  if (certificate.end == CertificateEnd::flat_branch && !certificate.pieces.empty()) {
+  if (certificate.end == CertificateEnd::flat_branch && !certificate.intervals.empty()) {
     return "it has pieces although none is proven from flat";
   }
   if (is_event(certificate.end) != certificate.closing.has_value()) {
@@ -65,15 +65,17 @@ const char* fault_of_form(const Mechanism& mechanism, const PanelCheck* panels,
   return nullptr;
 }
 
-// Each piece by itself, and whether it begins where the one before ends.
-const char* fault_of_piece(const Mechanism& mechanism, const PathPiece& piece, double from_deg) {
-  if (piece.from_deg != from_deg) return "it does not begin where the one before ends";
-  if (!(piece.to_deg > piece.from_deg && piece.to_deg <= 180)) return "its angles do not ascend";
-  if (piece.from_deg == 0 && !piece.graded) return "the piece at flat is not graded";
-  if (piece.graded && piece.to_deg == 180) return "a graded piece cannot reach 180 degrees";
-  if (!(piece.box > 0 && piece.box < 1)) return "its box is no size";
-  if (piece.middle.creases.size() != mechanism.creases.size() ||
-      piece.middle.balls.size() != mechanism.balls.size()) {
+// Each interval by itself, and whether it begins where the one before ends.
+const char* fault_of_interval(const Mechanism& mechanism, const PathInterval& interval,
+                              double from_deg) {
+  if (interval.from_deg != from_deg) return "it does not begin where the one before ends";
+  if (!(interval.to_deg > interval.from_deg && interval.to_deg <= 180))
+    return "its angles do not ascend";
+  if (interval.from_deg == 0 && !interval.graded) return "the piece at flat is not graded";
+  if (interval.graded && interval.to_deg == 180) return "a graded piece cannot reach 180 degrees";
+  if (!(interval.box > 0 && interval.box < 1)) return "its box is no size";
+  if (interval.middle.creases.size() != mechanism.creases.size() ||
+      interval.middle.balls.size() != mechanism.balls.size()) {
     return "its state has not the sheet's joints";
   }
   return nullptr;
@@ -93,89 +95,90 @@ class Checker {
       return CertificateFault{0, certificate_.certified_deg(), what};
     }
     double from_deg = 0;
-    for (const PathPiece& piece : certificate_.pieces) {
-      const char* what = fault_of_piece(mechanism_, piece, from_deg);
-      if (what == nullptr) what = check(piece, Claims{true, true, true, certificate_.contact, -1});
-      if (what != nullptr) return CertificateFault{piece.from_deg, piece.to_deg, what};
-      from_deg = piece.to_deg;
+    for (const PathInterval& interval : certificate_.intervals) {
+      const char* what = fault_of_interval(mechanism_, interval, from_deg);
+      if (what == nullptr)
+        what = check(interval, Claims{true, true, true, certificate_.contact, -1});
+      if (what != nullptr) return CertificateFault{interval.from_deg, interval.to_deg, what};
+      from_deg = interval.to_deg;
     }
     if (!certificate_.closing) return std::nullopt;
-    const PathPiece& closing = *certificate_.closing;
-    const char* what = fault_of_piece(mechanism_, closing, from_deg);
+    const PathInterval& closing = *certificate_.closing;
+    const char* what = fault_of_interval(mechanism_, closing, from_deg);
     if (what == nullptr) what = check_closing(closing);
     if (what != nullptr) return CertificateFault{closing.from_deg, closing.to_deg, what};
     return std::nullopt;
   }
 
  private:
-  // Which of a piece's claims are to hold all over it.
+  // Which of a interval's claims are to hold all over it.
   struct Claims {
     bool cosines, sines, slopes, contact;
     int crease;  ///< which alone keeps its sign, -1 all
   };
 
-  const char* check(const PathPiece& piece, const Claims& claims) {
+  const char* check(const PathInterval& interval, const Claims& claims) {
     const char* unproven = "no curve of single states is proven within its box";
-    const auto question = [&](const ProvenPiece& whole, const ProvenStretch& stretch) {
-      const Proof folds = folds_rightly(stretch, claims);
+    const auto question = [&](const ProvenInterval& whole, const ProvenSubinterval& subinterval) {
+      const Proof folds = folds_rightly(subinterval, claims);
       if (folds != Proof::holds) {
         unproven = "a crease is not proven to keep its sign and to stay below 180 degrees";
         return folds;
       }
-      const Proof slopes = claims.slopes ? keeps_slopes(stretch) : Proof::holds;
+      const Proof slopes = claims.slopes ? keeps_slopes(subinterval) : Proof::holds;
       if (slopes != Proof::holds) {
         unproven = "a diagonal is not proven to go on growing or shrinking";
         return slopes;
       }
       if (!claims.contact) return slopes;
       unproven = "two panels are not proven to stay apart";
-      return panels_->are_apart(prover_, whole, stretch);
+      return panels_->are_apart(prover_, whole, subinterval);
     };
-    ProvenPiece next;
-    if (prover_.prove(piece, question, next) != Proof::holds) return unproven;
+    ProvenInterval next;
+    if (prover_.prove(interval, question, next) != Proof::holds) return unproven;
     if (!holds_middle(next)) return "the state in its middle is not the path's";
-    if (!stretches_join(next) || !joins(next)) return "it does not join the piece before";
+    if (!subintervales_join(next) || !joins(next)) return "it does not join the piece before";
     last_ = std::move(next);
     return nullptr;
   }
 
-  Proof folds_rightly(const ProvenStretch& stretch, const Claims& claims) const {
+  Proof folds_rightly(const ProvenSubinterval& subinterval, const Claims& claims) const {
     Proof proof = Proof::holds;
     for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
       if (static_cast<int>(i) == mechanism_.pilot) continue;
       if (claims.crease >= 0 && static_cast<int>(i) != claims.crease) continue;
       const int sign = mechanism_.creases[i].assignment;
-      if (claims.cosines) proof = both(proof, is_positive(stretch.cosines[i]));
-      if (claims.sines) proof = both(proof, is_positive(times(sign, stretch.sines[i])));
+      if (claims.cosines) proof = both(proof, is_positive(subinterval.cosines[i]));
+      if (claims.sines) proof = both(proof, is_positive(times(sign, subinterval.sines[i])));
       if (proof == Proof::fails) break;
     }
     return proof;
   }
 
-  Proof keeps_slopes(const ProvenStretch& stretch) {
+  Proof keeps_slopes(const ProvenSubinterval& subinterval) {
     if (signs_.empty()) {
-      for (const CheckModel& slope : stretch.slopes) {
+      for (const CheckModel& slope : subinterval.slopes) {
         signs_.push_back(value_at(slope, ArbNumber(0.0)) < ArbNumber(0.0) ? -1 : 1);
       }
     }
     Proof proof = Proof::holds;
     for (std::size_t d = 0; d < signs_.size() && proof != Proof::fails; ++d) {
-      proof = both(proof, is_positive(times(signs_[d], stretch.slopes[d])));
+      proof = both(proof, is_positive(times(signs_[d], subinterval.slopes[d])));
     }
     return proof;
   }
 
   // tan of half the pilot's angle at s.
-  static ArbNumber tau_at(const ProvenPiece& piece, const ArbNumber& s) {
+  static ArbNumber tau_at(const ProvenInterval& interval, const ArbNumber& s) {
     ArbNumber tau(1.0);
-    if (!piece.piece.graded) return tau;
-    const ArbNumber sigma = ArbNumber(piece.sigma) + ArbNumber(piece.width) * s;
+    if (!interval.interval.graded) return tau;
+    const ArbNumber sigma = ArbNumber(interval.sigma) + ArbNumber(interval.width) * s;
     arb_sqrt(tau[0], sigma[0], kArbBits);
     return tau;
   }
 
-  bool holds_middle(const ProvenPiece& piece) const {
-    const FoldState<double>& state = piece.piece.middle;
+  bool holds_middle(const ProvenInterval& interval) const {
+    const FoldState<double>& state = interval.interval.middle;
     JointPlaces places;
     for (const HalfAngle<double>& h : state.creases) {
       places.creases.push_back({ArbNumber(h.c), ArbNumber(h.s)});
@@ -184,45 +187,45 @@ class Checker {
       places.balls.push_back({ArbNumber(q.w), ArbNumber(q.x), ArbNumber(q.y), ArbNumber(q.z)});
     }
     const std::vector<ArbNumber> kept =
-        prover_.unknowns(piece, places, tau_at(piece, piece.middle));
-    const std::vector<ArbNumber> found = piece.unknowns_at(piece.middle);
+        prover_.unknowns(interval, places, tau_at(interval, interval.middle));
+    const std::vector<ArbNumber> found = interval.unknowns_at(interval.middle);
     for (std::size_t j = 0; j < kept.size(); ++j) {
       if (!(size_of(kept[j] - found[j]) < ArbNumber(kMiddleBox))) return false;
     }
     return true;
   }
 
-  // Whether a state lies where that stretch has no other than its own.
-  static bool is_within(const ProvenStretch& stretch, const ArbNumber& s,
+  // Whether a state lies where that subinterval has no other than its own.
+  static bool is_within(const ProvenSubinterval& subinterval, const ArbNumber& s,
                         const std::vector<ArbNumber>& unknowns) {
-    const ArbNumber place = (s - ArbNumber(stretch.middle)) / ArbNumber(stretch.half);
+    const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) return false;
-    for (std::size_t j = 0; j < stretch.guess.size(); ++j) {
+    for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
       CheckModel guess;
-      for (int k = 0; k <= kCheckDegree; ++k) arb_set_d(guess[k], stretch.guess[j].c[k]);
+      for (int k = 0; k <= kCheckDegree; ++k) arb_set_d(guess[k], subinterval.guess[j].c[k]);
       const ArbNumber off = size_of(unknowns[j] - value_at(guess, place));
-      if (!(off < ArbNumber(stretch.radius[static_cast<Eigen::Index>(j)]))) return false;
+      if (!(off < ArbNumber(subinterval.radius[static_cast<Eigen::Index>(j)]))) return false;
     }
     return true;
   }
 
-  static bool stretches_join(const ProvenPiece& piece) {
-    for (std::size_t k = 1; k < piece.stretches.size(); ++k) {
-      const ProvenStretch& next = piece.stretches[k];
+  static bool subintervales_join(const ProvenInterval& interval) {
+    for (std::size_t k = 1; k < interval.subintervales.size(); ++k) {
+      const ProvenSubinterval& next = interval.subintervales[k];
       const ArbNumber s(next.middle - next.half);
-      if (!is_within(next, s, piece.unknowns_at(s))) return false;
+      if (!is_within(next, s, interval.unknowns_at(s))) return false;
     }
     return true;
   }
 
-  bool joins(const ProvenPiece& next) const {
-    if (last_.stretches.empty()) return next.piece.from_deg == 0;
-    const ArbNumber tau = half_tangent(ArbNumber(next.piece.from_deg));
+  bool joins(const ProvenInterval& next) const {
+    if (last_.subintervales.empty()) return next.interval.from_deg == 0;
+    const ArbNumber tau = half_tangent(ArbNumber(next.interval.from_deg));
     const JointPlaces places = prover_.places(last_, last_.unknowns_at(last_.to), tau);
-    return is_within(next.stretches.front(), next.from, prover_.unknowns(next, places, tau));
+    return is_within(next.subintervales.front(), next.from, prover_.unknowns(next, places, tau));
   }
 
-  const char* check_closing(const PathPiece& closing) {
+  const char* check_closing(const PathInterval& closing) {
     // What the path of a crease goes through must be what is said: its sine keeps its sign while
     // its cosine changes, or the other way about.
     const Claims claims{certificate_.end == CertificateEnd::sign_changed,
@@ -230,15 +233,17 @@ class Checker {
                         certificate_.where};
     if (const char* what = check(closing, claims)) return what;
     const auto where = static_cast<std::size_t>(certificate_.where);
-    const ProvenStretch& stretch = last_.stretches.back();
-    const ArbNumber place = (last_.to - ArbNumber(stretch.middle)) / ArbNumber(stretch.half);
+    const ProvenSubinterval& subinterval = last_.subintervales.back();
+    const ArbNumber place =
+        (last_.to - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     ArbNumber value;
     if (certificate_.end == CertificateEnd::reversal) {
-      value = value_at(times(signs_[where], stretch.slopes[where]), place);
+      value = value_at(times(signs_[where], subinterval.slopes[where]), place);
     } else if (certificate_.end == CertificateEnd::over_folded) {
-      value = value_at(stretch.cosines[where], place);
+      value = value_at(subinterval.cosines[where], place);
     } else {
-      value = value_at(times(mechanism_.creases[where].assignment, stretch.sines[where]), place);
+      value =
+          value_at(times(mechanism_.creases[where].assignment, subinterval.sines[where]), place);
     }
     return value < ArbNumber(0.0) ? nullptr : "what ends it is not proven to happen";
   }
@@ -246,8 +251,8 @@ class Checker {
   const Mechanism& mechanism_;
   const PanelCheck* const panels_;
   const Certificate& certificate_;
-  PieceProver prover_;
-  ProvenPiece last_;
+  IntervalProver prover_;
+  ProvenInterval last_;
   std::vector<int> signs_;  // of the diagonals' slopes
 };
 

@@ -11,7 +11,7 @@ namespace misalign::solver {
 
 /// Where a certificate claims what is not so, or what this check cannot prove.
 struct CertificateFault {
-  double from_deg, to_deg;  ///< of the piece
+  double from_deg, to_deg;  ///< of the interval
   std::string what;         ///< "the state in its middle is not the path's", ...
 };
 

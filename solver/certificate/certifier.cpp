@@ -11,22 +11,22 @@
 namespace misalign::solver {
 namespace {
 
-/// Largest radius of a box, on pieces of a degree or more; on shorter ones in proportion.
+/// Largest radius of a box, on intervals of a degree or more; on shorter ones in proportion.
 constexpr double kLargestBox = 2e-5;
-constexpr double kShorterPiece = 0.5;
-constexpr double kFirstPiece_deg = 12, kLeastFirst_deg = 0.05;
+constexpr double kShorterInterval = 0.5;
+constexpr double kFirstInterval_deg = 12, kLeastFirst_deg = 0.05;
 constexpr double kSqrt2 = 1.41421356;
 /// Up to here joints are written over the pilot's tangent.
 constexpr double kGradedUntil_deg = 62;
-/// Pieces that would be shorter are none.
+/// Intervals that would be shorter are none.
 constexpr double kShortest_deg = 2e-6;
 /// None is known that comes to more than 120: who creeps so is not let go on for hours.
-constexpr std::size_t kMostPieces = 10000;
-/// Tries of a piece; from so many on each is at most half as long as the one before. From 180
-/// degrees to kShortest_deg that takes 27 more, and 6 from the closing piece on.
+constexpr std::size_t kMostIntervals = 10000;
+/// Tries of a interval; from so many on each is at most half as long as the one before. From 180
+/// degrees to kShortest_deg that takes 27 more, and 6 from the closing interval on.
 constexpr int kManyTries = 40, kMostTries = kManyTries + 27 + 6 + 2;
-/// Of a closing piece: so much less than kClosing_deg as rounding angles takes.
-constexpr double kClosingPiece_deg = 0.9 * kClosing_deg;
+/// Of a closing interval: so much less than kClosing_deg as rounding angles takes.
+constexpr double kClosingInterval_deg = 0.9 * kClosing_deg;
 
 }  // namespace
 
@@ -46,11 +46,11 @@ struct Certifier::Workspace {
 namespace {
 
 // One sheet's certificate in the making.
-class March {
+class TubeContinuation {
  public:
   /// `panels`: what proves that none meet; null where that is not asked for.
-  March(const Model& model, const PanelProof* panels, const FlatVertices& vertices_mm,
-        double asked_deg)
+  TubeContinuation(const Model& model, const PanelProof* panels, const FlatVertices& vertices_mm,
+                   double asked_deg)
       : model_(model),
         mechanism_(model.mechanism()),
         panels_(panels),
@@ -62,7 +62,7 @@ class March {
 
   Certificate run() {
     if (!begin()) return certificate_;
-    while (at_deg() < certificate_.asked_deg && certificate_.pieces.size() < kMostPieces) {
+    while (at_deg() < certificate_.asked_deg && certificate_.intervals.size() < kMostIntervals) {
       if (!go_on()) return certificate_;
     }
     certificate_.end = at_deg() < certificate_.asked_deg ? CertificateEnd::unclear_slope
@@ -72,16 +72,16 @@ class March {
 
  private:
   double at_deg() const { return certificate_.certified_deg(); }
-  // Where the next piece ends at the latest.
+  // Where the next interval ends at the latest.
   double farthest_deg() const {
     const bool graded = at_deg() < kGradedUntil_deg;
     return graded ? std::min(kGradedUntil_deg, certificate_.asked_deg) : certificate_.asked_deg;
   }
 
-  // The first piece, from flat on.
+  // The first interval, from flat on.
   bool begin() {
-    for (double to = std::min(kFirstPiece_deg, certificate_.asked_deg); to >= kLeastFirst_deg;
-         to *= kShorterPiece) {
+    for (double to = std::min(kFirstInterval_deg, certificate_.asked_deg); to >= kLeastFirst_deg;
+         to *= kShorterInterval) {
       const HalfAngle<double> end = half_angle_of_deg(to);
       const HalfAngle<double> middle = half_angle_of_ratio(std::sqrt(0.5) * end.s, end.c);
       if (begin_with(to, base_state(mechanism_, model_.base().folding,
@@ -96,7 +96,7 @@ class March {
   bool begin_elsewhere() {
     std::vector<std::pair<double, FoldState<double>>> states;
     const StationVisitor keep = [&](const Station& station, const PathPoint& point) {
-      if (station.pilot_deg < kFirstPiece_deg) {
+      if (station.pilot_deg < kFirstInterval_deg) {
         states.emplace_back(station.pilot_deg, point.state);
       }
     };
@@ -112,8 +112,8 @@ class March {
   // With a state near that in its middle. It sets the diagonals' directions.
   bool begin_with(double to_deg, FoldState<double> middle) {
     PathTube tube;
-    const PathPiece piece{0, to_deg, true, 0, std::move(middle)};
-    if (prover_.prove(piece, kLargestBox, tube) != TubeEnd::proven) return false;
+    const PathInterval interval{0, to_deg, true, 0, std::move(middle)};
+    if (prover_.prove(interval, kLargestBox, tube) != TubeEnd::proven) return false;
     const std::vector<PathModel> slopes = prover_.find_slopes(tube);
     directions_.clear();
     for (const PathModel& slope : slopes) {
@@ -121,7 +121,7 @@ class March {
     }
     const Obstacle first = first_obstacle(tube, slopes, 1e-3);
     if (first.until < 1) {
-      // The branch is proven: a diagonal stands still, unless a shorter piece says otherwise.
+      // The branch is proven: a diagonal stands still, unless a shorter interval says otherwise.
       if (first.kind == CertificateEnd::reversal) {
         certificate_.end = CertificateEnd::unclear_slope;
         certificate_.where = first.where;
@@ -134,7 +134,7 @@ class March {
     return true;
   }
 
-  // From the end of the last piece on.
+  // From the end of the last interval on.
   void begin_next(double width_deg) {
     width_deg_ = width_deg;
     tries_ = 0;
@@ -143,18 +143,19 @@ class March {
   // Once more from there: shorter than what was tried, and so at last at most half as long. There
   // are no more than kMostTries of them, since what is shorter than kShortest_deg ends the march.
   void shorten(double tried_deg, double width_deg) {
-    width_deg_ = tries_ < kManyTries ? width_deg : std::min(width_deg, kShorterPiece * tried_deg);
+    width_deg_ =
+        tries_ < kManyTries ? width_deg : std::min(width_deg, kShorterInterval * tried_deg);
     assert(width_deg_ < tried_deg);
   }
 
-  PathPiece piece_to(double to_deg) const {
-    PathPiece piece{at_deg(), to_deg, to_deg <= kGradedUntil_deg, 0, {}};
+  PathInterval interval_to(double to_deg) const {
+    PathInterval interval{at_deg(), to_deg, to_deg <= kGradedUntil_deg, 0, {}};
     const double middle = 0.5 * (at_deg() + to_deg);
-    piece.middle = predict(middle);
-    return piece;
+    interval.middle = predict(middle);
+    return interval;
   }
 
-  // The last piece's path farther on, without the higher powers.
+  // The last interval's path farther on, without the higher powers.
   FoldState<double> predict(double pilot_deg) const {
     const Ball place = last_.chart.place_of(pilot_deg);
     const double s = place.c[0];
@@ -166,7 +167,7 @@ class March {
     return last_.chart.state_at(x.data(), s);
   }
 
-  // One try: a piece more, a width for the next try, or the end.
+  // One try: a interval more, a width for the next try, or the end.
   bool go_on() {
     const double to = std::min(at_deg() + width_deg_, farthest_deg());
     if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {
@@ -178,9 +179,9 @@ class March {
     PathTube tube;
     const double width = to - at_deg();
     const TubeEnd end =
-        prover_.prove(piece_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
+        prover_.prove(interval_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
     if (end == TubeEnd::proven && join(last_, tube)) return look_at(std::move(tube));
-    shorten(width, width * (end == TubeEnd::proven ? kShorterPiece
+    shorten(width, width * (end == TubeEnd::proven ? kShorterInterval
                                                    : std::min(0.8, prover_.better_length())));
     return true;
   }
@@ -190,7 +191,7 @@ class March {
     double until = 1;
     CertificateEnd kind = CertificateEnd::to_the_end;
     int where = -1;
-    bool happens = false;  // for certain by the end of the piece
+    bool happens = false;  // for certain by the end of the interval
   };
   Obstacle first_obstacle(const PathTube& tube, const std::vector<PathModel>& slopes,
                           double resolution) const {
@@ -208,9 +209,9 @@ class March {
     return first;
   }
 
-  // A proven piece counts, or a shorter one is to be looked at, or the way ends here.
+  // A proven interval counts, or a shorter one is to be looked at, or the way ends here.
   bool look_at(PathTube tube) {
-    const double from = at_deg(), width = tube.chart.piece().to_deg - from;
+    const double from = at_deg(), width = tube.chart.interval().to_deg - from;
     const double resolution = std::min(0.01, 0.02 * kClosing_deg / width);
     const Obstacle first = first_obstacle(tube, prover_.find_slopes(tube), resolution);
     if (first.until == 1) {
@@ -229,16 +230,16 @@ class March {
       shorten(width, good_deg - from - 0.02 * kClosing_deg);
       return true;
     }
-    // On a shorter piece rates of change are better known.
+    // On a shorter interval rates of change are better known.
     if (width > kClosing_deg) {
-      shorten(width, std::max(kShorterPiece * width, kClosingPiece_deg));
+      shorten(width, std::max(kShorterInterval * width, kClosingInterval_deg));
       return true;
     }
     // It may need all of the closing interval to happen: once, since next to a fold limit there may
-    // be no such piece.
+    // be no such interval.
     if (may_widen_ && width < 0.8 * kClosing_deg && from + width < farthest_deg()) {
       may_widen_ = false;
-      width_deg_ = kClosingPiece_deg;
+      width_deg_ = kClosingInterval_deg;
       return true;
     }
     const bool is_contact = first.kind == CertificateEnd::contact;
@@ -248,15 +249,15 @@ class March {
     return false;
   }
 
-  PathPiece kept(const PathTube& tube) const {
-    PathPiece piece = tube.chart.piece();
-    piece.middle = tube.chart.middle();
-    piece.box = tube.isolation();
-    return piece;
+  PathInterval kept(const PathTube& tube) const {
+    PathInterval interval = tube.chart.interval();
+    interval.middle = tube.chart.middle();
+    interval.box = tube.isolation();
+    return interval;
   }
 
   void accept(PathTube tube) {
-    certificate_.pieces.push_back(kept(tube));
+    certificate_.intervals.push_back(kept(tube));
     last_ = std::move(tube);
   }
 
@@ -269,7 +270,7 @@ class March {
   PathTube last_;
   std::vector<int> directions_;
   double width_deg_ = 0;  // of the next try
-  // Since the last piece: tries, and whether one may still be longer than the one before.
+  // Since the last interval: tries, and whether one may still be longer than the one before.
   int tries_ = 0;
   bool may_widen_ = true;
 };
@@ -286,8 +287,9 @@ Certificate Certifier::certify(const FlatVertices& vertices_mm, double asked_deg
     nothing.asked_deg = asked_deg;
     return nothing;
   }
-  return March(workspace_->model, workspace_->options.contact ? &workspace_->proof : nullptr,
-               vertices_mm, asked_deg)
+  return TubeContinuation(workspace_->model,
+                          workspace_->options.contact ? &workspace_->proof : nullptr, vertices_mm,
+                          asked_deg)
       .run();
 }
 

@@ -52,7 +52,7 @@ bool are_apart_along(const ComparedPanels& panels, const Eigen::Vector3d& direct
   return true;
 }
 
-// On a part of the stretch; with directions of their own on both halves where one does not do.
+// On a part of the subinterval; with directions of their own on both halves where one does not do.
 // `parts` counts them: panels that all but touch for long would need all of them.
 bool are_panels_apart(const ComparedPanels& panels, const Corners& a, const Corners& b,
                       double middle, double half, int& parts) {
@@ -74,9 +74,9 @@ PanelCheck::PanelCheck(const FoldedShape& shape, const Panels& panels)
       compared_(compared_panels(panels)),
       pairs_(static_cast<int>(pairs_of(panels).size())) {}
 
-Proof PanelCheck::are_apart(const PieceProver& prover, const ProvenPiece& piece,
-                            const ProvenStretch& stretch) const {
-  const auto corners = prover.place_panels(piece, stretch, shape_, panels_);
+Proof PanelCheck::are_apart(const IntervalProver& prover, const ProvenInterval& interval,
+                            const ProvenSubinterval& subinterval) const {
+  const auto corners = prover.place_panels(interval, subinterval, shape_, panels_);
   for (const ComparedPanels& panels : compared_) {
     int parts = 0;
     if (!are_panels_apart(panels, corners[panels.a], corners[panels.b], 0, 1, parts)) {

@@ -1,8 +1,9 @@
-// The checker's proof that no two panels meet on a stretch of a path; as panel_proof.hpp, by arb.
+// The checker's proof that no two panels meet on a subinterval of a path; as panel_proof.hpp, by
+// arb.
 #pragma once
 
 #include "solver/certificate/panel_directions.hpp"
-#include "solver/certificate/proven_piece.hpp"
+#include "solver/certificate/proven_interval.hpp"
 
 namespace misalign::solver {
 
@@ -11,9 +12,9 @@ class PanelCheck {
   /// Both must outlive this object.
   PanelCheck(const FoldedShape& shape, const Panels& panels);
 
-  /// `holds` or `unclear`: a stretch on which panels meet is never proven.
-  Proof are_apart(const PieceProver& prover, const ProvenPiece& piece,
-                  const ProvenStretch& stretch) const;
+  /// `holds` or `unclear`: a subinterval on which panels meet is never proven.
+  Proof are_apart(const IntervalProver& prover, const ProvenInterval& interval,
+                  const ProvenSubinterval& subinterval) const;
   /// How many pairs of panels there are, those with a common crease too.
   int pairs() const { return pairs_; }
 

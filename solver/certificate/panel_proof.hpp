@@ -1,7 +1,8 @@
-// That no two panels meet on a piece of a path, panels being without thickness.
+// That no two panels meet on a interval of a path, panels being without thickness.
 //
-// Directions are found in the middle of a part of the piece and kept on it; where one does not do,
-// the part is halved. Near flat, z over tau stands for z: stretching space keeps planes, and sides.
+// Directions are found in the middle of a part of the interval and kept on it; where one does not
+// do, the part is halved. Near flat, z over tau stands for z: subintervaling space keeps planes,
+// and sides.
 #pragma once
 
 #include <vector>

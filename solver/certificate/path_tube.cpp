@@ -13,7 +13,7 @@ double PathTube::isolation() const {
 }
 
 bool join(const PathTube& before, const PathTube& after) {
-  const double at_deg = after.chart.piece().from_deg;
+  const double at_deg = after.chart.interval().from_deg;
   const Ball s = before.chart.place_of(at_deg), s_after = after.chart.place_of(at_deg);
   std::vector<Ball> x(before.radii.size());
   for (std::size_t j = 0; j < x.size(); ++j) x[j] = value_at(before.path[j], s);

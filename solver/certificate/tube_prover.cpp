@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/certificate/piece_length.hpp"
+#include "solver/certificate/interval_length.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -17,12 +17,12 @@ constexpr int kNewtonSteps = 12;
 constexpr double kLongestCorrection = 0.3;
 /// Beyond it the inverse is made anew.
 constexpr double kFarCorrection = 1e-3;
-/// Where in a piece J^-1 is taken, beside its middle.
+/// Where in a interval J^-1 is taken, beside its middle.
 constexpr double kInverseAt = 0.85;
 constexpr double kSolved = 1e-12, kNearlySolved = 1e-8;
 /// The least of r over its largest: no unknown's box is of no use.
 constexpr double kLeastWeight = 0.05;
-/// A piece whose contraction is larger is made shorter, so that others can prove it again.
+/// A interval whose contraction is larger is made shorter, so that others can prove it again.
 constexpr double kLargestContraction = 0.9;
 /// So well is the path to be known that rates of change are, and that it joins the smallest boxes.
 constexpr double kLargestError = 2e-9;
@@ -69,8 +69,8 @@ TubeProver::TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_
 }
 
 template <class T, class Use>
-void TubeProver::with_closure(const PieceChart& chart, const SheetGeometry<T>& geometry, const T* x,
-                              const T& s, Use&& use) const {
+void TubeProver::with_closure(const IntervalChart& chart, const SheetGeometry<T>& geometry,
+                              const T* x, const T& s, Use&& use) const {
   if (chart.is_graded()) {
     const GradedBy<T> sigma{T(chart.sigma()) + chart.half_width() * s};
     use(GradedClosure<T, GradedBy<T>>(mechanism_, geometry, chart.joints(), sigma, x));
@@ -80,7 +80,7 @@ void TubeProver::with_closure(const PieceChart& chart, const SheetGeometry<T>& g
 }
 
 template <class T>
-std::vector<T> TubeProver::residual_of(const PieceChart& chart, const SheetGeometry<T>& geometry,
+std::vector<T> TubeProver::residual_of(const IntervalChart& chart, const SheetGeometry<T>& geometry,
                                        const std::vector<T>& x, const T& s) const {
   std::vector<T> residual(mechanism_.equations);
   with_closure<T>(chart, geometry, x.data(), s,
@@ -89,7 +89,7 @@ std::vector<T> TubeProver::residual_of(const PieceChart& chart, const SheetGeome
 }
 
 // J^-1 at these unknowns and s.
-Eigen::MatrixXd TubeProver::inverse_at(const PieceChart& chart, const std::vector<double>& x,
+Eigen::MatrixXd TubeProver::inverse_at(const IntervalChart& chart, const std::vector<double>& x,
                                        double s) const {
   const int n = mechanism_.equations;
   std::vector<double> residual(n), values;
@@ -104,7 +104,7 @@ Eigen::MatrixXd TubeProver::inverse_at(const PieceChart& chart, const std::vecto
   return jacobian.partialPivLu().inverse();
 }
 
-bool TubeProver::solve_middle(PieceChart& chart) {
+bool TubeProver::solve_middle(IntervalChart& chart) {
   const std::vector<double> zero(mechanism_.unknowns, 0.0);
   double largest = 1;
   for (int step = 0; step < kNewtonSteps && largest > kSolved; ++step) {
@@ -138,8 +138,9 @@ void TubeProver::find_inverse(const PathTube& tube) {
 
 // Newton's method with one inverse for polynomials: a power of s more with each step.
 template <int Degree>
-void TubeProver::add_powers(const PieceChart& chart, const SheetGeometry<Polynomial<Degree>>& sheet,
-                            int steps, Eigen::MatrixXd& path) const {
+void TubeProver::add_powers(const IntervalChart& chart,
+                            const SheetGeometry<Polynomial<Degree>>& sheet, int steps,
+                            Eigen::MatrixXd& path) const {
   const int n = mechanism_.equations;
   std::vector<Polynomial<Degree>> x(mechanism_.unknowns);
   if (!chart.is_graded()) x[n] = Polynomial<Degree>::line(0, chart.half_width());
@@ -156,7 +157,7 @@ void TubeProver::add_powers(const PieceChart& chart, const SheetGeometry<Polynom
   }
 }
 
-std::vector<PathModel> TubeProver::find_path(const PieceChart& chart) const {
+std::vector<PathModel> TubeProver::find_path(const IntervalChart& chart) const {
   const int n = mechanism_.equations;
   Eigen::MatrixXd powers = Eigen::MatrixXd::Zero(n, kPathDegree + 1);
   add_powers<kHalfDegree>(chart, half_sheet_, kHalfDegree, powers);
@@ -244,8 +245,8 @@ Eigen::VectorXd TubeProver::times_deviation(const Eigen::VectorXd& radii) const 
   return rounded_up(sum);
 }
 
-TubeEnd TubeProver::prove(const PathPiece& piece, double box, PathTube& tube) {
-  tube.chart = PieceChart(mechanism_, piece);
+TubeEnd TubeProver::prove(const PathInterval& interval, double box, PathTube& tube) {
+  tube.chart = IntervalChart(mechanism_, interval);
   error_ = contraction_ = kInfinite;
   if (!solve_middle(tube.chart)) return TubeEnd::no_state;
   tube.path = find_path(tube.chart);

@@ -1,4 +1,4 @@
-// A piece of a folding path, proven: for every pilot angle of an interval there is exactly one
+// A interval of a folding path, proven: for every pilot angle of an interval there is exactly one
 // folded state within a box round a polynomial, and J is regular there.
 //
 // With F(x, s) = 0 the loop closure, s in [-1, 1] the place in the interval, p(s) the path as a
@@ -20,8 +20,9 @@ namespace misalign::solver {
 enum class TubeEnd {
   proven,
   no_state,    ///< Newton's method finds no state from the middle that was given
-  too_curved,  ///< the path is no polynomial to within the box: a shorter piece may be
-  not_unique   ///< C J is too far from I: it may be nearer on a shorter piece, or in a smaller box
+  too_curved,  ///< the path is no polynomial to within the box: a shorter interval may be
+  not_unique   ///< C J is too far from I: it may be nearer on a shorter interval, or in a smaller
+               ///< box
 };
 
 class TubeProver {
@@ -29,9 +30,9 @@ class TubeProver {
   /// Of the sheet with these vertices. `mechanism` must outlive this object.
   TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-  /// Proves a piece; `box` is the largest of r. Unless proven `tube` is of no use.
-  TubeEnd prove(const PathPiece& piece, double box, PathTube& tube);
-  /// Of the last piece, proven or not: by which factor it should have been longer.
+  /// Proves a interval; `box` is the largest of r. Unless proven `tube` is of no use.
+  TubeEnd prove(const PathInterval& interval, double box, PathTube& tube);
+  /// Of the last interval, proven or not: by which factor it should have been longer.
   double better_length() const;
 
   /// Of the last tube that was proven: for every diagonal its squared length's derivative, times a
@@ -45,22 +46,23 @@ class TubeProver {
 
  private:
   template <class T, class Use>
-  void with_closure(const PieceChart& chart, const SheetGeometry<T>& geometry, const T* x,
+  void with_closure(const IntervalChart& chart, const SheetGeometry<T>& geometry, const T* x,
                     const T& s, Use&& use) const;
   template <class T>
-  std::vector<T> residual_of(const PieceChart& chart, const SheetGeometry<T>& geometry,
+  std::vector<T> residual_of(const IntervalChart& chart, const SheetGeometry<T>& geometry,
                              const std::vector<T>& x, const T& s) const;
-  Eigen::MatrixXd inverse_at(const PieceChart& chart, const std::vector<double>& x, double s) const;
-  bool solve_middle(PieceChart& chart);
+  Eigen::MatrixXd inverse_at(const IntervalChart& chart, const std::vector<double>& x,
+                             double s) const;
+  bool solve_middle(IntervalChart& chart);
   void find_inverse(const PathTube& tube);
-  std::vector<PathModel> find_path(const PieceChart& chart) const;
+  std::vector<PathModel> find_path(const IntervalChart& chart) const;
   double estimate_error(const std::vector<PathModel>& residual) const;
   std::vector<JacobianModel> unknowns(const PathTube& tube, double box) const;
   void find_deviation(const PathTube& tube, double box);
   template <int Degree>
   Eigen::VectorXd bound_product(const std::vector<TaylorModel<Degree>>& residual) const;
   template <int Degree>
-  void add_powers(const PieceChart& chart, const SheetGeometry<Polynomial<Degree>>& sheet,
+  void add_powers(const IntervalChart& chart, const SheetGeometry<Polynomial<Degree>>& sheet,
                   int steps, Eigen::MatrixXd& path) const;
   Eigen::VectorXd times_deviation(const Eigen::VectorXd& radii) const;
   Eigen::VectorXd bound_solution(const PathTube& tube, const Eigen::VectorXd& most) const;
@@ -73,7 +75,7 @@ class TubeProver {
   SheetGeometry<double> sheet_;
   SheetGeometry<Polynomial<kHalfDegree>> half_sheet_;
   SheetGeometry<Polynomial<kPathDegree>> whole_sheet_;
-  // Of the last piece.
+  // Of the last interval.
   std::array<Eigen::MatrixXd, kInversePowers> inverse_;  // C, by powers of s
   Eigen::MatrixXd absolute_inverse_;                     // at least |C| all over s
   Eigen::MatrixXd deviation_;                            // at least |I - C J| all over X

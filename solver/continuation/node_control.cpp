@@ -100,7 +100,7 @@ NodeStep NodeControl::take_back(int lane) {
   return retry(paths_[lane]);
 }
 
-bool NodeControl::ends_piece(int lane) const {
+bool NodeControl::ends_segment(int lane) const {
   const PathFunction& function = paths_[lane].function;
   if (!function.turns()) return true;
   // From a node next to the turn the rise follows from its rate and the bend of the pilot's angle,
@@ -124,7 +124,7 @@ NodeStep NodeControl::proceed(int lane) {
       path.result.fold_limit_deg = last.pilot_deg;
       return end(path, PathEnd::end_reached);
     }
-    if (ends_piece(lane)) return end(path, PathEnd::fold_limit);
+    if (ends_segment(lane)) return end(path, PathEnd::fold_limit);
     if (++path.limit_nodes > kMostLimitNodes) return end(path, PathEnd::stalled);
     path.to_limit = path.is_free = true;
     path.corrections = 0;

@@ -21,8 +21,8 @@ struct NodeControlOptions {
   double longest_correction_rad = 0.1;
   /// How far the extrapolation is wanted to be off (rad): the next step's length follows.
   double wanted_correction_rad = 3e-3;
-  /// The same of what a piece's polynomials would lose without their last node (panel widths, rad);
-  /// beyond the last number the piece is not believed.
+  /// The same of what a segment's polynomials would lose without their last node (panel widths,
+  /// rad); beyond the last number the segment is not believed.
   double wanted_roughness = 3e-8, most_roughness = 3e-7;
   /// Beyond it paths are followed closely: next to 180 degrees branches are near each other.
   double last_deg = 178.5;
@@ -58,11 +58,12 @@ class NodeControl {
   /// The node that was found, to be written; `tangent_sign` orients its tangent.
   PathNode& vacant(int lane) { return paths_[lane].function.vacant(); }
   double tangent_sign(int lane) const { return paths_[lane].tangent_sign; }
-  /// Takes the node that was written; false: its piece is not believed, take_back() says what next.
+  /// Takes the node that was written; false: its segment is not believed, take_back() says what
+  /// next.
   bool take(int lane);
   NodeStep take_back(int lane);
-  /// Whether the node ends a piece: one on the way to a limit point does not.
-  bool ends_piece(int lane) const;
+  /// Whether the node ends a segment: one on the way to a limit point does not.
+  bool ends_segment(int lane) const;
   const PathFunction& function(int lane) const { return paths_[lane].function; }
   int forward_sign(int lane) const { return paths_[lane].forward_sign; }
   /// In which of the places of the last nodes' states the newest one's belongs.
@@ -71,7 +72,7 @@ class NodeControl {
   const PathResult& result(int lane) const { return paths_[lane].result; }
   NodeStep proceed(int lane);
   NodeStep stop(PathEnd how, int lane) { return end(paths_[lane], how); }
-  /// Weights by place for the state at a point of the newest piece.
+  /// Weights by place for the state at a point of the newest segment.
   NodeStep state_at(double x, int lane) const;
 
  private:

@@ -34,7 +34,7 @@ class NodeFollower {
 
   /// Follows paths until `observer` has no more of them. It has
   ///   bool next(PathStart&, int lane)   the next path, for this lane; false: none is left
-  ///   Answer see(const PathFunction&, int lane)   a new piece
+  ///   ObserverResult see(const PathFunction&, int lane)   a new segment
   ///   void ended(const PathResult&, int lane)
   /// Allocates nothing.
   template <class Observer>
@@ -64,8 +64,8 @@ class NodeFollower {
   /// The path of this lane as it is known, and the determinant's sign on it.
   const PathFunction& function(int i) const { return control_.function(i); }
   int forward_sign(int i) const { return control_.forward_sign(i); }
-  /// The state of this lane's sheet at a point of its newest piece, as the last nodes foretell it;
-  /// `state` has its size already.
+  /// The state of this lane's sheet at a point of its newest segment, as the last nodes foretell
+  /// it; `state` has its size already.
   void find_state(double x, int i, FoldState<double>& state) const;
 
  private:
@@ -90,11 +90,11 @@ class NodeFollower {
     write_node(i);
     if (!control_.take(i)) return control_.take_back(i);
     keep_state(i);
-    if (control_.ends_piece(i)) {
-      const Answer seen = observer.see(control_.function(i), i);
-      if (seen == Answer::enough) return control_.stop(PathEnd::stopped, i);
-      if (seen == Answer::lost) return control_.stop(PathEnd::stalled, i);
-      if (seen == Answer::unsure) {
+    if (control_.ends_segment(i)) {
+      const ObserverResult seen = observer.see(control_.function(i), i);
+      if (seen == ObserverResult::enough) return control_.stop(PathEnd::stopped, i);
+      if (seen == ObserverResult::lost) return control_.stop(PathEnd::stalled, i);
+      if (seen == ObserverResult::unsure) {
         const NodeStep step = control_.take_back(i);
         if (control_.under_way(i)) put_tangent(i);
         return step;

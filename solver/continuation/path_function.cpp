@@ -9,7 +9,7 @@ namespace {
 // The pilot is the variable while its rate is at least this share of the fastest crease's.
 constexpr double kFastEnough = 0.6;
 
-// Of a solved point's length, and per radian of the piece for each unit of the tangent's misfit.
+// Of a solved point's length, and per radian of the segment for each unit of the tangent's misfit.
 constexpr double kNodeError_widths = 1e-11, kErrorPerMisfit = 10;
 
 double angle_rad(const HalfAngle<double>& rho) { return 2 * std::atan2(rho.s, rho.c); }
@@ -179,7 +179,7 @@ bool PathFunction::pilot_goes_on() const {
   if (variable_ == pilot_) return true;
   constexpr int kParts = 10;
   const double last = end();
-  // A slope's error next to an end of the piece is some times that of the value per length.
+  // A slope's error next to an end of the segment is some times that of the value per length.
   const double room = kParts * pilot_error(0.5 * (from() + to())) / (to() - from());
   for (int k = 0; k < kParts; ++k) {
     const double left = 1 - static_cast<double>(k) / kParts;  // near the turn it falls to zero

@@ -29,12 +29,12 @@ struct PathNode {
   double misfit = 0;                    ///< how far the tangent is from one
 };
 
-/// What an observer says of a new piece of a path.
-enum class Answer {
+/// What an observer says of a new segment of a path.
+enum class ObserverResult {
   go_on,
   enough,  ///< nothing more is wanted of the path
   lost,    ///< it cannot be judged by a function
-  unsure   ///< the errors are too large for what it wants to know: a shorter piece is wanted
+  unsure   ///< the errors are too large for what it wants to know: a shorter segment is wanted
 };
 
 /// Terms do not always fall: the largest error that was seen was 36 times the largest last terms of
@@ -66,9 +66,9 @@ class PathFunction {
   void begin(const double* flat_lengths);
   /// Where the next node is to be written, before add().
   PathNode& vacant() { return nodes_[place(-1)]; }
-  /// The next node, at the end of a new piece.
+  /// The next node, at the end of a new segment.
   void add();
-  /// The next node near the turning point of the newest piece: instead of another one that is
+  /// The next node near the turning point of the newest segment: instead of another one that is
   /// there.
   void add_at_turn();
   /// Takes the last node back.
@@ -86,13 +86,13 @@ class PathFunction {
   double variable_rate(int k) const { return sign_ * node(k).crease_rates[variable_]; }
   /// Whether flat counts as a node, at 0.
   bool from_flat() const { return count_ < kNodes && variable_ == pilot_; }
-  /// The newest piece: from node to node, or to the pilot's turning point.
+  /// The newest segment: from node to node, or to the pilot's turning point.
   double from() const { return from_; }
   double to() const { return at_[inside_]; }
   bool has_node_at_turn() const { return inside_ > 0; }
   bool turns() const { return node(inside_).crease_rates[pilot_] <= 0; }
   double end() const { return end_; }
-  /// By how much the piece's lengths and pilot angle would change without its last node, at the
+  /// By how much the segment's lengths and pilot angle would change without its last node, at the
   /// middle of it (panel widths, rad).
   double roughness() const;
   /// The pilot's fold angle (rad), its rate, and a bound of its error.
@@ -107,19 +107,19 @@ class PathFunction {
   /// Where on the way from the oldest node kept the pilot has this angle; it must grow there.
   double locate(double pilot_rad) const;
   double pilot_at_oldest() const { return pilot(from_flat() ? 0 : at_[kept() - 1]); }
-  /// Whether the pilot goes on all over the piece for certain, though not at its end if it turns.
+  /// Whether the pilot goes on all over the segment for certain, though not at its end if it turns.
   bool pilot_goes_on() const;
 
-  /// The diagonals' lengths at a point of the piece (panel widths), and bounds of their errors.
+  /// The diagonals' lengths at a point of the segment (panel widths), and bounds of their errors.
   void find_lengths(double x, std::vector<double>& lengths, std::vector<double>& errors) const;
   /// The same with their slopes.
   void look(double x, PathEstimate& estimate) const;
   /// The same of a single one: its rate per radian of pilot.
   double slope(int diagonal, double x) const;
 
-  /// Whether no crease comes near zero or 180 degrees on the piece.
+  /// Whether no crease comes near zero or 180 degrees on the segment.
   bool creases_are_clear() const;
-  /// The creases at a point of the piece, and a bound of the error of any of these numbers.
+  /// The creases at a point of the segment, and a bound of the error of any of these numbers.
   double find_creases(double x, std::vector<HalfAngle<double>>& creases) const;
 
  private:
@@ -132,7 +132,7 @@ class PathFunction {
 
   const Mechanism& mechanism_;
   const int pilot_, diagonals_;
-  int count_ = 0, inside_ = 0;   // nodes; of them at the newest piece's turn, 0 or 1
+  int count_ = 0, inside_ = 0;   // nodes; of them at the newest segment's turn, 0 or 1
   std::vector<PathNode> nodes_;  // a ring
   std::vector<double> flat_, values_, rates_;
   mutable std::vector<double> scratch_;

@@ -75,7 +75,7 @@ PathPlan plan_down(const BacklashSheet& sheet, double sample_deg, const Backlash
 
 }  // namespace
 
-struct BacklashJudge::Followers {
+struct BacklashFollower::Followers {
   Followers(const Model& model, const LooseSheet<double>& sheet)
       : equations(model.mechanism(), sheet),
         sparse(model.mechanism(), LooseClosure(model.mechanism(), model.elimination(), sheet),
@@ -88,11 +88,11 @@ struct BacklashJudge::Followers {
 };
 
 // One path, up or down, and what is seen on it.
-class BacklashJudge::Way {
+class BacklashFollower::Branch {
  public:
-  Way(const BacklashJudge& judge, const PathPlan& plan, bool is_up, bool only_whether)
-      : judge_(judge),
-        mechanism_(judge.model_.mechanism()),
+  Branch(const BacklashFollower& follower, const PathPlan& plan, bool is_up, bool only_whether)
+      : follower_(follower),
+        mechanism_(follower.model_.mechanism()),
         plan_(plan),
         is_up_(is_up),
         only_whether_(only_whether),
@@ -105,7 +105,7 @@ class BacklashJudge::Way {
     begun_ = false;
     fault_ = Fault::none;
     looked_ = 0;
-    one_way_deg_ = last_deg_ = judge_.sheet_.start_deg;
+    one_way_deg_ = last_deg_ = follower_.sheet_.start_deg;
     flipped_deg_ = -1;
     gap_ = 0;
   }
@@ -113,7 +113,7 @@ class BacklashJudge::Way {
   // For the follower.
   bool next(PathStart& start, int) {
     if (std::exchange(begun_, true)) return false;
-    start = {&judge_.loose_, &judge_.start_, &plan_};
+    start = {&follower_.loose_, &follower_.start_, &plan_};
     return true;
   }
   void ended(const PathResult& path, int) {
@@ -121,7 +121,7 @@ class BacklashJudge::Way {
     if (!is_up_ && path.end == PathEnd::fold_limit) look_before_the_turn();
   }
   bool see(const Station& station, int) {
-    const double start_deg = judge_.sheet_.start_deg, from_deg = judge_.options_.from_deg;
+    const double start_deg = follower_.sheet_.start_deg, from_deg = follower_.options_.from_deg;
     const double pilot_deg = is_up_ ? station.pilot_deg : start_deg - station.pilot_deg;
     if (looked_ == 0) first_ = *state_;
     const Fault of_creases = look_at_creases(pilot_deg);
@@ -132,7 +132,7 @@ class BacklashJudge::Way {
         fault_ = of_creases == Fault::none ? of_diagonals : of_creases;
         if (fault_ == Fault::none) one_way_deg_ = pilot_deg;
       }
-      if (!only_whether_) gap_ = std::max(gap_, vertex_gap(mechanism_, judge_.loose_, *state_));
+      if (!only_whether_) gap_ = std::max(gap_, vertex_gap(mechanism_, follower_.loose_, *state_));
     }
     ++looked_;
     last_deg_ = pilot_deg;
@@ -141,9 +141,9 @@ class BacklashJudge::Way {
     return is_up_ || !only_whether_ || pilot_deg > from_deg + kOneStation_deg;
   }
 
-  // What ends the stretch that moves one way; the path itself, if nothing else does.
+  // What ends the range that moves one way; the path itself, if nothing else does.
   Fault fault() const {
-    const bool falls_short = is_up_ || last_deg_ > judge_.options_.from_deg + kOneStation_deg;
+    const bool falls_short = is_up_ || last_deg_ > follower_.options_.from_deg + kOneStation_deg;
     return fault_ == Fault::none && path_.end == PathEnd::fold_limit && falls_short
                ? Fault::fold_limit
                : fault_;
@@ -167,7 +167,7 @@ class BacklashJudge::Way {
   }
   double branch_end_deg() const {
     if (branch_end() == BranchEnd::other_branch) return flipped_deg_;
-    return std::max(0.0, judge_.sheet_.start_deg - path_.fold_limit_deg);
+    return std::max(0.0, follower_.sheet_.start_deg - path_.fold_limit_deg);
   }
 
  private:
@@ -193,7 +193,7 @@ class BacklashJudge::Way {
   // Whether a crease has passed 0 since the last station, and where. Next to a limit point creases
   // are linear in the root of the pilot's distance from it, where the last state believed lies.
   void look_before_the_turn() {
-    const double limit_deg = judge_.sheet_.start_deg - path_.fold_limit_deg;
+    const double limit_deg = follower_.sheet_.start_deg - path_.fold_limit_deg;
     for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
       if (i == mechanism_.pilot) continue;
       const double now = state_->creases[i].s * mechanism_.creases[i].assignment;
@@ -207,17 +207,17 @@ class BacklashJudge::Way {
   Fault look_at_diagonals() {
     std::swap(lengths_, last_lengths_);
     lengths_.resize(last_lengths_.size());
-    folded_lengths(mechanism_, judge_.loose_, *state_, lengths_.data());
+    folded_lengths(mechanism_, follower_.loose_, *state_, lengths_.data());
     if (looked_ == 0) return Fault::none;
     const int up = is_up_ ? 1 : -1;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      const double step = up * judge_.sheet_.directions[k] * (lengths_[k] - last_lengths_[k]);
+      const double step = up * follower_.sheet_.directions[k] * (lengths_[k] - last_lengths_[k]);
       if (step <= -kStepBand_widths) return Fault::not_monotone;
     }
     return Fault::none;
   }
 
-  const BacklashJudge& judge_;
+  const BacklashFollower& follower_;
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   const bool is_up_, only_whether_;
@@ -266,8 +266,8 @@ BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_
   return sheet;
 }
 
-BacklashJudge::BacklashJudge(const Model& model, const BacklashSheet& sheet,
-                             const BacklashOptions& options)
+BacklashFollower::BacklashFollower(const Model& model, const BacklashSheet& sheet,
+                                   const BacklashOptions& options)
     : model_(model),
       sheet_(sheet),
       options_(options),
@@ -277,43 +277,44 @@ BacklashJudge::BacklashJudge(const Model& model, const BacklashSheet& sheet,
       start_(sheet.start),
       followers_(std::make_unique<Followers>(model, loose_)) {}
 
-BacklashJudge::~BacklashJudge() = default;
+BacklashFollower::~BacklashFollower() = default;
 
 // In the fixed order, or where that is lost densely.
-PathResult BacklashJudge::follow(Way& way) {
-  way.begin(followers_->sparse.state());
-  followers_->sparse.run(way);
-  if (way.path().lost()) {
-    way.begin(followers_->dense.state());
-    followers_->dense.run(way);
+PathResult BacklashFollower::follow(Branch& branch) {
+  branch.begin(followers_->sparse.state());
+  followers_->sparse.run(branch);
+  if (branch.path().lost()) {
+    branch.begin(followers_->dense.state());
+    followers_->dense.run(branch);
   }
-  return way.path();
+  return branch.path();
 }
 
 // From the sheet's own state with the pilot held, the play growing.
-void BacklashJudge::find_start(const JointOffsets& offsets, double scale) {
+void BacklashFollower::find_start(const JointOffsets& offsets, double scale) {
   PathPlan one;
   one.stations.push_back(up_.stations.front());
   double share = 0, growth = 0.5;
   while (share < 1 && growth >= kLeastGrowth) {
     const double next = std::min(1.0, share + growth);
     loosen(model_.mechanism(), sheet_.geometry, offsets, next * scale, loose_);
-    Way way(*this, one, true, true);
-    if (follow(way).lost()) {
+    Branch branch(*this, one, true, true);
+    if (follow(branch).lost()) {
       growth *= 0.5;
       continue;
     }
-    start_ = way.first();
+    start_ = branch.first();
     share = next;
   }
   loosen(model_.mechanism(), sheet_.geometry, offsets, scale, loose_);
 }
 
-BacklashTrial BacklashJudge::judge(const JointOffsets& offsets, double scale, bool only_whether) {
+BacklashTrial BacklashFollower::trial(const JointOffsets& offsets, double scale,
+                                      bool only_whether) {
   BacklashTrial trial;
   loosen(model_.mechanism(), sheet_.geometry, offsets, scale, loose_);
   start_ = sheet_.start;
-  Way up(*this, up_, true, only_whether);
+  Branch up(*this, up_, true, only_whether);
   if (follow(up).end == PathEnd::start_lost) {
     find_start(offsets, scale);
     follow(up);
@@ -326,7 +327,7 @@ BacklashTrial BacklashJudge::judge(const JointOffsets& offsets, double scale, bo
   start_ = up.first();
   start_.creases[model_.mechanism().pilot] = {1, 0};
   count_pilot_down(model_.mechanism(), up_.stations.front().pilot, loose_);
-  Way down(*this, down_, false, only_whether);
+  Branch down(*this, down_, false, only_whether);
   const bool is_lost = follow(down).lost();
   trial.one_way_from_deg = down.one_way_deg();
   if (trial.fault == Fault::none) trial.fault = down.fault();

@@ -32,7 +32,7 @@ enum class BranchEnd {
 /// One sheet with its joints settled in one way.
 struct BacklashTrial {
   bool is_known = true;  ///< false: a numerical failure
-  /// The stretch round the start in which every sample is in order: the path exists, no crease
+  /// The range round the start in which every sample is in order: the path exists, no crease
   /// passes 180 degrees, each keeps its sign and each diagonal goes on as the sheet's own does.
   /// from_deg to D at the widest; as far as it was looked at.
   double one_way_from_deg = 0, one_way_to_deg = 0;
@@ -60,21 +60,21 @@ BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_
                                const BacklashOptions& options);
 
 /// Judges one sheet with its joints here and there. Owns its memory.
-class BacklashJudge {
+class BacklashFollower {
  public:
   /// Both must outlive this object; D of the sheet is above from_deg.
-  BacklashJudge(const Model& model, const BacklashSheet& sheet, const BacklashOptions& options);
-  ~BacklashJudge();
+  BacklashFollower(const Model& model, const BacklashSheet& sheet, const BacklashOptions& options);
+  ~BacklashFollower();
 
   /// With `scale` (panel widths per unit) of these offsets. `only_whether`: stops where it is known
   /// that the sheet does not move one way, and goes no further down than from_deg.
-  BacklashTrial judge(const JointOffsets& offsets, double scale, bool only_whether);
+  BacklashTrial trial(const JointOffsets& offsets, double scale, bool only_whether);
 
  private:
-  class Way;
+  class Branch;
   struct Followers;
 
-  PathResult follow(Way& way);
+  PathResult follow(Branch& branch);
   void find_start(const JointOffsets& offsets, double scale);
 
   const Model& model_;

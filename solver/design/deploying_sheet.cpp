@@ -77,14 +77,14 @@ DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
       rest_rad_(relaxed_angles(way, options.joints.rest_deg)),
       masses_(masses_on_the_way(way, shape, base, options)) {}
 
-void DeployingSheet::stretch(double x) const {
+void DeployingSheet::find_lengths(double x) const {
   way_.find_lengths(x, lengths_, length_rates_);
   lengths_ -= rest_mm_;
   if (options_.springs.pull_only) lengths_ = lengths_.cwiseMax(0.0);
 }
 
 DeployingSheet::Potential DeployingSheet::unit_springs(double x) const {
-  stretch(x);
+  find_lengths(x);
   return {lengths_.squaredNorm() / 2, lengths_.dot(length_rates_)};
 }
 
@@ -107,7 +107,7 @@ DeployingSheet::Potential DeployingSheet::all_else(double x) const {
 }
 
 VectorXd DeployingSheet::spring_forces_n(double x) const {
-  stretch(x);
+  find_lengths(x);
   return options_.springs.stiffness_n_per_mm * lengths_;
 }
 

@@ -88,7 +88,7 @@ class DeployingSheet {
 
  private:
   // Into lengths_: how much longer each spring is than relaxed, by which it pulls.
-  void stretch(double x) const;
+  void find_lengths(double x) const;
 
   const FoldingWay& way_;
   const DeployingSheetOptions options_;

@@ -97,7 +97,7 @@ class Run {
       case Stop::failed:
         break;
     }
-    return settled(here);
+    return at_rest(here);
   }
 
   void set_off(const MotionState& from) {
@@ -153,7 +153,7 @@ class Run {
 
   // In the nearest well, without the energy to leave its neighbourhood; or next to where friction
   // holds it.
-  std::optional<Outcome> settled(const MotionState& here) {
+  std::optional<Outcome> at_rest(const MotionState& here) {
     if (!sheet_.options().joints.slows_down()) return {};
     if (creeps_to_rest(here, sheet_.at(here.x))) {
       add_row({here.time, here.x, 0}, DeploymentEvent::end);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "solver/design/together.hpp"
+#include "solver/design/disjoint_sets.hpp"
 #include "solver/kinematics/shape_check.hpp"
 #include "solver/pattern/half_angle.hpp"
 #include "solver/pattern/outline.hpp"
@@ -160,7 +160,7 @@ FoldedFiller folded_filler(const Filler& filler, const PerforatedSheet& base,
 std::optional<std::vector<Filler>> joining_fillers(
     const PerforatedSheet& base, const Mechanism& mechanism, const FlatVertices& vertices_mm,
     const std::vector<const Eigen::Matrix3Xd*>& shapes_mm) {
-  Together panels(base.sheet.facets.size());
+  DisjointSets panels(base.sheet.facets.size());
   std::size_t apart = kept_facets(base.sheet, base.holes).size() - 1;
   for (const Crease& crease : mechanism.creases) apart -= panels.tie(crease.left, crease.right);
   std::vector<Filler> fillers;

@@ -19,33 +19,34 @@ double first_root(double f, double b, double a) {
 
 }  // namespace
 
-GapWalk::Piece GapWalk::piece(int index) const {
+GapWalk::Segment GapWalk::segment(int index) const {
   const int last = motion_.nodes() - 1;
-  Piece piece;
-  find_rates(index - 1, piece.from);
+  Segment segment;
+  find_rates(index - 1, segment.from);
   PolygonCorners before, beyond;
   find_rates(index - 2, before);
   const bool is_behind_all = index > last;
   if (is_behind_all) {
     find_rates(index - 3, beyond);
-    piece.to = 2 * piece.from - before;
+    segment.to = 2 * segment.from - before;
   } else {
-    find_rates(index, piece.to);
+    find_rates(index, segment.to);
     if (index < last) find_rates(index + 1, beyond);
   }
-  for (Index k = 0; k < piece.from.cols(); ++k) {
+  for (Index k = 0; k < segment.from.cols(); ++k) {
     double curved = 0;
     if (is_behind_all) {  // half a step beyond two nodes that the line goes through: three eighths
-      curved = 3 * (piece.from.col(k) - 2 * before.col(k) + beyond.col(k)).norm();
+      curved = 3 * (segment.from.col(k) - 2 * before.col(k) + beyond.col(k)).norm();
     } else {
-      curved = (piece.to.col(k) - 2 * piece.from.col(k) + before.col(k)).norm();
+      curved = (segment.to.col(k) - 2 * segment.from.col(k) + before.col(k)).norm();
       if (index < last) {
-        curved = std::max(curved, (beyond.col(k) - 2 * piece.to.col(k) + piece.from.col(k)).norm());
+        curved =
+            std::max(curved, (beyond.col(k) - 2 * segment.to.col(k) + segment.from.col(k)).norm());
       }
     }
-    piece.error(k) = curved / 8;
+    segment.error(k) = curved / 8;
   }
-  return piece;
+  return segment;
 }
 
 double GapWalk::certain_until(double level_mm, double end) const {
@@ -55,7 +56,7 @@ double GapWalk::certain_until(double level_mm, double end) const {
   double from = place - index;
   auto gaps_mm = gaps_mm_;
   for (;; ++index, from = 0) {
-    const Piece rates = piece(index);
+    const Segment rates = segment(index);
     double until = 1;
     for (Index k = 0; k < gaps_mm.cols(); ++k) {
       const double error_mm = kRateSafety * rates.error(k) + kRateError * motion_.panel_width_mm();

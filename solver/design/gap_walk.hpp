@@ -33,13 +33,13 @@ class GapWalk {
   /// Of every corner, seen from the other panel, mm per unit of x. Nodes before flat, -1 and so
   /// on, are the mirror images of 0 and so on.
   virtual void find_rates(int node, PolygonCorners& rates) const = 0;
-  /// Rates at both ends of the piece that ends at this node, or behind the last one; and an eighth
-  /// of the largest second differences around it.
-  struct Piece {
+  /// Rates at both ends of the segment that ends at this node, or behind the last one; and an
+  /// eighth of the largest second differences around it.
+  struct Segment {
     PolygonCorners from, to;
     Eigen::Array<double, 1, 8> error;
   };
-  Piece piece(int index) const;
+  Segment segment(int index) const;
 
   const PanelMotion& motion_;
   double x_ = 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/design/together.hpp"
+#include "solver/design/disjoint_sets.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -95,7 +95,7 @@ JointTree joint_tree(const Mechanism& mechanism, const Panels& panels) {
     (branch.ball ? ball_is_branch : tree.crease_is_branch)[branch.joint] = true;
   }
   // Which panels are kept together at a vertex.
-  std::vector<Together> at_vertex(mechanism.vertices, Together(panels.facets.size()));
+  std::vector<DisjointSets> at_vertex(mechanism.vertices, DisjointSets(panels.facets.size()));
   for (const bool branches : {true, false}) {
     for (const Joint& joint : joints) {
       if ((joint.ball ? ball_is_branch : tree.crease_is_branch)[joint.joint] != branches) continue;

@@ -19,7 +19,7 @@ PanelMass triangle(double area_density, const std::array<Vector2d, 3>& corners_m
 }
 
 // Both, by the parallel axis theorem.
-PanelMass together(const PanelMass& one, const PanelMass& other) {
+PanelMass sum_of(const PanelMass& one, const PanelMass& other) {
   const double mass_t = one.mass_t + other.mass_t;
   const Vector2d apart_mm = other.centre_mm - one.centre_mm;
   return {mass_t, one.centre_mm + other.mass_t / mass_t * apart_mm,
@@ -39,7 +39,7 @@ std::vector<PanelMass> panel_masses(const Plates& plates,
                       {Vector2d(vertices_mm.col(a)), Vector2d(vertices_mm.col(second)),
                        Vector2d(vertices_mm.col(third))});
     };
-    masses.push_back(together(half(b, c), half(c, d)));
+    masses.push_back(sum_of(half(b, c), half(c, d)));
   }
   return masses;
 }

@@ -40,9 +40,9 @@ SmoothTable::SmoothTable(const Eigen::MatrixXd& values, std::vector<Parity> pari
     mirrored_(row) = parities_[static_cast<std::size_t>(row)] == Parity::odd ? -1 : 1;
   }
   Eigen::Matrix<double, Eigen::Dynamic, kPoints> known(values.rows(), kPoints);
-  for (Index piece = 0; piece <= places; ++piece) {
+  for (Index segment = 0; segment <= places; ++segment) {
     // Place k is k + 1/2 steps from flat, place -k - 1 as far on the other side.
-    const Index first = std::min(piece - kPoints / 2, places - kPoints);
+    const Index first = std::min(segment - kPoints / 2, places - kPoints);
     for (Index k = 0; k < kPoints; ++k) {
       const Index place = first + k;
       if (place >= 0) {
@@ -51,21 +51,21 @@ SmoothTable::SmoothTable(const Eigen::MatrixXd& values, std::vector<Parity> pari
         known.col(k) = mirrored_.cwiseProduct(values.col(-place - 1));
       }
     }
-    pieces_.emplace_back(known * basis_from(static_cast<double>(first - piece) + 0.5));
+    segments_.emplace_back(known * basis_from(static_cast<double>(first - segment) + 0.5));
   }
 }
 
-std::pair<const SmoothTable::Piece&, double> SmoothTable::at(double x) const {
+std::pair<const SmoothTable::Segment&, double> SmoothTable::at(double x) const {
   const double steps = std::abs(x) / step_;
-  const auto piece = static_cast<std::size_t>(
+  const auto segment = static_cast<std::size_t>(
       std::clamp(std::floor(steps + 0.5), 0.0, static_cast<double>(places())));
-  return {pieces_[piece], steps - static_cast<double>(piece)};
+  return {segments_[segment], steps - static_cast<double>(segment)};
 }
 
 void SmoothTable::find(double x, Index first, Index count, Eigen::VectorXd& values,
                        Eigen::VectorXd& slopes) const {
-  const auto [piece, u] = at(x);
-  const auto rows = piece.middleRows(first, count);
+  const auto [segment, u] = at(x);
+  const auto rows = segment.middleRows(first, count);
   values = rows.col(kPoints - 1);
   slopes.setZero(count);
   for (int power = kPoints - 2; power >= 0; --power) {
@@ -80,9 +80,9 @@ void SmoothTable::find(double x, Index first, Index count, Eigen::VectorXd& valu
 }
 
 double SmoothTable::value(double x, Index function) const {
-  const auto [piece, u] = at(x);
+  const auto [segment, u] = at(x);
   double value = 0;
-  for (int power = kPoints - 1; power >= 0; --power) value = value * u + piece(function, power);
+  for (int power = kPoints - 1; power >= 0; --power) value = value * u + segment(function, power);
   return x < 0 ? value * mirrored_(function) : value;
 }
 

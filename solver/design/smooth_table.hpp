@@ -19,7 +19,7 @@ class SmoothTable {
   SmoothTable(const Eigen::MatrixXd& values, std::vector<Parity> parities, double step);
 
   /// How many places there are, and half a step beyond the last one: as far as may be asked.
-  Eigen::Index places() const { return static_cast<Eigen::Index>(pieces_.size()) - 1; }
+  Eigen::Index places() const { return static_cast<Eigen::Index>(segments_.size()) - 1; }
   double end() const { return step_ * static_cast<double>(places()); }
   Eigen::Index functions() const { return static_cast<Eigen::Index>(parities_.size()); }
 
@@ -30,14 +30,14 @@ class SmoothTable {
   double value(double x, Eigen::Index function) const;
 
  private:
-  using Piece = Eigen::Matrix<double, Eigen::Dynamic, kPoints>;
-  // The piece for |x|, and x in steps from its middle.
-  std::pair<const Piece&, double> at(double x) const;
+  using Segment = Eigen::Matrix<double, Eigen::Dynamic, kPoints>;
+  // The segment for |x|, and x in steps from its middle.
+  std::pair<const Segment&, double> at(double x) const;
 
   double step_;
   std::vector<Parity> parities_;
-  Eigen::VectorXd mirrored_;   // +-1: what a function is multiplied by on the other side
-  std::vector<Piece> pieces_;  // coefficients of powers of x in steps; the k-th about k * step
+  Eigen::VectorXd mirrored_;       // +-1: what a function is multiplied by on the other side
+  std::vector<Segment> segments_;  // coefficients of powers of x in steps; the k-th about k * step
 };
 
 }  // namespace misalign::solver

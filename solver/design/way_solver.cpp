@@ -53,12 +53,12 @@ class PathEndFinder {
 
   // For the followers.
   bool next(PathStart& start, int lane) { return queue_.put_next(start, lane); }
-  Answer see(const PathFunction& function, int lane) {
+  ObserverResult see(const PathFunction& function, int lane) {
     if (!has_near() && function.pilot(function.end()) > kFirst_deg * kRadPerDeg) {
       node_follower_->find_state(function.locate(kFirst_deg * kRadPerDeg), lane, near_);
       near_deg_ = kFirst_deg;
     }
-    return Answer::go_on;
+    return ObserverResult::go_on;
   }
   bool see(const Station& station, int) {
     if (has_near()) return true;

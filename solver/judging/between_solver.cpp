@@ -44,11 +44,11 @@ double cubics_off(const SolvedPlace& from, const SolvedPlace& between, const Sol
   double off = 0;
   for (int k = 0; k < static_cast<int>(from.point.lengths.size()); ++k) {
     const auto d = static_cast<std::size_t>(k);
-    const CubicBetween way = cubic_between(from, to, k, 1);
+    const CubicBetween cubic = cubic_between(from, to, k, 1);
     const double moved = between.point.lengths[d] - from.point.lengths[d];
-    const double rate = between.point.slopes[d] * (way.u + way.v * share);
-    off = std::max({off, std::abs(way.length(share) - moved),
-                    kMiddlePerRate * std::abs(way.rate(share) - rate)});
+    const double rate = between.point.slopes[d] * (cubic.u + cubic.v * share);
+    off = std::max({off, std::abs(cubic.length(share) - moved),
+                    kMiddlePerRate * std::abs(cubic.rate(share) - rate)});
   }
   // It grows like the square of the product of both distances.
   const double product = 4 * share * (1 - share);

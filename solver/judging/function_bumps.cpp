@@ -6,7 +6,7 @@
 namespace misalign::solver {
 namespace {
 
-// What a stretch may change by before it is taken as a whole: far below the band.
+// What a subsegment may change by before it is taken as a whole: far below the band.
 constexpr double kShort_widths = 1e-13;
 constexpr int kMostHalvings = 40;
 
@@ -31,12 +31,12 @@ void FunctionBumps::begin(const std::vector<double>& flat_lengths) {
 }
 
 void FunctionBumps::take(double pilot_rad) {
-  std::fill(kept_.begin(), kept_.end(), Ways{});
+  std::fill(kept_.begin(), kept_.end(), Retreats{});
   reached_rad_ = pilot_rad;
   kept_room_ = 0;
 }
 
-void FunctionBumps::begin_piece(const PathFunction& function) {
+void FunctionBumps::begin_segment(const PathFunction& function) {
   in_squares_ = function.from_flat();
   table_.begin();
   for (int k = 0; k < function.kept(); ++k) {
@@ -49,7 +49,7 @@ void FunctionBumps::begin_piece(const PathFunction& function) {
   if (in_squares_) table_.add_value(0, flat_.data());
   table_.finish();
   const double from = function.count() == 2 ? 0 : function.from();
-  const Stretch all = stretch(variable(from), variable(function.end()));
+  const Subsegment all = subsegment(variable(from), variable(function.end()));
   double rate[HermiteTable::kMostOrder];
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     table_.find_rate(d, all.from, all.to, rate);
@@ -65,7 +65,7 @@ double FunctionBumps::look(double x, std::vector<double>& rates) const {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     rates[static_cast<std::size_t>(d)] = table_.rate(d, at) * per_x;
   }
-  return stretch(at, at).largest_error * per_x;
+  return subsegment(at, at).largest_error * per_x;
 }
 
 std::optional<double> FunctionBumps::rate_there(double x) {
@@ -74,23 +74,24 @@ std::optional<double> FunctionBumps::rate_there(double x) {
   return std::abs(rate) > error ? std::optional(rate) : std::nullopt;
 }
 
-FunctionBumps::Seen FunctionBumps::look_at_sample(double x, const Judge& judge,
-                                                  const PathFunction& function) {
+FunctionBumps::Heading FunctionBumps::look_at_sample(double x, const Judge& judge,
+                                                     const PathFunction& function) {
   go_to(x, true, judge, function);
-  return seen();
+  return heading();
 }
 
-FunctionBumps::Seen FunctionBumps::look_at_end(const Judge& judge, const PathFunction& function) {
+FunctionBumps::Heading FunctionBumps::look_at_end(const Judge& judge,
+                                                  const PathFunction& function) {
   go_to(function.end(), false, judge, function);
-  const Seen at_end = seen();
-  if (at_end == Seen::unsure) return at_end;
+  const Heading at_end = heading();
+  if (at_end == Heading::unsure) return at_end;
   kept_ = ways_;
   kept_room_ = room_;
   reached_rad_ = function.pilot(function.end());
-  return Seen::forward;  // whether the next sample is in order is not known yet
+  return Heading::forward;  // whether the next sample is in order is not known yet
 }
 
-FunctionBumps::Stretch FunctionBumps::stretch(double from, double to) const {
+FunctionBumps::Subsegment FunctionBumps::subsegment(double from, double to) const {
   // The oldest node's: flat has a value only.
   const int terms = in_squares_ ? 1 : 2;
   return {from, to, kFunctionSafety * table_.largest_rate_change(from, to, terms)};
@@ -114,17 +115,17 @@ void FunctionBumps::go_to(double x, bool is_sample, const Judge& judge,
   const double from_x = reached_rad_ == 0 ? 0 : function.locate(reached_rad_);
   if (!(x > from_x)) return;
   room_ = std::max(room_, 2 * function.node_error());
-  const Stretch all = stretch(variable(from_x), variable(x));
+  const Subsegment all = subsegment(variable(from_x), variable(x));
   // How far off the ends may be, where the pilot's angle is a polynomial itself.
   const double off = std::max(function.pilot_error(from_x) / function.pilot_slope(from_x),
                               function.pilot_error(x) / function.pilot_slope(x));
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
-    Ways& ways = ways_[static_cast<std::size_t>(d)];
+    Retreats& retreats = ways_[static_cast<std::size_t>(d)];
     const int way = direction(d, is_sample, judge, function);
-    direction_changed_ = direction_changed_ || (has_gone && way != 0 && ways.direction != way);
-    ways.direction = way;
-    if (way == 0) ways = {};
-    if (way == 0 || (way == one_way_[static_cast<std::size_t>(d)] && ways.at_most.now == 0)) {
+    direction_changed_ = direction_changed_ || (has_gone && way != 0 && retreats.direction != way);
+    retreats.direction = way;
+    if (way == 0) retreats = {};
+    if (way == 0 || (way == one_way_[static_cast<std::size_t>(d)] && retreats.at_most.now == 0)) {
       continue;
     }
     double rate[HermiteTable::kMostOrder];
@@ -133,30 +134,31 @@ void FunctionBumps::go_to(double x, bool is_sample, const Judge& judge,
     for (int k = 0; k < count; ++k) rate[k] *= way;
     const double falls = -std::min(rate[0], rate[count - 1]);
     if (falls > 0) room_ += 2 * off * falls;
-    go(all, rate, 0, ways);
+    go(all, rate, 0, retreats);
   }
 }
 
 // The rate lies between the least and the largest of its coefficients, and its mean is theirs. By
 // halves where the error leaves open which way the diagonal goes.
-void FunctionBumps::go(const Stretch& stretch, const double* rate, int halvings, Ways& ways) const {
+void FunctionBumps::go(const Subsegment& subsegment, const double* rate, int halvings,
+                       Retreats& retreats) const {
   const int count = table_.order() - 1;
   const auto [least, most] = std::minmax_element(rate, rate + count);
-  const double width = stretch.to - stretch.from, error = stretch.largest_error;
+  const double width = subsegment.to - subsegment.from, error = subsegment.largest_error;
   double sum = 0;
   for (int k = 0; k < count; ++k) sum += rate[k];
   const double on = sum / count * width;
   const bool is_one_way =
       (*least >= error || *most <= error) && (*least >= -error || *most <= -error);
   if (is_one_way) {
-    ways.at_most.go(on - error * width);
-    ways.at_least.go(on + error * width);
+    retreats.at_most.go(on - error * width);
+    retreats.at_least.go(on + error * width);
     return;
   }
   if (halvings == kMostHalvings ||
       std::max(std::abs(*least), std::abs(*most)) * width + error * width < kShort_widths) {
-    ways.at_most.go(std::min(*least - error, 0.0) * width);
-    ways.at_least.go(std::max(*most + error, 0.0) * width);
+    retreats.at_most.go(std::min(*least - error, 0.0) * width);
+    retreats.at_least.go(std::max(*most + error, 0.0) * width);
     return;
   }
   // De Casteljau: the coefficients of both halves.
@@ -166,30 +168,30 @@ void FunctionBumps::go(const Stretch& stretch, const double* rate, int halvings,
     left[k] = right[0];
     for (int i = 0; i + 1 < count - k; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
   }
-  const double middle = 0.5 * (stretch.from + stretch.to);
-  go(this->stretch(stretch.from, middle), left, halvings + 1, ways);
-  go(this->stretch(middle, stretch.to), right, halvings + 1, ways);
+  const double middle = 0.5 * (subsegment.from + subsegment.to);
+  go(this->subsegment(subsegment.from, middle), left, halvings + 1, retreats);
+  go(this->subsegment(middle, subsegment.to), right, halvings + 1, retreats);
 }
 
-FunctionBumps::Seen FunctionBumps::seen() {
-  if (direction_changed_) return Seen::unsure;
+FunctionBumps::Heading FunctionBumps::heading() {
+  if (direction_changed_) return Heading::unsure;
   double longest_at_least = 0, others_at_most = 0;
   where_ = -1;
   for (std::size_t d = 0; d < ways_.size(); ++d) {
     const double at_least = ways_[d].at_least.longest - room_;
     if (ways_[d].at_most.longest + room_ < kBumpBand_widths) continue;
-    if (at_least < kBumpBand_widths) return Seen::unsure;
+    if (at_least < kBumpBand_widths) return Heading::unsure;
     if (where_ < 0 || at_least > longest_at_least) {
       longest_at_least = at_least;
       where_ = static_cast<int>(d);
     }
   }
-  if (where_ < 0) return Seen::forward;
+  if (where_ < 0) return Heading::forward;
   for (std::size_t d = 0; d < ways_.size(); ++d) {
     if (static_cast<int>(d) == where_) continue;
     others_at_most = std::max(others_at_most, ways_[d].at_most.longest + room_);
   }
-  return longest_at_least > others_at_most ? Seen::back : Seen::unsure;
+  return longest_at_least > others_at_most ? Heading::back : Heading::unsure;
 }
 
 }  // namespace misalign::solver

@@ -49,7 +49,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
   if (bumps_) bumps_->begin(flat_lengths);
 }
 
-Answer FunctionJudge::see(const PathFunction& function) {
+ObserverResult FunctionJudge::see(const PathFunction& function) {
   is_sure_ = true;
   const bool turns = function.turns();
   const double end = function.end(), end_rad = function.pilot(end);
@@ -57,9 +57,10 @@ Answer FunctionJudge::see(const PathFunction& function) {
   limit_error_rad_ = end_error;
   const bool clear = function.creases_are_clear();
   if (bumps_) {
-    is_sure_ = FunctionBumps::can_look(function);  // otherwise the next piece looks at this one too
-    if (!is_sure_) return turns ? Answer::lost : Answer::go_on;
-    bumps_->begin_piece(function);
+    is_sure_ =
+        FunctionBumps::can_look(function);  // otherwise the next segment looks at this one too
+    if (!is_sure_) return turns ? ObserverResult::lost : ObserverResult::go_on;
+    bumps_->begin_segment(function);
   }
   for (; next_ < plan_->stations.size(); ++next_) {
     const Station& station = plan_->stations[next_];
@@ -72,8 +73,8 @@ Answer FunctionJudge::see(const PathFunction& function) {
     function.find_lengths(x, here_.lengths, here_.length_errors);
     const std::optional<bool> in_order = clear ? true : find_creases(x, function);
     if (!in_order) return unsure();
-    const Answer answer = judge(station, x, *in_order, function);
-    if (answer != Answer::go_on) return answer;
+    const ObserverResult answer = see_sample(station, x, *in_order, function);
+    if (answer != ObserverResult::go_on) return answer;
     std::swap(last_, here_.lengths);
     std::swap(before_last_errors_, last_errors_);
     std::swap(last_errors_, here_.length_errors);
@@ -82,10 +83,11 @@ Answer FunctionJudge::see(const PathFunction& function) {
     ++samples_;
   }
   const bool goes_on = !turns && next_ < plan_->stations.size();
-  if (bumps_ && goes_on && bumps_->look_at_end(judge_, function) == FunctionBumps::Seen::unsure) {
+  if (bumps_ && goes_on &&
+      bumps_->look_at_end(judge_, function) == FunctionBumps::Heading::unsure) {
     return unsure();
   }
-  return Answer::go_on;
+  return ObserverResult::go_on;
 }
 
 // Whether they are in order, if that is certain.
@@ -101,9 +103,9 @@ std::optional<bool> FunctionJudge::find_creases(double x, const PathFunction& fu
   return in_order;
 }
 
-// The sample at this point of the piece, and the way to it.
-Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_order,
-                            const PathFunction& function) {
+// The sample at this point of the segment, and the way to it.
+ObserverResult FunctionJudge::see_sample(const Station& station, double x, bool creases_in_order,
+                                         const PathFunction& function) {
   if (!is_decisive()) {
     know_last_better(function);
     if (!is_decisive()) return unsure();
@@ -114,16 +116,16 @@ Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_or
     fault_known_ = false;
     return unsure();
   }
-  if (fault_known_) return Answer::enough;
+  if (fault_known_) return ObserverResult::enough;
   if (bumps_) {
-    const FunctionBumps::Seen seen = bumps_->look_at_sample(x, judge_, function);
-    if (seen == FunctionBumps::Seen::unsure) return unsure();
-    if (seen == FunctionBumps::Seen::back) {
+    const FunctionBumps::Heading heading = bumps_->look_at_sample(x, judge_, function);
+    if (heading == FunctionBumps::Heading::unsure) return unsure();
+    if (heading == FunctionBumps::Heading::back) {
       const std::optional<double> rate = bumps_->rate_there(x);
       if (!rate) return unsure();
       fault_known_ = true;
       judge_.end_between(bumps_->where(), *rate);
-      return Answer::enough;
+      return ObserverResult::enough;
     }
     bumps_->take(station.pilot_deg * kRadPerDeg);
   }
@@ -133,11 +135,11 @@ Answer FunctionJudge::judge(const Station& station, double x, bool creases_in_or
     fault_known_ = !*is_stiff;
     if (fault_known_) {
       judge_.end(Fault::soft_stop, -1, criterion_.stop_part(again_.slopes));
-      return Answer::enough;
+      return ObserverResult::enough;
     }
   }
   judge_.take(station, here_.lengths);
-  return Answer::go_on;
+  return ObserverResult::go_on;
 }
 
 // Whether the part by which the sample missed is known well enough for the score, where one is

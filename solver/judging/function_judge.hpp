@@ -18,9 +18,9 @@ class FunctionJudge {
   FunctionJudge(const FunctionJudge&);
 
   void begin(const PathPlan& plan, const std::vector<double>& flat_lengths);
-  /// Looks at the samples of the newest piece that it has not seen yet: enough once a fault is
+  /// Looks at the samples of the newest segment that it has not seen yet: enough once a fault is
   /// known.
-  Answer see(const PathFunction& function);
+  ObserverResult see(const PathFunction& function);
   /// The verdict once the path has ended; nothing where that is not certain, or would need to know
   /// how a path goes on that was lost.
   std::optional<Verdict> conclude(const PathResult& path) const;
@@ -37,20 +37,20 @@ class FunctionJudge {
   int direction(int diagonal) const { return judge_.direction(diagonal); }
 
  private:
-  Answer judge(const Station& station, double x, bool creases_in_order,
-               const PathFunction& function);
+  ObserverResult see_sample(const Station& station, double x, bool creases_in_order,
+                            const PathFunction& function);
   std::optional<bool> find_creases(double x, const PathFunction& function);
   bool is_decisive();
   bool score_is_certain(double x, const PathFunction& function);
   std::optional<bool> find_stop_stiff(double x, const PathFunction& function);
   void know_last_better(const PathFunction& function);
-  Answer lost() {
+  ObserverResult lost() {
     is_sure_ = false;
-    return Answer::lost;
+    return ObserverResult::lost;
   }
-  Answer unsure() {
+  ObserverResult unsure() {
     is_sure_ = false;
-    return Answer::unsure;
+    return ObserverResult::unsure;
   }
 
   const Mechanism& mechanism_;

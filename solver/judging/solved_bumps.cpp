@@ -12,15 +12,15 @@ SolvedBumps::~SolvedBumps() = default;
 BumpFound SolvedBumps::look(const SheetGeometry<double>& geometry, double from_deg,
                             const PathPoint& from, double to_deg, const PathPoint& to,
                             const Judge& judge) {
-  ways_.assign(from.lengths.size(), {});
+  retreats_.assign(from.lengths.size(), {});
   BumpFound found;
   found.is_known = go(geometry, {from_deg * kRadPerDeg, from}, {to_deg * kRadPerDeg, to}, 0, judge);
   double longest = 0;
-  for (std::size_t d = 0; d < ways_.size(); ++d) {
-    if (ways_[d].longest < kBumpBand_widths || ways_[d].longest <= longest) continue;
-    longest = ways_[d].longest;
+  for (std::size_t d = 0; d < retreats_.size(); ++d) {
+    if (retreats_[d].longest < kBumpBand_widths || retreats_[d].longest <= longest) continue;
+    longest = retreats_[d].longest;
     found.where = static_cast<int>(d);
-    found.from_deg = ways_[d].from_rad / kRadPerDeg;
+    found.from_deg = retreats_[d].from_rad / kRadPerDeg;
   }
   return found;
 }
@@ -34,10 +34,10 @@ bool SolvedBumps::go(const SheetGeometry<double>& geometry, const SolvedPlace& f
   bool all_go_on = true;
   for (int d = 0; d < mechanism_.diagonal_count() && all_go_on; ++d) {
     if (judge.direction(d) == 0) continue;
-    const CubicBetween way = cubic_between(from, to, d, judge.direction(d));
-    const double bend = -way.c / (3 * way.d);  // where the rate is least or largest
-    double least = std::min(way.rate(0), way.rate(1));
-    if (bend > 0 && bend < 1) least = std::min(least, way.rate(bend));
+    const CubicBetween cubic = cubic_between(from, to, d, judge.direction(d));
+    const double bend = -cubic.c / (3 * cubic.d);  // where the rate is least or largest
+    double least = std::min(cubic.rate(0), cubic.rate(1));
+    if (bend > 0 && bend < 1) least = std::min(least, cubic.rate(bend));
     all_go_on = least > kRatePerMiddle * off;
   }
   if (all_go_on || off <= kSolved_widths || halvings == kMostSolvedHalvings) {
@@ -52,8 +52,8 @@ bool SolvedBumps::go(const SheetGeometry<double>& geometry, const SolvedPlace& f
 void SolvedBumps::follow(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge) {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     if (judge.direction(d) == 0) continue;
-    ways_[static_cast<std::size_t>(d)].go_along(cubic_between(from, to, d, judge.direction(d)),
-                                                from.pilot_rad);
+    retreats_[static_cast<std::size_t>(d)].go_along(cubic_between(from, to, d, judge.direction(d)),
+                                                    from.pilot_rad);
   }
 }
 

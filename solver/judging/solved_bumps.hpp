@@ -36,7 +36,7 @@ class SolvedBumps {
 
   const Mechanism& mechanism_;
   BetweenSolver& solver_;
-  std::vector<WayBackFrom> ways_;  // since the last sample; of diagonals
+  std::vector<RetreatFrom> retreats_;  // since the last sample; of diagonals
 };
 
 }  // namespace misalign::solver

@@ -34,7 +34,7 @@ class ExpansionTest {
   // As many as a register of T holds, but for AVX-512, which adds shorts in halves.
   static constexpr int kBytes = std::min<int>(sizeof(T), 32);
   using Shorts [[gnu::vector_size(kBytes), gnu::aligned(2), gnu::may_alias]] = Short;
-  static constexpr int kRow = ShiftExpansion::kTogether;
+  static constexpr int kRow = ShiftExpansion::kRow;
   static constexpr int kPieces = kRow * static_cast<int>(sizeof(Short)) / kBytes;
 
   void make_ready(const Model& model, int early_sample);
@@ -229,7 +229,7 @@ void ExpansionTest<T, Single>::add_up(int group, int vertex, int count) {
   Short* sums = sums_.data() + group * 2 * kRow;
   for (int s = 0; s < count; ++s, rows += vertices, sums += expansion_->sums()) {
     const Shorts* const alone =
-        reinterpret_cast<const Shorts*>(expansion_->alone(group, vertex, *rows / kRow));
+        reinterpret_cast<const Shorts*>(expansion_->single(group, vertex, *rows / kRow));
     Shorts* const first = reinterpret_cast<Shorts*>(sums);
     Shorts* const second = first + kPieces;
     Shorts sum[kPieces];
@@ -237,7 +237,7 @@ void ExpansionTest<T, Single>::add_up(int group, int vertex, int count) {
       first[k] += alone[k];
       sum[k] = second[k] + alone[kPieces + k];
     }
-    const Short* of_next = expansion_->together(group, vertex, *rows / kRow);
+    const Short* of_next = expansion_->pair(group, vertex, *rows / kRow);
 #pragma GCC unroll 8
     for (int next = 1; next < vertices - vertex; ++next) {
       const Shorts* const row = reinterpret_cast<const Shorts*>(of_next + rows[next]);

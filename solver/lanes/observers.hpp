@@ -22,7 +22,7 @@ class FunctionObserver {
   /// Verdicts go to `verdicts`.
   void begin(const SheetBlock& block, std::vector<Verdict>& verdicts);
   bool next(PathStart& start, int lane);
-  Answer see(const PathFunction& function, int lane) { return judges_[lane].see(function); }
+  ObserverResult see(const PathFunction& function, int lane) { return judges_[lane].see(function); }
   void ended(const PathResult& path, int lane);
 
   /// The sheets that were not decided.

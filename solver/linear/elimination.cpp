@@ -95,7 +95,7 @@ void list_columns(Elimination& plan) {
   const auto append = [](const std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) {
     const std::int32_t begin = end_of(to);
     to.insert(to.end(), from.begin(), from.end());
-    return Stretch{begin, end_of(to)};
+    return SlotRange{begin, end_of(to)};
   };
   for (int k = 0; k < n; ++k) {
     plan.pivots[k].above = append(columns[k].above_slot, plan.above_slot);

@@ -10,7 +10,7 @@
 namespace misalign::solver {
 
 /// Half-open range of places in one of the lists below.
-struct Stretch {
+struct SlotRange {
   std::int32_t begin, end;
   int size() const { return end - begin; }
 };
@@ -18,9 +18,9 @@ struct Stretch {
 /// The k-th step: divide the pivot's column below it, subtract multiples of its row.
 struct Pivot {
   std::int32_t slot;  ///< of the pivot itself
-  Stretch upper;      ///< slots of its row beyond the pivot: neighbours, in column order
-  Stretch lower;      ///< places in lower_slot: its column in the rows below
-  Stretch above;      ///< places in above_slot: its column in the rows above
+  SlotRange upper;    ///< slots of its row beyond the pivot: neighbours, in column order
+  SlotRange lower;    ///< places in lower_slot: its column in the rows below
+  SlotRange above;    ///< places in above_slot: its column in the rows above
 };
 
 /// Neighbouring pivots whose rows have the same columns beyond them, and whose columns have the
@@ -29,8 +29,8 @@ struct Pivot {
 /// pivots: the bits are those of one pivot after another.
 struct PivotBlock {
   std::int32_t first, end;    ///< pivots
-  Stretch upper, lower;       ///< of the last of them
-  Stretch fill;               ///< places in fill_slots: those that no block before has touched
+  SlotRange upper, lower;     ///< of the last of them
+  SlotRange fill;             ///< places in fill_slots: those that no block before has touched
   std::int32_t first_target;  ///< in `targets`: upper.size() slots for each row below
   int size() const { return end - first; }
 };

@@ -8,7 +8,7 @@
 namespace misalign::solver {
 
 std::vector<int> margin_samples(double sample_deg, int threshold_sample) {
-  const int every = std::max(1, static_cast<int>(std::lround(kMarginStretch_deg / sample_deg)));
+  const int every = std::max(1, static_cast<int>(std::lround(kMarginSection_deg / sample_deg)));
   const int last = std::min(threshold_sample,
                             static_cast<int>(std::floor(kPoorFactorsFrom_deg / sample_deg + 1e-9)));
   std::vector<int> samples;

@@ -60,7 +60,7 @@ class Model {
   const Criterion& criterion() const { return criterion_; }
   BumpRule bumps() const { return criterion_.bumps; }
   double ternary_mm() const { return ternary_mm_; }
-  /// Where the stretches of MiscutMargin end; none without a threshold.
+  /// Where the sections of MiscutMargin end; none without a threshold.
   const std::vector<int>& margin_samples() const { return margin_samples_; }
 
   /// The far one, then the near one; none where the threshold is close to flat.

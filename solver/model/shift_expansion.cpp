@@ -22,8 +22,8 @@ constexpr float kLeastShare = 0.5F;
 constexpr float kLeastOrder = 0.5F;
 
 // Shifts of a vertex in its place, in amplitudes.
-struct Levels {
-  explicit Levels(int place) : x(place / 3 - 1), y(place % 3 - 1) {}
+struct TernaryShift {
+  explicit TernaryShift(int place) : x(place / 3 - 1), y(place % 3 - 1) {}
   double x, y;
 };
 
@@ -42,14 +42,14 @@ class Polynomial {
   }
   double squared(int i, int j) const { return (forth(i, j) + back(i, j)) / 2 - g_.none(q_, d_, j); }
 
-  double first(int vertex, const Levels& at) const {
+  double first(int vertex, const TernaryShift& at) const {
     return odd(2 * vertex) * at.x + odd(2 * vertex + 1) * at.y;
   }
-  double second(int vertex, const Levels& at) const {
+  double second(int vertex, const TernaryShift& at) const {
     return even(2 * vertex) * at.x * at.x + even(2 * vertex + 1) * at.y * at.y +
            of_two(2 * vertex, at.x, 2 * vertex + 1, at.y);
   }
-  double of_vertices(int g, const Levels& at_g, int h, const Levels& at_h) const {
+  double of_vertices(int g, const TernaryShift& at_g, int h, const TernaryShift& at_h) const {
     return of_two(2 * g, at_g.x, 2 * h, at_h.x) + of_two(2 * g, at_g.x, 2 * h + 1, at_h.y) +
            of_two(2 * g + 1, at_g.y, 2 * h, at_h.x) + of_two(2 * g + 1, at_g.y, 2 * h + 1, at_h.y);
   }
@@ -143,9 +143,9 @@ ShiftExpansion::ShiftExpansion(const ShiftGradients& gradients)
     : vertices_(gradients.coordinates() / 2),
       diagonals_(gradients.diagonals()),
       groups_((diagonals_ + kDiagonals - 1) / kDiagonals),
-      alone_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * 2 * kTogether),
-      together_(static_cast<std::size_t>(groups_) * pairs_before(vertices_) * kPlaces * kPlaces *
-                kTogether) {
+      singles_(static_cast<std::size_t>(groups_ * vertices_) * kPlaces * 2 * kRow),
+      pairs_(static_cast<std::size_t>(groups_) * pairs_before(vertices_) * kPlaces * kPlaces *
+             kRow) {
   fill(ShiftedQuantity::elongation, gradients);
   fill(ShiftedQuantity::slope, gradients);
 }
@@ -155,7 +155,7 @@ ShiftExpansion::~ShiftExpansion() = default;
 std::size_t ShiftExpansion::bytes(int vertices, int diagonals) {
   const std::size_t groups = static_cast<std::size_t>((diagonals + kDiagonals - 1) / kDiagonals);
   const std::size_t pairs = static_cast<std::size_t>(vertices) * (vertices - 1) / 2;
-  return groups * pairs * kPlaces * kPlaces * kTogether * sizeof(Short);
+  return groups * pairs * kPlaces * kPlaces * kRow * sizeof(Short);
 }
 
 void ShiftExpansion::fill(ShiftedQuantity quantity, const ShiftGradients& gradients) {
@@ -171,14 +171,14 @@ void ShiftExpansion::fill(ShiftedQuantity quantity, const ShiftGradients& gradie
         static_cast<std::size_t>(static_cast<int>(quantity) * kDiagonals + d % kDiagonals);
     for (int g = 0; g < vertices_; ++g) {
       for (int place = 0; place < kPlaces; ++place) {
-        const Levels at(place);
-        Short* row = alone_.data() + at_alone(group, g, place) + column;
+        const TernaryShift at(place);
+        Short* row = singles_.data() + at_single(group, g, place) + column;
         row[0] = rounded(q.first(g, at), unit);
-        row[kTogether] = rounded(q.second(g, at), unit);
-        row = together_.data() + at_together(group, g, place) + column;
+        row[kRow] = rounded(q.second(g, at), unit);
+        row = pairs_.data() + at_pair(group, g, place) + column;
         for (int h = g + 1; h < vertices_; ++h) {
-          for (int other = 0; other < kPlaces; ++other, row += kTogether) {
-            *row = rounded(q.of_vertices(g, at, h, Levels(other)), unit);
+          for (int other = 0; other < kPlaces; ++other, row += kRow) {
+            *row = rounded(q.of_vertices(g, at, h, TernaryShift(other)), unit);
           }
         }
       }
@@ -190,7 +190,7 @@ float ShiftExpansion::second_order(int kind, const Short* sums) const {
   float largest = 0;
   const float* unit = kinds_[kind].unit.data();
   for (int group = 0; group < groups_; ++group, unit += kDiagonals) {
-    const Short* const second = sums + (2 * group + 1) * kTogether + kind * kDiagonals;
+    const Short* const second = sums + (2 * group + 1) * kRow + kind * kDiagonals;
     for (int k = 0; k < kDiagonals; ++k) {
       largest = std::max(largest, std::abs(static_cast<float>(second[k]) * unit[k]));
     }
@@ -232,22 +232,22 @@ ShiftExpansion::Estimate ShiftExpansion::estimate(ShiftedQuantity quantity, int 
   const Kind& kind = kinds_[which];
   const std::size_t d = static_cast<std::size_t>(diagonal);
   const Short* const first =
-      sums + diagonal / kDiagonals * 2 * kTogether + which * kDiagonals + diagonal % kDiagonals;
-  return {(first[0] + first[kTogether]) * static_cast<double>(kind.unit[d]),
+      sums + diagonal / kDiagonals * 2 * kRow + which * kDiagonals + diagonal % kDiagonals;
+  return {(first[0] + first[kRow]) * static_cast<double>(kind.unit[d]),
           static_cast<double>(kind.share[d]) * static_cast<double>(second_order(which, sums))};
 }
 
 bool ShiftExpansion::see(const Short* sums, signed char* directions) const {
   const float scale[2] = {second_order(0, sums), second_order(1, sums)};
   bool both = false;
-  for (int group = 0; group < groups_; ++group, sums += 2 * kTogether) {
+  for (int group = 0; group < groups_; ++group, sums += 2 * kRow) {
     int grows[kDiagonals] = {}, shrinks[kDiagonals] = {};
     for (int kind = 0; kind < 2; ++kind) {
       const Short* const first = sums + kind * kDiagonals;
       const float* const unit = kinds_[kind].unit.data() + group * kDiagonals;
       const float* const share = kinds_[kind].share.data() + group * kDiagonals;
       for (int k = 0; k < kDiagonals; ++k) {
-        const float value = static_cast<float>(first[k] + first[kTogether + k]) * unit[k];
+        const float value = static_cast<float>(first[k] + first[kRow + k]) * unit[k];
         const float bound = share[k] * scale[kind];
         grows[k] |= value > bound;
         shrinks[k] |= value < -bound;

@@ -80,7 +80,7 @@ class ShiftExpansion {
   using Short = std::int16_t;
   /// Quantities of this many diagonals lie side by side: their elongations, then their slopes.
   static constexpr int kDiagonals = 16;
-  static constexpr int kTogether = 2 * kDiagonals;
+  static constexpr int kRow = 2 * kDiagonals;
   static constexpr int kPlaces = 9;
 
   explicit ShiftExpansion(const ShiftGradients& gradients);
@@ -91,15 +91,15 @@ class ShiftExpansion {
   int vertices() const { return vertices_; }
   int groups() const { return groups_; }
   /// Shorts that a sheet's sums take: of each group the first order, then the second.
-  std::size_t sums() const { return static_cast<std::size_t>(groups_) * 2 * kTogether; }
+  std::size_t sums() const { return static_cast<std::size_t>(groups_) * 2 * kRow; }
   /// What a vertex in this place adds: to the first order, then to the second.
-  const Short* alone(int group, int vertex, int place) const {
-    return alone_.data() + at_alone(group, vertex, place);
+  const Short* single(int group, int vertex, int place) const {
+    return singles_.data() + at_single(group, vertex, place);
   }
   /// What it adds to the second order together with the next vertex, and each one after that: of
   /// each, one row for each of its places.
-  const Short* together(int group, int vertex, int place) const {
-    return together_.data() + at_together(group, vertex, place);
+  const Short* pair(int group, int vertex, int place) const {
+    return pairs_.data() + at_pair(group, vertex, place);
   }
   /// The place of a vertex with shifts of these signs: -1, 0 or 1.
   static int place_of(int x, int y) { return 3 * (x + 1) + y + 1; }
@@ -125,21 +125,21 @@ class ShiftExpansion {
   std::size_t pairs_before(int vertex) const {
     return static_cast<std::size_t>(vertex) * (2 * vertices_ - vertex - 1) / 2;
   }
-  std::size_t at_alone(int group, int vertex, int place) const {
+  std::size_t at_single(int group, int vertex, int place) const {
     const std::size_t before = static_cast<std::size_t>(group) * vertices_ + vertex;
-    return (before * kPlaces + place) * 2 * kTogether;
+    return (before * kPlaces + place) * 2 * kRow;
   }
-  std::size_t at_together(int group, int vertex, int place) const {
+  std::size_t at_pair(int group, int vertex, int place) const {
     const std::size_t pairs = group * pairs_before(vertices_) + pairs_before(vertex);
     const std::size_t after = static_cast<std::size_t>(vertices_ - 1 - vertex);
-    return (pairs * kPlaces + place * after) * kPlaces * kTogether;
+    return (pairs * kPlaces + place * after) * kPlaces * kRow;
   }
   void fill(ShiftedQuantity quantity, const ShiftGradients& gradients);
   /// Largest second order of a kind.
   float second_order(int kind, const Short* sums) const;
 
   const int vertices_, diagonals_, groups_;
-  std::vector<Short, xsimd::aligned_allocator<Short, 64>> alone_, together_;
+  std::vector<Short, xsimd::aligned_allocator<Short, 64>> singles_, pairs_;
   Kind kinds_[2];
 };
 

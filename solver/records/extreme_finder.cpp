@@ -7,9 +7,9 @@
 
 namespace misalign::solver {
 
-// Where the rate of change falls to zero, from the stretch's start, where it is positive, to
+// Where the rate of change falls to zero, from the subsegment's start, where it is positive, to
 // `high`, where it is not.
-double ExtremeFinder::Stretch::root_of_slope(double high) const {
+double ExtremeFinder::Subsegment::root_of_slope(double high) const {
   double low = from;
   for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
     const double middle = 0.5 * (low + high);
@@ -19,7 +19,7 @@ double ExtremeFinder::Stretch::root_of_slope(double high) const {
 }
 
 // Where it is least, if it has one minimum (golden section).
-double ExtremeFinder::Stretch::least_slope_at() const {
+double ExtremeFinder::Subsegment::least_slope_at() const {
   constexpr double kGolden = 0.6180339887498949;
   double low = from, high = to;
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
@@ -78,12 +78,12 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
         {last_[d], last_slopes_[d]}, {here.lengths[d], here.slopes[d]}, step_rad, 1, direction);
     // The variable may have changed since the last sample.
     const double last_x = last_deg_ > 0 ? function.locate(last_deg_ * kRadPerDeg) : 0;
-    const Stretch stretch{function, d, direction, last_x, x};
+    const Subsegment subsegment{function, d, direction, last_x, x};
     if (counts) {
       note_slope(left, last_x, last_deg_);
       if (seen.least_slope < std::min(left, right)) {
-        const double least_x = stretch.least_slope_at();
-        note_slope(stretch.slope(least_x), least_x, function.pilot(least_x) / kRadPerDeg);
+        const double least_x = subsegment.least_slope_at();
+        note_slope(subsegment.slope(least_x), least_x, function.pilot(least_x) / kRadPerDeg);
       }
     }
     const bool goes_on = right >= 0, from_flat = last_deg_ == 0;
@@ -96,9 +96,9 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
     }
     double from_deg = back_since_deg_[d];
     if (from_deg == 0) {
-      const double high = goes_on ? stretch.least_slope_at() : x;
-      if (!sets_out_back && stretch.slope(high) >= 0) continue;
-      const double root = sets_out_back ? 0 : stretch.root_of_slope(high);
+      const double high = goes_on ? subsegment.least_slope_at() : x;
+      if (!sets_out_back && subsegment.slope(high) >= 0) continue;
+      const double root = sets_out_back ? 0 : subsegment.root_of_slope(high);
       from_deg = function.pilot(root) / kRadPerDeg;
       if (root < first_x) {
         first_x = root;
@@ -124,16 +124,16 @@ void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
 void ExtremeFinder::note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
                               const PathFunction& function) {
   const int d = judge.bump_where();
-  const Stretch stretch{function, d, judge.direction(d),
-                        function.locate(from.pilot_deg * kRadPerDeg),
-                        function.locate(to.pilot_deg * kRadPerDeg)};
-  const double root = stretch.root_of_slope(stretch.least_slope_at());
+  const Subsegment subsegment{function, d, judge.direction(d),
+                              function.locate(from.pilot_deg * kRadPerDeg),
+                              function.locate(to.pilot_deg * kRadPerDeg)};
+  const double root = subsegment.root_of_slope(subsegment.least_slope_at());
   extremes_.bump_where = d;
   extremes_.bump_deg = function.pilot(root) / kRadPerDeg;
 }
 
 void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {
-  constexpr double kPart = 1e-3;  // of a piece
+  constexpr double kPart = 1e-3;  // of a segment
   const double by = kPart * (function.to() - function.from());
   const double pilot_deg = function.pilot(x) / kRadPerDeg;
   reversal_ = {diagonal, x, pilot_deg,

@@ -31,8 +31,8 @@ class ExtremeFinder {
   ExtremeFinder(const ExtremeFinder&);
 
   void begin(const std::vector<double>& flat_lengths);
-  /// The next sample, at this point of the newest piece; `here` is what is known of it, and `judge`
-  /// which samples are in order, and which way diagonals go.
+  /// The next sample, at this point of the newest segment; `here` is what is known of it, and
+  /// `judge` which samples are in order, and which way diagonals go.
   void see(const Station& station, double x, const PathEstimate& here, const FunctionJudge& judge,
            const PathFunction& function);
 
@@ -48,7 +48,7 @@ class ExtremeFinder {
   const Reversal& first_reversal() const { return reversal_; }
 
  private:
-  struct Stretch {
+  struct Subsegment {
     const PathFunction& function;
     int diagonal, direction;
     double from, to;  // of the function's variable

@@ -9,7 +9,7 @@
 #include "solver/continuation/node_follower.hpp"
 #include "solver/linear/held_correction.hpp"
 #include "solver/linear/singular_value.hpp"
-#include "solver/records/function_records.hpp"
+#include "solver/records/record_builder.hpp"
 #include "solver/records/recorder.hpp"
 
 namespace misalign::solver {
@@ -45,7 +45,7 @@ class FunctionRecorder {
       return records_.left();
     }
     follower_.run(*this);
-    FunctionRecords::Ends ends(records_);
+    RecordBuilder::Ends ends(records_);
     close_follower_.run(ends);
     const std::vector<int>& complete = records_.complete();
     for (std::size_t first = 0; first < complete.size(); first += kLanes<T>) {
@@ -62,7 +62,7 @@ class FunctionRecorder {
 
   // For the follower.
   bool next(PathStart& start, int lane) { return records_.next(start, lane); }
-  Answer see(const PathFunction& function, int lane) {
+  ObserverResult see(const PathFunction& function, int lane) {
     return records_.see(function, lane, [&](double x, FoldState<double>& state) {
       follower_.find_state(x, lane, state);
     });
@@ -169,7 +169,7 @@ class FunctionRecorder {
   const Mechanism& mechanism_;
   NodeFollower<T>& follower_;
   PathFollower<T>& close_follower_;
-  FunctionRecords records_;
+  RecordBuilder records_;
   PlacedSheet placed_;
   SheetGeometry<T> geometry_;
   FoldState<T> state_;

@@ -14,7 +14,7 @@ FoldingHistory record_history(const Model& model, const FlatVertices& vertices_m
 }
 
 FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_mm) {
-  RecordingObserver observer(model, 1);
+  HistoryObserver observer(model, 1);
   DenseFallback dense(model.mechanism());
   const SheetBlock sheet(vertices_mm);
   observer.begin(sheet);

@@ -8,7 +8,7 @@
 
 #include "solver/linear/singular_value.hpp"
 #include "solver/model/miscut_margin.hpp"
-#include "solver/records/recording_observer.hpp"
+#include "solver/records/history_observer.hpp"
 
 namespace misalign::solver {
 
@@ -160,7 +160,7 @@ class Recorder {
   const Model& model_;
   const Mechanism& mechanism_;
   PathFollower<T>& follower_;
-  RecordingObserver observer_;
+  HistoryObserver observer_;
   bool looks_at_quality_ = true;
   T waits_ = T(0);  // 1: the lane's kept state has not been looked at
   FoldState<T> kept_state_;

@@ -25,28 +25,30 @@ constexpr int kMostTurnSolves = 40;
 
 // A cubic's rate of change per radian of pilot, between its ends.
 struct SlopeBetween {
-  const CubicBetween way;
-  double bend_here = 2 * way.c * way.u - way.v * way.b;  // its derivative, times the pilot's rate^3
-  double bend_next = bend_here + 6 * way.d * way.u + 3 * way.d * way.v;
+  const CubicBetween cubic;
+  double bend_here =
+      2 * cubic.c * cubic.u - cubic.v * cubic.b;  // its derivative, times the pilot's rate^3
+  double bend_next = bend_here + 6 * cubic.d * cubic.u + 3 * cubic.d * cubic.v;
 
   // Whether it only falls or only rises, for all that the cubic may be off in its middle.
   bool is_one_way(double off) const {
-    const double error =
-        off * (kBendPerMiddle * std::max(way.u, way.u + way.v) + kRatePerMiddle * std::abs(way.v));
+    const double error = off * (kBendPerMiddle * std::max(cubic.u, cubic.u + cubic.v) +
+                                kRatePerMiddle * std::abs(cubic.v));
     return std::min(bend_here, bend_next) > error || std::max(bend_here, bend_next) < -error;
   }
   // A bound from below.
   double lowest(double off) const {
-    const double bend = way.d == 0 ? 0 : std::clamp(-way.c / (3 * way.d), 0.0, 1.0);
-    const double rate = std::min({way.rate(0), way.rate(1), way.rate(bend)}) - kRatePerMiddle * off;
-    const auto [slow, fast] = std::minmax({way.u, way.u + way.v});
+    const double bend = cubic.d == 0 ? 0 : std::clamp(-cubic.c / (3 * cubic.d), 0.0, 1.0);
+    const double rate =
+        std::min({cubic.rate(0), cubic.rate(1), cubic.rate(bend)}) - kRatePerMiddle * off;
+    const auto [slow, fast] = std::minmax({cubic.u, cubic.u + cubic.v});
     return rate / (rate < 0 ? slow : fast);
   }
   bool has_dip() const { return bend_here < 0 && bend_next > 0; }
   // Where: the root of bend_here + 6 d u t + 3 d v t^2.
   double dip() const {
-    const double half = 3 * way.d * way.u;
-    return -bend_here / (half + std::sqrt(half * half - 3 * way.d * way.v * bend_here));
+    const double half = 3 * cubic.d * cubic.u;
+    return -bend_here / (half + std::sqrt(half * half - 3 * cubic.d * cubic.v * bend_here));
   }
 };
 
@@ -75,8 +77,8 @@ void SolvedExtremes::see(const SheetGeometry<double>& geometry, const Station& s
     look_from_flat(here, judge);
   } else if (may_turn() || counts_) {
     const CubicBetween both = cubic_between(before, here, 0, 1);
-    const double way = last_rad_ - before_last_rad_;
-    const double share = 2 * way / (both.u + std::sqrt(both.u * both.u + 2 * both.v * way));
+    const double cubic = last_rad_ - before_last_rad_;
+    const double share = 2 * cubic / (both.u + std::sqrt(both.u * both.u + 2 * both.v * cubic));
     go(last, here, kOffOfHalf * cubics_off(before, last, here, share), 0, judge);
   }
   before_last_rad_ = std::exchange(last_rad_, here.pilot_rad);
@@ -157,9 +159,9 @@ void SolvedExtremes::settle(const SolvedPlace& from, const SolvedPlace& to, cons
     const SlopeBetween slope{cubic_between(from, to, d, direction)};
     const bool was_on = may_turn_here && direction * from.point.slopes[k] >= 0;
     double first, second;
-    slope.way.find_turns(first, second);
+    slope.cubic.find_turns(first, second);
     if (was_on && next_slope < 0) {
-      const double near_rad = slope.way.pilot(first > 0 && first < 1 ? first : second);
+      const double near_rad = slope.cubic.pilot(first > 0 && first < 1 ? first : second);
       first_rad = std::min(first_rad, turn_between(from, to,
                                                    {d, direction, from.pilot_rad + near_rad,
                                                     to.pilot_rad, next_slope}));
@@ -168,12 +170,12 @@ void SolvedExtremes::settle(const SolvedPlace& from, const SolvedPlace& to, cons
     const bool may_dip = was_on && next_slope >= 0 && lowest < 0;
     if (!slope.has_dip() || !(may_dip || (counts_ && lowest < extremes_.least_slope))) continue;
     PathPoint& point = solver_.room(kMostSolvedHalvings + 1);
-    const double dip_rad = from.pilot_rad + slope.way.pilot(slope.dip());
+    const double dip_rad = from.pilot_rad + slope.cubic.pilot(slope.dip());
     if (!solver_.solve(*geometry_, from, to, dip_rad, point)) continue;
     take_slopes(point, judge);
     const double dip_slope = direction * point.slopes[k];
     if (!may_dip || !(dip_slope < 0)) continue;
-    const double near_rad = from.pilot_rad + slope.way.pilot(first);
+    const double near_rad = from.pilot_rad + slope.cubic.pilot(first);
     first_rad =
         std::min(first_rad, turn_between(from, to, {d, direction, near_rad, dip_rad, dip_slope}));
   }

@@ -61,7 +61,7 @@ bool Reference::see_exactly(const Station& station) {
   visited_.push_back({station.pilot_deg, point_});
   if (station.sample == 0) return true;
   if (!judge_.is_in_order(&point_.state, point_.lengths)) return false;
-  const int where = longest_way_back();
+  const int where = longest_retreat();
   if (where >= 0) {
     judge_.end_between(where, point_.slopes[static_cast<std::size_t>(where)]);
     return false;
@@ -76,23 +76,24 @@ bool Reference::see_exactly(const Station& station) {
 }
 
 // Of the diagonals that go back by the band or more, the one that does the most; -1: none does.
-int Reference::longest_way_back() const {
+int Reference::longest_retreat() const {
   int where = -1;
   double longest = 0;
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     if (judge_.direction(d) == 0) continue;
     const auto k = static_cast<std::size_t>(d);
-    WayBackFrom way;
+    RetreatFrom retreat;
     for (std::size_t i = 1; i < visited_.size(); ++i) {
       const PathPoint &from = visited_[i - 1].point, &to = visited_[i].point;
-      way.go_along(cubic_between({from.lengths[k], from.slopes[k]}, {to.lengths[k], to.slopes[k]},
-                                 (visited_[i].pilot_deg - visited_[i - 1].pilot_deg) * kRadPerDeg,
-                                 from.pilot_rate > 0 ? to.pilot_rate / from.pilot_rate : 1,
-                                 judge_.direction(d)),
-                   visited_[i - 1].pilot_deg * kRadPerDeg);
+      retreat.go_along(
+          cubic_between({from.lengths[k], from.slopes[k]}, {to.lengths[k], to.slopes[k]},
+                        (visited_[i].pilot_deg - visited_[i - 1].pilot_deg) * kRadPerDeg,
+                        from.pilot_rate > 0 ? to.pilot_rate / from.pilot_rate : 1,
+                        judge_.direction(d)),
+          visited_[i - 1].pilot_deg * kRadPerDeg);
     }
-    if (way.longest < kBumpBand_widths || way.longest <= longest) continue;
-    longest = way.longest;
+    if (retreat.longest < kBumpBand_widths || retreat.longest <= longest) continue;
+    longest = retreat.longest;
     where = d;
   }
   return where;

@@ -30,7 +30,7 @@ class Reference {
  private:
   bool see(const Station& station, const FoldState<double>& state);
   bool see_exactly(const Station& station);
-  int longest_way_back() const;
+  int longest_retreat() const;
 
   const Mechanism& mechanism_;
   const PathPlan& plan_;

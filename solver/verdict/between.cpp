@@ -25,7 +25,7 @@ void CubicBetween::find_turns(double& first, double& second) const {
   if (first > second) std::swap(first, second);
 }
 
-void WayBackFrom::go_along(const CubicBetween& cubic, double start_rad) {
+void RetreatFrom::go_along(const CubicBetween& cubic, double start_rad) {
   double parts[4] = {0, 0, 1, 1};
   cubic.find_turns(parts[1], parts[2]);
   for (int k = 0; k < 3; ++k) {

@@ -23,7 +23,7 @@ struct CubicBetween;
 
 /// How far back a quantity goes that moves on and back by turns: the longest way from any point to
 /// a later one.
-struct WayBack {
+struct Retreat {
   double now = 0;      ///< how far it is behind the farthest point so far
   double longest = 0;  ///< the most it was
 
@@ -34,7 +34,7 @@ struct WayBack {
 };
 
 /// The same along cubics, with where it begins.
-struct WayBackFrom : WayBack {
+struct RetreatFrom : Retreat {
   double farthest_rad = 0;  ///< where the farthest point so far lies
   double from_rad = 0;      ///< where the longest way back begins
 

@@ -43,16 +43,16 @@ bool agree(const ChosenSheet& sheet, bool is_short) {
   const FoldedSheet folded = folder.fold(sheet.shifts_mm);
   ReleaseOptions options;
   options.from_deg = kFrom_deg;
-  const schema::SimulatedSheet let_go =
+  const schema::SimulatedSheet released =
       release(folder, folded, options, sheet.name(), sheet.name());
   DeployWish wish;
   wish.from_deg = kFrom_deg;
   Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
   const solver::DeploymentStudy study = deployer.study(sheet.shifts_mm, kFrom_deg, sheet.name());
   const double flat_s = study.run.last().time_s;
-  const double angle = largest_difference(let_go, study.run.rows, !is_short);
-  const double by_energy = critical_by_energy(let_go, folded),
-               in_mujoco = critical_in_mujoco(let_go, by_energy, flat_s);
+  const double angle = largest_difference(released, study.run.rows, !is_short);
+  const double by_energy = critical_by_energy(released, folded),
+               in_mujoco = critical_in_mujoco(released, by_energy, flat_s);
   std::printf(
       "%s: flat after %.5f s; angles differ by %.3f %% of the start's at most; critical "
       "friction of the tree's hinges %.5g N mm per mm, in MuJoCo %.5g (%+.2f %%)\n",

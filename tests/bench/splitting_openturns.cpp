@@ -43,8 +43,8 @@ struct Effort {
 // the thirds of that are its three levels. An undecided one lies in no level.
 class Scores : public OT::EvaluationImplementation {
  public:
-  Scores(const schema::Campaign& campaign, LevelJudge& judge, Effort& effort)
-      : campaign_(campaign), judge_(judge), effort_(effort) {}
+  Scores(const schema::Campaign& campaign, LevelScorer& judge, Effort& effort)
+      : campaign_(campaign), scorer_(judge), effort_(effort) {}
   Scores* clone() const override { return new Scores(*this); }
   OT::UnsignedInteger getInputDimension() const override {
     return 2 * campaign_.misalignment.vertices.size();
@@ -63,7 +63,7 @@ class Scores : public OT::EvaluationImplementation {
         block.shifts_mm.push_back(campaign_.misalignment.amplitude_mm * shift(sheets(k, i)));
       }
     }
-    const std::vector<int>& found = judge_.judge(block);
+    const std::vector<int>& found = scorer_.score(block);
     OT::Sample scores(count, 1);
     for (OT::UnsignedInteger k = 0; k < count; ++k) {
       scores(k, 0) = found[k];
@@ -75,12 +75,12 @@ class Scores : public OT::EvaluationImplementation {
 
  private:
   double shift(double share) const {
-    if (campaign_.misalignment.levels == schema::Levels::uniform) return share;
+    if (campaign_.misalignment.distribution == schema::ShiftDistribution::uniform) return share;
     return share < -1.0 / 3 ? -1 : share > 1.0 / 3 ? 1 : 0;
   }
 
   const schema::Campaign& campaign_;
-  LevelJudge& judge_;
+  LevelScorer& scorer_;
   Effort& effort_;
 };
 
@@ -100,9 +100,9 @@ void print_estimates(const char* method, const std::vector<double>& estimates,
 
 void sample_subsets(const StudyOptions& options, const schema::Campaign& campaign) {
   OT::TBB::Disable();
-  LevelJudges judges(campaign, solver::available_instruction_sets().back());
+  LevelScorers scorers(campaign, solver::available_instruction_sets().back());
   Effort effort;
-  const Scores scores(campaign, judges.from(0), effort);
+  const Scores scores(campaign, scorers.from(0), effort);
   const OT::ComposedDistribution law(OT::ComposedDistribution::DistributionCollection(
       scores.getInputDimension(), OT::Uniform(-1, 1)));
   const OT::CompositeRandomVector score{OT::Function(scores), OT::RandomVector(law)};
@@ -172,8 +172,8 @@ void draw_plainly(const StudyOptions& options, const schema::Campaign& campaign)
 void run(const StudyOptions& options) {
   schema::Campaign campaign = schema::read_campaign_file(options.campaign);
   campaign.threshold_deg = options.threshold_deg;
-  campaign.misalignment.levels =
-      options.is_ternary ? schema::Levels::ternary : schema::Levels::uniform;
+  campaign.misalignment.distribution =
+      options.is_ternary ? schema::ShiftDistribution::ternary : schema::ShiftDistribution::uniform;
   campaign.splitting = options.splitting;
   if (options.runs > 0) sample_subsets(options, campaign);
   if (options.populations > 0) split(options, campaign);

@@ -68,18 +68,18 @@ Shares read_shares(std::istream& file) {
 
 // Of these sheets, which the campaign accepts: those that some level would have lost.
 std::uint64_t count_lost(const std::vector<schema::Candidate>& accepted, const Ladder& ladder,
-                         LevelJudges& judges) {
+                         LevelScorers& scorers) {
   if (accepted.empty()) return 0;
   solver::ShiftBlock block{{}, static_cast<int>(accepted.size())};
   for (const schema::Candidate& candidate : accepted) {
-    for (const int vertex : judges.campaign().misalignment.vertices) {
+    for (const int vertex : scorers.campaign().misalignment.vertices) {
       block.shifts_mm.push_back(candidate.shifts_mm(0, vertex));
       block.shifts_mm.push_back(candidate.shifts_mm(1, vertex));
     }
   }
   std::vector<char> is_lost(accepted.size(), false);
   for (const int level : ladder.scores) {
-    const std::vector<int>& scores = judges.from(level).judge(block);
+    const std::vector<int>& scores = scorers.from(level).score(block);
     for (std::size_t k = 0; k < scores.size(); ++k) is_lost[k] |= scores[k] < level;
   }
   return static_cast<std::uint64_t>(std::ranges::count(is_lost, true));
@@ -95,7 +95,7 @@ std::uint64_t count_accepted(const StudyOptions& options) {
   std::uint64_t lost = 0;
   const auto [accepted, undecided] =
       bench::count_plain_draws(evaluator, options.plain_draws, [&](const schema::UnitRecord& unit) {
-        lost += count_lost(unit.candidates, ladder, climber.judges());
+        lost += count_lost(unit.candidates, ladder, climber.scorers());
       });
   fmt::print("{} plain draws: {} accepted, of which {} are below some level; {} undecided\n",
              options.plain_draws, accepted, lost, undecided);

@@ -195,7 +195,7 @@ TEST(Campaign, ReadsWhatIsWritten) {
   EXPECT_EQ(c.pattern.base.holes, (std::vector<int>{10, 12, 14, 17, 19, 21}));
   EXPECT_EQ(c.misalignment.vertices, (std::vector<int>{10, 12}));
   EXPECT_EQ(c.misalignment.amplitude_mm, 0.25);
-  EXPECT_EQ(c.misalignment.levels, Levels::uniform);
+  EXPECT_EQ(c.misalignment.distribution, ShiftDistribution::uniform);
   EXPECT_EQ(c.threshold_sample(), 180);
   EXPECT_EQ(c.path().end_deg, 120);
   EXPECT_EQ(c.stop.draws, 10u);

@@ -28,12 +28,12 @@ Json table1_candidate() {
                                          campaign.sample_deg);
     const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
                            campaign.sample_deg};
-    const auto let_go =
+    const auto released =
         solver::study_deployment(*solver::WaySolver(model).follow(vertices_mm), model, {}, {});
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
     Json exported = folded_pattern_json(campaign.sampling(), view, metrics,
                                         actuation_json(view, path, solver::actuate(wires, path)),
-                                        exported_deployment_json(let_go));
+                                        exported_deployment_json(released));
     const solver::Certificate certificate = solver::Certifier(model).certify(vertices_mm, 5);
     exported["certificate"] =
         certificate_json(certificate_row(campaign, mechanism, 7, shifts_mm, certificate, 0.03125));

@@ -23,26 +23,27 @@ class CertificateTest : public CatalogueTest {
 
   Eigen::Matrix2Xd shifts_mm() const { return candidate(5).shifts_mm; }
 
-  /// As if somebody had proven it: two pieces, and one in which it ends.
+  /// As if somebody had proven it: two intervals, and one in which it ends.
   solver::Certificate claims(double certified_deg = 150.5,
                              CertificateEnd end = CertificateEnd::reversal) const {
     solver::Certificate made;
     made.asked_deg = end == CertificateEnd::to_the_end ? certified_deg : 170;
     made.end = end;
-    made.pieces.push_back(piece(0, certified_deg / 3, true));
-    made.pieces.push_back(piece(certified_deg / 3, certified_deg, false));
+    made.intervals.push_back(interval(0, certified_deg / 3, true));
+    made.intervals.push_back(interval(certified_deg / 3, certified_deg, false));
     if (end != CertificateEnd::to_the_end) {
       made.where = 3;
-      made.closing = piece(certified_deg, certified_deg + 5e-5, false);
+      made.closing = interval(certified_deg, certified_deg + 5e-5, false);
     }
     return made;
   }
-  solver::PathPiece piece(double from_deg, double to_deg, bool graded) const {
-    solver::PathPiece piece{from_deg, to_deg, graded, 0.25, solver::flat_state<double>(mechanism_)};
-    for (std::size_t k = 0; k < piece.middle.creases.size(); ++k) {
-      piece.middle.creases[k] = solver::half_angle_of_deg(to_deg - 2.0 * static_cast<double>(k));
+  solver::PathInterval interval(double from_deg, double to_deg, bool graded) const {
+    solver::PathInterval interval{from_deg, to_deg, graded, 0.25,
+                                  solver::flat_state<double>(mechanism_)};
+    for (std::size_t k = 0; k < interval.middle.creases.size(); ++k) {
+      interval.middle.creases[k] = solver::half_angle_of_deg(to_deg - 2.0 * static_cast<double>(k));
     }
-    return piece;
+    return interval;
   }
 
   CertificateRecord row(const solver::Certificate& made, std::uint64_t draw = 5) const {

@@ -108,7 +108,7 @@ TEST_F(CertificateTest, TheProofHoldsColumnsWhoseHashWasMended) {
 
 TEST_F(CertificateTest, EveryBitOfAProofCounts) {
   const CertificateRecord good = row();
-  constexpr std::size_t kHead = 4 * 4 + 4 + 4 + 8;  // bytes before the pieces
+  constexpr std::size_t kHead = 4 * 4 + 4 + 4 + 8;  // bytes before the intervals
   for (std::size_t bit = 0; bit < 8 * good.proof.size(); ++bit) {
     CertificateRecord changed = good;
     changed.proof[bit / 8] = static_cast<char>(changed.proof[bit / 8] ^ (1 << (bit % 8)));

@@ -8,7 +8,7 @@
 
 #include "kit_fixture.hpp"
 #include "schema/exchange/dxf_pen.hpp"
-#include "schema/kit/part_piece.hpp"
+#include "schema/kit/part_item.hpp"
 
 namespace misalign::schema {
 namespace {

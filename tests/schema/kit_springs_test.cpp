@@ -66,7 +66,7 @@ TEST(KitSprings, OnVerticesDoWhatTheirDiagonalsDo) {
           kit.path.history.length_mm(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(d)),
           1e-7);
     }
-    EXPECT_EQ(spring.way, spring.diagonal_way);
+    EXPECT_EQ(spring.trend, spring.diagonal_trend);
   }
   EXPECT_EQ(contradiction_of(springs), "");
 }
@@ -75,12 +75,12 @@ TEST(KitSprings, OnVerticesDoWhatTheirDiagonalsDo) {
 TEST(KitSprings, BoresInPanelsDriveASheetWhoseDiagonalsDoNothing) {
   const KitFixture kit(4, 4, "checkerboard-odd", 0);
   for (const KitSpring& spring : springs_of(kit, SpringAt::vertex)) {
-    EXPECT_EQ(spring.way, LengthWay::constant);
+    EXPECT_EQ(spring.trend, LengthTrend::constant);
   }
   const auto springs = springs_of(kit, SpringAt::panel);
   int driven = 0;
   for (const KitSpring& spring : springs) {
-    EXPECT_EQ(spring.diagonal_way, LengthWay::constant);
+    EXPECT_EQ(spring.diagonal_trend, LengthTrend::constant);
     driven += spring.stroke_mm() > 1;
   }
   EXPECT_GT(driven, 0);
@@ -89,11 +89,11 @@ TEST(KitSprings, BoresInPanelsDriveASheetWhoseDiagonalsDoNothing) {
 }
 
 TEST(KitSprings, AContradictionNamesItsKinds) {
-  const auto spring = [](std::vector<double> length_mm, LengthWay way, LengthWay diagonal) {
+  const auto spring = [](std::vector<double> length_mm, LengthTrend trend, LengthTrend diagonal) {
     const SpringEnd end{0, 0, 0, {0, 0}, 0};
-    return KitSpring{end, end, std::move(length_mm), {}, way, diagonal};
+    return KitSpring{end, end, std::move(length_mm), {}, trend, diagonal};
   };
-  using enum LengthWay;
+  using enum LengthTrend;
   const std::vector<KitSpring> springs = {
       spring({1, 2}, lengthens, lengthens), spring({2, 1}, shortens, lengthens),
       spring({2, 1}, shortens, lengthens),  spring({1, 2, 1}, reverses, shortens),

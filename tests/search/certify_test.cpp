@@ -52,7 +52,7 @@ TEST_F(Certificates, OfEverySheetOnceThoughJobsAreCutShort) {
                     [&](std::vector<SheetsToCertify::Done> done) {
                       for (auto& one : done) {
                         ++kept[one.sheet];
-                        rows[one.sheet] = std::move(*one.answer.made);
+                        rows[one.sheet] = std::move(*one.result.made);
                       }
                     }},
                    3);
@@ -66,7 +66,7 @@ TEST_F(Certificates, OfEverySheetOnceThoughJobsAreCutShort) {
       CertifyWork work(certifier_, unpack_orders(*jobs[worker]));
       // The first job of worker 1 comes back empty, as if a signal had come at once.
       while (!work.finished() && !(cut && worker == 1)) work.run_next_block();
-      SentAnswers sent = work.take();
+      SentResults sent = work.take();
       sent.was_stopped = cut;
       EXPECT_EQ(task.take_back(worker, pack(sent)), cut);
       EXPECT_FALSE(task.has_job(worker));
@@ -95,23 +95,23 @@ TEST_F(Certificates, AndFindingsArriveAsTheyWereSent) {
   EXPECT_EQ(orders[1].shifts_mm, order.shifts_mm);
   EXPECT_EQ(orders[1].asked_deg, kAsked_deg);
 
-  SentAnswers sent;
+  SentResults sent;
   sent.seconds = 0.25;
-  sent.answers.push_back({certified(4), {}});
-  sent.answers.push_back({{}, CertificateFinding{7, {{1.5, 2}}, "a reason"}});
-  sent.answers.push_back({{}, CertificateFinding{8, {}, ""}});
-  sent.answers.push_back({});
-  const SentAnswers came = unpack_answers(pack(sent));
-  ASSERT_EQ(came.answers.size(), 4u);
+  sent.results.push_back({certified(4), {}});
+  sent.results.push_back({{}, CertificateFinding{7, {{1.5, 2}}, "a reason"}});
+  sent.results.push_back({{}, CertificateFinding{8, {}, ""}});
+  sent.results.push_back({});
+  const SentResults came = unpack_results(pack(sent));
+  ASSERT_EQ(came.results.size(), 4u);
   EXPECT_EQ(came.seconds, 0.25);
-  EXPECT_EQ(came.answers[0].made, sent.answers[0].made);
-  EXPECT_EQ(came.answers[1].finding->sentence(), "draw 7, 1.5 to 2 deg: a reason");
-  EXPECT_FALSE(came.answers[2].finding->interval);
-  EXPECT_FALSE(came.answers[3].made || came.answers[3].finding);
+  EXPECT_EQ(came.results[0].made, sent.results[0].made);
+  EXPECT_EQ(came.results[1].finding->sentence(), "draw 7, 1.5 to 2 deg: a reason");
+  EXPECT_FALSE(came.results[2].finding->interval);
+  EXPECT_FALSE(came.results[3].made || came.results[3].finding);
   // Bytes that end too early are no rows.
   Bytes cut = pack(sent);
   cut.resize(cut.size() / 2);
-  EXPECT_LT(unpack_answers(cut).answers.size(), 5u);
+  EXPECT_LT(unpack_results(cut).results.size(), 5u);
 }
 
 TEST_F(Certificates, AreCheckedAndSpoiltOnesFound) {

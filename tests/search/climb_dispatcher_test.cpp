@@ -80,7 +80,7 @@ void climb(ClimbDispatcher& all, int workers, unsigned seed, Climb& into,
       const bool is_part = words() % 5 == 0;
       const std::uint32_t hi = is_part ? (order.lo + order.hi) / 2 : order.hi;
       into.results.push_back(invented(order, hi));
-      all.settle(worker, into.results.back());
+      all.finish(worker, into.results.back());
       out.erase(worker);
     }
     EXPECT_EQ(all.has_job(worker), out.contains(worker));
@@ -140,7 +140,7 @@ TEST(ClimbDispatcher, WhatIsOfNoUseIsNotRestored) {
   result.level = 0;
   EXPECT_TRUE(all.restore(result));
   EXPECT_FALSE(all.restore(result)) << "twice";
-  result.population = Pilot::kNumber;
+  result.population = LevelFinder::kNumber;
   EXPECT_FALSE(all.restore(result)) << "the levels are known";
 }
 
@@ -156,7 +156,7 @@ TEST(ClimbDispatcher, NothingIsOpenBeyondTheGoal) {
   Climb rest;
   for (auto& [worker, order] : out) {
     const bool is_wanted = order.population < 3;
-    all.settle(worker, invented(order, is_wanted ? order.hi : order.lo + 1));
+    all.finish(worker, invented(order, is_wanted ? order.hi : order.lo + 1));
   }
   climb(all, 16, 4, rest);
   EXPECT_TRUE(all.complete());
@@ -165,7 +165,7 @@ TEST(ClimbDispatcher, NothingIsOpenBeyondTheGoal) {
   for (const PieceResult& result : rest.results) EXPECT_LT(result.population, 3u);
 }
 
-// A pilot comes first, for all; then its levels are news once.
+// A level finder comes first, for all; then its levels are news once.
 TEST(ClimbDispatcher, PilotsComeFirst) {
   std::vector<int> scores;
   for (const int workers : {1, 4}) {
@@ -175,7 +175,7 @@ TEST(ClimbDispatcher, PilotsComeFirst) {
     climb(all, workers, 2, record);
     EXPECT_TRUE(all.take_news_of_levels());
     EXPECT_FALSE(all.take_news_of_levels());
-    EXPECT_EQ(record.results.front().population, Pilot::kNumber);
+    EXPECT_EQ(record.results.front().population, LevelFinder::kNumber);
     EXPECT_EQ(record.records.size(), 6u);
     EXPECT_EQ(all.ladder().scores.back(), 300);
     if (scores.empty()) scores = all.ladder().scores;

@@ -40,7 +40,7 @@ TEST(Dispatcher, EveryDrawOnceInUnitsByTime) {
         for (std::uint64_t d = range->lo; d < to; ++d) ++times[d];
         const double seconds = static_cast<double>(to - range->lo) / speed[w];
         EXPECT_LE(seconds, 2.001);
-        dispatcher.settle(w, to, seconds);
+        dispatcher.finish(w, to, seconds);
       }
       EXPECT_FALSE(dispatcher.assigned(w));
       dispatcher.assign(w);

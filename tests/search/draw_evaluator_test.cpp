@@ -263,8 +263,8 @@ TEST(DrawEvaluator, KeepsStiffStops) {
   ASSERT_GT(by_stiffness.size(), 8u);
   const std::size_t soft = by_stiffness.size() / 2;
   schema::Campaign campaign = miura_4x4();
-  campaign.wished_stop = {kStop_deg,
-                          std::sqrt(by_stiffness[soft - 1].first * by_stiffness[soft].first)};
+  campaign.required_stop = {kStop_deg,
+                            std::sqrt(by_stiffness[soft - 1].first * by_stiffness[soft].first)};
   std::set<std::uint64_t> expected, kept;
   for (std::size_t k = soft; k < by_stiffness.size(); ++k) expected.insert(by_stiffness[k].second);
   DrawEvaluator stopping(campaign);

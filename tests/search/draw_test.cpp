@@ -21,7 +21,7 @@ TEST(Draw, KnownAnswers) {
 
 // Contract: seed 1, draw 0 has the levels +1 +1 0 +1.
 TEST(Draw, TernaryLevelsOfTheContract) {
-  const schema::Misalignment two{{8, 9}, 0.4, schema::Levels::ternary};
+  const schema::Misalignment two{{8, 9}, 0.4, schema::ShiftDistribution::ternary};
   Eigen::Matrix2Xd shifts = Eigen::Matrix2Xd::Zero(2, 49);
   draw_shifts(two, 1, 0, shifts);
   EXPECT_EQ(shifts.col(8), Eigen::Vector2d(0.4, 0.4));
@@ -31,7 +31,7 @@ TEST(Draw, TernaryLevelsOfTheContract) {
 
 // The k-th vertex takes words 2k and 2k + 1, four to a block: recomputed from the blocks.
 TEST(Draw, WordsGoToVerticesInOrder) {
-  schema::Misalignment uniform{{}, 0.25, schema::Levels::uniform};
+  schema::Misalignment uniform{{}, 0.25, schema::ShiftDistribution::uniform};
   for (int v = 0; v < 25; ++v) uniform.vertices.push_back(2 * v);
   Eigen::Matrix2Xd shifts = Eigen::Matrix2Xd::Zero(2, 50);
   const std::uint64_t seed = 0x123456789abcULL, draw = 0x7edcba9876543210ULL;
@@ -48,7 +48,8 @@ TEST(Draw, WordsGoToVerticesInOrder) {
 
 // A third each: the standard error over 200,000 words is 0.00105, five of them allowed.
 TEST(Draw, TernaryLevelsAreEquallyLikely) {
-  const schema::Misalignment ten{{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 1.0, schema::Levels::ternary};
+  const schema::Misalignment ten{
+      {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 1.0, schema::ShiftDistribution::ternary};
   std::array<int, 3> count{};
   Eigen::Matrix2Xd shifts(2, 10);
   for (std::uint64_t draw = 0; draw < 10000; ++draw) {

@@ -149,20 +149,21 @@ TEST(RestoredPieces, SurvivorsHaveReachedTheNextLevel) {
   EXPECT_FALSE(population.is_done());
 }
 
-// Of a pilot nobody falls below the level that it has reached; and there are so many levels at
-// most.
+// Of a level finder nobody falls below the level that it has reached; and there are so many levels
+// at most.
 TEST(RestoredPieces, PilotsDoNotFall) {
-  Pilot pilot(kClimbSeed, 4, 4, 1000000);
-  EXPECT_TRUE(pilot.restore(four_survivors(0, 1000)));
-  EXPECT_FALSE(pilot.restore(four_survivors(1, 999)));
-  EXPECT_FALSE(pilot.restore(four_survivors(1, 0)));
-  for (int level = 1; !pilot.is_done(); ++level) {
-    ASSERT_TRUE(pilot.restore(four_survivors(static_cast<std::uint32_t>(level), 1000 + level)));
+  LevelFinder level_finder(kClimbSeed, 4, 4, 1000000);
+  EXPECT_TRUE(level_finder.restore(four_survivors(0, 1000)));
+  EXPECT_FALSE(level_finder.restore(four_survivors(1, 999)));
+  EXPECT_FALSE(level_finder.restore(four_survivors(1, 0)));
+  for (int level = 1; !level_finder.is_done(); ++level) {
+    ASSERT_TRUE(
+        level_finder.restore(four_survivors(static_cast<std::uint32_t>(level), 1000 + level)));
     ASSERT_LE(level, 256);
   }
-  EXPECT_EQ(pilot.ladder().scores.size(), 256u);
-  EXPECT_EQ(pilot.ladder().scores.back(), 1000000);
-  EXPECT_FALSE(pilot.is_whole());
+  EXPECT_EQ(level_finder.ladder().scores.size(), 256u);
+  EXPECT_EQ(level_finder.ladder().scores.back(), 1000000);
+  EXPECT_FALSE(level_finder.is_whole());
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class Table1 {
       : sheet_(sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
         folder_(sheet_.base, sheet_.sampling, sheet_.actuators),
         folded_(folder_.fold(sheet_.shifts_mm)) {}
-  SimulatedSheet let_go(const ReleaseOptions& options = {}) const {
+  SimulatedSheet released(const ReleaseOptions& options = {}) const {
     return release(folder_, folded_, options, "Table 1 -- <as printed>", "table1");
   }
   const FoldedSheet& folded() const { return folded_; }
@@ -76,7 +76,7 @@ double area_mm2(const SimulatedSheet& sheet) {
 
 TEST(Mujoco, MovesTable1AsItsSpringsSay) {
   const Table1 table1;
-  const SimulatedSheet sheet = table1.let_go();
+  const SimulatedSheet sheet = table1.released();
   MujocoRun run = run_of(sheet);
   // 1 mm of 2.7 g/cm^3.
   EXPECT_NEAR(run.mass_t(), 2.7e-9 * area_mm2(sheet), 1e-15);
@@ -122,7 +122,7 @@ TEST(Mujoco, HasThicknessAndFriction) {
   ReleaseOptions options;
   options.plates.thickness_mm = 2;
   options.from_deg = 60.5;
-  const SimulatedSheet sheet = table1.let_go(options);
+  const SimulatedSheet sheet = table1.released(options);
   schema::MjcfOptions held;
   held.friction_n_mm_per_mm = 100;
   MujocoRun run = run_of(sheet, held);
@@ -136,12 +136,12 @@ TEST(Mujoco, StaysWhereSpringsAreRelaxed) {
   const Table1 table1;
   ReleaseOptions options;
   options.from_deg = options.rest_deg = 30;
-  MujocoRun still = run_of(table1.let_go(options));
+  MujocoRun still = run_of(table1.released(options));
   EXPECT_LT(still.spring_energy_n_mm(), 1e-12);
   for (int i = 0; i < 100; ++i) still.step();
   EXPECT_NEAR(still.pilot_deg(), 30, 1e-6);
   options.from_deg = 15;
-  MujocoRun pushed = run_of(table1.let_go(options));
+  MujocoRun pushed = run_of(table1.released(options));
   for (int i = 0; i < 100; ++i) pushed.step();
   EXPECT_GT(pushed.pilot_deg(), 15);
 }

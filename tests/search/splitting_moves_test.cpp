@@ -34,12 +34,12 @@ class FewSheets {
   FewSheets()
       : campaign_(climbed_miura(kThreshold_deg, kClimbSeed, {{"vertices", {"A7", "A17"}}})),
         moves_(whole(campaign_)),
-        judges_(campaign_, widest_set()) {
+        scorers_(campaign_, widest_set()) {
     solver::ShiftBlock block{std::vector<double>(kShifts * kSheets), kSheets};
     for (std::size_t k = 0; k < kSheets; ++k) {
       moves_.code().write_mm(sheet(k), block.shifts_mm.data() + kShifts * k);
     }
-    scores_ = judges_.from(0).judge(block);
+    scores_ = scorers_.from(0).score(block);
   }
 
   static std::vector<std::uint8_t> sheet(std::size_t k) {
@@ -71,7 +71,7 @@ class FewSheets {
   int score(std::size_t k) const { return scores_[k]; }
 
   Moves& moves() { return moves_; }
-  LevelJudges& judges() { return judges_; }
+  LevelScorers& scorers() { return scorers_; }
   Move proposals() const {
     return [this](StepWords words, ShiftCode::Sheet sheet) { moves_.propose(words, sheet); };
   }
@@ -94,7 +94,7 @@ class FewSheets {
  private:
   const schema::Campaign campaign_;
   Moves moves_;
-  LevelJudges judges_;
+  LevelScorers scorers_;
   std::vector<int> scores_;
 };
 
@@ -204,7 +204,7 @@ TEST(Splitting, PiecesKeepTheirLevelUniform) {
       before.push_back(k);
     }
   }
-  PieceWork work(few.moves(), 4, few.judges(), order);
+  PieceWork work(few.moves(), 4, few.scorers(), order);
   while (!work.finished()) work.run_next_block();
   const PieceResult result = work.take();
   ASSERT_EQ(result.there.count(), before.size()) << "all are above the level still";

@@ -110,7 +110,7 @@ TEST(Splitting, MirroredSheetsAreTheSameSheets) {
   for (const solver::PerforatedSheet& base :
        {miura_of(4, 4, Holes::none), miura_of(5, 5, Holes::checkerboard)}) {
     const std::vector<int> shifted = solver::interior_vertices(base.sheet);
-    const schema::Misalignment misalignment{shifted, 0.4, schema::Levels::uniform};
+    const schema::Misalignment misalignment{shifted, 0.4, schema::ShiftDistribution::uniform};
     const Eigen::Vector2d centre = base.sheet.vertices_mm.rowwise().mean();
     for (const auto& symmetry : symmetries_of(base)) {
       const auto turned = [&](const solver::FlatVertices& points) {

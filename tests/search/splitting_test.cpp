@@ -9,7 +9,7 @@
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"
-#include "search/splitting/pilot.hpp"
+#include "search/splitting/level_finder.hpp"
 #include "splitting_campaigns.hpp"
 
 namespace misalign::search {
@@ -172,10 +172,10 @@ TEST(Splitting, EveryInstructionSetGivesTheSame) {
 Ladder piloted(std::uint64_t seed, unsigned pieces) {
   const schema::Campaign campaign = climbed_miura(175, seed);
   Climber climber(campaign, widest_set());
-  Pilot pilot(seed, 100, 600, last_level(campaign));
-  climb_in_pieces(pilot, climber, pieces);
-  EXPECT_TRUE(pilot.is_whole());
-  return pilot.ladder();
+  LevelFinder level_finder(seed, 100, 600, last_level(campaign));
+  climb_in_pieces(level_finder, climber, pieces);
+  EXPECT_TRUE(level_finder.is_whole());
+  return level_finder.ladder();
 }
 
 TEST(Splitting, PilotsAreFunctionsOfTheSeed) {
@@ -194,7 +194,7 @@ TEST(Splitting, PilotsAreFunctionsOfTheSeed) {
   EXPECT_NE(piloted(kClimbSeed + 1, 1).scores, ladder.scores);
 }
 
-// Levels that are named need no pilot.
+// Levels that are named need no level finder.
 TEST(Splitting, NamedLevelsAreTaken) {
   schema::Campaign campaign = climbed_miura(170);
   campaign.splitting->levels_deg = {150, 162.5, 170};
@@ -211,7 +211,7 @@ TEST(Splitting, NamedLevelsAreTaken) {
 TEST(Splitting, AcceptedDrawsAreAboveEveryLevel) {
   const schema::Campaign campaign = climbed_miura(170);
   DrawEvaluator plain(campaign);
-  LevelJudges judges(campaign, widest_set());
+  LevelScorers scorers(campaign, widest_set());
   const int draws = kFewer > 1 ? 250 : 4000, last = last_level(campaign);
   constexpr std::uint64_t kAtOnce = 250;
   int accepted = 0;
@@ -225,7 +225,7 @@ TEST(Splitting, AcceptedDrawsAreAboveEveryLevel) {
     }
     std::vector<int> lower;
     for (const int level : {150 * 1024, 160 * 1024 + 379, 165 * 1024, last}) {
-      const std::vector<int>& scores = judges.from(level).judge(block);
+      const std::vector<int>& scores = scorers.from(level).score(block);
       for (std::size_t k = 0; k < kAtOnce; ++k) {
         const bool is_accepted = campaign.accepts(verdicts[k]), is_above = scores[k] >= level;
         EXPECT_TRUE(is_above || !is_accepted) << "draw " << lo + k;

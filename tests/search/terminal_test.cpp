@@ -31,19 +31,19 @@ class TerminalTest : public testing::Test {
 TEST_F(TerminalTest, ColorsAreWantedOnTerminalsOnly) {
   set("TERM", "xterm");
   set("NO_COLOR", std::nullopt);
-  EXPECT_TRUE(colors_wanted(ColorWish::automatic, true));
-  EXPECT_FALSE(colors_wanted(ColorWish::automatic, false));
-  EXPECT_FALSE(colors_wanted(ColorWish::never, true));
-  EXPECT_TRUE(colors_wanted(ColorWish::always, false));
+  EXPECT_TRUE(colors_wanted(ColorMode::automatic, true));
+  EXPECT_FALSE(colors_wanted(ColorMode::automatic, false));
+  EXPECT_FALSE(colors_wanted(ColorMode::never, true));
+  EXPECT_TRUE(colors_wanted(ColorMode::always, false));
   set("NO_COLOR", "");  // no-color.org: counts if it is not empty
-  EXPECT_TRUE(colors_wanted(ColorWish::automatic, true));
+  EXPECT_TRUE(colors_wanted(ColorMode::automatic, true));
   set("NO_COLOR", "1");
-  EXPECT_FALSE(colors_wanted(ColorWish::automatic, true));
-  EXPECT_TRUE(colors_wanted(ColorWish::always, true));  // asked for by name
+  EXPECT_FALSE(colors_wanted(ColorMode::automatic, true));
+  EXPECT_TRUE(colors_wanted(ColorMode::always, true));  // asked for by name
   set("NO_COLOR", std::nullopt);
   for (const char* name : {"dumb", ""}) {
     set("TERM", name);
-    EXPECT_FALSE(colors_wanted(ColorWish::automatic, true)) << name;
+    EXPECT_FALSE(colors_wanted(ColorMode::automatic, true)) << name;
   }
 }
 

@@ -202,12 +202,12 @@ TEST_F(ToleranceTest, BacklashIsThatOfItsTrials) {
   EXPECT_EQ(backlash.undecided(), 0u);
   const solver::BacklashSheet& sheet = study.sheets().front();
   const solver::Model model(campaign_.pattern.base, campaign_.path());
-  solver::BacklashJudge judge(model, sheet, {});
+  solver::BacklashFollower follower(model, sheet, {});
   const auto one_way = [&](double backlash_mm) {
     std::uint64_t count = 0;
     for (std::uint64_t trial = 0; trial < kFew; ++trial) {
       const auto offsets = trial_offsets(model.mechanism(), campaign_.seed, trial);
-      count += judge.judge(offsets, backlash_mm / 80, true).moves_one_way();
+      count += follower.trial(offsets, backlash_mm / 80, true).moves_one_way();
     }
     return count;
   };

@@ -315,14 +315,14 @@ class OnPanels {
 
 TEST(Backlash, StretchesAndLostBranchesAreThoseOfPanels) {
   const Loose small(4, small_one(), 5);
-  BacklashJudge judge(small.model, small.prepared, small.options);
+  BacklashFollower follower(small.model, small.prepared, small.options);
   std::mt19937_64 random(kSeed);
   int one_way = 0, turned = 0, crossed = 0;
   constexpr int kTrials = kFewer == 1 ? 8 : 2;
   for (int trial = 0; trial < kTrials; ++trial) {
     const double backlash_mm = trial % 2 == 0 ? 0.01 : 0.1;
     const JointOffsets offsets = random_offsets(small.sheet.mechanism, random);
-    const BacklashTrial judged = judge.judge(offsets, backlash_mm / kWidth_mm, false);
+    const BacklashTrial judged = follower.trial(offsets, backlash_mm / kWidth_mm, false);
     const OnPanels panels(small, offsets, backlash_mm);
     ASSERT_TRUE(judged.is_known);
     if (judged.fault != Fault::fold_limit) {
@@ -337,7 +337,7 @@ TEST(Backlash, StretchesAndLostBranchesAreThoseOfPanels) {
     one_way += judged.moves_one_way();
     turned += judged.lost == BranchEnd::turns;
     crossed += judged.lost == BranchEnd::other_branch;
-    EXPECT_EQ(judge.judge(offsets, backlash_mm / kWidth_mm, true).moves_one_way(),
+    EXPECT_EQ(follower.trial(offsets, backlash_mm / kWidth_mm, true).moves_one_way(),
               judged.moves_one_way());
   }
   if (kFewer > 1) return;
@@ -352,10 +352,10 @@ TEST(Backlash, NoneIsNone) {
   for (const double from_deg : {5.0, 100.0}) {
     const Loose table(6, table1(), from_deg);
     EXPECT_EQ(table.prepared.own_sample, 156);
-    BacklashJudge judge(table.model, table.prepared, table.options);
+    BacklashFollower follower(table.model, table.prepared, table.options);
     std::mt19937_64 random(kSeed);
     const BacklashTrial trial =
-        judge.judge(random_offsets(table.sheet.mechanism, random), 0, false);
+        follower.trial(random_offsets(table.sheet.mechanism, random), 0, false);
     EXPECT_TRUE(trial.moves_one_way());
     EXPECT_DOUBLE_EQ(trial.one_way_to_deg, 156);
     EXPECT_DOUBLE_EQ(trial.one_way_from_deg, from_deg);
@@ -368,12 +368,12 @@ TEST(Backlash, NoneIsNone) {
 // at which they lose the branch goes like the root of the play.
 TEST(Backlash, LostAngleGoesLikeTheRootOfThePlay) {
   const Loose table(6, table1(), 5);
-  BacklashJudge judge(table.model, table.prepared, table.options);
+  BacklashFollower follower(table.model, table.prepared, table.options);
   std::mt19937_64 random(kSeed);
   const JointOffsets offsets = random_offsets(table.sheet.mechanism, random);
   double last_deg = 0;
   for (const double backlash_mm : {1e-4, 4e-4, 16e-4}) {
-    const BacklashTrial trial = judge.judge(offsets, backlash_mm / kWidth_mm, false);
+    const BacklashTrial trial = follower.trial(offsets, backlash_mm / kWidth_mm, false);
     ASSERT_EQ(trial.lost, BranchEnd::turns);
     if (last_deg > 0) {
       EXPECT_NEAR(trial.lost_deg / last_deg, 2, 0.05);
@@ -386,11 +386,11 @@ TEST(Backlash, LostAngleGoesLikeTheRootOfThePlay) {
 // beyond any measure, it says so and does not move one way.
 TEST(Backlash, MuchPlayEndsIt) {
   const Loose table(6, table1(), 5);
-  BacklashJudge judge(table.model, table.prepared, table.options);
+  BacklashFollower follower(table.model, table.prepared, table.options);
   std::mt19937_64 random(kSeed);
   for (const double backlash_mm : {1.0, 5.0}) {
-    const BacklashTrial trial =
-        judge.judge(random_offsets(table.sheet.mechanism, random), backlash_mm / kWidth_mm, true);
+    const BacklashTrial trial = follower.trial(random_offsets(table.sheet.mechanism, random),
+                                               backlash_mm / kWidth_mm, true);
     EXPECT_FALSE(trial.moves_one_way());
     EXPECT_GE(trial.one_way_from_deg, 5);
     EXPECT_LE(trial.one_way_to_deg, 156);

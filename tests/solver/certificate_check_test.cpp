@@ -6,7 +6,7 @@
 #include <random>
 
 #include "solver/certificate/certifier.hpp"
-#include "solver/certificate/proven_piece.hpp"
+#include "solver/certificate/proven_interval.hpp"
 #include "solver/design/contact_finder.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "tests/solver/sheets.hpp"
@@ -92,7 +92,7 @@ TEST(CertificateCheck, passes_the_papers_sheet) {
 TEST(CertificateCheck, passes_what_was_cut_short_without_proving_why) {
   const CertifiedSheet& sheet = reversing();
   Certificate cut = sheet.certificate;
-  cut.pieces.pop_back();
+  cut.intervals.pop_back();
   cut.closing.reset();
   cut.end = CertificateEnd::fold_limit;
   cut.where = -1;
@@ -129,25 +129,25 @@ TEST(CertificateCheck, proves_that_panels_do_not_meet) {
   EXPECT_EQ(fault_of(), "it ends at a contact, and proves none");
 }
 
-TEST(CertificateCheck, refuses_pieces_with_gaps_or_out_of_order) {
+TEST(CertificateCheck, refuses_intervals_with_gaps_or_out_of_order) {
   const CertifiedSheet& sheet = reversing();
   Certificate spoilt = sheet.certificate;
-  spoilt.pieces[2].from_deg += 1e-9;
+  spoilt.intervals[2].from_deg += 1e-9;
   EXPECT_EQ(sheet.fault_of(spoilt), "it does not begin where the one before ends");
   spoilt = sheet.certificate;
-  spoilt.pieces.erase(spoilt.pieces.begin() + 1);
+  spoilt.intervals.erase(spoilt.intervals.begin() + 1);
   EXPECT_EQ(sheet.fault_of(spoilt), "it does not begin where the one before ends");
   spoilt = sheet.certificate;
-  spoilt.pieces.erase(spoilt.pieces.begin());
+  spoilt.intervals.erase(spoilt.intervals.begin());
   EXPECT_EQ(sheet.fault_of(spoilt), "it does not begin where the one before ends");
   spoilt = sheet.certificate;
-  spoilt.pieces[0].graded = false;
+  spoilt.intervals[0].graded = false;
   EXPECT_EQ(sheet.fault_of(spoilt), "the piece at flat is not graded");
   spoilt = sheet.certificate;
-  spoilt.pieces[1].to_deg = spoilt.pieces[1].from_deg;
+  spoilt.intervals[1].to_deg = spoilt.intervals[1].from_deg;
   EXPECT_EQ(sheet.fault_of(spoilt), "its angles do not ascend");
   spoilt = sheet.certificate;
-  spoilt.pieces[1].middle.balls.pop_back();
+  spoilt.intervals[1].middle.balls.pop_back();
   EXPECT_EQ(sheet.fault_of(spoilt), "its state has not the sheet's joints");
 }
 
@@ -186,25 +186,25 @@ TEST(CertificateCheck, refuses_a_middle_that_is_off) {
   const CertifiedSheet& sheet = reversing();
   constexpr double kAllowed = 0.8e-6, kTooMuch = 1.2e-6;
   const std::size_t pilot = static_cast<std::size_t>(sheet.sheet.mechanism.pilot);
-  for (const std::size_t k : {std::size_t{0}, sheet.certificate.pieces.size() - 1}) {
+  for (const std::size_t k : {std::size_t{0}, sheet.certificate.intervals.size() - 1}) {
     for (const double off : {kAllowed, kTooMuch}) {
       const char* expected = off == kAllowed ? "" : kMiddle;
       Certificate spoilt = sheet.certificate;
-      spoilt.pieces.resize(k + 1);
+      spoilt.intervals.resize(k + 1);
       spoilt.closing.reset();
       spoilt.where = -1;
       spoilt.end = CertificateEnd::fold_limit;
       const Certificate whole = spoilt;
       // Graded unknowns are over the pilot's tangent, of the middle.
-      const HalfAngle<double> at = whole.pieces[k].middle.creases[pilot];
+      const HalfAngle<double> at = whole.intervals[k].middle.creases[pilot];
       const double tau = at.s / at.c;
       for (const std::size_t i : {pilot, std::size_t{0}, std::size_t{5}}) {
-        HalfAngle<double>& h = spoilt.pieces[k].middle.creases[i];
+        HalfAngle<double>& h = spoilt.intervals[k].middle.creases[i];
         h.s += off * tau * h.c;
         EXPECT_EQ(sheet.fault_of(spoilt), expected) << "piece " << k << ", crease " << i;
         spoilt = whole;
       }
-      Quaternion<double>& q = spoilt.pieces[k].middle.balls[0];
+      Quaternion<double>& q = spoilt.intervals[k].middle.balls[0];
       q.z += off * tau * tau * q.w;
       EXPECT_EQ(sheet.fault_of(spoilt), expected) << "piece " << k << ", ball";
     }
@@ -214,9 +214,9 @@ TEST(CertificateCheck, refuses_a_middle_that_is_off) {
 TEST(CertificateCheck, refuses_a_box_in_which_there_is_no_proof) {
   const CertifiedSheet& sheet = reversing();
   Certificate spoilt = sheet.certificate;
-  spoilt.pieces[1].box = 0.3;
+  spoilt.intervals[1].box = 0.3;
   EXPECT_EQ(sheet.fault_of(spoilt), kUnproven);
-  spoilt.pieces[1].box = 0;
+  spoilt.intervals[1].box = 0;
   EXPECT_EQ(sheet.fault_of(spoilt), "its box is no size");
 }
 
@@ -229,7 +229,7 @@ TEST(CertificateCheck, refuses_another_branch) {
     return state;
   };
   Certificate spoilt = sheet.certificate;
-  spoilt.pieces[1].middle = mirrored(spoilt.pieces[1].middle);
+  spoilt.intervals[1].middle = mirrored(spoilt.intervals[1].middle);
   EXPECT_NE(sheet.fault_of(spoilt), "");
 }
 
@@ -250,9 +250,9 @@ TEST(CertificateCheck, refuses_another_sheet) {
   EXPECT_EQ(sheet.fault_of(sheet.certificate), kMiddle);
 }
 
-// The closing piece, in which it happens, as one of those in which nothing does.
+// The closing interval, in which it happens, as one of those in which nothing does.
 Certificate beyond_the_event(Certificate certificate) {
-  certificate.pieces.push_back(*certificate.closing);
+  certificate.intervals.push_back(*certificate.closing);
   certificate.closing.reset();
   certificate.where = -1;
   certificate.end = CertificateEnd::fold_limit;
@@ -263,7 +263,7 @@ TEST(CertificateCheck, refuses_to_go_beyond_what_ends_it) {
   EXPECT_EQ(reversing().fault_of(beyond_the_event(reversing().certificate)), kDiagonal);
   EXPECT_EQ(over_folding().fault_of(beyond_the_event(over_folding().certificate)), kCrease);
   Certificate spoilt = limited().certificate;
-  spoilt.pieces.back().to_deg += 1e-3;  // the fold limit is much nearer than that
+  spoilt.intervals.back().to_deg += 1e-3;  // the fold limit is much nearer than that
   EXPECT_EQ(limited().fault_of(spoilt), kUnproven);
 }
 
@@ -286,24 +286,24 @@ TEST(CertificateCheck, refuses_an_end_that_does_not_happen) {
   EXPECT_EQ(over_folding().fault_of(spoilt), kCrease);
   spoilt = sheet.certificate;
   spoilt.closing->to_deg = spoilt.closing->from_deg + 1e-9;
-  spoilt.closing->middle = spoilt.pieces.back().middle;
+  spoilt.closing->middle = spoilt.intervals.back().middle;
   EXPECT_EQ(sheet.fault_of(spoilt), kMiddle);
 }
 
 // Next to a fold limit there are two states of the same angle and signs: those on the way there,
 // and those on the way back, about as far beyond the limit's own.
-FoldState<double> on_the_way_back(const CertifiedSheet& sheet, const PathPiece& piece) {
-  const FoldState<double>& limit = sheet.certificate.pieces.back().middle;
-  FoldState<double> state = piece.middle;
+FoldState<double> on_the_way_back(const CertifiedSheet& sheet, const PathInterval& interval) {
+  const FoldState<double>& limit = sheet.certificate.intervals.back().middle;
+  FoldState<double> state = interval.middle;
   for (std::size_t i = 0; i < state.creases.size(); ++i) {
     if (static_cast<int>(i) == sheet.sheet.mechanism.pilot) continue;
     const double angle_deg_back =
-        2 * angle_deg(limit.creases[i]) - angle_deg(piece.middle.creases[i]);
+        2 * angle_deg(limit.creases[i]) - angle_deg(interval.middle.creases[i]);
     state.creases[i] = half_angle_of_deg(angle_deg_back);
   }
   for (std::size_t i = 0; i < state.balls.size(); ++i) {
     const Quaternion<double>& to = limit.balls[i];
-    state.balls[i] = (to * piece.middle.balls[i].conjugate() * to).normalized();
+    state.balls[i] = (to * interval.middle.balls[i].conjugate() * to).normalized();
   }
   SheetGeometry<double> geometry;
   place(sheet.sheet.mechanism, sheet.vertices_mm, geometry);
@@ -311,31 +311,33 @@ FoldState<double> on_the_way_back(const CertifiedSheet& sheet, const PathPiece& 
   return state;
 }
 
-TEST(CertificateCheck, refuses_pieces_that_do_not_join) {
+TEST(CertificateCheck, refuses_intervals_that_do_not_join) {
   const CertifiedSheet& sheet = limited();
   Mechanism only_loops = sheet.sheet.mechanism;
   only_loops.diagonals.clear();  // whose slopes are of the other sign on the way back
   Certificate spoilt = sheet.certificate;
   constexpr std::size_t kFromTheEnd = 25;
-  spoilt.pieces.resize(spoilt.pieces.size() - kFromTheEnd);
+  spoilt.intervals.resize(spoilt.intervals.size() - kFromTheEnd);
   ASSERT_EQ(sheet.fault_of(only_loops, spoilt), "");
-  PathPiece& last = spoilt.pieces.back();
+  PathInterval& last = spoilt.intervals.back();
   ASSERT_FALSE(last.graded);
   last.middle = on_the_way_back(sheet, last);
   EXPECT_EQ(sheet.fault_of(only_loops, spoilt), kJoin);
 }
 
-// The check's own formulas, at the first piece's middle, graded, and at the last one's.
+// The check's own formulas, at the first interval's middle, graded, and at the last one's.
 class PoseClosureAtMiddle : public ::testing::TestWithParam<bool> {
  protected:
   PoseClosureAtMiddle() {
-    const auto& pieces = over_folding().certificate.pieces;
+    const auto& intervals = over_folding().certificate.intervals;
     place(mechanism, over_folding().vertices_mm, geometry);
-    PieceProver prover(mechanism, over_folding().vertices_mm);
-    const auto nothing = [](const ProvenPiece&, const ProvenStretch&) { return Proof::holds; };
-    EXPECT_EQ(prover.prove(GetParam() ? pieces.front() : pieces.back(), nothing, proven),
+    IntervalProver prover(mechanism, over_folding().vertices_mm);
+    const auto nothing = [](const ProvenInterval&, const ProvenSubinterval&) {
+      return Proof::holds;
+    };
+    EXPECT_EQ(prover.prove(GetParam() ? intervals.front() : intervals.back(), nothing, proven),
               Proof::holds);
-    sigma = {proven.piece.graded, proven.sigma};
+    sigma = {proven.interval.graded, proven.sigma};
   }
   PoseClosure<double> closure(const std::vector<double>& x) const {
     return {mechanism, geometry, proven.lines, sigma, x};
@@ -343,7 +345,7 @@ class PoseClosureAtMiddle : public ::testing::TestWithParam<bool> {
 
   const Mechanism& mechanism = over_folding().sheet.mechanism;
   SheetGeometry<double> geometry;
-  ProvenPiece proven;
+  ProvenInterval proven;
   Grading<double> sigma;
 };
 
@@ -352,7 +354,7 @@ TEST_P(PoseClosureAtMiddle, has_the_lengths_of_the_folded_sheet) {
   const PoseClosure<double> at = closure(x);
   std::vector<double> flat(mechanism.diagonals.size()), folded(flat.size());
   flat_lengths(mechanism, geometry, flat.data());
-  folded_lengths(mechanism, geometry, proven.piece.middle, folded.data());
+  folded_lengths(mechanism, geometry, proven.interval.middle, folded.data());
   for (std::size_t d = 0; d < flat.size(); ++d) {
     const double elongation = sigma(at.squared_elongation(mechanism.diagonals[d]));
     // Loops of a state in single precision are open by some 1e-7.

@@ -43,8 +43,8 @@ const PaperSheet& paper() {
   return sheet;
 }
 
-PieceChart::PlainState exactly(const FoldState<double>& state) {
-  PieceChart::PlainState plain;
+IntervalChart::PlainState exactly(const FoldState<double>& state) {
+  IntervalChart::PlainState plain;
   for (const HalfAngle<double>& h : state.creases) plain.creases.push_back({Ball(h.c), Ball(h.s)});
   for (const Quaternion<double>& q : state.balls) {
     plain.balls.push_back({Ball(q.w), Ball(q.x), Ball(q.y), Ball(q.z)});
@@ -58,11 +58,11 @@ constexpr double kSolved = 1e-10;
 TEST(Certifier, holds_the_states_of_newtons_method) {
   const PaperSheet& sheet = paper();
   TubeProver prover(sheet.mechanism, sheet.vertices_mm);
-  for (const PathPiece& piece : sheet.certificate.pieces) {
+  for (const PathInterval& interval : sheet.certificate.intervals) {
     PathTube tube;
-    ASSERT_EQ(prover.prove(piece, 2 * piece.box, tube), TubeEnd::proven) << piece.from_deg;
+    ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeEnd::proven) << interval.from_deg;
     for (const double part : {0.05, 0.3, 0.5, 0.8, 1.0}) {
-      const double at_deg = piece.from_deg + part * (piece.to_deg - piece.from_deg);
+      const double at_deg = interval.from_deg + part * (interval.to_deg - interval.from_deg);
       const Ball s = tube.chart.place_of(at_deg);
       std::vector<double> near(tube.path.size());
       for (std::size_t j = 0; j < near.size(); ++j) near[j] = value_at(tube.path[j], s).c[0];
@@ -72,7 +72,7 @@ TEST(Certifier, holds_the_states_of_newtons_method) {
       for (std::size_t j = 0; j < x.size(); ++j) {
         const Ball p = value_at(tube.path[j], s);
         // Graded unknowns are over the pilot's tangent, or its square.
-        const double allowed = piece.graded ? 1e3 * kSolved : kSolved;
+        const double allowed = interval.graded ? 1e3 * kSolved : kSolved;
         ASSERT_LE(std::abs(x[j].c[0] - p.c[0]), p.radius + allowed)
             << "unknown " << j << " at " << at_deg;
       }
@@ -84,14 +84,14 @@ TEST(Certifier, has_the_slopes_of_its_lengths) {
   const PaperSheet& sheet = paper();
   TubeProver prover(sheet.mechanism, sheet.vertices_mm);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}, std::size_t{12}, std::size_t{22}}) {
-    const PathPiece& piece = sheet.certificate.pieces.at(k);
+    const PathInterval& interval = sheet.certificate.intervals.at(k);
     PathTube tube;
-    ASSERT_EQ(prover.prove(piece, 2 * piece.box, tube), TubeEnd::proven);
+    ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeEnd::proven);
     const std::vector<PathModel> slopes = prover.find_slopes(tube);
-    const double at_deg = 0.3 * piece.from_deg + 0.7 * piece.to_deg;
+    const double at_deg = 0.3 * interval.from_deg + 0.7 * interval.to_deg;
     constexpr double kStep_deg = 1e-3;
-    const auto behind = sheet.lengths(sheet.solved(piece.middle, at_deg - kStep_deg));
-    const auto ahead = sheet.lengths(sheet.solved(piece.middle, at_deg + kStep_deg));
+    const auto behind = sheet.lengths(sheet.solved(interval.middle, at_deg - kStep_deg));
+    const auto ahead = sheet.lengths(sheet.solved(interval.middle, at_deg + kStep_deg));
     const double step =
         tube.chart.place_of(at_deg + kStep_deg).c[0] - tube.chart.place_of(at_deg - kStep_deg).c[0];
     for (std::size_t d = 0; d < slopes.size(); ++d) {
@@ -135,9 +135,9 @@ TEST(Certifier, ends_at_the_angle_that_is_asked_for) {
     EXPECT_EQ(certificate.end, CertificateEnd::to_the_end) << asked_deg;
     EXPECT_EQ(certificate.certified_deg(), asked_deg);
     double from_deg = 0;
-    for (const PathPiece& piece : certificate.pieces) {
-      EXPECT_EQ(piece.from_deg, from_deg);
-      from_deg = piece.to_deg;
+    for (const PathInterval& interval : certificate.intervals) {
+      EXPECT_EQ(interval.from_deg, from_deg);
+      from_deg = interval.to_deg;
     }
   }
 }
@@ -173,9 +173,9 @@ TEST(CertificateBytes, are_read_as_written) {
   EXPECT_EQ(kept->end, sheet.certificate.end);
   EXPECT_EQ(kept->where, sheet.certificate.where);
   EXPECT_EQ(kept->certified_deg(), sheet.certificate.certified_deg());
-  for (std::size_t k = 0; k < kept->pieces.size(); ++k) {
-    const FoldState<double>&theirs = kept->pieces[k].middle,
-          &ours = sheet.certificate.pieces[k].middle;
+  for (std::size_t k = 0; k < kept->intervals.size(); ++k) {
+    const FoldState<double>&theirs = kept->intervals[k].middle,
+          &ours = sheet.certificate.intervals[k].middle;
     // Half a unit of single precision, of numbers up to 1, times four.
     for (std::size_t i = 0; i < ours.creases.size(); ++i) {
       EXPECT_NEAR(theirs.creases[i].s, ours.creases[i].s, 0x1p-23);
@@ -209,8 +209,8 @@ TEST(GradedClosure, has_the_jacobian_of_its_residual) {
   const std::vector<JacobianColumn> columns = columns_of(mechanism);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> small(-0.01, 0.01);
-  for (const std::size_t k : {std::size_t{0}, sheet.certificate.pieces.size() - 1}) {
-    const PieceChart chart(mechanism, sheet.certificate.pieces[k]);
+  for (const std::size_t k : {std::size_t{0}, sheet.certificate.intervals.size() - 1}) {
+    const IntervalChart chart(mechanism, sheet.certificate.intervals[k]);
     std::vector<double> x(static_cast<std::size_t>(mechanism.unknowns));
     for (double& one : x) one = small(random);
     const auto residual = [&](std::vector<double>* values) {

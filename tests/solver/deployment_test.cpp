@@ -58,7 +58,7 @@ struct Oscillator : TwoPanels, testing::Test {
     frequency = std::sqrt(stiffness / inertia);
     run.from_deg = 60;
   }
-  Deployment let_go() const { return deploy(sheet(options), {0.0}, run); }
+  Deployment released() const { return deploy(sheet(options), {0.0}, run); }
 
   DeployingSheetOptions options;
   DeploymentOptions run;
@@ -69,7 +69,7 @@ struct Oscillator : TwoPanels, testing::Test {
 constexpr double kTimes = 1e-8;
 
 TEST_F(Oscillator, SwingsAsOneDoes) {
-  const Deployment deployment = let_go();
+  const Deployment deployment = released();
   EXPECT_EQ(deployment.outcome, Outcome::passed_flat);
   const double quarter_s = kPi / 2 / frequency;
   EXPECT_NEAR(deployment.last().time_s / quarter_s, 1, kTimes);
@@ -86,10 +86,10 @@ TEST_F(Oscillator, SwingsAsOneDoes) {
 TEST_F(Oscillator, IsDampedAsOneIs) {
   const double decay = 0.2 * frequency, damped = std::sqrt(0.96) * frequency;
   options.joints.damping_n_mm_s_per_mm = 2 * decay * inertia / kAlong_mm;
-  EXPECT_NEAR(let_go().last().time_s, (kPi - std::atan(damped / decay)) / damped,
+  EXPECT_NEAR(released().last().time_s, (kPi - std::atan(damped / decay)) / damped,
               kTimes / frequency);
   run.swings = 100;
-  const Deployment deployment = let_go();
+  const Deployment deployment = released();
   EXPECT_EQ(deployment.outcome, Outcome::flat);
   // When the amplitude has fallen to what is called flat.
   EXPECT_NEAR(deployment.last().time_s * decay, std::log(60 / run.flat_deg), 0.5);
@@ -102,7 +102,7 @@ TEST_F(Oscillator, CreepsToWhereFrictionHoldsIt) {
   options.joints.friction_n_mm_per_mm = stiffness * held_deg * kRadPerDeg / kAlong_mm;
   options.joints.damping_n_mm_s_per_mm = 2 * decay * inertia / kAlong_mm;
   run.time_limit_s = 1e5 / frequency;
-  const Deployment creep = let_go();
+  const Deployment creep = released();
   EXPECT_EQ(creep.outcome, Outcome::stalled);
   EXPECT_LT(creep.steps, 2000);
   EXPECT_NEAR(creep.last().pilot_deg, held_deg, 1e-4);
@@ -119,11 +119,11 @@ TEST_F(Oscillator, CreepsToWhereFrictionHoldsIt) {
 TEST_F(Oscillator, IsHeldByDryFriction) {
   const double falls_deg = 7;
   options.joints.friction_n_mm_per_mm = stiffness * falls_deg * kRadPerDeg / kAlong_mm;
-  const Deployment first = let_go();
+  const Deployment first = released();
   EXPECT_NEAR(first.last().time_s, std::acos(-falls_deg / (60 - falls_deg)) / frequency,
               kTimes / frequency);
   run.swings = 100;
-  const Deployment all = let_go();
+  const Deployment all = released();
   EXPECT_EQ(all.outcome, Outcome::stalled);
   EXPECT_EQ(all.turns, 4);
   EXPECT_NEAR(all.last().pilot_deg, 60 - 8 * falls_deg, 1e-6);
@@ -139,7 +139,7 @@ TEST_F(Oscillator, WeightAndHeldHinge) {
   constexpr double kGravity = 9806.65;
   // Along the crease: what hangs on the hinge, with an arm of half a panel.
   options.held->gravity_mm_per_s2 = {0, -kGravity, 0};
-  const Deployment deployment = let_go();
+  const Deployment deployment = released();
   const JointForces forces =
       find_joint_forces(sheet(options), *shape, base, deployment, {.in_motion = false});
   EXPECT_EQ(forces.reactions, 5);

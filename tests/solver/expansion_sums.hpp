@@ -8,7 +8,7 @@ namespace misalign::solver {
 // The sums of one sheet, vertex by vertex and pair by pair.
 inline std::vector<ShiftExpansion::Short> sums_of(const ShiftExpansion& tables,
                                                   const double* shifts) {
-  constexpr int kRow = ShiftExpansion::kTogether;
+  constexpr int kRow = ShiftExpansion::kRow;
   std::vector<ShiftExpansion::Short> sums(tables.sums());
   const auto sign = [](double shift) { return shift > 0 ? 1 : shift < 0 ? -1 : 0; };
   const auto place = [&](int v) {
@@ -20,8 +20,8 @@ inline std::vector<ShiftExpansion::Short> sums_of(const ShiftExpansion& tables,
       to = static_cast<ShiftExpansion::Short>(to + term);
     };
     for (int g = 0; g < tables.vertices(); ++g) {
-      for (int k = 0; k < 2 * kRow; ++k) add(of_group[k], tables.alone(group, g, place(g))[k]);
-      const ShiftExpansion::Short* row = tables.together(group, g, place(g));
+      for (int k = 0; k < 2 * kRow; ++k) add(of_group[k], tables.single(group, g, place(g))[k]);
+      const ShiftExpansion::Short* row = tables.pair(group, g, place(g));
       for (int h = g + 1; h < tables.vertices(); ++h, row += ShiftExpansion::kPlaces * kRow) {
         for (int k = 0; k < kRow; ++k) add(of_group[kRow + k], row[place(h) * kRow + k]);
       }

@@ -77,12 +77,12 @@ inline std::vector<int> assignment_from_above(const BaseFolding& folding) {
 /// The first rows and columns of a base, perforated as a checkerboard.
 inline PerforatedSheet cut_down(const PerforatedSheet& whole, int rows, int columns) {
   const CreasePattern& sheet = whole.sheet;
-  PerforatedSheet piece;
+  PerforatedSheet part;
   std::vector<int> number_of(sheet.vertex_count(), -1), vertices;
   for (int f = 0; f < sheet.facet_count(); ++f) {
     if (sheet.places[f][0] >= rows || sheet.places[f][1] >= columns) continue;
-    piece.sheet.facets.push_back(sheet.facets[f]);
-    piece.sheet.places.push_back(sheet.places[f]);
+    part.sheet.facets.push_back(sheet.facets[f]);
+    part.sheet.places.push_back(sheet.places[f]);
     for (const int v : sheet.facets[f]) number_of[v] = 0;
   }
   for (int v = 0; v < sheet.vertex_count(); ++v) {
@@ -90,21 +90,21 @@ inline PerforatedSheet cut_down(const PerforatedSheet& whole, int rows, int colu
     number_of[v] = static_cast<int>(vertices.size());
     vertices.push_back(v);
   }
-  for (auto& facet : piece.sheet.facets) {
+  for (auto& facet : part.sheet.facets) {
     for (int& v : facet) v = number_of[v];
   }
-  piece.sheet.vertices_mm = sheet.vertices_mm(Eigen::all, vertices);
-  piece.sheet.panel_width_mm = sheet.panel_width_mm;
-  piece.sheet.edges = edges_of(piece.sheet.facets);
-  piece.holes = checkerboard(piece.sheet, 1);
+  part.sheet.vertices_mm = sheet.vertices_mm(Eigen::all, vertices);
+  part.sheet.panel_width_mm = sheet.panel_width_mm;
+  part.sheet.edges = edges_of(part.sheet.facets);
+  part.holes = checkerboard(part.sheet, 1);
   std::vector<int> assignment;
-  for (const Edge& edge : piece.sheet.edges) {
+  for (const Edge& edge : part.sheet.edges) {
     const int of_whole = find_edge(sheet, vertices[edge.a], vertices[edge.b]);
     assignment.push_back(edge.on_perimeter() ? 0 : assignment_from_above(whole.folding)[of_whole]);
   }
-  piece.folding = std::get<BaseFolding>(
-      fold_sequentially(piece.sheet, assignment, default_pilot(piece.sheet, piece.holes)));
-  return piece;
+  part.folding = std::get<BaseFolding>(
+      fold_sequentially(part.sheet, assignment, default_pilot(part.sheet, part.holes)));
+  return part;
 }
 
 }  // namespace misalign::solver

@@ -57,7 +57,7 @@ struct Table1Way : testing::Test {
     way.find_state(x, state);
     return model.shape().vertices_mm(way.geometry(), state);
   }
-  DeployingSheet let_go(const DeployingSheetOptions& options = {}) const {
+  DeployingSheet released(const DeployingSheetOptions& options = {}) const {
     return DeployingSheet(way, model.shape(), sheet.base, options);
   }
 
@@ -101,7 +101,7 @@ TEST_F(Table1Way, StatesAndLengthsAreThoseOfVertexCoordinates) {
 
 // Differences of coordinates with the best rigid motion taken off; h^2 of a third derivative.
 TEST_F(Table1Way, MassIsThatOfVertexCoordinates) {
-  const DeployingSheet deploying = let_go();
+  const DeployingSheet deploying = released();
   VertexCoordinates other(sheet.base, vertices_mm, shape_mm(way.x_of(5)), 5);
   const double h_deg = 0.01;
   for (const double pilot_deg : {10.0, 36.0, 90.0, 140.0}) {
@@ -116,8 +116,8 @@ TEST_F(Table1Way, MassIsThatOfVertexCoordinates) {
 }
 
 // The numbers of programs that share no code with this one, to the digits they gave.
-TEST_F(Table1Way, LetGoAt36Degrees) {
-  const DeployingSheet deploying = let_go();
+TEST_F(Table1Way, ReleasedAt36Degrees) {
+  const DeployingSheet deploying = released();
   const Deployment run = deploy(deploying, {0.0}, {});
   EXPECT_EQ(run.outcome, Outcome::passed_flat);
   EXPECT_NEAR(run.rows.front().springs_n_mm, 5.538, 5e-4);
@@ -139,7 +139,7 @@ TEST_F(Table1Way, LetGoAt36Degrees) {
 
 TEST_F(Table1Way, EnergyIsKeptOverTenSwings) {
   const int turns = 20 / kFewer;
-  const Deployment run = deploy(let_go(), {0.0}, {.swings = turns});
+  const Deployment run = deploy(released(), {0.0}, {.swings = turns});
   EXPECT_EQ(run.outcome, Outcome::passed_flat);  // for the next time
   const double energy = run.rows.front().total_n_mm;
   double worst = 0;
@@ -153,18 +153,18 @@ TEST_F(Table1Way, EnergyIsKeptOverTenSwings) {
 // Whatever the mass, and from wherever it is let go.
 TEST_F(Table1Way, CriticalFrictionIsWhereTheMotionJustArrives) {
   for (const double from_deg : {36.0, 120.0}) {
-    const auto limit = find_friction_limits(let_go(), from_deg).critical_n_mm_per_mm;
+    const auto limit = find_friction_limits(released(), from_deg).critical_n_mm_per_mm;
     ASSERT_TRUE(limit);
     for (const double density : {2.7, 0.5}) {
       DeployingSheetOptions options;
       options.plates.density_g_per_cm3 = density;
       for (const double share : {0.999, 1.001}) {
         options.joints.friction_n_mm_per_mm = share * *limit;
-        const Deployment run = deploy(let_go(options), {0.0}, {.from_deg = from_deg});
+        const Deployment run = deploy(released(options), {0.0}, {.from_deg = from_deg});
         EXPECT_EQ(run.outcome == Outcome::passed_flat, share < 1) << from_deg << " " << share;
       }
       options.joints.friction_n_mm_per_mm = *limit;
-      EXPECT_NEAR(*find_friction_limits(let_go(options), from_deg).stiffness_needed_n_per_mm,
+      EXPECT_NEAR(*find_friction_limits(released(options), from_deg).stiffness_needed_n_per_mm,
                   Actuators{}.stiffness_n_per_mm, 1e-6);
     }
   }
@@ -177,7 +177,7 @@ TEST_F(Table1Way, RestsWhereSpringsAreRelaxed) {
   for (const int rest_deg : {30, 60, 90, 120}) {
     DeployingSheetOptions options;
     options.springs.rest_deg = rest_deg;
-    const DeployingSheet deploying = let_go(options);
+    const DeployingSheet deploying = released(options);
     const std::vector<Equilibrium> found = find_equilibria(deploying);
     ASSERT_EQ(found.size(), 3u) << rest_deg;
     EXPECT_EQ(found[1].x, 0);
@@ -197,7 +197,7 @@ TEST_F(Table1Way, ComesToRestThere) {
   options.joints.damping_n_mm_s_per_mm = 0.01;
   const double well_x = way.x_of(60);
   for (const double from_deg : {30.0, 156.0}) {
-    const Deployment run = deploy(let_go(options), {-well_x, well_x}, {.from_deg = from_deg});
+    const Deployment run = deploy(released(options), {-well_x, well_x}, {.from_deg = from_deg});
     EXPECT_EQ(run.outcome, Outcome::at_rest) << from_deg;
     EXPECT_NEAR(run.last().pilot_deg, 60, DeploymentOptions{}.well_deg);
   }
@@ -206,7 +206,7 @@ TEST_F(Table1Way, ComesToRestThere) {
 // Balanced with inertia, nothing holds the sheet; without, the springs' own moment does. Of the
 // reactions as many are known as the panels' freedoms leave: 28 * 6 - 6 - 1.
 TEST_F(Table1Way, ForcesBalanceEveryPanel) {
-  const DeployingSheet deploying = let_go();
+  const DeployingSheet deploying = released();
   Deployment run = deploy(deploying, {0.0}, {});
   for (std::size_t k = 0; k < 6; ++k) run.rows[k] = run.rows[1 + 11 * k];
   run.rows.resize(6);

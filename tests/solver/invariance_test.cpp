@@ -1,14 +1,14 @@
 // What a verdict must not depend on: the unit of length, where the sheet lies and from which side
 // it is seen, and how its vertices are numbered.
-#include "seen_family.hpp"
+#include "viewed_family.hpp"
 
 namespace misalign::solver {
 namespace {
 
 /// A family as it is read back in this view, and draws of it.
-class Seen {
+class ViewedFamily {
  public:
-  Seen(const CarriedFamily& family, const View& view)
+  ViewedFamily(const CarriedFamily& family, const View& view)
       : view_(view), original_(view.number.size()), family_(seen_base(family, view)) {
     for (std::size_t v = 0; v < original_.size(); ++v)
       original_[view.number[v]] = static_cast<int>(v);
@@ -61,13 +61,14 @@ class Seen {
 class Invariance : public testing::TestWithParam<std::string> {
  protected:
   void expect_unchanged(const View& view) const {
-    const Seen seen(family_, view);
+    const ViewedFamily seen(family_, view);
     EXPECT_EQ(seen.verdicts(family_, block_), expected_) << "seed " << kSeed;
   }
 
   const CarriedFamily family_{GetParam()};
   const ShiftBlock block_ = family_.draws(kFewer > 1 ? 3 : 30, kSeed);
-  const std::vector<std::string> expected_ = Seen(family_, View(family_)).verdicts(family_, block_);
+  const std::vector<std::string> expected_ =
+      ViewedFamily(family_, View(family_)).verdicts(family_, block_);
 };
 
 TEST_P(Invariance, OfTheUnitOfLength) {
@@ -104,7 +105,7 @@ TEST_P(Invariance, SeenFromBelow) {
   View view(family_);
   view.linear(0, 0) = -1;
   view.from_below = true;
-  EXPECT_EQ(Seen(family_, view).family().base.folding.side(), -family_.base.folding.side());
+  EXPECT_EQ(ViewedFamily(family_, view).family().base.folding.side(), -family_.base.folding.side());
   expect_unchanged(view);
 }
 

@@ -17,9 +17,9 @@ struct Followed {
   std::vector<std::vector<double>> lengths;  // per sample and diagonal, panel widths
 };
 
-class SeenPath {
+class ObservedPath {
  public:
-  SeenPath(const Mechanism& mechanism, const SheetGeometry<double>& geometry)
+  ObservedPath(const Mechanism& mechanism, const SheetGeometry<double>& geometry)
       : mechanism_(mechanism),
         geometry_(geometry),
         judge_(mechanism),
@@ -50,9 +50,9 @@ class SeenPath {
 };
 
 /// The observer of a single sheet's path.
-struct OnePath : SeenPath {
+struct OnePath : ObservedPath {
   OnePath(const Mechanism& mechanism, const SheetGeometry<double>& geometry, const PathPlan& plan)
-      : SeenPath(mechanism, geometry), plan_(plan), point_(mechanism) {}
+      : ObservedPath(mechanism, geometry), plan_(plan), point_(mechanism) {}
 
   bool next(PathStart& start, int) {
     if (given_) return false;
@@ -63,7 +63,7 @@ struct OnePath : SeenPath {
   bool wants_slopes() const { return false; }
   bool see(const Station& station, int) {
     lengths_ = point_.lengths;
-    return SeenPath::see(station, point_.state);
+    return ObservedPath::see(station, point_.state);
   }
   void ended(const PathResult& path, int) { conclude(path); }
 
@@ -92,7 +92,7 @@ class TwoFollowers {
   }
   Followed by_reference(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
-    SeenPath seen(sheet_.mechanism, geometry_);
+    ObservedPath seen(sheet_.mechanism, geometry_);
     seen.conclude(reference_.follow(
         geometry_, plan_, [&](const Station& station, const FoldState<double>& state) {
           folded_lengths(sheet_.mechanism, geometry_, state, seen.lengths().data());

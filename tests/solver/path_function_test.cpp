@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Draws, PathFunctions,
                                          DrawnSheets{6, 6, Shifted::ring, kSheets},
                                          DrawnSheets{8, 6, Shifted::interior, kSheets / 2}));
 
-// Compares a function with the history of the same sheet, piece by piece.
+// Compares a function with the history of the same sheet, segment by segment.
 class Comparison {
  public:
   Comparison(const Model& model, const FlatVertices& vertices_mm)
@@ -39,7 +39,7 @@ class Comparison {
     start = {&geometry_, &model_.path().start, &model_.path(), 0, 0};
     return true;
   }
-  Answer see(const PathFunction& function, int) {
+  ObserverResult see(const PathFunction& function, int) {
     const double end_rad = function.pilot(function.end());
     for (; row_ < history_.length_mm.rows(); ++row_) {
       const Station& station = history_.stations[static_cast<std::size_t>(row_)];
@@ -60,7 +60,7 @@ class Comparison {
       }
       ++compared_;
     }
-    return Answer::go_on;
+    return ObserverResult::go_on;
   }
   void ended(const PathResult& path, int) { path_ = path; }
 
@@ -138,7 +138,7 @@ TEST_P(PathFunctions, RecordsAreThoseOfTheHistory) {
     ASSERT_EQ(record.lengths.size(), close.lengths.size());
     const std::size_t at_d = close.lengths.size() - close.flat.size();
     for (std::size_t k = 0; k < close.lengths.size(); ++k) {
-      // Solved at D, and elsewhere as well as pieces are believed.
+      // Solved at D, and elsewhere as well as segments are believed.
       EXPECT_NEAR(record.lengths[k], close.lengths[k], k < at_d ? 5e-6 : 1e-10) << k;
     }
     EXPECT_NEAR(record.singular_value_min / close.singular_value_min, 1, 1e-5);

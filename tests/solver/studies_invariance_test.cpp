@@ -4,12 +4,12 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "seen_family.hpp"
 #include "solver/design/backlash.hpp"
 #include "solver/design/deploy.hpp"
 #include "solver/design/plate_thickness.hpp"
 #include "solver/records/metrics.hpp"
 #include "solver/records/path_record.hpp"
+#include "viewed_family.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -146,7 +146,8 @@ class Studies {
       offsets.creases_b.push_back(some());
     }
     for (std::size_t k = 0; k < mechanism.balls.size(); ++k) offsets.balls.push_back(some());
-    const BacklashTrial trial = BacklashJudge(model_, sheet, kOptions).judge(offsets, 2e-4, false);
+    const BacklashTrial trial =
+        BacklashFollower(model_, sheet, kOptions).trial(offsets, 2e-4, false);
     put("one way from", trial.one_way_from_deg);
     put("one way to", trial.one_way_to_deg);
     put("one way", trial.moves_one_way());

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/certificate/piece_chart.hpp"
+#include "solver/certificate/interval_chart.hpp"
 #include "tests/solver/model_trials.hpp"
 
 namespace misalign::solver {

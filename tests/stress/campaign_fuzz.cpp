@@ -42,8 +42,8 @@ void check_refusal(const UserError& error, const std::string& bytes) {
 bool same_campaign(const Campaign& a, const Campaign& b) {
   const auto parts = [](const Campaign& c) {
     return std::tie(c.name, c.misalignment.vertices, c.misalignment.amplitude_mm,
-                    c.misalignment.levels, c.sample_deg, c.end_deg, c.threshold_deg,
-                    c.between_samples, c.wished_stop, c.seed, c.stop.draws, c.stop.accepted,
+                    c.misalignment.distribution, c.sample_deg, c.end_deg, c.threshold_deg,
+                    c.between_samples, c.required_stop, c.seed, c.stop.draws, c.stop.accepted,
                     c.stop.relative_error, c.stop.wall_s);
   };
   return parts(a) == parts(b) && same_pattern(a.pattern, b.pattern);

@@ -142,7 +142,7 @@ class Study {
     const search::Stopwatch watch;
     const solver::Certificate certificate = certifier_.certify(vertices_mm, sheet.deploys_from_deg);
     seconds_.push_back(watch.seconds());
-    intervals_.push_back(static_cast<double>(certificate.pieces.size()));
+    intervals_.push_back(static_cast<double>(certificate.intervals.size()));
     const std::string bytes = encode(model_.mechanism(), certificate);
     bytes_ += bytes.size();
     most_bytes_ = std::max(most_bytes_, bytes.size());

@@ -131,7 +131,7 @@ class Sweeper {
         const Vector3d r = solver::rate_seen_from(of.at_node(like, a), of.at_node(like, b), corner);
         return node < 0 ? Vector3d(-r.x(), -r.y(), r.z()) : r;
       };
-      const int node = number(motion.nodes());  // of the piece before it
+      const int node = number(motion.nodes());  // of the segment before it
       if (motion.way().x_of_station(static_cast<std::size_t>(node)) > motion.resolved_until())
         continue;
       const Vector3d from = rate(motion, node - 1), to = rate(motion, node);

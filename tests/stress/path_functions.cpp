@@ -58,16 +58,16 @@ class Errors {
     start = {&geometry_, &model_.path().start, &model_.path(), 0, 0};
     return true;
   }
-  solver::Answer see(const solver::PathFunction& function, int lane) {
+  solver::ObserverResult see(const solver::PathFunction& function, int lane) {
     const double end_rad = function.pilot(function.end());
-    if (bumps_.can_look(function)) bumps_.begin_piece(function);
+    if (bumps_.can_look(function)) bumps_.begin_segment(function);
     for (; next_ < angles_deg_.size(); ++next_) {
       const double pilot_rad = angles_deg_[next_] * solver::kRadPerDeg;
       if (pilot_rad > end_rad) break;
       if (angles_deg_[next_] < model_.path().stations.front().pilot_deg) continue;
       compare(function, pilot_rad, lane);
     }
-    return solver::Answer::go_on;
+    return solver::ObserverResult::go_on;
   }
   void ended(const solver::PathResult& path, int) {
     iterations_ += path.newton_iterations;
@@ -89,7 +89,7 @@ class Errors {
  private:
   double share() { return static_cast<double>(words_()) / 4294967296.0; }
   double shift_mm() {
-    const double level = campaign_.misalignment.levels == schema::Levels::ternary
+    const double level = campaign_.misalignment.distribution == schema::ShiftDistribution::ternary
                              ? static_cast<int>(words_() % 3) - 1
                              : 2 * share() - 1;
     return level * campaign_.misalignment.amplitude_mm;
@@ -117,7 +117,7 @@ class Errors {
     if (bumps_.can_look(function)) compare_rates(function, x);
   }
 
-  // By the function's variable. What nodes are off by shows over the length of a piece.
+  // By the function's variable. What nodes are off by shows over the length of a segment.
   void compare_rates(const solver::PathFunction& function, double x) {
     const double bound =
         bumps_.look(x, rates_) + 8 * function.node_error() / (function.to() - function.from());

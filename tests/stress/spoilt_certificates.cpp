@@ -22,7 +22,7 @@ namespace {
 using solver::Certificate;
 using solver::CertificateEnd;
 using solver::FoldState;
-using solver::PathPiece;
+using solver::PathInterval;
 
 struct Certified {
   solver::FlatVertices vertices_mm;
@@ -77,26 +77,26 @@ class Spoiler {
     return random_() % 2 == 0 ? size : -size;
   }
   std::size_t index(std::size_t count) { return random_() % count; }
-  PathPiece& any_piece(Certificate& certificate) {
-    return certificate.pieces[index(certificate.pieces.size())];
+  PathInterval& any_interval(Certificate& certificate) {
+    return certificate.intervals[index(certificate.intervals.size())];
   }
-  /// What a piece's unknowns of first order are measured by: near flat over the pilot's tangent.
-  double scale_of(const PathPiece& piece) const {
-    const auto& pilot = piece.middle.creases[static_cast<std::size_t>(mechanism_.pilot)];
-    return piece.graded ? pilot.s / pilot.c : 1;
+  /// What a interval's unknowns of first order are measured by: near flat over the pilot's tangent.
+  double scale_of(const PathInterval& interval) const {
+    const auto& pilot = interval.middle.creases[static_cast<std::size_t>(mechanism_.pilot)];
+    return interval.graded ? pilot.s / pilot.c : 1;
   }
 
   void spoil_crease(Certified& spoilt) {
-    PathPiece& piece = any_piece(spoilt.certificate);
-    auto& h = piece.middle.creases[index(piece.middle.creases.size())];
-    const double turn = some(2 * solver::kMiddleBox, 0.1) * scale_of(piece);
+    PathInterval& interval = any_interval(spoilt.certificate);
+    auto& h = interval.middle.creases[index(interval.middle.creases.size())];
+    const double turn = some(2 * solver::kMiddleBox, 0.1) * scale_of(interval);
     const double length = std::sqrt(1 + turn * turn);
     h = {(h.c - h.s * turn) / length, (h.s + h.c * turn) / length};
   }
   void spoil_ball(Certified& spoilt) {
-    PathPiece& piece = any_piece(spoilt.certificate);
-    auto& q = piece.middle.balls[index(piece.middle.balls.size())];
-    const double turn = some(2 * solver::kMiddleBox, 0.1) * scale_of(piece);
+    PathInterval& interval = any_interval(spoilt.certificate);
+    auto& q = interval.middle.balls[index(interval.middle.balls.size())];
+    const double turn = some(2 * solver::kMiddleBox, 0.1) * scale_of(interval);
     (random_() % 2 == 0 ? q.x : q.y) += turn;
     q = q.normalized();
   }
@@ -106,32 +106,32 @@ class Spoiler {
   }
   // The mirror image, which closes every loop as well.
   void take_mirror_image(Certified& spoilt) {
-    PathPiece& piece = any_piece(spoilt.certificate);
-    for (auto& h : piece.middle.creases) h.s = -h.s;
-    for (auto& q : piece.middle.balls) q = {q.w, -q.x, -q.y, q.z};
+    PathInterval& interval = any_interval(spoilt.certificate);
+    for (auto& h : interval.middle.creases) h.s = -h.s;
+    for (auto& q : interval.middle.balls) q = {q.w, -q.x, -q.y, q.z};
   }
   void take_another_sheets(Certified& spoilt) {
     const std::size_t other = index(all_.size());
     const auto& theirs = all_[other].certificate;
-    if ((theirs.pieces.front().middle.creases[0].s ==
-         spoilt.certificate.pieces.front().middle.creases[0].s)) {
+    if ((theirs.intervals.front().middle.creases[0].s ==
+         spoilt.certificate.intervals.front().middle.creases[0].s)) {
       return take_mirror_image(spoilt);
     }
-    spoilt.certificate.pieces = theirs.pieces;
+    spoilt.certificate.intervals = theirs.intervals;
     spoilt.certificate.asked_deg = theirs.certified_deg();
     spoilt.certificate.end = CertificateEnd::to_the_end;
     spoilt.certificate.where = -1;
     spoilt.certificate.closing.reset();
   }
   void leave_a_gap(Certified& spoilt) {
-    auto& pieces = spoilt.certificate.pieces;
-    pieces.erase(pieces.begin() + static_cast<long>(index(pieces.size() - 1)));
+    auto& intervals = spoilt.certificate.intervals;
+    intervals.erase(intervals.begin() + static_cast<long>(index(intervals.size() - 1)));
   }
   void move_a_join(Certified& spoilt) {
-    auto& pieces = spoilt.certificate.pieces;
-    PathPiece& piece = pieces[index(pieces.size() - 1)];
-    const double width_deg = piece.to_deg - piece.from_deg;
-    piece.to_deg += some(0.001, 0.5) * std::min(1.0, width_deg);
+    auto& intervals = spoilt.certificate.intervals;
+    PathInterval& interval = intervals[index(intervals.size() - 1)];
+    const double width_deg = interval.to_deg - interval.from_deg;
+    interval.to_deg += some(0.001, 0.5) * std::min(1.0, width_deg);
   }
   void claim_no_contact(Certified& spoilt) { spoilt.certificate.contact = true; }
 
@@ -146,16 +146,16 @@ class Spoiler {
     certificate.closing.reset();
     certificate.where = -1;
     while (certificate.certified_deg() < to_deg) {
-      PathPiece piece = certificate.pieces.back();
-      piece.from_deg = piece.to_deg;
-      piece.to_deg = std::min(to_deg, piece.from_deg + kWidth_deg);
+      PathInterval interval = certificate.intervals.back();
+      interval.from_deg = interval.to_deg;
+      interval.to_deg = std::min(to_deg, interval.from_deg + kWidth_deg);
       state.creases[static_cast<std::size_t>(mechanism_.pilot)] =
-          solver::half_angle_of_deg(0.5 * (piece.from_deg + piece.to_deg));
+          solver::half_angle_of_deg(0.5 * (interval.from_deg + interval.to_deg));
       if (newton.correct(geometry, state).end != solver::NewtonEnd::converged) break;
-      piece.middle = state;
-      piece.graded = false;
-      piece.box = 1e-7;
-      certificate.pieces.push_back(std::move(piece));
+      interval.middle = state;
+      interval.graded = false;
+      interval.box = 1e-7;
+      certificate.intervals.push_back(std::move(interval));
     }
     certificate.end = CertificateEnd::to_the_end;
     certificate.asked_deg = certificate.certified_deg();
@@ -164,9 +164,9 @@ class Spoiler {
   void go_on_a_little(Certified& spoilt) {
     go_on(spoilt, spoilt.certificate.closing->to_deg + between(0.001, 0.1));
   }
-  void call_the_closing_piece_good(Certified& spoilt) {
+  void call_the_closing_interval_good(Certified& spoilt) {
     Certificate& certificate = spoilt.certificate;
-    certificate.pieces.push_back(*certificate.closing);
+    certificate.intervals.push_back(*certificate.closing);
     certificate.closing.reset();
     certificate.where = -1;
     certificate.end = CertificateEnd::to_the_end;
@@ -204,7 +204,7 @@ class Spoiler {
       {"no contact, where panels meet", meeting, &Spoiler::claim_no_contact},
       {"on to D past the reversal", reversing, &Spoiler::go_on_to_d},
       {"on by 0.001 to 0.1 deg past the reversal", reversing, &Spoiler::go_on_a_little},
-      {"the closing interval as a good one", reversing, &Spoiler::call_the_closing_piece_good},
+      {"the closing interval as a good one", reversing, &Spoiler::call_the_closing_interval_good},
       {"another diagonal's reversal", reversing, &Spoiler::name_another_diagonal},
       {"a crease's event instead of the reversal", reversing, &Spoiler::name_a_crease}};
 

@@ -36,7 +36,9 @@ class WholePaths {
 
   bool next(solver::PathStart& start, int);
   bool see(const solver::Station&, int) { return true; }
-  solver::Answer see(const solver::PathFunction&, int) { return solver::Answer::go_on; }
+  solver::ObserverResult see(const solver::PathFunction&, int) {
+    return solver::ObserverResult::go_on;
+  }
   void ended(const solver::PathResult& path, int);
   const Followed& followed() const { return followed_; }
   void took(double cpu_s) { followed_.cpu_s = cpu_s; }

@@ -177,7 +177,7 @@ class Simulation {
   // The unit's worker gets other draws.
   void hand_on(std::size_t k) {
     const Unit unit = units_[k];
-    dispatcher_.settle(unit.worker, unit.range.hi,
+    dispatcher_.finish(unit.worker, unit.range.hi,
                        unit.worker > 0 ? unit.finish_s - unit.start_s : own_seconds_);
     if (unit.worker > 0) assign(unit.worker);
   }

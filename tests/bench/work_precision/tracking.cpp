@@ -76,7 +76,7 @@ FunctionObserver::FunctionObserver(const Problem& problem, const Demand& demand,
   options_.most_roughness = kMostOfWanted * demand.tolerance;
 }
 
-solver::Answer FunctionObserver::see(const solver::PathFunction& function, int lane) {
+solver::ObserverResult FunctionObserver::see(const solver::PathFunction& function, int lane) {
   std::vector<double>& lengths = track(lane).lengths;
   const double end_rad = function.pilot(function.end());
   for (std::size_t k = lengths.size() / diagonals_; k < plan_.stations.size(); ++k) {
@@ -85,7 +85,7 @@ solver::Answer FunctionObserver::see(const solver::PathFunction& function, int l
     function.look(function.locate(pilot_rad), estimate_);
     lengths.insert(lengths.end(), estimate_.lengths.begin(), estimate_.lengths.end());
   }
-  return solver::Answer::go_on;
+  return solver::ObserverResult::go_on;
 }
 
 Run track_one_by_one(const Problem& problem, const Demand& demand) {

@@ -51,13 +51,14 @@ class StationObserver : public ProblemObserver {
   solver::PathPoint point_;
 };
 
-/// The tolerance is what a piece's polynomials may change by at its middle without their last node.
+/// The tolerance is what a segment's polynomials may change by at its middle without their last
+/// node.
 class FunctionObserver : public ProblemObserver {
  public:
   FunctionObserver(const Problem& problem, const Demand& demand, int lanes);
 
   const solver::NodeControlOptions& options() const { return options_; }
-  solver::Answer see(const solver::PathFunction& function, int lane);
+  solver::ObserverResult see(const solver::PathFunction& function, int lane);
 
  private:
   const std::size_t diagonals_;

@@ -1,4 +1,4 @@
-#include "schema/kit/part_piece.hpp"
+#include "schema/kit/part_item.hpp"
 
 #include <algorithm>
 #include <array>
@@ -110,7 +110,7 @@ class Marks {
 
 // Up to what is cut away round tabs.
 void add_creases(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
-                 const KitOptions& options, KitPiece& piece) {
+                 const KitOptions& options, KitItem& item) {
   const auto end_mm = [&](int at, int other) {
     const Vector2d from = sheet.point(at), along = sheet.point(other) - from;
     const SpringTab* tab = fittings.tab_at(at);
@@ -122,40 +122,40 @@ void add_creases(const KitSheet& sheet, const KitPart& part, const KitFittings& 
     const Vector2d from = end_mm(crease.a, crease.b), to = end_mm(crease.b, crease.a);
     const bool valley = sheet.mechanism.is_valley(crease);
     if (!dashed) {
-      piece.on(valley ? KitLayer::score_valley : KitLayer::score_mountain)
+      item.on(valley ? KitLayer::score_valley : KitLayer::score_mountain)
           .paths.push_back({{from, to}, false});
       continue;
     }
-    auto& paths = piece.on(valley ? KitLayer::dash_valley : KitLayer::dash_mountain).paths;
+    auto& paths = item.on(valley ? KitLayer::dash_valley : KitLayer::dash_mountain).paths;
     for (DrawnPath& dash : perforation(from, to, options)) paths.push_back(std::move(dash));
   }
 }
 
 }  // namespace
 
-KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
-                    const KitOptions& options) {
+KitItem part_item(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+                  const KitOptions& options) {
   const PartOutline outline = part_outline(sheet, part, fittings, options.kerf_mm);
-  KitPiece piece = empty_piece(outline.least_mm(), outline.most_mm());
-  piece.may_turn = true;
-  for (const Ring& ring : outline.rings) piece.on(KitLayer::cut).paths.push_back({ring, true});
-  for (const auto& slit : outline.slits) piece.on(KitLayer::slit).paths.push_back({slit, false});
+  KitItem item = empty_item(outline.least_mm(), outline.most_mm());
+  item.may_turn = true;
+  for (const Ring& ring : outline.rings) item.on(KitLayer::cut).paths.push_back({ring, true});
+  for (const auto& slit : outline.slits) item.on(KitLayer::slit).paths.push_back({slit, false});
   for (std::size_t r = 1; r < outline.rings.size(); ++r) {
     for (DrawnPath& line : hatching(outline.rings[r])) {
-      piece.on(KitLayer::hatch).paths.push_back(std::move(line));
+      item.on(KitLayer::hatch).paths.push_back(std::move(line));
     }
   }
   for (const Bore& bore : fittings.bores) {
     if (!std::binary_search(part.facets.begin(), part.facets.end(), bore.facet)) continue;
-    piece.on(KitLayer::bore)
+    item.on(KitLayer::bore)
         .circles.push_back({bore.centre_mm, 0.5 * (bore.diameter_mm - options.kerf_mm)});
   }
-  add_creases(sheet, part, fittings, options, piece);
-  Marks marks(sheet, part, fittings, piece.on(KitLayer::engrave));
+  add_creases(sheet, part, fittings, options, item);
+  Marks marks(sheet, part, fittings, item.on(KitLayer::engrave));
   marks.add_panel_numbers();
   marks.add_spring_numbers(fittings.ends);
   marks.add_vertex_labels();
-  return piece;
+  return item;
 }
 
 std::vector<DrawnPath> perforation(const Vector2d& from_mm, const Vector2d& to_mm,

@@ -1,6 +1,6 @@
 // What a campaign asked, in words.
 import { degrees, number, plural } from "./format.js";
-import { is_splitting } from "./whose.js";
+import { is_splitting } from "./page_kind.js";
 
 const kMostNamed = 12; // levels whose angles are all told
 

@@ -1,4 +1,4 @@
-#include "search/draws/sheet_judge.hpp"
+#include "search/draws/decision_stream.hpp"
 
 #include <fmt/format.h>
 
@@ -33,19 +33,19 @@ int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
   return static_cast<int>(std::lround(samples));
 }
 
-SheetJudge::SheetJudge(const solver::Model& model, solver::Batch& batch)
+DecisionStream::DecisionStream(const solver::Model& model, solver::Batch& batch)
     : model_(model),
       batch_(batch),
       block_size_(largest_block(model)),
       seconds_per_path_(std::numeric_limits<double>::infinity()) {}
 
-Standing SheetJudge::standing_of(const solver::Verdict& verdict) const {
-  if (verdict.first_fault == solver::Fault::undecided) return Standing::undecided;
+Decision DecisionStream::decision_of(const solver::Verdict& verdict) const {
+  if (verdict.first_fault == solver::Fault::undecided) return Decision::undecided;
   const bool reaches = verdict.deploys_from_sample >= model_.threshold_sample();
-  return reaches ? Standing::accepted : Standing::rejected;
+  return reaches ? Decision::accepted : Decision::rejected;
 }
 
-void SheetJudge::accept(const Draws& block, const Standings& tell) {
+void DecisionStream::accept(const Draws& block, const TellDecision& tell) {
   constexpr double kPaths_s = 0.08;
   const Stopwatch watch;
   const std::vector<solver::Rejection>& seen = batch_.reject(block.shifts);
@@ -53,25 +53,25 @@ void SheetJudge::accept(const Draws& block, const Standings& tell) {
     if (seen[k].fault == solver::Fault::none) {
       waiting_.add(block, k);
     } else {
-      tell(block.numbers[k], Standing::rejected);
+      tell(block.numbers[k], Decision::rejected);
     }
   }
   if (static_cast<double>(waiting_.size()) * seconds_per_path_ > kPaths_s) finish(tell);
   block_size_.took(watch.seconds());
 }
 
-void SheetJudge::finish(const Standings& tell) {
+void DecisionStream::finish(const TellDecision& tell) {
   if (waiting_.size() == 0) return;
   const Stopwatch watch;
   const std::vector<solver::Verdict>& verdicts = batch_.judge(waiting_.shifts);
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
-    tell(waiting_.numbers[k], standing_of(verdicts[k]));
+    tell(waiting_.numbers[k], decision_of(verdicts[k]));
   }
   seconds_per_path_ = watch.seconds() / static_cast<double>(waiting_.size());
   waiting_.clear();
 }
 
-const std::vector<solver::Verdict>& SheetJudge::judge(const solver::ShiftBlock& block) {
+const std::vector<solver::Verdict>& DecisionStream::judge(const solver::ShiftBlock& block) {
   const Stopwatch watch;
   const std::vector<solver::Verdict>& verdicts = batch_.judge(block);
   block_size_.took(watch.seconds());

@@ -1,11 +1,11 @@
-#include "schema/kit/kit_piece.hpp"
+#include "schema/kit/kit_item.hpp"
 
 namespace misalign::schema {
 
-KitPiece empty_piece(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm) {
-  KitPiece piece{{"", least_mm, most_mm, {}}, false};
+KitItem empty_item(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm) {
+  KitItem item{{"", least_mm, most_mm, {}}, false};
   const auto add = [&](const char* name, const LineColour& colour) {
-    piece.drawing.layers.push_back({name, colour, false, {}, {}, {}});
+    item.drawing.layers.push_back({name, colour, false, {}, {}, {}});
   };
   add("hatch", kGrey);
   add("note", kCyan);
@@ -17,10 +17,10 @@ KitPiece empty_piece(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& mos
   add("bore", kMagenta);
   add("slit", kMagenta);
   add("cut", kBlack);
-  return piece;
+  return item;
 }
 
-void KitPiece::add(const KitPiece& other, const Eigen::Vector2d& at_mm, bool turned) {
+void KitItem::add(const KitItem& other, const Eigen::Vector2d& at_mm, bool turned) {
   const Eigen::Vector2d &least = other.drawing.least_mm, &most = other.drawing.most_mm;
   const auto moved = [&](const Eigen::Vector2d& point) {
     return Eigen::Vector2d(at_mm +

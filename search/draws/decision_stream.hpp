@@ -8,7 +8,7 @@
 
 namespace misalign::search {
 
-enum class Standing : std::uint8_t {
+enum class Decision : std::uint8_t {
   rejected,   ///< does not deploy from the model's threshold
   accepted,   ///< does
   undecided,  ///< a numerical failure: neither
@@ -20,27 +20,27 @@ int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
                         const std::string& name);
 
 /// One thread's, for one array of sheets.
-class SheetJudge {
+class DecisionStream {
  public:
   /// Both must outlive this object; nobody else uses the batch meanwhile.
-  SheetJudge(const solver::Model& model, solver::Batch& batch);
+  DecisionStream(const solver::Model& model, solver::Batch& batch);
 
   /// How many sheets the next block had best have.
   std::uint64_t next_block() const { return block_size_.now(); }
 
   /// What is known of the sheet with this number. Each sheet is answered once, in any order.
-  using Standings = std::function<void(std::uint64_t number, Standing standing)>;
+  using TellDecision = std::function<void(std::uint64_t number, Decision decision)>;
   /// Judges a block by the model's threshold (there is one). Those that no test rejects wait for
   /// their full paths until they fill the lanes.
-  void accept(const Draws& block, const Standings& tell);
+  void accept(const Draws& block, const TellDecision& tell);
   /// The full paths of all that wait.
-  void finish(const Standings& tell);
+  void finish(const TellDecision& tell);
 
   /// Everything, each on its full path; in their order.
   const std::vector<solver::Verdict>& judge(const solver::ShiftBlock& block);
 
  private:
-  Standing standing_of(const solver::Verdict& verdict) const;
+  Decision decision_of(const solver::Verdict& verdict) const;
 
   const solver::Model& model_;
   solver::Batch& batch_;

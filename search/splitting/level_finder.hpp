@@ -11,14 +11,14 @@ namespace misalign::search {
 /// A population of its own number, whose levels are chosen as it goes, by the scores of its
 /// particles: the first so that about half as many first draws as there are particles reach it, the
 /// others so that one particle in five does. Populations keep these levels as they are.
-class Pilot {
+class LevelFinder {
  public:
   static constexpr std::uint32_t kNumber = 0xFFFFFFFF;
   /// More say little more of where levels are to lie.
   static constexpr std::uint32_t kMostParticles = 10000;
 
   /// `last`: the score of the last level.
-  Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last);
+  LevelFinder(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last);
 
   /// As of a Population.
   std::optional<PieceOrder> take(std::uint32_t most);

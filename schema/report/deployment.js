@@ -7,19 +7,19 @@ const kHeight = 250,
   kSlower = 20;
 
 const kOutcomes = {
-  passed_flat: (let_go) =>
-    `passes through flat after ${number(let_go.deploy_time_s)} s, with ${number(Math.abs(let_go.end_deg_per_s))} °/s`,
-  flat: (let_go) => `comes to rest flat after ${number(let_go.deploy_time_s)} s`,
+  passed_flat: (deployment) =>
+    `passes through flat after ${number(deployment.deploy_time_s)} s, with ${number(Math.abs(deployment.end_deg_per_s))} °/s`,
+  flat: (deployment) => `comes to rest flat after ${number(deployment.deploy_time_s)} s`,
   stalled: () => "stays where it is, since nothing drives it",
   turned_back: () => "turns round before it is flat",
   fold_limit: () => "folds as far as it can",
 };
 
-function caption(let_go, report) {
-  const friction = let_go.critical_friction_n_mm_per_mm;
+function caption(deployment, report) {
+  const friction = deployment.critical_friction_n_mm_per_mm;
   return (
-    `From ${degrees(let_go.from_deg)}, springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm, panels of ${number(let_go.thickness_mm)} mm ` +
-    `(${number(let_go.mass_g)} g in all), free in space, no friction: it ${(kOutcomes[let_go.outcome] ?? (() => let_go.outcome))(let_go)}. ` +
+    `From ${degrees(deployment.from_deg)}, springs of ${number(report.actuators.stiffness_n_per_mm)} N/mm, panels of ${number(deployment.thickness_mm)} mm ` +
+    `(${number(deployment.mass_g)} g in all), free in space, no friction: it ${(kOutcomes[deployment.outcome] ?? (() => deployment.outcome))(deployment)}. ` +
     (friction === null
       ? "It does not get to flat by itself."
       : `It gets to flat with friction of up to ${number(friction)} N mm per mm of crease.`)
@@ -44,11 +44,11 @@ function nearest_sample(pilot_deg, angle_deg) {
 }
 
 /** Moves the state's sample along; ends where anything else moves it, or the button is pressed again. */
-function make_player(let_go, { state, decoded }, move) {
+function make_player(deployment, { state, decoded }, move) {
   let frame = 0,
     playing = false;
   const button = by_id("let-go-play"),
-    end_s = let_go.time_s[let_go.time_s.length - 1];
+    end_s = deployment.time_s[deployment.time_s.length - 1];
   const label = () => (button.textContent = playing ? "❚❚ Stop" : "▶ In real time");
   const stop = () => {
     cancelAnimationFrame(frame);
@@ -65,7 +65,7 @@ function make_player(let_go, { state, decoded }, move) {
     const step = (now) => {
       if (ours !== null && (state.get("sample") !== ours || state.get("playing"))) return stop();
       const time = Math.min(end_s, Math.max(0, (now - begun) / 1000 / slower));
-      ours = nearest_sample(decoded.pilot_deg, Math.abs(angle_at(let_go, time)));
+      ours = nearest_sample(decoded.pilot_deg, Math.abs(angle_at(deployment, time)));
       state.set("sample", ours);
       move(time);
       if (time >= end_s) return stop();
@@ -81,12 +81,12 @@ function make_player(let_go, { state, decoded }, move) {
 let stop_last = () => {};
 
 /** The chart of the motion, or null where the sheet cannot be let go. */
-export function make_let_go(report, folding) {
+export function make_deployment(report, folding) {
   const { detail, decoded } = folding,
-    let_go = decoded.let_go;
+    deployment = decoded.deployment;
   stop_last();
-  by_id("let-go-card").hidden = !let_go;
-  if (!let_go) return null;
+  by_id("let-go-card").hidden = !deployment;
+  if (!deployment) return null;
   by_id("let-go-caption").textContent = caption(detail.let_go, report);
   let dot = null,
     x = null,
@@ -96,9 +96,9 @@ export function make_let_go(report, folding) {
     shown_s = time;
     if (!dot) return;
     dot.setAttribute("cx", x.apply(time));
-    dot.setAttribute("cy", y.apply(angle_at(let_go, time)));
+    dot.setAttribute("cy", y.apply(angle_at(deployment, time)));
   };
-  const points = Array.from(let_go.time_s, (time, k) => [time, let_go.pilot_deg[k]]);
+  const points = Array.from(deployment.time_s, (time, k) => [time, deployment.pilot_deg[k]]);
   const draw = (width) => {
     const plot = plot_with_room({
       width,
@@ -122,6 +122,6 @@ export function make_let_go(report, folding) {
     move(shown_s);
     return plot;
   };
-  stop_last = make_player(let_go, folding, move);
+  stop_last = make_player(deployment, folding, move);
   return { draw };
 }

@@ -1,4 +1,4 @@
-#include "solver/records/recording_observer.hpp"
+#include "solver/records/history_observer.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -20,7 +20,7 @@ std::size_t index_of(const Station& station, const PathPlan& plan) {
 
 }  // namespace
 
-RecordingObserver::RecordingObserver(const Model& model, int lanes, const StationVisitor* visit)
+HistoryObserver::HistoryObserver(const Model& model, int lanes, const StationVisitor* visit)
     : model_(model),
       visit_(visit),
       queue_(model, lanes),
@@ -32,9 +32,9 @@ RecordingObserver::RecordingObserver(const Model& model, int lanes, const Statio
   for (int i = 0; i < lanes; ++i) lanes_.push_back(new_lane());
 }
 
-RecordingObserver::~RecordingObserver() = default;
+HistoryObserver::~HistoryObserver() = default;
 
-void RecordingObserver::begin(const SheetBlock& block) {
+void HistoryObserver::begin(const SheetBlock& block) {
   histories_.resize(static_cast<std::size_t>(block.sheets()));
   fallback_.begin();
   unfinished_.clear();
@@ -42,13 +42,13 @@ void RecordingObserver::begin(const SheetBlock& block) {
   queue_.begin(block);
 }
 
-void RecordingObserver::measure_only(const std::vector<int>& sheets) {
+void HistoryObserver::measure_only(const std::vector<int>& sheets) {
   for (FoldingHistory& history : histories_) history = {};
   finds_extremes_ = true;
   queue_.begin_again(sheets);
 }
 
-bool RecordingObserver::next(PathStart& start, int lane) {
+bool HistoryObserver::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
   if (fallback_.under_way() && goes_on(start, lane)) return true;
   auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
@@ -64,7 +64,7 @@ bool RecordingObserver::next(PathStart& start, int lane) {
   return true;
 }
 
-bool RecordingObserver::goes_on(PathStart& start, int lane) {
+bool HistoryObserver::goes_on(PathStart& start, int lane) {
   for (Unfinished& unfinished : unfinished_) {
     if (unfinished.sheet != queue_.of_lane(lane)) continue;
     std::swap(lanes_[lane], unfinished.lane);
@@ -75,7 +75,7 @@ bool RecordingObserver::goes_on(PathStart& start, int lane) {
   return false;
 }
 
-bool RecordingObserver::see(const Station& station, int lane) {
+bool HistoryObserver::see(const Station& station, int lane) {
   const std::vector<Station>& seen = lanes_[lane]->history.stations;
   if (!seen.empty() && station.pilot_deg <= seen.back().pilot_deg) return true;  // goes on from it
   const SheetGeometry<double>& geometry = queue_.geometry_of_lane(lane);
@@ -87,7 +87,7 @@ bool RecordingObserver::see(const Station& station, int lane) {
   return true;
 }
 
-void RecordingObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
+void HistoryObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
   auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   if (station.sample > 0) {
@@ -116,7 +116,7 @@ void RecordingObserver::keep(const Station& station, int lane, const SolveQualit
   if (visit_) (*visit_)(station, point_);
 }
 
-void RecordingObserver::ended(PathResult path, int lane) {
+void HistoryObserver::ended(PathResult path, int lane) {
   if (!fallback_.under_way()) effort_.add(path);
   auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   const std::size_t stations = history.stations.size();
@@ -143,6 +143,6 @@ void RecordingObserver::ended(PathResult path, int lane) {
   histories_[sheet] = std::move(history);
 }
 
-void RecordingObserver::fall_back() { fallback_.run(queue_, *this); }
+void HistoryObserver::fall_back() { fallback_.run(queue_, *this); }
 
 }  // namespace misalign::solver

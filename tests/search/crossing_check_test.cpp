@@ -1,4 +1,4 @@
-#include "search/checks/contact.hpp"
+#include "search/checks/crossing_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +30,11 @@ class TwoPanels {
   }
 
  private:
-  ContactCheck check_{Eigen::Matrix2Xd{{0, 1, 1, 0, 3, 4, 4, 3}, {0, 0, 1, 1, 0, 0, 1, 1}},
-                      {{0, 1, 2, 3}, {4, 5, 6, 7}}};
+  CrossingCheck check_{Eigen::Matrix2Xd{{0, 1, 1, 0, 3, 4, 4, 3}, {0, 0, 1, 1, 0, 0, 1, 1}},
+                       {{0, 1, 2, 3}, {4, 5, 6, 7}}};
 };
 
-TEST(Contact, CrossingPanels) {
+TEST(CrossingCheck, CrossingPanels) {
   TwoPanels panels;
   EXPECT_TRUE(panels.cross(TwoPanels::upright(-0.5)));
   EXPECT_TRUE(panels.cross(TwoPanels::upright(-1e-3)));
@@ -43,7 +43,7 @@ TEST(Contact, CrossingPanels) {
   EXPECT_FALSE(panels.cross(TwoPanels::upright(-0.5, 1 + 1e-3)));
 }
 
-TEST(Contact, ParallelPanels) {
+TEST(CrossingCheck, ParallelPanels) {
   TwoPanels panels;
   for (const double height : {0.1, 1e-9, 0.0, -1e-9}) {
     Eigen::Matrix<double, 3, 4> above = TwoPanels::square();
@@ -54,7 +54,7 @@ TEST(Contact, ParallelPanels) {
 }
 
 // An edge on a face, and edge on edge: no crossing to within kTouch, beyond it one.
-TEST(Contact, TouchingPanels) {
+TEST(CrossingCheck, TouchingPanels) {
   TwoPanels panels;
   EXPECT_FALSE(panels.cross(TwoPanels::upright(0)));
   EXPECT_FALSE(panels.cross(TwoPanels::upright(-0.5 * kTouch)));
@@ -64,9 +64,9 @@ TEST(Contact, TouchingPanels) {
   EXPECT_TRUE(panels.cross(TwoPanels::upright(-0.5, 1 - 5 * kTouch)));
 }
 
-TEST(Contact, PanelsWithACommonVertexAreNotCompared) {
-  ContactCheck check(Eigen::Matrix2Xd{{0, 1, 1, 0, -1, -1, 0}, {0, 0, 1, 1, 0, -1, -1}},
-                     {{0, 1, 2, 3}, {0, 4, 5, 6}});
+TEST(CrossingCheck, PanelsWithACommonVertexAreNotCompared) {
+  CrossingCheck check(Eigen::Matrix2Xd{{0, 1, 1, 0, -1, -1, 0}, {0, 0, 1, 1, 0, -1, -1}},
+                      {{0, 1, 2, 3}, {0, 4, 5, 6}});
   Eigen::Matrix3Xd corners(3, 8);
   corners << TwoPanels::square(), TwoPanels::upright(-0.5);
   EXPECT_FALSE(check.crossing(corners));
@@ -93,7 +93,7 @@ bool edge_through(const Eigen::Matrix3Xd& corners, int one, int other) {
 
 // Draws of a pattern that folds into itself: every 3rd degree of the path, against all pairs of
 // panels looked at one by one.
-TEST(Contact, FoldedSheetsAgainstAllPairs) {
+TEST(CrossingCheck, FoldedSheetsAgainstAllPairs) {
   int crossing = 0, clear = 0;
   for (const char* name : {"turned-quads-6x6", "miura-6x6"}) {
     const schema::Campaign campaign = schema::read_campaign_file(
@@ -116,7 +116,7 @@ TEST(Contact, FoldedSheetsAgainstAllPairs) {
       const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
       solver::SheetGeometry<double> geometry;
       solver::place(model.mechanism(), vertices_mm, geometry);
-      ContactCheck check(vertices_mm, panels);
+      CrossingCheck check(vertices_mm, panels);
       const solver::StationVisitor compare = [&](const solver::Station& station,
                                                  const solver::PathPoint& point) {
         if (station.sample % 3 != 0) return;

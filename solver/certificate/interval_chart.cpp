@@ -1,4 +1,4 @@
-#include "solver/certificate/piece_chart.hpp"
+#include "solver/certificate/interval_chart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,28 +68,29 @@ SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices
   return geometry;
 }
 
-PieceChart::PieceChart(const Mechanism& mechanism, const PathPiece& piece)
-    : mechanism_(&mechanism), piece_(piece) {
-  if (piece.graded) {
-    const Ball low = squared_tangent_of(piece.from_deg), high = squared_tangent_of(piece.to_deg);
-    sigma_ = piece.from_deg == 0 ? 0.5 * high.bound() : 0.5 * (low.c[0] + high.c[0]);
+IntervalChart::IntervalChart(const Mechanism& mechanism, const PathInterval& interval)
+    : mechanism_(&mechanism), interval_(interval) {
+  if (interval.graded) {
+    const Ball low = squared_tangent_of(interval.from_deg),
+               high = squared_tangent_of(interval.to_deg);
+    sigma_ = interval.from_deg == 0 ? 0.5 * high.bound() : 0.5 * (low.c[0] + high.c[0]);
     // From flat on sigma - half_width is exactly 0.
-    half_width_ = piece.from_deg == 0
+    half_width_ = interval.from_deg == 0
                       ? sigma_
                       : std::max((high - Ball(sigma_)).bound(), (Ball(sigma_) - low).bound());
   } else {
-    pilot_ = half_angle_of_deg(0.5 * (piece.from_deg + piece.to_deg));
-    half_width_ = std::max(turn_between(pilot_, half_angle_ball(piece.from_deg)).bound(),
-                           turn_between(pilot_, half_angle_ball(piece.to_deg)).bound());
+    pilot_ = half_angle_of_deg(0.5 * (interval.from_deg + interval.to_deg));
+    half_width_ = std::max(turn_between(pilot_, half_angle_ball(interval.from_deg)).bound(),
+                           turn_between(pilot_, half_angle_ball(interval.to_deg)).bound());
   }
   place_joints();
 }
 
-void PieceChart::place_joints() {
+void IntervalChart::place_joints() {
   const double tau = std::sqrt(sigma_);
   joints_.creases.clear();
   joints_.balls.clear();
-  for (const HalfAngle<double>& h : piece_.middle.creases) {
+  for (const HalfAngle<double>& h : interval_.middle.creases) {
     const bool is_pilot = static_cast<int>(joints_.creases.size()) == mechanism_->pilot;
     if (is_graded()) {
       joints_.creases.push_back(is_pilot ? CreaseChart{1, 0, 1, 0}
@@ -99,7 +100,7 @@ void PieceChart::place_joints() {
       joints_.creases.push_back({at.c, -at.s, at.s, at.c});
     }
   }
-  for (const Quaternion<double>& q : piece_.middle.balls) {
+  for (const Quaternion<double>& q : interval_.middle.balls) {
     joints_.balls.push_back(
         is_graded() ? BallChart{{1, q.x / (q.w * tau), q.y / (q.w * tau), q.z / (q.w * sigma_)},
                                 {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}
@@ -107,7 +108,7 @@ void PieceChart::place_joints() {
   }
 }
 
-void PieceChart::recentre(const double* x) {
+void IntervalChart::recentre(const double* x) {
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
     if (static_cast<int>(i) == mechanism_->pilot) continue;
     CreaseChart& at = joints_.creases[i];
@@ -128,7 +129,7 @@ void PieceChart::recentre(const double* x) {
   }
 }
 
-FoldState<double> PieceChart::state_at(const double* x, double s) const {
+FoldState<double> IntervalChart::state_at(const double* x, double s) const {
   FoldState<double> state;
   const double sigma = is_graded() ? sigma_ + half_width_ * s : 1, tau = std::sqrt(sigma);
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
@@ -153,16 +154,16 @@ FoldState<double> PieceChart::state_at(const double* x, double s) const {
   return state;
 }
 
-Ball PieceChart::place_of(double pilot_deg) const {
+Ball IntervalChart::place_of(double pilot_deg) const {
   if (is_graded()) {
     return quotient(squared_tangent_of(pilot_deg) - Ball(sigma_), Ball(half_width_));
   }
   return quotient(turn_between(pilot_, half_angle_ball(pilot_deg)), Ball(half_width_));
 }
 
-double PieceChart::angle_deg_until(double s) const {
+double IntervalChart::angle_deg_until(double s) const {
   constexpr double kResolution_deg = 5e-8;
-  double low_deg = piece_.from_deg, high_deg = piece_.to_deg;
+  double low_deg = interval_.from_deg, high_deg = interval_.to_deg;
   while (high_deg - low_deg > kResolution_deg) {
     const double middle_deg = 0.5 * (low_deg + high_deg);
     const Ball place = place_of(middle_deg);
@@ -171,7 +172,7 @@ double PieceChart::angle_deg_until(double s) const {
   return low_deg;
 }
 
-PieceChart::PlainState PieceChart::plain(const std::vector<Ball>& x, double pilot_deg) const {
+IntervalChart::PlainState IntervalChart::plain(const std::vector<Ball>& x, double pilot_deg) const {
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   PlainState state;
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
@@ -193,7 +194,7 @@ PieceChart::PlainState PieceChart::plain(const std::vector<Ball>& x, double pilo
   return state;
 }
 
-std::vector<Ball> PieceChart::unknowns(const PlainState& state, double pilot_deg) const {
+std::vector<Ball> IntervalChart::unknowns(const PlainState& state, double pilot_deg) const {
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   std::vector<Ball> x(mechanism_->equations);
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {

@@ -2,47 +2,48 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/certificate/proven_piece.hpp"
+#include "solver/certificate/proven_interval.hpp"
 
 namespace misalign::solver {
 namespace {
 
-// A function of s that is a line, on a stretch.
+// A function of s that is a line, on a subinterval.
 template <int Degree>
-void set_line(double at_zero, double width, const ProvenStretch& stretch, ArbModel<Degree>& line) {
-  const ArbNumber middle = ArbNumber(at_zero) + ArbNumber(width) * ArbNumber(stretch.middle);
-  const ArbNumber slope = ArbNumber(width) * ArbNumber(stretch.half);
+void set_line(double at_zero, double width, const ProvenSubinterval& subinterval,
+              ArbModel<Degree>& line) {
+  const ArbNumber middle = ArbNumber(at_zero) + ArbNumber(width) * ArbNumber(subinterval.middle);
+  const ArbNumber slope = ArbNumber(width) * ArbNumber(subinterval.half);
   arb_set(line[0], middle[0]);
   arb_set(line[1], slope[0]);
 }
 template <int Degree>
-void set_line(double at_zero, double width, const ProvenStretch& stretch,
+void set_line(double at_zero, double width, const ProvenSubinterval& subinterval,
               WitnessPolynomial<Degree>& line) {
-  line.c[0] = at_zero + width * stretch.middle;
-  line.c[1] = width * stretch.half;
+  line.c[0] = at_zero + width * subinterval.middle;
+  line.c[1] = width * subinterval.half;
 }
-void set_line(double at_zero, double width, const ProvenStretch& stretch, double& line) {
-  line = at_zero + width * stretch.middle;
+void set_line(double at_zero, double width, const ProvenSubinterval& subinterval, double& line) {
+  line = at_zero + width * subinterval.middle;
 }
 template <int Degree>
-void set_line(double at_zero, double width, const ProvenStretch& stretch,
+void set_line(double at_zero, double width, const ProvenSubinterval& subinterval,
               WithRate<ArbModel<Degree>>& line) {
-  set_line(at_zero, width, stretch, line.value);
+  set_line(at_zero, width, subinterval, line.value);
   arb_set(line.rate[0], line.value[1]);
 }
 
 template <class T>
-Grading<T> grading(const ProvenPiece& piece, const ProvenStretch& stretch) {
-  Grading<T> sigma{piece.piece.graded, T(1.0)};
-  if (sigma.graded) set_line(piece.sigma, piece.width, stretch, sigma.sigma);
+Grading<T> grading(const ProvenInterval& interval, const ProvenSubinterval& subinterval) {
+  Grading<T> sigma{interval.interval.graded, T(1.0)};
+  if (sigma.graded) set_line(interval.sigma, interval.width, subinterval, sigma.sigma);
   return sigma;
 }
 
 // The pilot's unknown, which is zero throughout where sigma tells its angle.
 template <class T>
-T pilot_of(const ProvenPiece& piece, const ProvenStretch& stretch) {
+T pilot_of(const ProvenInterval& interval, const ProvenSubinterval& subinterval) {
   T x(0.0);
-  if (!piece.piece.graded) set_line(0, piece.width, stretch, x);
+  if (!interval.interval.graded) set_line(0, interval.width, subinterval, x);
   return x;
 }
 
@@ -77,35 +78,36 @@ double perron(const Eigen::MatrixXd& sizes, Eigen::VectorXd& r) {
 
 }  // namespace
 
-std::vector<ArbNumber> ProvenPiece::unknowns_at(const ArbNumber& s) const {
+std::vector<ArbNumber> ProvenInterval::unknowns_at(const ArbNumber& s) const {
   std::vector<ArbNumber> x;
-  for (const ProvenStretch& stretch : stretches) {
-    const ArbNumber place = (s - ArbNumber(stretch.middle)) / ArbNumber(stretch.half);
+  for (const ProvenSubinterval& subinterval : subintervales) {
+    const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) continue;
-    for (std::size_t j = 0; j < stretch.guess.size(); ++j) {
-      x.push_back(value_at(
-          widened<kCheckDegree>(stretch.guess[j], stretch.error[static_cast<Eigen::Index>(j)]),
-          place));
+    for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
+      x.push_back(value_at(widened<kCheckDegree>(subinterval.guess[j],
+                                                 subinterval.error[static_cast<Eigen::Index>(j)]),
+                           place));
     }
-    x.push_back(piece.graded ? ArbNumber(0.0) : ArbNumber(width) * s);
+    x.push_back(interval.graded ? ArbNumber(0.0) : ArbNumber(width) * s);
     return x;
   }
-  x.resize(stretches.empty() ? 1 : stretches[0].guess.size() + 1);
+  x.resize(subintervales.empty() ? 1 : subintervales[0].guess.size() + 1);
   for (ArbNumber& value : x) arb_indeterminate(value[0]);
   return x;
 }
 
-bool PieceProver::find_middle(const ProvenPiece& piece, Eigen::VectorXd x, ProvenStretch& stretch) {
+bool IntervalProver::find_middle(const ProvenInterval& interval, Eigen::VectorXd x,
+                                 ProvenSubinterval& subinterval) {
   constexpr int kMostSteps = 20;
   constexpr double kLargestStep = 0.5, kSmallestStep = 1e-13;
   const int n = mechanism_.equations;
-  const Grading<double> sigma = grading<double>(piece, stretch);
+  const Grading<double> sigma = grading<double>(interval, subinterval);
   std::vector<double> unknowns(mechanism_.unknowns), residual;
-  unknowns[n] = pilot_of<double>(piece, stretch);
+  unknowns[n] = pilot_of<double>(interval, subinterval);
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kMostSteps; ++step) {
     for (int j = 0; j < n; ++j) unknowns[j] = x[j];
-    const PoseClosure<double> closure(mechanism_, geometry_, piece.lines, sigma, unknowns);
+    const PoseClosure<double> closure(mechanism_, geometry_, interval.lines, sigma, unknowns);
     closure.open_by(residual, nullptr);
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, n);
     for (const auto& entry : closure.jacobian()) jacobian(entry.row, entry.column) += entry.value;
@@ -115,8 +117,8 @@ bool PieceProver::find_middle(const ProvenPiece& piece, Eigen::VectorXd x, Prove
     if (!(size < kLargestStep)) return false;
     x -= change;
     if (size < kSmallestStep || (size < 1e-9 && size > 0.5 * last)) {  // or rounding stops it
-      stretch.guess.assign(n, {});
-      for (int j = 0; j < n; ++j) stretch.guess[j].c[0] = x[j];
+      subinterval.guess.assign(n, {});
+      for (int j = 0; j < n; ++j) subinterval.guess[j].c[0] = x[j];
       return true;
     }
     last = size;
@@ -125,15 +127,16 @@ bool PieceProver::find_middle(const ProvenPiece& piece, Eigen::VectorXd x, Prove
 }
 
 // Newton's method on polynomials with the middle's Jacobian: a power of s more at every step.
-void PieceProver::find_guess(const ProvenPiece& piece, ProvenStretch& stretch) const {
+void IntervalProver::find_guess(const ProvenInterval& interval,
+                                ProvenSubinterval& subinterval) const {
   using Polynomial = WitnessPolynomial<kCheckDegree>;
   const int n = mechanism_.equations;
-  const auto sigma = grading<Polynomial>(piece, stretch);
-  std::vector<Polynomial> x = stretch.guess, residual;
-  x.push_back(pilot_of<Polynomial>(piece, stretch));
+  const auto sigma = grading<Polynomial>(interval, subinterval);
+  std::vector<Polynomial> x = subinterval.guess, residual;
+  x.push_back(pilot_of<Polynomial>(interval, subinterval));
   Eigen::MatrixXd coefficients(n, kCheckDegree + 1);
   for (int order = 0; order <= kCheckDegree; ++order) {
-    PoseClosure<Polynomial>(mechanism_, geometry_, piece.lines, sigma, x)
+    PoseClosure<Polynomial>(mechanism_, geometry_, interval.lines, sigma, x)
         .open_by(residual, nullptr);
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k <= kCheckDegree; ++k) coefficients(i, k) = residual[i].c[k];
@@ -144,11 +147,12 @@ void PieceProver::find_guess(const ProvenPiece& piece, ProvenStretch& stretch) c
     }
   }
   x.pop_back();
-  stretch.guess = std::move(x);
+  subinterval.guess = std::move(x);
 }
 
 // At least |C F(s)|, equation by equation.
-std::vector<ArbNumber> PieceProver::preconditioned(const std::vector<CheckModel>& residual) const {
+std::vector<ArbNumber> IntervalProver::preconditioned(
+    const std::vector<CheckModel>& residual) const {
   const std::size_t n = residual.size();
   std::vector<ArbNumber> most;
   for (std::size_t i = 0; i < n; ++i) {
@@ -160,16 +164,18 @@ std::vector<ArbNumber> PieceProver::preconditioned(const std::vector<CheckModel>
 }
 
 // At least |I - C J| all over the tube.
-void PieceProver::find_deviation(const ProvenPiece& piece, const ProvenStretch& stretch) {
+void IntervalProver::find_deviation(const ProvenInterval& interval,
+                                    const ProvenSubinterval& subinterval) {
   using Entry = ArbModel<kCheckJacobianDegree>;
   const auto n = static_cast<std::size_t>(mechanism_.equations);
-  const auto sigma = grading<Entry>(piece, stretch);
+  const auto sigma = grading<Entry>(interval, subinterval);
   std::vector<Entry> x;
   for (std::size_t j = 0; j < n; ++j) {
-    x.push_back(widened<kCheckJacobianDegree>(stretch.guess[j], stretch.radius[Eigen::Index(j)]));
+    x.push_back(
+        widened<kCheckJacobianDegree>(subinterval.guess[j], subinterval.radius[Eigen::Index(j)]));
   }
-  x.push_back(pilot_of<Entry>(piece, stretch));
-  const PoseClosure<Entry> closure(mechanism_, arb_geometry_, piece.lines, sigma, x);
+  x.push_back(pilot_of<Entry>(interval, subinterval));
+  const PoseClosure<Entry> closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
   std::vector<Entry> products(n * n);
   for (std::size_t i = 0; i < n; ++i) products[i * n + i] = Entry(-1.0);
   for (const auto& entry : closure.jacobian()) {
@@ -188,8 +194,8 @@ void PieceProver::find_deviation(const ProvenPiece& piece, const ProvenStretch& 
   }
 }
 
-bool PieceProver::is_mapped_inside(const std::vector<ArbNumber>& misfit,
-                                   const Eigen::VectorXd& radii) const {
+bool IntervalProver::is_mapped_inside(const std::vector<ArbNumber>& misfit,
+                                      const Eigen::VectorXd& radii) const {
   const std::size_t n = misfit.size();
   for (std::size_t i = 0; i < n; ++i) {
     ArbNumber sum = misfit[i];
@@ -202,7 +208,7 @@ bool PieceProver::is_mapped_inside(const std::vector<ArbNumber>& misfit,
 }
 
 // A little more than the least radii that may be mapped inside: a guess.
-Eigen::VectorXd PieceProver::fixed_point(const std::vector<ArbNumber>& misfit) const {
+Eigen::VectorXd IntervalProver::fixed_point(const std::vector<ArbNumber>& misfit) const {
   const Eigen::Index n = deviation_guess_.rows();
   Eigen::VectorXd m(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -213,12 +219,12 @@ Eigen::VectorXd PieceProver::fixed_point(const std::vector<ArbNumber>& misfit) c
   return (kMore * rest.partialPivLu().solve(m)).array() + kLeast;
 }
 
-bool PieceProver::enclose(const ProvenPiece& piece, ProvenStretch& stretch) {
-  const auto sigma = grading<CheckModel>(piece, stretch);
+bool IntervalProver::enclose(const ProvenInterval& interval, ProvenSubinterval& subinterval) {
+  const auto sigma = grading<CheckModel>(interval, subinterval);
   std::vector<CheckModel> x, residual;
-  for (const auto& guess : stretch.guess) x.push_back(widened<kCheckDegree>(guess, 0));
-  x.push_back(pilot_of<CheckModel>(piece, stretch));
-  PoseClosure<CheckModel>(mechanism_, arb_geometry_, piece.lines, sigma, x)
+  for (const auto& guess : subinterval.guess) x.push_back(widened<kCheckDegree>(guess, 0));
+  x.push_back(pilot_of<CheckModel>(interval, subinterval));
+  PoseClosure<CheckModel>(mechanism_, arb_geometry_, interval.lines, sigma, x)
       .open_by(residual, nullptr);
   const std::vector<ArbNumber> misfit = preconditioned(residual);
   double largest = 0;
@@ -226,24 +232,24 @@ bool PieceProver::enclose(const ProvenPiece& piece, ProvenStretch& stretch) {
     largest = std::max(largest, arf_get_d(arb_midref(m[0]), ARF_RND_UP));
   }
   // More than what rounding changes in where the coordinates' middle is.
-  const double box = piece.piece.box * (1 + 1e-9);
-  // Else shorter stretches: an end known so well lies in the next piece's box, which may be
+  const double box = interval.interval.box * (1 + 1e-9);
+  // Else shorter subintervales: an end known so well lies in the next interval's box, which may be
   // smaller.
   constexpr double kLargestError = 0.01;
   if (!(largest < kLargestError * box)) return false;
   double slack = 4 * largest;
   constexpr int kAttempts = 4;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    stretch.radius = box * weights_.array() + slack;
-    find_deviation(piece, stretch);
-    if (is_mapped_inside(misfit, stretch.radius)) {
-      stretch.error = fixed_point(misfit);
-      const Eigen::ArrayXd more = stretch.radius - stretch.error;
-      if (!is_mapped_inside(misfit, stretch.error)) return false;
-      if ((stretch.error.array() > 0).all() && (more >= box).all()) {
-        return stretch.error.maxCoeff() < kLargestError * box;
+    subinterval.radius = box * weights_.array() + slack;
+    find_deviation(interval, subinterval);
+    if (is_mapped_inside(misfit, subinterval.radius)) {
+      subinterval.error = fixed_point(misfit);
+      const Eigen::ArrayXd more = subinterval.radius - subinterval.error;
+      if (!is_mapped_inside(misfit, subinterval.error)) return false;
+      if ((subinterval.error.array() > 0).all() && (more >= box).all()) {
+        return subinterval.error.maxCoeff() < kLargestError * box;
       }
-      slack = 1.5 * stretch.error.maxCoeff();
+      slack = 1.5 * subinterval.error.maxCoeff();
     } else if (!(perron(deviation_guess_, weights_) < 1)) {
       break;
     }
@@ -252,17 +258,18 @@ bool PieceProver::enclose(const ProvenPiece& piece, ProvenStretch& stretch) {
   return false;
 }
 
-bool PieceProver::find_slopes(const ProvenPiece& piece, ProvenStretch& stretch) {
+bool IntervalProver::find_slopes(const ProvenInterval& interval, ProvenSubinterval& subinterval) {
   using Moving = WithRate<CheckModel>;
   const auto n = static_cast<std::size_t>(mechanism_.equations);
-  const auto sigma = grading<Moving>(piece, stretch);
+  const auto sigma = grading<Moving>(interval, subinterval);
   std::vector<Moving> x, residual, traces;
   for (std::size_t j = 0; j < n; ++j) {
-    x.emplace_back(widened<kCheckDegree>(stretch.guess[j], stretch.error[Eigen::Index(j)]),
-                   widened<kCheckDegree>(derivative(stretch.guess[j]), 0));
+    x.emplace_back(widened<kCheckDegree>(subinterval.guess[j], subinterval.error[Eigen::Index(j)]),
+                   widened<kCheckDegree>(derivative(subinterval.guess[j]), 0));
   }
-  x.push_back(pilot_of<Moving>(piece, stretch));
-  PoseClosure<Moving>(mechanism_, arb_geometry_, piece.lines, sigma, x).open_by(residual, &traces);
+  x.push_back(pilot_of<Moving>(interval, subinterval));
+  PoseClosure<Moving>(mechanism_, arb_geometry_, interval.lines, sigma, x)
+      .open_by(residual, &traces);
   for (const Moving& trace :
        traces) {  // where R is symmetric it is I: no half turn has 3 - 4 < trace
     if (!(most_of(sigma(trace).value) < ArbNumber(4.0))) return false;
@@ -273,41 +280,41 @@ bool PieceProver::find_slopes(const ProvenPiece& piece, ProvenStretch& stretch) 
   const Eigen::VectorXd errors = fixed_point(misfit);
   if (!is_mapped_inside(misfit, errors)) return false;
   for (std::size_t j = 0; j < n; ++j) {
-    x[j].rate = widened<kCheckDegree>(derivative(stretch.guess[j]), errors[Eigen::Index(j)]);
+    x[j].rate = widened<kCheckDegree>(derivative(subinterval.guess[j]), errors[Eigen::Index(j)]);
   }
-  const PoseClosure<Moving> closure(mechanism_, arb_geometry_, piece.lines, sigma, x);
+  const PoseClosure<Moving> closure(mechanism_, arb_geometry_, interval.lines, sigma, x);
   for (const Diagonal& diagonal : mechanism_.diagonals) {
-    stretch.slopes.push_back(sigma(closure.squared_elongation(diagonal)).rate);
+    subinterval.slopes.push_back(sigma(closure.squared_elongation(diagonal)).rate);
   }
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
-    stretch.cosines.push_back(closure.cosine(i).value);
-    stretch.sines.push_back(closure.sine(i).value);
+    subinterval.cosines.push_back(closure.cosine(i).value);
+    subinterval.sines.push_back(closure.sine(i).value);
   }
   return true;
 }
 
-std::vector<std::array<std::array<CheckModel, 3>, 4>> PieceProver::place_panels(
-    const ProvenPiece& piece, const ProvenStretch& stretch, const FoldedShape& shape,
+std::vector<std::array<std::array<CheckModel, 3>, 4>> IntervalProver::place_panels(
+    const ProvenInterval& interval, const ProvenSubinterval& subinterval, const FoldedShape& shape,
     const Panels& panels) const {
-  const auto sigma = grading<CheckModel>(piece, stretch);
+  const auto sigma = grading<CheckModel>(interval, subinterval);
   std::vector<CheckModel> x;
-  for (std::size_t j = 0; j < stretch.guess.size(); ++j) {
-    x.push_back(widened<kCheckDegree>(stretch.guess[j], stretch.error[Eigen::Index(j)]));
+  for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
+    x.push_back(widened<kCheckDegree>(subinterval.guess[j], subinterval.error[Eigen::Index(j)]));
   }
-  x.push_back(pilot_of<CheckModel>(piece, stretch));
-  return PoseClosure<CheckModel>(mechanism_, arb_geometry_, piece.lines, sigma, x)
+  x.push_back(pilot_of<CheckModel>(interval, subinterval));
+  return PoseClosure<CheckModel>(mechanism_, arb_geometry_, interval.lines, sigma, x)
       .place_panels(shape.tree(), panels.facets, panels.corners);
 }
 
-bool PieceProver::prove_stretch(const ProvenPiece& piece, const Eigen::VectorXd& start,
-                                ProvenStretch& stretch) {
-  if (!find_middle(piece, start, stretch)) return false;
-  find_guess(piece, stretch);
+bool IntervalProver::prove_subinterval(const ProvenInterval& interval, const Eigen::VectorXd& start,
+                                       ProvenSubinterval& subinterval) {
+  if (!find_middle(interval, start, subinterval)) return false;
+  find_guess(interval, subinterval);
   arb_inverse_.clear();
   for (Eigen::Index i = 0; i < inverse_.rows(); ++i) {
     for (Eigen::Index j = 0; j < inverse_.cols(); ++j) arb_inverse_.emplace_back(inverse_(i, j));
   }
-  return enclose(piece, stretch) && find_slopes(piece, stretch);
+  return enclose(interval, subinterval) && find_slopes(interval, subinterval);
 }
 
 }  // namespace misalign::solver

@@ -42,7 +42,7 @@ enum class Wanted {
 inline constexpr int kWantedBesideMargin = 8;
 
 /// One sheet of a block.
-struct FunctionRecord {
+struct UnfinishedRecord {
   bool is_sure = false;      ///< otherwise it is for the close steps
   bool is_accepted = false;  ///< it deploys from the threshold: the record is complete
   PathRecord record;
@@ -51,17 +51,17 @@ struct FunctionRecord {
   int least_step_sample = 0;
 };
 
-class FunctionRecords {
+class RecordBuilder {
  public:
-  FunctionRecords(const Model& model, int lanes);
-  ~FunctionRecords();
+  RecordBuilder(const Model& model, int lanes);
+  ~RecordBuilder();
 
   void begin(const SheetBlock& block);
   bool next(PathStart& start, int lane);
   /// `find_state(x, state)` gives a state near the path's at a point of the function.
   template <class FindState>
-  Answer see(const PathFunction& function, int lane, const FindState& find_state) {
-    const Answer seen = look(function, lane);
+  ObserverResult see(const PathFunction& function, int lane, const FindState& find_state) {
+    const ObserverResult seen = look(function, lane);
     for (const Request& request : requests_) find_state(request.x, wanted_near(request, lane));
     return seen;
   }
@@ -76,13 +76,13 @@ class FunctionRecords {
   /// the last station before.
   class Ends {
    public:
-    explicit Ends(FunctionRecords& records) : records_(records) {}
+    explicit Ends(RecordBuilder& records) : records_(records) {}
     bool next(PathStart& start, int lane) { return records_.next_unfinished(start, lane); }
     bool see(const Station&, int) { return true; }
     void ended(const PathResult& path, int lane) { records_.finish(path, lane); }
 
    private:
-    FunctionRecords& records_;
+    RecordBuilder& records_;
   };
 
   /// Every sheet of the block is for the close steps.
@@ -112,7 +112,7 @@ class FunctionRecords {
   struct Lane {
     FunctionJudge judge;
     ExtremeFinder finder;
-    FunctionRecord record{};
+    UnfinishedRecord record{};
     std::size_t next = 0;  // station
     bool fault_seen = false;
     double least_step = 0;
@@ -127,7 +127,7 @@ class FunctionRecords {
   bool next_unfinished(PathStart& start, int lane);
   void finish(const PathResult& path, int lane);
   static bool ends_are_least(const std::vector<double>& singular_values, int in_order);
-  Answer look(const PathFunction& function, int lane);
+  ObserverResult look(const PathFunction& function, int lane);
   void look_up_to(double end_deg, const PathFunction& function, Lane& lane);
   void want_d(int sample, const PathFunction& function, Lane& lane);
   void note_least_step(const Station& station, Lane& lane);
@@ -145,7 +145,7 @@ class FunctionRecords {
   std::vector<const Station*> samples_;  // of the model's path
   SheetQueue queue_;
   std::vector<Lane> lanes_;
-  std::vector<FunctionRecord> records_;
+  std::vector<UnfinishedRecord> records_;
   std::vector<PathRecord> merged_;
   std::vector<std::vector<SolvedState>> solved_;  // of lanes
   std::vector<int> complete_, left_;

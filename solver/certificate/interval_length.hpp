@@ -1,12 +1,12 @@
-// By which factor a piece of a path should have been longer, by how well it was proven. By
-// multiplication alone, so that pieces have the same ends on every machine.
+// By which factor a interval of a path should have been longer, by how well it was proven. By
+// multiplication alone, so that intervals have the same ends on every machine.
 #pragma once
 
 #include <algorithm>
 
 namespace misalign::solver {
 
-/// No piece is made shorter or longer by more at once.
+/// No interval is made shorter or longer by more at once.
 inline constexpr double kMuchShorter = 0.3;
 
 /// The root of this degree, but between kMuchShorter and its inverse.

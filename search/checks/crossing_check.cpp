@@ -1,4 +1,4 @@
-#include "search/checks/contact.hpp"
+#include "search/checks/crossing_check.hpp"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -39,7 +39,7 @@ std::shared_ptr<Model> shrunk_panel(const Corners& flat_mm) {
 
 }  // namespace
 
-struct ContactCheck::Scene {
+struct CrossingCheck::Scene {
   struct Panel {
     std::array<int, 4> vertices;
     double touch_mm;
@@ -78,8 +78,8 @@ struct ContactCheck::Scene {
   }
 };
 
-ContactCheck::ContactCheck(const Eigen::Matrix2Xd& flat_mm,
-                           const std::vector<std::array<int, 4>>& panels)
+CrossingCheck::CrossingCheck(const Eigen::Matrix2Xd& flat_mm,
+                             const std::vector<std::array<int, 4>>& panels)
     : scene_(std::make_unique<Scene>()) {
   for (const std::array<int, 4>& vertices : panels) {
     Corners corners = Corners::Zero();
@@ -96,9 +96,9 @@ ContactCheck::ContactCheck(const Eigen::Matrix2Xd& flat_mm,
   scene_->manager.setup();
 }
 
-ContactCheck::~ContactCheck() = default;
+CrossingCheck::~CrossingCheck() = default;
 
-std::optional<std::pair<int, int>> ContactCheck::crossing(const Eigen::Matrix3Xd& corners_mm) {
+std::optional<std::pair<int, int>> CrossingCheck::crossing(const Eigen::Matrix3Xd& corners_mm) {
   for (const auto& panel : scene_->panels) {
     panel->corners_mm = corners_mm.middleCols<4>(4 * panel->index);
     panel->object.setTransform(frame_of(panel->corners_mm));

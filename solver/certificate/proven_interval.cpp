@@ -1,4 +1,4 @@
-#include "solver/certificate/proven_piece.hpp"
+#include "solver/certificate/proven_interval.hpp"
 
 #include <cmath>
 #include <limits>
@@ -42,39 +42,40 @@ ArbNumber half_tangent(const ArbNumber& angle_deg) {
   return x;
 }
 
-PieceProver::PieceProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)
+IntervalProver::IntervalProver(const Mechanism& mechanism, const FlatVertices& vertices_mm)
     : mechanism_(mechanism),
       arb_geometry_(place_in_balls(mechanism, vertices_mm)),
       weights_(Eigen::VectorXd::Ones(mechanism.equations)) {
   solver::place(mechanism, vertices_mm, geometry_);
 }
 
-void PieceProver::begin(ProvenPiece& piece) const {
+void IntervalProver::begin(ProvenInterval& interval) const {
   // So that both ends are within [-1, 1] for certain: more than the middle's rounding takes.
   constexpr double kMore = 1 + 1e-12, kRounding = 4 * std::numeric_limits<double>::epsilon();
-  const ArbNumber low(piece.piece.from_deg), high(piece.piece.to_deg);
+  const ArbNumber low(interval.interval.from_deg), high(interval.interval.to_deg);
   const ArbNumber half = ArbNumber(0.5);
   HalfAngle<double> pilot{1, 1};
-  if (piece.piece.graded) {
+  if (interval.interval.graded) {
     const ArbNumber a = half_tangent(low) * half_tangent(low);
     const ArbNumber b = half_tangent(high) * half_tangent(high);
-    piece.sigma = 0.5 * as_double(a + b);
-    piece.width = 0.5 * as_double(b - a) * kMore;
-    if (piece.piece.from_deg == 0) {
-      piece.sigma = piece.width;  // whose s = -1 is flat exactly
+    interval.sigma = 0.5 * as_double(a + b);
+    interval.width = 0.5 * as_double(b - a) * kMore;
+    if (interval.interval.from_deg == 0) {
+      interval.sigma = interval.width;  // whose s = -1 is flat exactly
     } else {
-      piece.width += kRounding * piece.sigma;
+      interval.width += kRounding * interval.sigma;
     }
-    const ArbNumber sigma(piece.sigma), width(piece.width);
-    piece.from = (a - sigma) / width;
-    piece.to = (b - sigma) / width;
-    piece.middle = (half * (a + b) - sigma) / width;
-    if (piece.piece.from_deg == 0) piece.from = ArbNumber(-1.0);
+    const ArbNumber sigma(interval.sigma), width(interval.width);
+    interval.from = (a - sigma) / width;
+    interval.to = (b - sigma) / width;
+    interval.middle = (half * (a + b) - sigma) / width;
+    if (interval.interval.from_deg == 0) interval.from = ArbNumber(-1.0);
   } else {
-    pilot = half_angle_of_deg(0.5 * (piece.piece.from_deg + piece.piece.to_deg));
-    piece.sigma = 1;
-    piece.width =
-        std::tan(0.25 * (piece.piece.to_deg - piece.piece.from_deg) * kRadPerDeg) * kMore +
+    pilot = half_angle_of_deg(0.5 * (interval.interval.from_deg + interval.interval.to_deg));
+    interval.sigma = 1;
+    interval.width =
+        std::tan(0.25 * (interval.interval.to_deg - interval.interval.from_deg) * kRadPerDeg) *
+            kMore +
         kRounding;
     const auto place = [&](const ArbNumber& angle_deg) {
       ArbNumber x, c, s;
@@ -82,51 +83,52 @@ void PieceProver::begin(ProvenPiece& piece) const {
       x = x * angle_deg / ArbNumber(360.0);
       arb_sin_cos(s[0], c[0], x[0], kArbBits);
       const ArbNumber c0(pilot.c), s0(pilot.s);
-      return (s * c0 - c * s0) / ((c * c0 + s * s0) * ArbNumber(piece.width));
+      return (s * c0 - c * s0) / ((c * c0 + s * s0) * ArbNumber(interval.width));
     };
-    piece.from = place(low);
-    piece.to = place(high);
-    piece.middle = place(half * (low + high));
+    interval.from = place(low);
+    interval.to = place(high);
+    interval.middle = place(half * (low + high));
   }
-  begin_joints(piece, pilot);
+  begin_joints(interval, pilot);
 }
 
-void PieceProver::begin_joints(ProvenPiece& piece, const HalfAngle<double>& pilot) const {
-  const FoldState<double>& state = piece.piece.middle;
-  const double tau = std::sqrt(piece.sigma);
+void IntervalProver::begin_joints(ProvenInterval& interval, const HalfAngle<double>& pilot) const {
+  const FoldState<double>& state = interval.interval.middle;
+  const double tau = std::sqrt(interval.sigma);
   for (std::size_t i = 0; i < state.creases.size(); ++i) {
     const bool is_pilot = static_cast<int>(i) == mechanism_.pilot;
     const HalfAngle<double>& h = is_pilot ? pilot : state.creases[i];
-    if (!piece.piece.graded) {
-      piece.lines.creases.push_back({h.c, h.s, -h.s, h.c});
+    if (!interval.interval.graded) {
+      interval.lines.creases.push_back({h.c, h.s, -h.s, h.c});
     } else {
-      piece.lines.creases.push_back(is_pilot ? CreaseLine{1, 1, 0, 0}
-                                             : CreaseLine{1, h.s / (h.c * tau), 0, 1});
+      interval.lines.creases.push_back(is_pilot ? CreaseLine{1, 1, 0, 0}
+                                                : CreaseLine{1, h.s / (h.c * tau), 0, 1});
     }
   }
   for (const Quaternion<double>& h : state.balls) {
     const FourParts q{h.w, h.x, h.y, h.z};
-    if (!piece.piece.graded) {
-      piece.lines.balls.push_back({q, turns_of(q)});
+    if (!interval.interval.graded) {
+      interval.lines.balls.push_back({q, turns_of(q)});
     } else {
-      const FourParts middle{1, h.x / (h.w * tau), h.y / (h.w * tau), h.z / (h.w * piece.sigma)};
-      piece.lines.balls.push_back({middle, turns_of({1, 0, 0, 0})});
+      const FourParts middle{1, h.x / (h.w * tau), h.y / (h.w * tau), h.z / (h.w * interval.sigma)};
+      interval.lines.balls.push_back({middle, turns_of({1, 0, 0, 0})});
     }
   }
 }
 
-JointPlaces PieceProver::places(const ProvenPiece& piece, const std::vector<ArbNumber>& unknowns,
-                                const ArbNumber& tau) const {
-  const ArbNumber order = piece.piece.graded ? tau : ArbNumber(1.0);
+JointPlaces IntervalProver::places(const ProvenInterval& interval,
+                                   const std::vector<ArbNumber>& unknowns,
+                                   const ArbNumber& tau) const {
+  const ArbNumber order = interval.interval.graded ? tau : ArbNumber(1.0);
   JointPlaces places;
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
-    const CreaseLine& line = piece.lines.creases[i];
+    const CreaseLine& line = interval.lines.creases[i];
     const ArbNumber& x = unknowns[mechanism_.creases[i].column];
     places.creases.push_back({ArbNumber(line.c) + ArbNumber(line.c_rate) * x,
                               order * (ArbNumber(line.s) + ArbNumber(line.s_rate) * x)});
   }
   for (std::size_t i = 0; i < mechanism_.balls.size(); ++i) {
-    const BallLine& line = piece.lines.balls[i];
+    const BallLine& line = interval.lines.balls[i];
     std::array<ArbNumber, 4> q;
     for (int part = 0; part < 4; ++part) {
       q[part] = ArbNumber(line.q[part]);
@@ -141,21 +143,22 @@ JointPlaces PieceProver::places(const ProvenPiece& piece, const std::vector<ArbN
   return places;
 }
 
-std::vector<ArbNumber> PieceProver::unknowns(const ProvenPiece& piece, const JointPlaces& places,
-                                             const ArbNumber& tau) const {
+std::vector<ArbNumber> IntervalProver::unknowns(const ProvenInterval& interval,
+                                                const JointPlaces& places,
+                                                const ArbNumber& tau) const {
   std::vector<ArbNumber> x(mechanism_.unknowns);
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
-    const CreaseLine& line = piece.lines.creases[i];
+    const CreaseLine& line = interval.lines.creases[i];
     const auto& [c, s] = places.creases[i];
     const ArbNumber c0(line.c), s0(line.s);
     x[mechanism_.creases[i].column] =
-        piece.piece.graded ? s / (c * tau) - s0 : (s * c0 - c * s0) / (c * c0 + s * s0);
+        interval.interval.graded ? s / (c * tau) - s0 : (s * c0 - c * s0) / (c * c0 + s * s0);
   }
   for (std::size_t i = 0; i < mechanism_.balls.size(); ++i) {
-    const FourParts& q = piece.lines.balls[i].q;
+    const FourParts& q = interval.lines.balls[i].q;
     const std::array<ArbNumber, 4>& p = places.balls[i];
     ArbNumber* at = &x[mechanism_.balls[i].column];
-    if (piece.piece.graded) {
+    if (interval.interval.graded) {
       for (int k = 0; k < 3; ++k) at[k] = p[k + 1] / (p[0] * tau) - ArbNumber(q[k + 1]);
       at[2] = p[3] / (p[0] * tau * tau) - ArbNumber(q[3]);
       continue;
@@ -170,9 +173,10 @@ std::vector<ArbNumber> PieceProver::unknowns(const ProvenPiece& piece, const Joi
   return x;
 }
 
-Proof PieceProver::prove(const PathPiece& piece, const Question& question, ProvenPiece& proven) {
+Proof IntervalProver::prove(const PathInterval& interval, const Question& question,
+                            ProvenInterval& proven) {
   proven = {};
-  proven.piece = piece;
+  proven.interval = interval;
   begin(proven);
   for (const ArbNumber* end : {&proven.from, &proven.to}) {
     if (!arb_le(size_of(*end)[0], ArbNumber(1.0)[0])) return Proof::unclear;
@@ -181,32 +185,33 @@ Proof PieceProver::prove(const PathPiece& piece, const Question& question, Prove
   return cover(proven, -1, 1, start, 0, question);
 }
 
-Proof PieceProver::cover(ProvenPiece& piece, double low, double high, const Eigen::VectorXd& start,
-                         int depth, const Question& question) {
+Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
+                            const Eigen::VectorXd& start, int depth, const Question& question) {
   constexpr int kMostCuts = 10;
-  // Uneven, so that neither a piece's middle nor any place that is asked for is between two.
+  // Uneven, so that neither a interval's middle nor any place that is asked for is between two.
   constexpr double kCut = 0.4375;
-  ProvenStretch stretch{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
+  ProvenSubinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
   Proof proof = Proof::unclear;
-  if (prove_stretch(piece, start, stretch)) proof = question(piece, stretch);
+  if (prove_subinterval(interval, start, subinterval)) proof = question(interval, subinterval);
   if (proof == Proof::holds) {
-    piece.stretches.push_back(std::move(stretch));
+    interval.subintervales.push_back(std::move(subinterval));
     return proof;
   }
-  if (proof == Proof::fails || depth == kMostCuts || stretch.guess.empty()) return proof;
+  if (proof == Proof::fails || depth == kMostCuts || subinterval.guess.empty()) return proof;
   const double cut = low + kCut * (high - low);
   const auto middle_of = [&](double a, double b) {
-    const double s = (0.5 * (a + b) - stretch.middle) / stretch.half;
+    const double s = (0.5 * (a + b) - subinterval.middle) / subinterval.half;
     Eigen::VectorXd x = start;
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      x[j] = stretch.guess[static_cast<std::size_t>(j)].c[0] +
-             s * stretch.guess[static_cast<std::size_t>(j)].c[1];
+      x[j] = subinterval.guess[static_cast<std::size_t>(j)].c[0] +
+             s * subinterval.guess[static_cast<std::size_t>(j)].c[1];
     }
     return x;
   };
-  proof = cover(piece, low, cut, middle_of(low, cut), depth + 1, question);
-  return proof == Proof::holds ? cover(piece, cut, high, middle_of(cut, high), depth + 1, question)
-                               : proof;
+  proof = cover(interval, low, cut, middle_of(low, cut), depth + 1, question);
+  return proof == Proof::holds
+             ? cover(interval, cut, high, middle_of(cut, high), depth + 1, question)
+             : proof;
 }
 
 }  // namespace misalign::solver

@@ -1,4 +1,4 @@
-#include "search/splitting/level_judge.hpp"
+#include "search/splitting/level_scorer.hpp"
 
 #include <algorithm>
 
@@ -17,12 +17,12 @@ int score_of(const solver::Verdict& verdict, const schema::Campaign& campaign) {
   return std::min(verdict.score, last_level(campaign) - 1);
 }
 
-LevelJudge::LevelJudge(const schema::Campaign& campaign, int sample, solver::InstructionSet set)
+LevelScorer::LevelScorer(const schema::Campaign& campaign, int sample, solver::InstructionSet set)
     : campaign_(campaign),
       model_(scoring_model_of(campaign, sample)),
       batch_(solver::make_batch(set, model_)) {}
 
-const std::vector<int>& LevelJudge::judge(const solver::ShiftBlock& block) {
+const std::vector<int>& LevelScorer::score(const solver::ShiftBlock& block) {
   const auto sheets = static_cast<std::size_t>(block.sheets);
   const std::size_t shifts = block.shifts_mm.size() / std::max<std::size_t>(sheets, 1);
   scores_.assign(sheets, kBelow);
@@ -48,19 +48,19 @@ const std::vector<int>& LevelJudge::judge(const solver::ShiftBlock& block) {
   return scores_;
 }
 
-LevelJudge& LevelJudges::from(int score) {
+LevelScorer& LevelScorers::from(int score) {
   const int sample = score / solver::kScoresPerSample;
-  const auto at = std::ranges::find(judges_, sample, &OfSample::sample);
-  if (at != judges_.end()) {
-    judges_.splice(judges_.begin(), judges_, at);
+  const auto at = std::ranges::find(scorers_, sample, &OfSample::sample);
+  if (at != scorers_.end()) {
+    scorers_.splice(scorers_.begin(), scorers_, at);
   } else {
-    if (judges_.size() == kMostJudges) judges_.pop_back();
-    judges_.push_front({sample, std::make_unique<LevelJudge>(campaign_, sample, set_)});
+    if (scorers_.size() == kMostScorers) scorers_.pop_back();
+    scorers_.push_front({sample, std::make_unique<LevelScorer>(campaign_, sample, set_)});
   }
-  return *judges_.front().judge;
+  return *scorers_.front().scorer;
 }
 
-std::vector<schema::Candidate> LevelJudges::measured(const solver::ShiftBlock& shifts) {
+std::vector<schema::Candidate> LevelScorers::measured(const solver::ShiftBlock& shifts) {
   if (!batch_) {
     model_.reset(new solver::Model(model_of(campaign_)));
     batch_ = solver::make_batch(set_, *model_);

@@ -1,4 +1,4 @@
-#include "search/splitting/pilot.hpp"
+#include "search/splitting/level_finder.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 namespace misalign::search {
 namespace {
 
-// How often a level is walked again before the pilot gives up.
+// How often a level is walked again before the level finder gives up.
 constexpr std::uint32_t kMostTries = 20;
 
 // The score that so many of these reach, or more of them where they have it in common.
@@ -23,14 +23,15 @@ int score_of_rank(std::vector<int> scores, std::size_t rank) {
 
 }  // namespace
 
-Pilot::Pilot(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws, int last)
+LevelFinder::LevelFinder(std::uint64_t seed, std::uint32_t particles, std::uint32_t first_draws,
+                         int last)
     : ladder_{seed, {}, particles, first_draws},
       last_(last),
       size_(std::min(particles, kMostParticles)),
       looked_at_(std::min(particles, first_draws)),
       pieces_(std::min(particles, first_draws)) {}
 
-std::optional<PieceOrder> Pilot::take(std::uint32_t most) {
+std::optional<PieceOrder> LevelFinder::take(std::uint32_t most) {
   const auto particles = pieces_.take(most);
   if (!particles) return std::nullopt;
   // The scores of all are wanted.
@@ -40,7 +41,7 @@ std::optional<PieceOrder> Pilot::take(std::uint32_t most) {
   return order;
 }
 
-bool Pilot::restore(PieceResult result) {
+bool LevelFinder::restore(PieceResult result) {
   const bool is_of_level =
       !is_done_ && result.level == level_ && result.are_all_from(least_score());
   if (!is_of_level || !pieces_.take({result.lo, result.hi})) return false;
@@ -49,14 +50,14 @@ bool Pilot::restore(PieceResult result) {
   return true;
 }
 
-bool Pilot::add(std::uint32_t end_of_order, PieceResult result) {
+bool LevelFinder::add(std::uint32_t end_of_order, PieceResult result) {
   const DrawRange taken{result.lo, end_of_order};
   if (!pieces_.add(taken, std::move(result))) return false;
   end_level(pieces_.all());
   return true;
 }
 
-void Pilot::end_level(PieceResult all) {
+void LevelFinder::end_level(PieceResult all) {
   if (all.there.scores.empty()) {
     end(false);
   } else if (looked_at_ < ladder_.first_draws) {
@@ -75,7 +76,7 @@ void Pilot::end_level(PieceResult all) {
   }
 }
 
-void Pilot::go_on_from(int score, const PieceResult& all) {
+void LevelFinder::go_on_from(int score, const PieceResult& all) {
   const int reached = this->reached();
   if (score <= reached) {  // ties: the least above, if there is one
     score = last_;
@@ -116,7 +117,7 @@ void Pilot::go_on_from(int score, const PieceResult& all) {
   pieces_ = LevelPieces(size_);
 }
 
-void Pilot::end(bool is_whole) {
+void LevelFinder::end(bool is_whole) {
   is_done_ = true;
   is_whole_ = is_whole;
   if (ladder_.scores.empty() || ladder_.scores.back() < last_) ladder_.scores.push_back(last_);

@@ -1,4 +1,4 @@
-#include "solver/records/function_records.hpp"
+#include "solver/records/record_builder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,12 @@ constexpr double kSameLength_widths = 1e-5;
 // Where close steps take over at the latest.
 constexpr double kLastHandedOver_deg = 178;
 
-// Pieces of fewer samples are short.
-constexpr int kShortPiece_samples = 4;
+// Segments of fewer samples are short.
+constexpr int kShortSegment_samples = 4;
 
 }  // namespace
 
-FunctionRecords::FunctionRecords(const Model& model, int lanes)
+RecordBuilder::RecordBuilder(const Model& model, int lanes)
     : model_(model),
       queue_(model, lanes),
       lanes_(static_cast<std::size_t>(lanes),
@@ -40,16 +40,16 @@ FunctionRecords::FunctionRecords(const Model& model, int lanes)
   for (auto& of_lane : solved_) of_lane.assign(static_cast<std::size_t>(wanted_count()), nothing);
 }
 
-FunctionRecords::~FunctionRecords() = default;
+RecordBuilder::~RecordBuilder() = default;
 
-void FunctionRecords::begin(const SheetBlock& block) {
+void RecordBuilder::begin(const SheetBlock& block) {
   records_.resize(static_cast<std::size_t>(block.sheets()));
   queue_.begin(block);
   unfinished_.clear();
   next_unfinished_ = 0;
 }
 
-bool FunctionRecords::next(PathStart& start, int lane) {
+bool RecordBuilder::next(PathStart& start, int lane) {
   if (!queue_.put_next(start, lane)) return false;
   flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
   Lane& one = lanes_[lane];
@@ -64,32 +64,32 @@ bool FunctionRecords::next(PathStart& start, int lane) {
   return true;
 }
 
-Answer FunctionRecords::look(const PathFunction& function, int lane) {
+ObserverResult RecordBuilder::look(const PathFunction& function, int lane) {
   requests_.clear();
   Lane& one = lanes_[lane];
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
   if (one.fault_seen) {
     look_up_to(end_deg, function, one);
-    return Answer::go_on;
+    return ObserverResult::go_on;
   }
-  const Answer seen = one.judge.see(function);
-  if (seen == Answer::unsure || seen == Answer::lost) return seen;
+  const ObserverResult seen = one.judge.see(function);
+  if (seen == ObserverResult::unsure || seen == ObserverResult::lost) return seen;
   const int in_order = one.judge.samples_in_order();
-  one.fault_seen = seen == Answer::enough;
+  one.fault_seen = seen == ObserverResult::enough;
   if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
   look_up_to(end_deg, function, one);
   if (one.judge.bump_where() >= 0) {
     one.finder.note_bump(station_of(in_order), station_of(in_order + 1), one.judge, function);
   }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
-  // After short pieces the last nodes may not reach back to D any more: it is noted on the way.
-  const double piece_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
-  const bool is_short = piece_deg < kShortPiece_samples * samples_.front()->pilot_deg;
+  // After short segments the last nodes may not reach back to D any more: it is noted on the way.
+  const double segment_deg = end_deg - function.pilot(function.from()) / kRadPerDeg;
+  const bool is_short = segment_deg < kShortSegment_samples * samples_.front()->pilot_deg;
   if ((one.fault_seen || is_last || is_short) && in_order > 0) want_d(in_order, function, one);
-  return Answer::go_on;
+  return ObserverResult::go_on;
 }
 
-void FunctionRecords::want_d(int sample, const PathFunction& function, Lane& lane) {
+void RecordBuilder::want_d(int sample, const PathFunction& function, Lane& lane) {
   WantedState& at_d = lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::at_d))];
   WantedState& before =
       lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::before_d))];
@@ -104,8 +104,8 @@ void FunctionRecords::want_d(int sample, const PathFunction& function, Lane& lan
   if (at_d.sample != sample) want(wanted_index(Wanted::at_d), station_of(sample), function, lane);
 }
 
-// Samples up to the piece's end; beyond D only for the first reversal.
-void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, Lane& lane) {
+// Samples up to the segment's end; beyond D only for the first reversal.
+void RecordBuilder::look_up_to(double end_deg, const PathFunction& function, Lane& lane) {
   const int in_order = lane.judge.samples_in_order();
   const std::vector<int>& margin = model_.margin_samples();
   const int least_step_before = lane.record.least_step_sample;
@@ -143,7 +143,7 @@ void FunctionRecords::look_up_to(double end_deg, const PathFunction& function, L
   want(wanted_index(Wanted::after_least_step), station_of(least), function, lane);
 }
 
-void FunctionRecords::note_least_step(const Station& station, Lane& lane) {
+void RecordBuilder::note_least_step(const Station& station, Lane& lane) {
   if (station.pilot_deg < kInactiveFrom_deg) return;
   for (std::size_t d = 0; d < here_.lengths.size(); ++d) {
     const double step = std::abs(here_.lengths[d] - lane.finder.lengths()[d]);
@@ -153,13 +153,13 @@ void FunctionRecords::note_least_step(const Station& station, Lane& lane) {
   }
 }
 
-void FunctionRecords::want(int index, const Station& station, const PathFunction& function,
-                           Lane& lane) {
+void RecordBuilder::want(int index, const Station& station, const PathFunction& function,
+                         Lane& lane) {
   want(index, station.pilot_deg, function.locate(station.pilot_deg * kRadPerDeg), lane);
   lane.record.wanted[static_cast<std::size_t>(index)].sample = station.sample;
 }
 
-void FunctionRecords::want(int index, double pilot_deg, double x, Lane& lane) {
+void RecordBuilder::want(int index, double pilot_deg, double x, Lane& lane) {
   WantedState& wanted = lane.record.wanted[static_cast<std::size_t>(index)];
   wanted.pilot_deg = pilot_deg;
   wanted.pilot = half_angle_of_deg(pilot_deg);
@@ -169,13 +169,12 @@ void FunctionRecords::want(int index, double pilot_deg, double x, Lane& lane) {
 }
 
 // Says where the state is wanted from which an unfinished path goes on.
-std::optional<double> FunctionRecords::conclude(const PathResult& path,
-                                                const PathFunction& function, int forward_sign,
-                                                int lane) {
+std::optional<double> RecordBuilder::conclude(const PathResult& path, const PathFunction& function,
+                                              int forward_sign, int lane) {
   effort_.add(path);
   Lane& one = lanes_[lane];
   const int sheet = queue_.of_lane(lane);
-  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const std::optional<Verdict> verdict = one.judge.conclude(path);
   made = std::move(one.record);
   made.is_sure = verdict.has_value();
@@ -212,25 +211,25 @@ std::optional<double> FunctionRecords::conclude(const PathResult& path,
   return function.locate(stations[station].pilot_deg * kRadPerDeg);
 }
 
-bool FunctionRecords::next_unfinished(PathStart& start, int lane) {
+bool RecordBuilder::next_unfinished(PathStart& start, int lane) {
   if (next_unfinished_ == unfinished_.size()) return false;
   const Unfinished& one = unfinished_[next_unfinished_++];
   start = {&queue_.put(one.sheet, lane), &one.near, &model_.path(), one.station, one.forward_sign};
   return true;
 }
 
-void FunctionRecords::finish(const PathResult& path, int lane) {
+void RecordBuilder::finish(const PathResult& path, int lane) {
   effort_.add(path);
-  FunctionRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(queue_.of_lane(lane))];
   made.record.path = path;
   made.is_sure = !path.lost() && !DenseFallback::is_doubtful(path);
 }
 
-void FunctionRecords::leave_all() {
-  for (FunctionRecord& made : records_) made.is_sure = false;
+void RecordBuilder::leave_all() {
+  for (UnfinishedRecord& made : records_) made.is_sure = false;
 }
 
-const std::vector<int>& FunctionRecords::complete() {
+const std::vector<int>& RecordBuilder::complete() {
   complete_.clear();
   for (std::size_t k = 0; k < records_.size(); ++k) {
     if (records_[k].is_sure && records_[k].is_accepted) complete_.push_back(static_cast<int>(k));
@@ -238,7 +237,7 @@ const std::vector<int>& FunctionRecords::complete() {
   return complete_;
 }
 
-const std::vector<int>& FunctionRecords::left() {
+const std::vector<int>& RecordBuilder::left() {
   left_.clear();
   for (std::size_t k = 0; k < records_.size(); ++k) {
     if (!records_[k].is_sure) left_.push_back(static_cast<int>(k));
@@ -246,15 +245,15 @@ const std::vector<int>& FunctionRecords::left() {
   return left_;
 }
 
-const WantedState& FunctionRecords::wanted(int sheet, int k) const {
+const WantedState& RecordBuilder::wanted(int sheet, int k) const {
   return records_[static_cast<std::size_t>(sheet)].wanted[static_cast<std::size_t>(k)];
 }
 
-SolvedState& FunctionRecords::solved(int lane, int k) {
+SolvedState& RecordBuilder::solved(int lane, int k) {
   return solved_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(k)];
 }
 
-const std::vector<PathRecord>& FunctionRecords::merge(const std::vector<FoldingHistory>& left) {
+const std::vector<PathRecord>& RecordBuilder::merge(const std::vector<FoldingHistory>& left) {
   merged_.resize(records_.size());
   for (std::size_t k = 0; k < records_.size(); ++k) {
     merged_[k] = records_[k].is_sure ? std::move(records_[k].record)
@@ -264,8 +263,8 @@ const std::vector<PathRecord>& FunctionRecords::merge(const std::vector<FoldingH
 }
 
 // Whether a solved state is the one that the function has there.
-bool FunctionRecords::is_the_same(const PathRecord& record, const WantedState& wanted,
-                                  const SolvedState& solved) const {
+bool RecordBuilder::is_the_same(const PathRecord& record, const WantedState& wanted,
+                                const SolvedState& solved) const {
   if (!(solved.open_by <= NewtonOptions{}.closure_tolerance)) return false;
   if (wanted.sample == 0) return true;
   const double* const expected =
@@ -276,8 +275,8 @@ bool FunctionRecords::is_the_same(const PathRecord& record, const WantedState& w
   return true;
 }
 
-void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_margin_mm) {
-  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+void RecordBuilder::take(int sheet, int lane, std::optional<double> miscut_margin_mm) {
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const std::vector<SolvedState>& solved = solved_[static_cast<std::size_t>(lane)];
   PathRecord& record = made.record;
   record.miscut_margin_mm = miscut_margin_mm;
@@ -322,8 +321,8 @@ void FunctionRecords::take(int sheet, int lane, std::optional<double> miscut_mar
       made.is_sure;
 }
 
-bool FunctionRecords::wants_again(int sheet, int lane) {
-  FunctionRecord& made = records_[static_cast<std::size_t>(sheet)];
+bool RecordBuilder::wants_again(int sheet, int lane) {
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const int index = wanted_index(Wanted::reversal);
   const auto next_deg = made.slopes.next_reversal_deg(solved(lane, index).slopes);
   WantedState& wanted = made.wanted[static_cast<std::size_t>(index)];
@@ -331,7 +330,7 @@ bool FunctionRecords::wants_again(int sheet, int lane) {
   return next_deg.has_value();
 }
 
-bool FunctionRecords::ends_are_least(const std::vector<double>& values, int in_order) {
+bool RecordBuilder::ends_are_least(const std::vector<double>& values, int in_order) {
   if (in_order <= 4) return true;  // all were looked at
   const std::size_t last = values.size() - 1;
   const double least = std::min(values[0], values[last]);

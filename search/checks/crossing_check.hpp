@@ -16,13 +16,13 @@ inline constexpr double kTouch = 1e-6;
 
 /// One sheet of rigid panels without thickness. Panels with a common vertex are not compared: they
 /// meet there in every state.
-class ContactCheck {
+class CrossingCheck {
  public:
   /// Panels are convex quadrilaterals of the flat vertices (2 x vertices, mm).
-  ContactCheck(const Eigen::Matrix2Xd& flat_mm, const std::vector<std::array<int, 4>>& panels);
-  ~ContactCheck();
-  ContactCheck(const ContactCheck&) = delete;
-  ContactCheck& operator=(const ContactCheck&) = delete;
+  CrossingCheck(const Eigen::Matrix2Xd& flat_mm, const std::vector<std::array<int, 4>>& panels);
+  ~CrossingCheck();
+  CrossingCheck(const CrossingCheck&) = delete;
+  CrossingCheck& operator=(const CrossingCheck&) = delete;
 
   /// Two panels that cross in this state, if there are any; 3 x (4 panels) corners in mm, in the
   /// panels' order.

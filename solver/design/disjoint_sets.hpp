@@ -7,9 +7,9 @@
 
 namespace misalign::solver {
 
-class Together {
+class DisjointSets {
  public:
-  explicit Together(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0); }
+  explicit DisjointSets(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0); }
   /// False if they were together before.
   bool tie(int one, int other) {
     const int from = of_[other], to = of_[one];

@@ -22,7 +22,7 @@ enum class KitLayer {
   cut,
 };
 
-struct KitPiece {
+struct KitItem {
   LineDrawing drawing;  ///< with every layer
   bool may_turn = false;
 
@@ -30,10 +30,10 @@ struct KitPiece {
   Eigen::Vector2d size_mm() const { return drawing.most_mm - drawing.least_mm; }
   /// The other's lines too, their page's lower left corner at a point; turned by a quarter,
   /// counter-clockwise, if that is asked for.
-  void add(const KitPiece& other, const Eigen::Vector2d& at_mm, bool turned);
+  void add(const KitItem& other, const Eigen::Vector2d& at_mm, bool turned);
 };
 
 /// Nothing yet, on every layer.
-KitPiece empty_piece(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm);
+KitItem empty_item(const Eigen::Vector2d& least_mm, const Eigen::Vector2d& most_mm);
 
 }  // namespace misalign::schema

@@ -9,7 +9,7 @@
 
 namespace misalign::search {
 
-struct PageAnswer {
+struct PageResponse {
   int status = 200;
   const char* type = "";                    ///< of its content, a MIME type
   std::shared_ptr<const std::string> body;  ///< shared by all who asked at once
@@ -17,12 +17,12 @@ struct PageAnswer {
 };
 
 /// What it throws is answered as a sentence, with status 500.
-using Answerer = std::function<PageAnswer(const PageRequest&)>;
+using PageHandler = std::function<PageResponse(const PageRequest&)>;
 
 /// {"problem": sentence}.
-PageAnswer problem_answer(int status, const std::string& sentence);
+PageResponse problem_response(int status, const std::string& sentence);
 
 /// JSON, for the page's own script.
-PageAnswer json_answer(int status, const std::string& json);
+PageResponse json_response(int status, const std::string& json);
 
 }  // namespace misalign::search

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "schema/kit/kit_bores.hpp"
+#include "schema/kit/kit_item.hpp"
 #include "schema/kit/kit_outline.hpp"
-#include "schema/kit/kit_piece.hpp"
 
 namespace misalign::schema {
 
 /// Where the sheet has it; its page is the box round its outer contour.
-KitPiece part_piece(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
-                    const KitOptions& options);
+KitItem part_item(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+                  const KitOptions& options);
 
 /// The cuts of a perforation between two points, as they are drawn: as many of the length that is
 /// asked for, less the kerf, as there is room for with bridges of at least theirs. It begins and

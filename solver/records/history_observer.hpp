@@ -23,11 +23,11 @@ struct SolveQuality {
 
 /// Followed by a DenseFallback, it is an observer by itself and takes all but the state from dense
 /// matrices; a follower of lanes is seen by a Recorder, which looks at all lanes together.
-class RecordingObserver {
+class HistoryObserver {
  public:
   /// All must outlive this object.
-  RecordingObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
-  ~RecordingObserver();
+  HistoryObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
+  ~HistoryObserver();
 
   void begin(const SheetBlock& block);
   /// Only these sheets of the block, and their extremes as well.

@@ -1,5 +1,5 @@
-// The coordinates of one piece of a path: how its joints are written in unknowns that are 0 in the
-// middle, and the pilot in s from -1 to 1.
+// The coordinates of one interval of a path: how its joints are written in unknowns that are 0 in
+// the middle, and the pilot in s from -1 to 1.
 #pragma once
 
 #include <vector>
@@ -26,15 +26,15 @@ SheetGeometry<T> with_errors(const SheetGeometry<Ball>& sheet) {
   return {each(sheet.x), each(sheet.y), each(sheet.axis_x), each(sheet.axis_y)};
 }
 
-class PieceChart {
+class IntervalChart {
  public:
-  PieceChart() = default;
+  IntervalChart() = default;
   /// `mechanism` must outlive this object.
-  PieceChart(const Mechanism& mechanism, const PathPiece& piece);
+  IntervalChart(const Mechanism& mechanism, const PathInterval& interval);
 
-  const PathPiece& piece() const { return piece_; }
+  const PathInterval& interval() const { return interval_; }
   const Chart& joints() const { return joints_; }
-  bool is_graded() const { return piece_.graded; }
+  bool is_graded() const { return interval_.graded; }
   /// Of s = 1 from the middle: in sigma if graded, otherwise as the tangent of half the angle.
   double half_width() const { return half_width_; }
   /// sigma in the middle, where graded.
@@ -47,9 +47,9 @@ class PieceChart {
   /// The state at these unknowns (null: all 0) and s. Not exact.
   FoldState<double> state_at(const double* x, double s) const;
 
-  /// s of a pilot angle of the piece.
+  /// s of a pilot angle of the interval.
   Ball place_of(double pilot_deg) const;
-  /// The largest angle of the piece, but for less than 1e-7 degrees, whose s is at most this.
+  /// The largest angle of the interval, but for less than 1e-7 degrees, whose s is at most this.
   double angle_deg_until(double s) const;
 
   /// A state at a pilot angle as quaternions, of creases their (c, s), whatever their lengths.
@@ -65,7 +65,7 @@ class PieceChart {
   void place_joints();
 
   const Mechanism* mechanism_ = nullptr;
-  PathPiece piece_;
+  PathInterval interval_;
   Chart joints_;
   HalfAngle<double> pilot_{1, 0};
   double sigma_ = 0, half_width_ = 0;

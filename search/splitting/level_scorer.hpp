@@ -20,13 +20,13 @@ int last_level(const schema::Campaign& campaign);
 int score_of(const solver::Verdict& verdict, const schema::Campaign& campaign);
 
 /// Rejection tests at a level's own sample, and full paths of those that they leave.
-class LevelJudge {
+class LevelScorer {
  public:
   /// `campaign` must outlive this object.
-  LevelJudge(const schema::Campaign& campaign, int sample, solver::InstructionSet set);
+  LevelScorer(const schema::Campaign& campaign, int sample, solver::InstructionSet set);
 
   /// The scores of all sheets that lie above the level's sample; of others perhaps kBelow.
-  const std::vector<int>& judge(const solver::ShiftBlock& block);
+  const std::vector<int>& score(const solver::ShiftBlock& block);
 
  private:
   const schema::Campaign& campaign_;
@@ -39,14 +39,14 @@ class LevelJudge {
 /// The judges of levels, and what measures candidates, each made when first needed. Judges are
 /// large, and made in some 25 ms on 10 x 10 panels (20 ms on 6 x 6), where pieces take 2 s: only
 /// those that were used last are kept.
-class LevelJudges {
+class LevelScorers {
  public:
-  static constexpr std::size_t kMostJudges = 2;
+  static constexpr std::size_t kMostScorers = 2;
 
-  LevelJudges(const schema::Campaign& campaign, solver::InstructionSet set)
+  LevelScorers(const schema::Campaign& campaign, solver::InstructionSet set)
       : campaign_(campaign), set_(set) {}
   /// Of the sheets whose score may be `score`, or more.
-  LevelJudge& from(int score);
+  LevelScorer& from(int score);
   /// Of sheets that meet the criterion, as of plain draws.
   std::vector<schema::Candidate> measured(const solver::ShiftBlock& shifts);
   const schema::Campaign& campaign() const { return campaign_; }
@@ -56,9 +56,9 @@ class LevelJudges {
   const solver::InstructionSet set_;
   struct OfSample {
     int sample;
-    std::unique_ptr<LevelJudge> judge;
+    std::unique_ptr<LevelScorer> scorer;
   };
-  std::list<OfSample> judges_;  // the one that was used last is the first
+  std::list<OfSample> scorers_;  // the one that was used last is the first
   std::unique_ptr<const solver::Model> model_;
   std::unique_ptr<solver::Batch> batch_;
 };

@@ -1,0 +1,103 @@
+// The checker's proof that a interval of a folding path is one curve of states with no other near
+// it.
+//
+// As in path_tube.hpp by Krawczyk's theorem with a parameter, in the interval's coordinates, but by
+// arb's models and the pose closure; and a interval that is not proven in one go is cut into
+// subintervales with a tube each. Doubles are guesses only: an inverse, a polynomial, radii. With D
+// at least |I - C J| all over the tube of radii r round the polynomial p, and m at least |C F(p)|:
+//   m + D r < r   one state for every s, J regular; and p is at most e off it if m + D e < e <= r;
+//   m' + D v < v  with m' at least |C d/ds F| along p' instead of x': p' is at most v off x'.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "solver/certificate/certificate.hpp"
+#include "solver/certificate/witness_polynomial.hpp"
+#include "solver/design/fold_lines.hpp"
+
+namespace misalign::solver {
+
+inline constexpr int kCheckDegree = 8, kCheckJacobianDegree = 3;
+using CheckModel = ArbModel<kCheckDegree>;
+
+/// s from middle - half to middle + half.
+struct ProvenSubinterval {
+  double middle, half;
+  std::vector<WitnessPolynomial<kCheckDegree>> guess;  ///< of the unknowns but the pilot's
+  Eigen::VectorXd radius;  ///< of the tube in which states are single, unknown by unknown
+  Eigen::VectorXd error;   ///< how far the path is from the guess at most
+  std::vector<CheckModel> cosines, sines;  ///< of half of each crease's angle, times what is > 0
+  std::vector<CheckModel> slopes;  ///< of each diagonal's squared length along s, times what is > 0
+};
+
+struct ProvenInterval {
+  PathInterval interval;
+  JointLines lines;
+  double sigma, width;         ///< the pilot at s: sigma + width s, or the tangent width s
+  ArbNumber from, middle, to;  ///< in s; within [-1, 1]
+  std::vector<ProvenSubinterval>
+      subintervales;  ///< ascending, each beginning where the one before ends
+
+  /// The unknowns at a place, the pilot's last; undefined where that is not within a subinterval.
+  std::vector<ArbNumber> unknowns_at(const ArbNumber& s) const;
+};
+
+/// Joints in numbers that do not depend on a interval: half a crease's angle, a ball's quaternion,
+/// each times any number.
+struct JointPlaces {
+  std::vector<std::array<ArbNumber, 2>> creases;
+  std::vector<std::array<ArbNumber, 4>> balls;
+};
+
+/// tan(angle / 4) for the half of half an angle, and tan(angle / 2); by arb.
+ArbNumber half_tangent(const ArbNumber& angle_deg);
+
+class IntervalProver {
+ public:
+  /// Both must outlive this object.
+  IntervalProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
+
+  /// What else is to be proven of each subinterval of a interval; where it is unclear shorter
+  /// subintervales are tried.
+  using Question = std::function<Proof(const ProvenInterval&, const ProvenSubinterval&)>;
+  /// unclear: no curve is proven, or not that it has no neighbour within the interval's box.
+  Proof prove(const PathInterval& interval, const Question& question, ProvenInterval& proven);
+
+  /// Corners of panels all over a subinterval, as PoseClosure::place_panels has them.
+  std::vector<std::array<std::array<CheckModel, 3>, 4>> place_panels(
+      const ProvenInterval& interval, const ProvenSubinterval& subinterval,
+      const FoldedShape& shape, const Panels& panels) const;
+
+  JointPlaces places(const ProvenInterval& interval, const std::vector<ArbNumber>& unknowns,
+                     const ArbNumber& tau) const;
+  std::vector<ArbNumber> unknowns(const ProvenInterval& interval, const JointPlaces& places,
+                                  const ArbNumber& tau) const;
+
+ private:
+  void begin(ProvenInterval& interval) const;
+  void begin_joints(ProvenInterval& interval, const HalfAngle<double>& pilot) const;
+  Proof cover(ProvenInterval& interval, double low, double high, const Eigen::VectorXd& start,
+              int depth, const Question& question);
+  bool prove_subinterval(const ProvenInterval& interval, const Eigen::VectorXd& start,
+                         ProvenSubinterval& subinterval);
+  bool find_middle(const ProvenInterval& interval, Eigen::VectorXd x,
+                   ProvenSubinterval& subinterval);
+  void find_guess(const ProvenInterval& interval, ProvenSubinterval& subinterval) const;
+  std::vector<ArbNumber> preconditioned(const std::vector<CheckModel>& residual) const;
+  void find_deviation(const ProvenInterval& interval, const ProvenSubinterval& subinterval);
+  bool is_mapped_inside(const std::vector<ArbNumber>& misfit, const Eigen::VectorXd& radii) const;
+  Eigen::VectorXd fixed_point(const std::vector<ArbNumber>& misfit) const;
+  bool enclose(const ProvenInterval& interval, ProvenSubinterval& subinterval);
+  bool find_slopes(const ProvenInterval& interval, ProvenSubinterval& subinterval);
+
+  const Mechanism& mechanism_;
+  SheetGeometry<double> geometry_;
+  SheetGeometry<ArbNumber> arb_geometry_;
+  Eigen::VectorXd weights_;  // of radii, as the last subinterval had them
+  Eigen::MatrixXd inverse_, deviation_guess_;
+  std::vector<ArbNumber> arb_inverse_, deviation_;  // row by row
+};
+
+}  // namespace misalign::solver
