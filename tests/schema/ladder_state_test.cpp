@@ -273,7 +273,8 @@ class KnownSheets : public LadderTest {
 
   CertificateRecord certificate(const Candidate& of, double certified_deg) const {
     solver::Certificate made{certified_deg, solver::CertificateEnd::to_the_end, -1, false, {}, {}};
-    made.pieces.push_back({0, certified_deg, true, 0.25, solver::flat_state<double>(mechanism_)});
+    made.intervals.push_back(
+        {0, certified_deg, true, 0.25, solver::flat_state<double>(mechanism_)});
     return certificate_row(campaign, mechanism_, of.draw, of.shifts_mm, made, 0.5);
   }
   // Of every candidate that is there, the farther and the more the later its population is.
