@@ -1,4 +1,4 @@
-// What a splitting search is likely to cost, told before it is made.
+// The likely cost of a splitting search, estimated before it runs.
 #pragma once
 
 #include "schema/campaign/splitting.hpp"

@@ -1,4 +1,4 @@
-// Why a crease pattern does not fold, as a sentence that names the vertex and the crease.
+// Explains why a crease pattern does not fold, in a sentence that names the vertex and the crease.
 #pragma once
 
 #include <string>

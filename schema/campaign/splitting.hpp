@@ -1,4 +1,5 @@
-// How a campaign is searched: plain draws, or populations that climb from level to level.
+// The search method of a campaign: plain draws, or populations that climb from level to level
+// (splitting).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// When a campaign or a run is over.
+// The stop rule: when a campaign or a run is over.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a catalogue says of a sheet: its diagonals, where it fails, its metrics.
+// A catalogue's rows about a sheet: its diagonals, where it fails, its metrics.
 #pragma once
 
 #include <optional>

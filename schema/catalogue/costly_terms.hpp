@@ -1,4 +1,4 @@
-// Has SQLite ask costly functions last: of rows for which everything else holds.
+// Makes SQLite evaluate costly functions last: on rows for which everything else holds.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What a splitting search has found at each of its levels, all populations together.
+// The counts of a splitting search at each of its levels, all populations together.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,4 +1,4 @@
-// Which units of several ledgers make up one ledger: pure arithmetic of ranges.
+// Chooses the units of several ledgers that make up one ledger: pure arithmetic of ranges.
 #pragma once
 
 #include <vector>

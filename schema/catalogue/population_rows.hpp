@@ -1,5 +1,4 @@
-// What a catalogue keeps of a splitting search: levels, what became of populations, and each sheet
-// once.
+// A splitting search in the catalogue: levels, what became of populations, and each sheet once.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

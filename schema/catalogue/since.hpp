@@ -1,4 +1,4 @@
-// Since which version of the schema a catalogue has what.
+// The schema version since which a catalogue has each thing.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a campaign has found so far, for who watches a search.
+// The counts and the best draw of a campaign so far, for the progress of a search.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What CalculiX found of a deck (calculix_deck.hpp): the motion of the panels' corners, energies,
-// and stresses.
+// Reads CalculiX's results of a deck (calculix_deck.hpp): the motion of the panels' corners,
+// energies, and stresses.
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,4 @@
-// How far a splitting search is, and how rare is what it finds, as JSON.
+// The progress of a splitting search, and how rare its finds are, as JSON.
 #pragma once
 
 #include "schema/catalogue/catalogue_state.hpp"

@@ -1,4 +1,4 @@
-// What panels are made of.
+// The material of panels.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How far a campaign is and what it found, as JSON.
+// The progress of a campaign, and what it found, as JSON.
 #pragma once
 
 #include "schema/catalogue/catalogue_state.hpp"

@@ -1,5 +1,4 @@
-// What is moved about as one when a kit is laid out: a part, or a block of notes, on the kit's
-// layers.
+// An item of a kit's layout, moved as one: a part, or a block of notes, on the kit's layers.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where the parts of a kit lie: in shelves on as many beds as are needed.
+// Lays out the parts of a kit: in shelves, on as many beds as are needed.
 #pragma once
 
 #include <Eigen/Core>

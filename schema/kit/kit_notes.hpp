@@ -1,4 +1,4 @@
-// What is written beside the parts of a kit: whose they are, a gauge, and tables.
+// Notes beside the parts of a kit: which sheet's they are, a gauge, and tables.
 #pragma once
 
 #include <string>

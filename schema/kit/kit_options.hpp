@@ -1,4 +1,4 @@
-// What a builder chooses of a kit to cut.
+// Options of a kit to cut.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Where a part is cut out: its contours, and beside them the way of a beam that has a width.
+// The outline of a part: its contours, and beside them the path of a beam that has a width.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What the springs of a kit do as the sheet folds, beside the diagonals of which the verdict
-// speaks: a bore inside a panel turns with it, and its spring may do something else.
+// The springs of a kit as the sheet folds, beside the diagonals of which the verdict speaks: a bore
+// inside a panel turns with it, and its spring may do something else.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where in a panel there is still room to engrave.
+// Finds room to engrave in a panel.
 #pragma once
 
 #include <optional>

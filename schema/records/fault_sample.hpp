@@ -1,4 +1,4 @@
-// Which draws have a row of fault_sample, and how many draws such a row stands for.
+// The rule of the fault sample: which draws have a row, and how many draws such a row stands for.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// How many candidates deploy from each angle or beyond: it moves while a campaign is watched.
+// The number of candidates that deploy from each angle or beyond: it grows while a campaign is
+// watched.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room, show_when_wide } from "./chart.js";
 import { by_id, count, degrees, plural, power, powers } from "./format.js";

@@ -1,4 +1,4 @@
-// What a campaign asked, in words.
+// A campaign's configuration in words.
 import { degrees, number, plural } from "./format.js";
 import { is_splitting } from "./page_kind.js";
 

@@ -1,4 +1,4 @@
-// Where panels first meet, in words, and which panels these are.
+// The first contact of panels in words, and which panels these are.
 import { by_id, dashed, degrees, h, number } from "./format.js";
 import { panel_at, place_name } from "./sheet.js";
 

@@ -1,4 +1,5 @@
-// The sheet let go at rest: its pilot angle over time, and the folding moving as fast as it would.
+// The deployment of the sheet released at rest: its pilot angle over time, and the folding played
+// at that speed.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { by_id, degrees, h, number } from "./format.js";

@@ -1,4 +1,4 @@
-// Which diagonals and creases fail first, as bars and on the sheet.
+// The diagonals and creases that fail first, as bars and on the sheet.
 import * as Plot from "@observablehq/plot";
 import { ends_of } from "./data.js";
 import { dashed, h, percent, plural } from "./format.js";

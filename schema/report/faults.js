@@ -1,4 +1,4 @@
-// Where along the folding draws fail, from the exact first faults of the sample.
+// The pilot angles at which draws fail, from the exact first faults of the sample.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";
 import { count, degrees, percent, plural, powers } from "./format.js";

@@ -1,4 +1,4 @@
-// What differs between the pages of a plain search, of a splitting one, and of a single pattern
+// Differences between the pages of a plain search, of a splitting one, and of a single pattern
 // file: names, headings, the overview.
 import { by_id, degrees, plural } from "./format.js";
 

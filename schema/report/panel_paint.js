@@ -1,5 +1,5 @@
-// What panels are coloured by in the folding picture: the largest stress of each, which can be
-// switched on and off, and those that have met.
+// The colours of panels in the folding picture: the largest stress of each, which can be switched
+// on and off, and those that have met.
 import { colour_scale } from "./colour_scale.js";
 import { contact_panels } from "./contact.js";
 import { h, number } from "./format.js";

@@ -1,4 +1,4 @@
-// What is shown, as files: rows as CSV, drawings as SVG and PNG. Nothing leaves the browser.
+// Saves what is shown as files: rows as CSV, drawings as SVG and PNG. Nothing leaves the browser.
 import { h } from "./format.js";
 import { png_of, standalone_svg } from "./picture.js";
 

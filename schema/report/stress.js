@@ -1,4 +1,4 @@
-// What CalculiX found of the sheet with elastic panels (`misalign stress`): the largest stress of
+// CalculiX's results for the sheet with elastic panels (`misalign stress`): the largest stress of
 // each panel, and the motion beside that of rigid panels.
 import * as Plot from "@observablehq/plot";
 import { plot_with_room } from "./chart.js";

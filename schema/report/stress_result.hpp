@@ -1,4 +1,4 @@
-// What `misalign stress` found of a sheet, read again for the report's page.
+// Reads the file of `misalign stress` again, for the report's page.
 #pragma once
 
 #include <array>

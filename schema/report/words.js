@@ -1,4 +1,4 @@
-// What the program says of faults and metrics: names, labels, meanings, as `report` wrote them.
+// Names, labels and meanings of faults and metrics, as `report` wrote them.
 
 function read_words() {
   try {

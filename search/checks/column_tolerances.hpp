@@ -1,4 +1,4 @@
-// How much a candidate's columns may differ between machines, or between solvers.
+// Tolerances for comparing a candidate's columns between machines, or between solvers.
 #pragma once
 
 #include <string>

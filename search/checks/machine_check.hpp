@@ -1,4 +1,4 @@
-// Whether a machine can run a campaign well, and be trusted with it.
+// Checks whether a machine can run a campaign well, and be trusted with it.
 #pragma once
 
 #include <string>

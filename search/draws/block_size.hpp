@@ -1,4 +1,4 @@
-// How many sheets of a model are looked at together.
+// The number of sheets of a model that are judged together.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Which draws are done, which are given out and which are open: a pure state machine, without
-// clock, file or rank.
+// The ledger of draws: done, given out and open. A pure state machine, without clock, file or rank.
 #pragma once
 
 #include <cstdint>

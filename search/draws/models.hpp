@@ -1,4 +1,4 @@
-// The model of what a file describes: built once, and passed on to whoever folds its sheets.
+// The model of a campaign or a pattern: built once, and passed on to whoever folds its sheets.
 #pragma once
 
 #include "schema/campaign/campaign.hpp"

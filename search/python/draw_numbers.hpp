@@ -1,4 +1,4 @@
-// Numbers of draws from whatever NumPy makes an array of.
+// Numbers of draws, from anything that NumPy makes an array of.
 #pragma once
 
 #include <pybind11/numpy.h>

@@ -1,4 +1,5 @@
-// What this program throws, as Python's `misalign.Error`: the same sentences and exit codes.
+// Translates this program's exceptions into Python's `misalign.Error`: the same sentences and exit
+// codes.
 #include <exception>
 
 #include "search/python/bindings.hpp"

@@ -1,4 +1,5 @@
-// A pattern, or a campaign's, with all that is asked of its sheets: what Python holds.
+// A pattern, or a campaign's, with everything that is asked of its sheets: what a Python object
+// holds.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Ctrl-C while numbers are made.
+// Handles Ctrl-C while numbers are computed.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,4 +1,4 @@
-// The angles at which somebody wants to see a path.
+// The angles at which a caller wants to see a path.
 #pragma once
 
 #include <pybind11/numpy.h>

@@ -1,5 +1,4 @@
-// Which rank moves which particles of which population: a pure state machine, without clock, file
-// or message.
+// Assigns particles of populations to ranks: a pure state machine, without clock, file or message.
 #pragma once
 
 #include <map>

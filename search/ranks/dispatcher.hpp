@@ -1,4 +1,4 @@
-// Which rank computes which draws: a pure state machine, without clock, file or message.
+// Assigns draws to ranks: a pure state machine, without clock, file or message.
 #pragma once
 
 #include "search/draws/ledger.hpp"

@@ -1,4 +1,4 @@
-// What a rank tells the others of its own work.
+// The exit code that a rank tells the others.
 #pragma once
 
 #include <spdlog/spdlog.h>

@@ -1,5 +1,5 @@
-// What the ranks of a campaign share, as its coordinator sees it: jobs that go out, results that
-// come back and are written.
+// The task that the ranks of a campaign share, as its coordinator sees it: jobs that go out,
+// results that come back and are written.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Ranks above 0: do jobs until an empty one comes.
+// The loop of ranks above 0: do jobs until an empty one comes.
 #pragma once
 
 #include "search/ranks/mpi_session.hpp"

@@ -1,4 +1,4 @@
-// What a report's page shows: of a catalogue, or of a pattern file.
+// The data of a report's page: of a catalogue, or of a pattern file.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a report's page carries of each sheet that can be looked at closely.
+// The details that a report's page carries of each sheet that can be looked at closely.
 #pragma once
 
 #include <optional>

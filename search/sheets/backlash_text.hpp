@@ -1,4 +1,4 @@
-// What a study of backlash found, in words and as JSON.
+// A study of backlash, in words and as JSON.
 #pragma once
 
 #include <string>

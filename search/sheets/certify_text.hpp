@@ -1,4 +1,4 @@
-// What `misalign certify` says of certificates, as text and as JSON.
+// The certificates of `misalign certify`, as text and as JSON.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Which candidates are meant by --draw, --best, --where, --by and --diverse.
+// Chooses candidates by --draw, --best, --where, --by and --diverse.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which sheet a verb is about: a draw of a catalogue's campaign, or a pattern file's.
+// The sheet that a verb is about: a draw of a catalogue's campaign, or a pattern file's.
 #pragma once
 
 #include <optional>

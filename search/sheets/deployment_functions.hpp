@@ -1,5 +1,4 @@
-// What comes of letting draws go, as functions in SQL: found when a query asks for it, and stored
-// nowhere.
+// SQL functions that deploy a draw's sheet: computed when a query asks for it, and stored nowhere.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

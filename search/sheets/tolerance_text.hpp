@@ -1,4 +1,4 @@
-// What a study of miscut copies found, in words and as JSON.
+// A study of miscut copies, in words and as JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// What all populations of a campaign have in common: its levels, and how many particles climb them.
+// The ladder that all populations of a campaign share: its levels, and how many particles climb
+// them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What score sheets have, of those that may reach a level.
+// Scores sheets that may reach a level.
 #pragma once
 
 #include <list>

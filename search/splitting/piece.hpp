@@ -1,5 +1,6 @@
-// A piece of a population's way: some of its particles at one level. What it gives is a function of
-// the campaign and of what is ordered; who does it, and how a level is cut into pieces, is not.
+// A piece of a population: some of its particles at one level, the job of a rank. Its result is a
+// function of the campaign and of the order; who works it off, and how a level is cut into pieces,
+// changes nothing.
 #pragma once
 
 #include <limits>

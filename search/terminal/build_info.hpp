@@ -1,4 +1,4 @@
-// What this program was built from, recorded with every run.
+// The build of this program, recorded with every run.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How far a splitting search is, and how rare is what it finds, for people.
+// The progress of a splitting search, and how rare its finds are, for people.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What can be said of a campaign that accepted nothing: from which angle draws survive, how rare an
-// accepted one is at most, and what to try next.
+// Explains a campaign that accepted nothing: from which angle draws survive, how rare an accepted
+// one is at most, and what to try next.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// How far a search is, on standard error: in one live line, in a line now and then, or as JSON.
+// Shows the progress of a search on standard error: in one live line, in a line now and then, or as
+// JSON.
 #pragma once
 
 #include "search/terminal/progress_text.hpp"

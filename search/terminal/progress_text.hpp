@@ -1,4 +1,5 @@
-// How far a search is, as a line for people or as JSON: from counts alone, without clock or file.
+// The progress of a search as a line for people or as JSON: from counts alone, without clock or
+// file.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How far a campaign is and what it found, for people.
+// The progress of a campaign, and what it found, for people.
 #pragma once
 
 #include <optional>

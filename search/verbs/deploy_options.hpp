@@ -1,4 +1,4 @@
-// The options of whoever lets sheets go: what drives them, what holds them back, what they weigh.
+// The options of verbs that deploy sheets: what drives them, what holds them back, what they weigh.
 #pragma once
 
 #include <CLI/CLI.hpp>

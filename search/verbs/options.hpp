@@ -1,4 +1,4 @@
-// What options of several verbs have in common: which values they take, and whom they choose.
+// Options that several verbs share: which values they take, and which sheets they choose.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// What somebody asks a catalogue: the name of a query, or SQL.
+// Resolves the name of a query, or SQL.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

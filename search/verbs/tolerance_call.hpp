@@ -1,5 +1,5 @@
-// What the studies of `misalign tolerance` have in common: what was asked, of which sheets, and how
-// far it is.
+// The common part of the studies of `misalign tolerance`: what was asked, of which sheets, and the
+// progress.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What is wrong with the words of a command line.
+// Explains what is wrong with the words of a command line.
 #pragma once
 
 #include <string>

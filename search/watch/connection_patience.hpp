@@ -1,5 +1,5 @@
-// How long a connection may take. cpp-httplib's own timeouts are each read's and each write's, of
-// which a request that comes a byte a second has thousands.
+// Limits how long a connection may take. cpp-httplib's own timeouts are each read's and each
+// write's, of which a request that comes a byte a second has thousands.
 #pragma once
 
 #include <chrono>

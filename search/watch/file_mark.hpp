@@ -1,4 +1,4 @@
-// By what it is noticed, without opening it, that a catalogue has changed.
+// A mark of a catalogue's files: tells that they have changed, without opening them.
 #pragma once
 
 #include <sys/stat.h>

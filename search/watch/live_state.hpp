@@ -1,4 +1,4 @@
-// What moves on the page while a campaign runs.
+// The part of the page that changes while a campaign runs.
 #pragma once
 
 #include "schema/campaign/campaign.hpp"

@@ -1,4 +1,4 @@
-// What a request gets.
+// Requests and responses of the page's server.
 #pragma once
 
 #include <functional>

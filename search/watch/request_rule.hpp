@@ -1,4 +1,5 @@
-// Which requests are answered: those of this machine's own browser, for the page and its data.
+// Decides which requests are served: those of this machine's own browser, for the page and its
+// data.
 #pragma once
 
 #include <optional>

@@ -67,7 +67,7 @@ std::size_t interval_bytes(const Mechanism& mechanism) {
   return 8 + 4 + 4 + 4 * mechanism.creases.size() + 12 * mechanism.balls.size();
 }
 
-// Whether it is a interval from `from_deg` on.
+// Whether it is an interval from `from_deg` on.
 bool read(const Mechanism& mechanism, Reader& reader, double from_deg, PathInterval& interval) {
   interval.from_deg = from_deg;
   interval.to_deg = reader.real();

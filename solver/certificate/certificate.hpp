@@ -44,7 +44,7 @@ struct PathInterval {
   FoldState<double> middle;
 };
 
-/// In its coordinates, the path's state in the middle of a interval is at most this far from the
+/// In its coordinates, the path's state in the middle of an interval is at most this far from the
 /// one that the certificate holds, joint by joint: those are kept in single precision.
 inline constexpr double kMiddleBox = 1e-6;
 /// A reversal, or what else ends a certificate, is enclosed to within this.

@@ -111,7 +111,7 @@ class Checker {
   }
 
  private:
-  // Which of a interval's claims are to hold all over it.
+  // Which of an interval's claims are to hold all over it.
   struct Claims {
     bool cosines, sines, slopes, contact;
     int crease;  ///< which alone keeps its sign, -1 all
@@ -137,7 +137,7 @@ class Checker {
     ProvenInterval next;
     if (prover_.prove(interval, question, next) != Proof::holds) return unproven;
     if (!holds_middle(next)) return "the state in its middle is not the path's";
-    if (!subintervales_join(next) || !joins(next)) return "it does not join the piece before";
+    if (!subintervals_join(next) || !joins(next)) return "it does not join the piece before";
     last_ = std::move(next);
     return nullptr;
   }
@@ -209,9 +209,9 @@ class Checker {
     return true;
   }
 
-  static bool subintervales_join(const ProvenInterval& interval) {
-    for (std::size_t k = 1; k < interval.subintervales.size(); ++k) {
-      const ProvenSubinterval& next = interval.subintervales[k];
+  static bool subintervals_join(const ProvenInterval& interval) {
+    for (std::size_t k = 1; k < interval.subintervals.size(); ++k) {
+      const ProvenSubinterval& next = interval.subintervals[k];
       const ArbNumber s(next.middle - next.half);
       if (!is_within(next, s, interval.unknowns_at(s))) return false;
     }
@@ -219,10 +219,10 @@ class Checker {
   }
 
   bool joins(const ProvenInterval& next) const {
-    if (last_.subintervales.empty()) return next.interval.from_deg == 0;
+    if (last_.subintervals.empty()) return next.interval.from_deg == 0;
     const ArbNumber tau = half_tangent(ArbNumber(next.interval.from_deg));
     const JointPlaces places = prover_.places(last_, last_.unknowns_at(last_.to), tau);
-    return is_within(next.subintervales.front(), next.from, prover_.unknowns(next, places, tau));
+    return is_within(next.subintervals.front(), next.from, prover_.unknowns(next, places, tau));
   }
 
   const char* check_closing(const PathInterval& closing) {
@@ -233,7 +233,7 @@ class Checker {
                         certificate_.where};
     if (const char* what = check(closing, claims)) return what;
     const auto where = static_cast<std::size_t>(certificate_.where);
-    const ProvenSubinterval& subinterval = last_.subintervales.back();
+    const ProvenSubinterval& subinterval = last_.subintervals.back();
     const ArbNumber place =
         (last_.to - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     ArbNumber value;

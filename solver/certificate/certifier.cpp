@@ -22,7 +22,7 @@ constexpr double kGradedUntil_deg = 62;
 constexpr double kShortest_deg = 2e-6;
 /// None is known that comes to more than 120: who creeps so is not let go on for hours.
 constexpr std::size_t kMostIntervals = 10000;
-/// Tries of a interval; from so many on each is at most half as long as the one before. From 180
+/// Tries of an interval; from so many on each is at most half as long as the one before. From 180
 /// degrees to kShortest_deg that takes 27 more, and 6 from the closing interval on.
 constexpr int kManyTries = 40, kMostTries = kManyTries + 27 + 6 + 2;
 /// Of a closing interval: so much less than kClosing_deg as rounding angles takes.
@@ -167,7 +167,7 @@ class TubeContinuation {
     return last_.chart.state_at(x.data(), s);
   }
 
-  // One try: a interval more, a width for the next try, or the end.
+  // One try: an interval more, a width for the next try, or the end.
   bool go_on() {
     const double to = std::min(at_deg() + width_deg_, farthest_deg());
     if (to - at_deg() < std::min(kShortest_deg, farthest_deg() - at_deg())) {

@@ -1,5 +1,6 @@
-// What must stay positive all along a path: every diagonal's rate of change in its own direction,
-// and of every crease the cosine and, by its mountain or valley, the sine of half its fold angle.
+// The conditions that must stay positive all along a path: every diagonal's rate of change in its
+// own direction, and of every crease the cosine and, by its mountain or valley, the sine of half
+// its fold angle.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// By which factor a interval of a path should have been longer, by how well it was proven. By
+// The factor by which an interval of a path should have been longer, by how well it was proven. By
 // multiplication alone, so that intervals have the same ends on every machine.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Along which direction two panels are told apart, guessed from where they are at one angle.
+// Directions along which two panels are told apart, guessed from where they are at one angle.
 // Whoever proves that they do not meet takes it from here, and proves it by arithmetic of its own.
 //
 // Panels without a common vertex: all corners of the one lie on one side of some plane, all of the

@@ -1,4 +1,4 @@
-// That no two panels meet on a interval of a path, panels being without thickness.
+// Proves that no two panels meet on an interval of a path, panels being without thickness.
 //
 // Directions are found in the middle of a part of the interval and kept on it; where one does not
 // do, the part is halved. Near flat, z over tau stands for z: subintervaling space keeps planes,

@@ -15,7 +15,7 @@
 
 namespace misalign::solver {
 
-/// How a interval's joints are written in its unknowns x: graded a crease is cos : sin = c : tau s
+/// How an interval's joints are written in its unknowns x: graded a crease is cos : sin = c : tau s
 /// of half its angle and a ball's quaternion (w, tau x, tau y, sigma z), otherwise with tau = 1.
 struct CreaseLine {
   double c, s, c_rate, s_rate;

@@ -188,13 +188,13 @@ Proof IntervalProver::prove(const PathInterval& interval, const Question& questi
 Proof IntervalProver::cover(ProvenInterval& interval, double low, double high,
                             const Eigen::VectorXd& start, int depth, const Question& question) {
   constexpr int kMostCuts = 10;
-  // Uneven, so that neither a interval's middle nor any place that is asked for is between two.
+  // Uneven, so that neither an interval's middle nor any place that is asked for is between two.
   constexpr double kCut = 0.4375;
   ProvenSubinterval subinterval{0.5 * (low + high), 0.5 * (high - low), {}, {}, {}, {}, {}, {}};
   Proof proof = Proof::unclear;
   if (prove_subinterval(interval, start, subinterval)) proof = question(interval, subinterval);
   if (proof == Proof::holds) {
-    interval.subintervales.push_back(std::move(subinterval));
+    interval.subintervals.push_back(std::move(subinterval));
     return proof;
   }
   if (proof == Proof::fails || depth == kMostCuts || subinterval.guess.empty()) return proof;

@@ -1,9 +1,9 @@
-// The checker's proof that a interval of a folding path is one curve of states with no other near
+// The checker's proof that an interval of a folding path is one curve of states with no other near
 // it.
 //
 // As in path_tube.hpp by Krawczyk's theorem with a parameter, in the interval's coordinates, but by
-// arb's models and the pose closure; and a interval that is not proven in one go is cut into
-// subintervales with a tube each. Doubles are guesses only: an inverse, a polynomial, radii. With D
+// arb's models and the pose closure; and an interval that is not proven in one go is cut into
+// subintervals with a tube each. Doubles are guesses only: an inverse, a polynomial, radii. With D
 // at least |I - C J| all over the tube of radii r round the polynomial p, and m at least |C F(p)|:
 //   m + D r < r   one state for every s, J regular; and p is at most e off it if m + D e < e <= r;
 //   m' + D v < v  with m' at least |C d/ds F| along p' instead of x': p' is at most v off x'.
@@ -38,13 +38,13 @@ struct ProvenInterval {
   double sigma, width;         ///< the pilot at s: sigma + width s, or the tangent width s
   ArbNumber from, middle, to;  ///< in s; within [-1, 1]
   std::vector<ProvenSubinterval>
-      subintervales;  ///< ascending, each beginning where the one before ends
+      subintervals;  ///< ascending, each beginning where the one before ends
 
   /// The unknowns at a place, the pilot's last; undefined where that is not within a subinterval.
   std::vector<ArbNumber> unknowns_at(const ArbNumber& s) const;
 };
 
-/// Joints in numbers that do not depend on a interval: half a crease's angle, a ball's quaternion,
+/// Joints in numbers that do not depend on an interval: half a crease's angle, a ball's quaternion,
 /// each times any number.
 struct JointPlaces {
   std::vector<std::array<ArbNumber, 2>> creases;
@@ -59,8 +59,8 @@ class IntervalProver {
   /// Both must outlive this object.
   IntervalProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-  /// What else is to be proven of each subinterval of a interval; where it is unclear shorter
-  /// subintervales are tried.
+  /// What else is to be proven of each subinterval of an interval; where it is unclear shorter
+  /// subintervals are tried.
   using Question = std::function<Proof(const ProvenInterval&, const ProvenSubinterval&)>;
   /// unclear: no curve is proven, or not that it has no neighbour within the interval's box.
   Proof prove(const PathInterval& interval, const Question& question, ProvenInterval& proven);

@@ -80,7 +80,7 @@ double perron(const Eigen::MatrixXd& sizes, Eigen::VectorXd& r) {
 
 std::vector<ArbNumber> ProvenInterval::unknowns_at(const ArbNumber& s) const {
   std::vector<ArbNumber> x;
-  for (const ProvenSubinterval& subinterval : subintervales) {
+  for (const ProvenSubinterval& subinterval : subintervals) {
     const ArbNumber place = (s - ArbNumber(subinterval.middle)) / ArbNumber(subinterval.half);
     if (!arb_le(size_of(place)[0], ArbNumber(1.0)[0])) continue;
     for (std::size_t j = 0; j < subinterval.guess.size(); ++j) {
@@ -91,7 +91,7 @@ std::vector<ArbNumber> ProvenInterval::unknowns_at(const ArbNumber& s) const {
     x.push_back(interval.graded ? ArbNumber(0.0) : ArbNumber(width) * s);
     return x;
   }
-  x.resize(subintervales.empty() ? 1 : subintervales[0].guess.size() + 1);
+  x.resize(subintervals.empty() ? 1 : subintervals[0].guess.size() + 1);
   for (ArbNumber& value : x) arb_indeterminate(value[0]);
   return x;
 }
@@ -233,7 +233,7 @@ bool IntervalProver::enclose(const ProvenInterval& interval, ProvenSubinterval& 
   }
   // More than what rounding changes in where the coordinates' middle is.
   const double box = interval.interval.box * (1 + 1e-9);
-  // Else shorter subintervales: an end known so well lies in the next interval's box, which may be
+  // Else shorter subintervals: an end known so well lies in the next interval's box, which may be
   // smaller.
   constexpr double kLargestError = 0.01;
   if (!(largest < kLargestError * box)) return false;

@@ -17,12 +17,12 @@ constexpr int kNewtonSteps = 12;
 constexpr double kLongestCorrection = 0.3;
 /// Beyond it the inverse is made anew.
 constexpr double kFarCorrection = 1e-3;
-/// Where in a interval J^-1 is taken, beside its middle.
+/// Where in an interval J^-1 is taken, beside its middle.
 constexpr double kInverseAt = 0.85;
 constexpr double kSolved = 1e-12, kNearlySolved = 1e-8;
 /// The least of r over its largest: no unknown's box is of no use.
 constexpr double kLeastWeight = 0.05;
-/// A interval whose contraction is larger is made shorter, so that others can prove it again.
+/// An interval whose contraction is larger is made shorter, so that others can prove it again.
 constexpr double kLargestContraction = 0.9;
 /// So well is the path to be known that rates of change are, and that it joins the smallest boxes.
 constexpr double kLargestError = 2e-9;

@@ -1,4 +1,4 @@
-// A interval of a folding path, proven: for every pilot angle of an interval there is exactly one
+// An interval of a folding path, proven: for every pilot angle of an interval there is exactly one
 // folded state within a box round a polynomial, and J is regular there.
 //
 // With F(x, s) = 0 the loop closure, s in [-1, 1] the place in the interval, p(s) the path as a
@@ -30,7 +30,7 @@ class TubeProver {
   /// Of the sheet with these vertices. `mechanism` must outlive this object.
   TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
-  /// Proves a interval; `box` is the largest of r. Unless proven `tube` is of no use.
+  /// Proves an interval; `box` is the largest of r. Unless proven `tube` is of no use.
   TubeEnd prove(const PathInterval& interval, double box, PathTube& tube);
   /// Of the last interval, proven or not: by which factor it should have been longer.
   double better_length() const;

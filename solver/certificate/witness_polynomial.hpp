@@ -1,5 +1,5 @@
-// What goes through the closure's formulas besides arb's models: polynomials of doubles, with which
-// the checker guesses a path before it proves it, and values together with their rates.
+// Numbers for the closure's formulas besides arb's models: polynomials of doubles, with which the
+// checker guesses a path before it proves it, and values together with their rates.
 #pragma once
 
 #include <array>

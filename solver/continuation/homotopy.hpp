@@ -1,8 +1,7 @@
-// Where a path starts when its sheet is too far from the base for Newton's method: from the base
-// sheet to the sheet itself, the shifts growing from nothing to all of themselves, the pilot held
-// at the first station (a homotopy in the shifts; Allgower & Georg, Introduction to Numerical
-// Continuation Methods, ch. 1). It is a path like any other, whose pilot is the share of the
-// shifts.
+// A homotopy in the shifts (Allgower & Georg, Introduction to Numerical Continuation Methods, ch.
+// 1), for a sheet too far from the base for Newton's method: from the base sheet to the sheet
+// itself, the shifts growing from nothing to all of themselves, the pilot held at the first
+// station. It is a path like any other, whose pilot is the share of the shifts.
 #pragma once
 
 #include "solver/continuation/path_follower.hpp"

@@ -1,5 +1,4 @@
-// What a folding path is: the stations at which the pilot is held, what was found there, and how it
-// ended.
+// A folding path: the stations at which the pilot is held, what was found there, and how it ended.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Where panels first meet on a folding way, at any angle, and how far apart they are before.
-// Panels are without thickness; what thickness adds is plate_thickness.hpp's.
+// Finds the first contact of panels on a folding way, at any angle, and how far apart they are
+// before. Panels are without thickness; what thickness adds is plate_thickness.hpp's.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which things of 0 ... n - 1 are together, as ties between them are made.
+// Disjoint sets of 0 ... n - 1, joined as ties between members are made (union-find).
 #pragma once
 
 #include <algorithm>

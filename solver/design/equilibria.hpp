@@ -1,5 +1,5 @@
-// What a sheet does at rest: where its energy has wells, what friction can hold, and what it must
-// not exceed.
+// Equilibria of a sheet at rest: where its energy has wells, what friction can hold, and what it
+// must not exceed.
 #pragma once
 
 #include <optional>

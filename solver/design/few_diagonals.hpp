@@ -1,4 +1,4 @@
-// Which of the diagonals are needed: the fewest that still drive the folding everywhere.
+// Finds the fewest diagonals that still drive the folding everywhere.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// How far a folding way can be followed before a gap closes: certain between any two places, not
-// only at them (conservative advancement, Mirtich 1996, along one direction at a time).
+// Follows a folding way until a gap closes (conservative advancement, Mirtich 1996, along one
+// direction at a time): certain between any two places, not only at them.
 //
 // Seen from one panel, take the direction in which the other is nearest. Along it each corner of
 // the other is so far off, and goes at a rate that is known at nodes along the way. Between two

@@ -1,4 +1,5 @@
-// What hinges and ball joints carry while a sheet deploys, from the balance of every panel.
+// Forces and moments in hinges and ball joints while a sheet deploys, from the balance of every
+// panel.
 //
 // A hinge takes a force and, about its midpoint, a moment square to its crease (its friction turns
 // about the crease); a ball joint takes a force. Joints that close no loop round a whole vertex

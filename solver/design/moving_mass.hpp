@@ -1,4 +1,4 @@
-// How the panels of a folding sheet move, and how heavy it is to its own motion.
+// The motion of the panels of a folding sheet, and its inertia in its own coordinate.
 #pragma once
 
 #include <optional>

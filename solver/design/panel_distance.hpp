@@ -1,4 +1,4 @@
-// How far apart two flat convex polygons are in space, and where.
+// The distance of two flat convex polygons in space, and where it lies.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What acts on each panel of a sheet but its joints' reactions: springs, weight, what creases and
+// Loads on each panel of a sheet besides its joints' reactions: springs, weight, what creases and
 // ball joints resist with, and inertia.
 #pragma once
 

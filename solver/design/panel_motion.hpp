@@ -1,4 +1,4 @@
-// Where every panel lies along a folding way, and how it moves at the way's stations.
+// Poses of every panel along a folding way, and their rates at the way's stations.
 #pragma once
 
 #include <memory>

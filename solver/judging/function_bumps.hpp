@@ -1,5 +1,6 @@
-// Whether a diagonal goes back between two samples of a path that is a function (BumpRule::exact):
-// how far, at least and at most, as its polynomials and the bound of their rates' errors have it.
+// Bumps of a path that is a function (BumpRule::exact): whether a diagonal goes back between two
+// samples, and how far at least and at most, as its polynomials and the bound of their rates'
+// errors have it.
 //
 // Near flat lengths are even in the pilot's angle, so there the polynomials are taken in its
 // square: their rates then say which way a diagonal sets out.

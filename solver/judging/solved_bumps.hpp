@@ -1,5 +1,5 @@
-// Whether a diagonal goes back between two samples that were solved (BumpRule::exact), by solving
-// states between them: for paths in close steps.
+// Bumps of a path in close steps (BumpRule::exact): whether a diagonal goes back between two solved
+// samples, by solving states between them.
 #pragma once
 
 #include <vector>

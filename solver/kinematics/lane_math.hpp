@@ -1,6 +1,5 @@
-// What the templates need beyond arithmetic: one value for each lane, read and written singly, and
-// choices made lane by lane. A double or a float is a register of one
-// lane.
+// Operations on lanes that the templates need beyond arithmetic: one value for each lane, read and
+// written singly, and choices made lane by lane. A double or a float is a register of one lane.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What every machine of the architecture has.
+// The instruction set that every machine of the architecture has.
 #include <xsimd/xsimd.hpp>
 
 #include "solver/lanes/lane_batch.hpp"

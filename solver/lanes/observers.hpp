@@ -1,5 +1,5 @@
-// Who sees what path followers find: the judge of full paths, and the rejection test on the
-// approach to the threshold. Kept outside the templates: nothing here depends on the registers.
+// Observers of path followers: the judge of full paths, and the rejection test on the approach to
+// the threshold. Kept outside the templates: nothing here depends on the registers.
 #pragma once
 
 #include <vector>

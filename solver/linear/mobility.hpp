@@ -1,4 +1,4 @@
-// How many degrees of freedom a perforated sheet has, by the rank of its Jacobian.
+// The number of degrees of freedom of a perforated sheet, by the rank of its Jacobian.
 #pragma once
 
 #include <vector>

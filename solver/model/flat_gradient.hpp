@@ -1,5 +1,5 @@
-// How a folded sheet answers to where its vertices lie on the flat one: gradients by the adjoint of
-// the loop closure, so that all vertices together cost one transposed solve.
+// Gradients of a folded sheet by where its vertices lie on the flat one: by the adjoint of the loop
+// closure, so that all vertices together cost one transposed solve.
 //
 // In a closed state a vertex enters a joint in two ways. Moved by d, a joint's fixed point moves
 // what comes after it by (R_before - R_after) d. An edge that is turned by an angle in the sheet

@@ -1,6 +1,6 @@
-// What all sheets of one campaign, or of one pattern, share: the base sheet with its holes, its
-// mechanism, the order of elimination, the full path, and the angles of the rejection tests. Made
-// ready once and passed on.
+// The model that all sheets of one campaign, or of one pattern, share: the base sheet with its
+// holes, its mechanism, the order of elimination, the full path, and the angles of the rejection
+// tests. Made ready once and passed on.
 #pragma once
 
 #include "solver/continuation/path.hpp"

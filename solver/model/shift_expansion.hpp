@@ -1,10 +1,10 @@
-// What the shifts make of the diagonals, to second order, from tables. With ternary shifts a vertex
-// has nine places. What its place adds to a quantity, and what the places of two vertices add
-// together, are numbers known beforehand, so a draw costs one addition for each pair of vertices:
-// no residual, no solve. Quantities are each diagonal's elongation at an early angle and its slope
-// at a late one, where the orders of the shifts still fall off quickly. On the base folding both
-// vanish. What is left out is bounded by a multiple of the draw's own second order, and that
-// multiple is measured on sheets of its own.
+// The diagonals as an expansion in the shifts, to second order, from tables. With ternary shifts a
+// vertex has nine places. What its place adds to a quantity, and what the places of two vertices
+// add together, are numbers known beforehand, so a draw costs one addition for each pair of
+// vertices: no residual, no solve. Quantities are each diagonal's elongation at an early angle and
+// its slope at a late one, where the orders of the shifts still fall off quickly. On the base
+// folding both vanish. What is left out is bounded by a multiple of the draw's own second order,
+// and that multiple is measured on sheets of its own.
 #pragma once
 
 #include <cstdint>

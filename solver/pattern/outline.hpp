@@ -1,4 +1,4 @@
-// What is left of a sheet once its holes are out, and where it is cut.
+// The outlines of a sheet without its holes, and where it is cut.
 #pragma once
 
 #include <vector>

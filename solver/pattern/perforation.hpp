@@ -1,4 +1,4 @@
-// Which facets are holes, and how many degrees of freedom that leaves by counting.
+// Perforations: which facets are holes, and how many degrees of freedom that leaves by counting.
 #pragma once
 
 #include <optional>

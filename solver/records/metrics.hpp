@@ -1,4 +1,4 @@
-// What ranks the patterns that were accepted.
+// Metrics that rank the accepted patterns.
 #pragma once
 
 #include <optional>

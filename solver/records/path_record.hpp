@@ -1,4 +1,4 @@
-// What metrics need to know of one path.
+// The record of one path: what metrics need to know of it.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Records of paths that are functions, in the making: one for each lane. What it wants to know
-// exactly it asks to be solved.
+// Builds the records of paths that are functions, one in each lane, and lists the states to be
+// solved exactly.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,7 @@
-// Of a path whose samples are solved: where a diagonal first turns back, and the least rate of
-// change, by solving states between the samples. From sample to sample cubics, and how far off they
-// were over the last two, say whether anything may happen between them; only then it is looked for.
+// Extremes of a path whose samples are solved: where a diagonal first turns back, and the least
+// rate of change, by solving states between the samples. From sample to sample cubics, and how far
+// off they were over the last two, say whether anything may happen between them; only then it is
+// looked for.
 #pragma once
 
 #include "solver/judging/between_solver.hpp"

@@ -1,4 +1,4 @@
-// What a campaign asks of a sheet besides diagonals that go one way at the samples.
+// The criterion of a campaign besides diagonals that go one way at the samples.
 #pragma once
 
 #include <vector>

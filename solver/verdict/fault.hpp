@@ -1,4 +1,4 @@
-// What can end the deployable range, and one table of what is said of it.
+// The faults that can end the deployable range, and one table of what is said of each.
 #pragma once
 
 #include <span>

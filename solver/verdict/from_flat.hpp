@@ -1,4 +1,5 @@
-// How a diagonal sets out from flat, by its length and its rate of change at a first small angle.
+// The direction in which a diagonal sets out from flat, by its length and its rate of change at a
+// first small angle.
 #pragma once
 
 #include "solver/verdict/verdict.hpp"

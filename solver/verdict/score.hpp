@@ -1,5 +1,5 @@
-// How far a sheet got on its path, without ties: D, and how near the first fault was to not being
-// one.
+// A continuous score for splitting: D plus the fraction of a sample by which the first fault was
+// missed.
 #pragma once
 
 #include <algorithm>

@@ -80,7 +80,8 @@ class Spoiler {
   PathInterval& any_interval(Certificate& certificate) {
     return certificate.intervals[index(certificate.intervals.size())];
   }
-  /// What a interval's unknowns of first order are measured by: near flat over the pilot's tangent.
+  /// What an interval's unknowns of first order are measured by: near flat over the pilot's
+  /// tangent.
   double scale_of(const PathInterval& interval) const {
     const auto& pilot = interval.middle.creases[static_cast<std::size_t>(mechanism_.pilot)];
     return interval.graded ? pilot.s / pilot.c : 1;
