@@ -1,5 +1,5 @@
-// A sheet that is about to be let go as an input deck for CalculiX (ccx, tried with 2.20): elastic
-// panels in motion.
+// An input deck for CalculiX (ccx, tried with 2.20) of a sheet about to deploy: elastic panels in
+// motion.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A sheet that was let go, as JSON.
+// The deployment of a released sheet, as JSON.
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"

@@ -1,4 +1,4 @@
-// A sheet that is about to be let go as a model for MuJoCo (MJCF, tried with 2.2).
+// A model for MuJoCo (MJCF, tried with 2.2) of a sheet about to deploy.
 #pragma once
 
 #include <string>

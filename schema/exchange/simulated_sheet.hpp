@@ -1,4 +1,4 @@
-// A folded sheet with springs, about to be let go: what other programs are told to simulate.
+// A folded sheet with springs, about to deploy: the input of other programs that simulate it.
 #pragma once
 
 #include <string>

@@ -43,8 +43,8 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
                  const solver::ShapedPath& path, const solver::Actuation& actuation,
                  const std::optional<solver::Metrics>& metrics);
 
-/// What the page shows of a sheet that was let go: outcome, limits, and in base64 when the pilot
-/// had which angle.
+/// The deployment that the page shows of a released sheet: outcome, limits, and in base64 when the
+/// pilot had which angle.
 Json page_deployment_json(const solver::DeploymentStudy& study);
 
 /// The page with this data. UserError (1) if the program was built without the page.

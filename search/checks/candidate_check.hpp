@@ -19,7 +19,7 @@ class CandidateCheck {
   CandidateCheck& operator=(const CandidateCheck&) = delete;
 
   /// `row` is the candidate's row, see read_candidate, measured by this version of the metrics;
-  /// what it lacks is a finding, and what has another meaning now is compared in vain at most.
+  /// a value that it lacks is a finding; one whose definition changed since is not comparable.
   CandidateReport check(const schema::Json& row,
                         int metrics_version = solver::kMetricsVersion) const;
 

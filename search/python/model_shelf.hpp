@@ -1,6 +1,5 @@
-// Models of sheets that were judged lately, with their lanes: making them ready takes longer than a
-// thousand sheets. Everything here is used with the GIL alone, which guards it, and which who forks
-// holds: so a child finds the shelf whole.
+// A cache of models that were used lately, with their lanes: making them ready takes longer than
+// judging a thousand sheets. Guarded by the GIL, which is held across fork: a child finds it whole.
 #pragma once
 
 #include <memory>

@@ -63,7 +63,7 @@ struct Ready {
   SheetCertifier certifier;
 };
 
-// Rank 0, as far as nobody else needs to know of it.
+// Private to rank 0: the catalogue, the progress and what is left to do.
 class CertifyZero {
  public:
   explicit CertifyZero(const CertifyOptions& options)

@@ -87,7 +87,7 @@ struct Pipe {
   }
 };
 
-// In the child: mpirun, or the reason why not into a pipe.
+// Child: exec mpirun; on failure send errno through the pipe.
 [[noreturn]] void become_mpirun(const std::vector<std::string>& command, const sigset_t& mask,
                                 pid_t starter, int reason, int printed) {
   // A group of its own: Ctrl-C is for the starter, which says it to rank 0. And nothing to read:

@@ -149,7 +149,7 @@ void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
   spdlog::info("{} of {} undecided draws are decided now", decided, draws.size());
 }
 
-// Rank 0 of a search, as far as nobody else needs to know of it.
+// Private to rank 0 of a search: the catalogue, the coordinator and the progress.
 class RankZero {
  public:
   explicit RankZero(const SearchOptions& options)

@@ -19,7 +19,7 @@ struct ReportCall {
   std::uint64_t details = 36;        ///< so many of the best ones can be looked at
   Choice choice;                     ///< whom to look at instead; of `where` alone, `details` many
   OtherActuators actuators;
-  bool with_deployment = false;  ///< the table says what comes of letting each go
+  bool with_deployment = false;  ///< the table has columns of each sheet's deployment
   DetailOptions detail;
 };
 

@@ -92,7 +92,7 @@ Json ReportDetails::detail(const FoldedSheet& folded, std::uint64_t draw, bool a
   return json;
 }
 
-// What comes of letting it go; null where it cannot be let go.
+// Its deployment; null where it cannot be released.
 Json ReportDetails::deployment(const FoldedSheet& folded) {
   const double deploys_from_deg =
       folded.path.history.verdict.deploys_from_sample * folder_.sampling().sample_deg;

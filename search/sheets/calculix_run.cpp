@@ -20,7 +20,7 @@
 namespace misalign::search {
 namespace {
 
-// In the child: ccx, or the reason why not into the pipe.
+// Child: exec ccx; on failure send errno through the pipe.
 [[noreturn]] void become_calculix(const std::string& ccx, const std::string& directory,
                                   const std::string& job, pid_t parent, int reason) {
   const std::string log = job_file(directory, job, ".log");

@@ -1,4 +1,4 @@
-// A sheet that was let go, as text.
+// The deployment of a released sheet, as text.
 #pragma once
 
 #include <string>

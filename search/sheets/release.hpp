@@ -1,4 +1,4 @@
-// A sheet folded to where it is let go, for programs that simulate what happens then.
+// A sheet folded to the angle of its release, for programs that simulate its deployment.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace misalign::search {
 
 struct ReleaseOptions {
-  /// Where it is let go: kDeployFrom_deg, or D if that is less.
+  /// The angle of release: kDeployFrom_deg, or D if that is less.
   std::optional<double> from_deg;
   /// The pilot angle at which the springs are relaxed.
   double rest_deg = 0;

@@ -1,5 +1,5 @@
-// A sheet of elastic panels let go, as CalculiX sees it: whether it deploys, and what its panels
-// suffer.
+// The deployment of a sheet of elastic panels, by CalculiX: whether it deploys, and the stresses in
+// its panels.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// `misalign deploy`: one sheet let go, and what comes of it.
+// `misalign deploy`: the deployment of one released sheet.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -53,13 +53,13 @@ void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm);
 /// That and --stroke-limit, of other springs than the campaign's.
 void add_other_actuators(CLI::App& verb, OtherActuators& actuators);
 
-/// --from, the angle at which a sheet is let go, and --thickness of its panels.
+/// --from, the angle at which a sheet is released, and --thickness of its panels.
 void add_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg);
 void add_thickness(CLI::App& verb, solver::Plates& plates);
 inline constexpr double kLeastThickness_mm = 1e-3, kMostThickness_mm = 100;
 inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 = 100;
 
-/// Those, --rest-deg and --density: of a sheet that is let go.
+/// Those, --rest-deg and --density: of a released sheet.
 struct ReleaseCall {
   ReleaseOptions release;
   std::optional<double> density_g_per_cm3;  ///< the material's otherwise

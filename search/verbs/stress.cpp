@@ -1,4 +1,4 @@
-// `misalign stress`: elastic panels, let go, by CalculiX.
+// `misalign stress`: the deployment of elastic panels, by CalculiX.
 #include <fmt/format.h>
 #include <unistd.h>
 

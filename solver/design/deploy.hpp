@@ -1,4 +1,4 @@
-// Everything that is said of one sheet that is let go: its motion, where it may rest, and what
+// The study of one sheet's deployment: its motion after release, where it may rest, and what
 // friction it overcomes.
 #pragma once
 

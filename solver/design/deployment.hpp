@@ -1,4 +1,4 @@
-// The motion of a sheet that is let go: integrated by SUNDIALS' CVODE (Hindmarsh et al., ACM TOMS
+// The motion of a released sheet, integrated by SUNDIALS' CVODE (Hindmarsh et al., ACM TOMS
 // 31, 2005; Adams' methods) with its events.
 #pragma once
 

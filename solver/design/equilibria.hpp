@@ -22,7 +22,7 @@ struct Equilibrium {
 /// All from -end to end of the way, ascending; flat, where the way has its symmetry, exactly.
 std::vector<Equilibrium> find_equilibria(const DeployingSheet& sheet);
 
-/// What dry friction does to a sheet let go at rest at a pilot angle, to deploy.
+/// Limits of dry friction for a sheet released at rest at a pilot angle, to deploy.
 struct FrictionLimits {
   /// The largest friction of the creases (N mm per mm) with which it reaches flat: the least over
   /// the way of (E(from) - E) / (sum of l_i times how far crease i has turned), its limit at the

@@ -50,7 +50,7 @@ class SheetQueue {
 
   /// `block` must live until its paths have ended.
   void begin(const SheetBlock& block);
-  /// Only these of the block once more; starts that were found, or are not to be had, stay known.
+  /// Only these of the block once more; starts that were found, and known failures, are kept.
   void begin_again(const std::vector<int>& sheets);
   /// Puts the next sheet into this lane, to start along the model's path; false: there is none.
   bool put_next(PathStart& start, int lane);

@@ -1,5 +1,5 @@
 // Lengths, rates of change and the least singular value of a state, from dense factors of its
-// Jacobian: where the fixed order's are not worth their name (at 180 degrees its pivots vanish).
+// Jacobian: used where sparse factors are too inaccurate (at 180 degrees pivots vanish).
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What this process has cost so far.
+// CPU time of this process so far.
 #pragma once
 
 #include <ctime>

@@ -1,4 +1,4 @@
-// A sheet let go in MuJoCo and by `misalign deploy`, and what friction it overcomes in each.
+// The deployment of a sheet in MuJoCo and by `misalign deploy`, and the friction it overcomes.
 // Friction acts on the hinges of the joint tree alone: MuJoCo has none for `connect`.
 #pragma once
 

@@ -1,5 +1,5 @@
-// How the search would do with ten thousand workers and a million million draws, on one machine:
-// the real Dispatcher and Ledger with simulated workers, and the real catalogue with invented rows.
+// Simulates a search with ten thousand workers and a million million draws, on one machine: the
+// real Dispatcher and Ledger with simulated workers, and the real catalogue with invented rows.
 // `costs` measures what the simulation reckons with; CSV or JSON on standard output.
 #include <cstdio>
 #include <cstring>

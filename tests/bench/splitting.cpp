@@ -1,6 +1,7 @@
-// What splitting gives, and what it costs: rates by level, sheets found, how different they are,
-// and what plain draws would need. `splitting CAMPAIGN.json THRESHOLD_DEG POPULATIONS [PARTICLES
-// SWEEPS FIRST_DRAWS [LEVEL_DEG ...]]`
+// Measures splitting's yield and cost: rates by level, sheets found, how different they are, and
+// what plain draws would need.
+//   `splitting CAMPAIGN.json THRESHOLD_DEG POPULATIONS [PARTICLES SWEEPS FIRST_DRAWS [LEVEL_DEG
+//   ...]]`
 #include <fmt/format.h>
 
 #include <cmath>

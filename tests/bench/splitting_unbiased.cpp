@@ -1,5 +1,5 @@
-// Whether estimates of splitting are right on average, and their intervals as often right as they
-// say: many small campaigns, each with a seed of its own, against plain draws; and what other
+// Tests that estimates of splitting are right on average, and their intervals as often right as
+// they say: many small campaigns, each with a seed of its own, against plain draws; and what other
 // intervals would have been (results/splitting/unbiased.md), or campaigns that stop once theirs are
 // narrow (results/splitting/stopping.md).
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// How far off guesses from the tail of a survival curve are (results/survival.md): fault samples of
-// some sizes, made as a campaign makes them, against the shares that a long campaign counted.
+// Errors of guesses from the tail of a survival curve (results/survival.md): fault samples of some
+// sizes, made as a campaign makes them, against the shares that a long campaign counted.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

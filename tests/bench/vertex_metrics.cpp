@@ -1,7 +1,7 @@
-// What candidates' metrics say of their paths, beside vertex coordinates, which share no code with
+// Compares candidates' metrics of their paths with vertex coordinates, which share no code with
 // them: where the first diagonal turns back, and the least rates of change.
-//   vertex_metrics CANDIDATES SECONDS CAMPAIGN...
-// The first so many candidates of each campaign, as far as they are found in so much CPU time.
+//   vertex_metrics CANDIDATES SECONDS CAMPAIGN... The first so many candidates of each campaign,
+//   as far as they are found in so much CPU time.
 #include <fmt/format.h>
 
 #include <map>

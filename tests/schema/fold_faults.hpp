@@ -1,4 +1,4 @@
-// What a FOLD mesh is refused for.
+// Faults for which a FOLD mesh is refused.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where a goal ends: the first granule that meets it, or the first twenty populations, whatever the
+// The end of a goal: the first granule that meets it, or the first twenty populations, whatever the
 // order in which units come.
 #include "schema/campaign/goal.hpp"
 

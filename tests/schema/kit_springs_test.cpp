@@ -1,4 +1,4 @@
-// What springs do, beside panels that are placed by their four corners (Kabsch), and beside the
+// The springs' motion, beside panels that are placed by their four corners (Kabsch), and beside the
 // lengths of diagonals that loops give.
 #include "schema/kit/kit_springs.hpp"
 

@@ -1,4 +1,4 @@
-// What is known of the levels of a splitting search, of populations invented here, and each sheet
+// The counts at the levels of a splitting search, of populations invented here, and each sheet
 // once, against numbers made by hand.
 #include "schema/catalogue/ladder_state.hpp"
 

@@ -1,4 +1,4 @@
-// What goes into the report's page.
+// The data of the report's page.
 #include "schema/report/report.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Where candidates' diagonals first turn back, and the least rates of change, against vertex
+// The first reversals of candidates' diagonals, and the least rates of change, against vertex
 // coordinates: of draws next to whose fold limit, or next to D, both are hard to know.
 #include <gtest/gtest.h>
 

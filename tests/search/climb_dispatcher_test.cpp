@@ -1,5 +1,6 @@
-// Who moves which particles, with an invented science of sheets: whatever the workers, their order
-// and what earlier runs left, populations become the same. And numbers, messages, what files keep.
+// The assignment of particles to ranks, with an invented science of sheets: whatever the workers,
+// their order and what earlier runs left, populations become the same. And numbers, messages, what
+// files keep.
 #include "search/ranks/climb_dispatcher.hpp"
 
 #include <gtest/gtest.h>

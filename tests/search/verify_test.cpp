@@ -1,4 +1,4 @@
-// What is altered in a catalogue with all its sums mended is found by computing it again.
+// Alterations of a catalogue with all its sums mended are found by computing it again.
 #include "search/checks/verify.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Whom `misalign watch` answers, where it listens, and how it notices that a catalogue has changed.
+// Requests that `misalign watch` answers, where it listens, and how it notices that a catalogue has
+// changed.
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <poll.h>

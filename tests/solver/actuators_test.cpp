@@ -1,5 +1,7 @@
 // Springs on the diagonals against lengths between vertex coordinates, fine differences and sets
 // that are tried one by one.
+#include "solver/design/actuators.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -7,7 +9,6 @@
 #include <random>
 
 #include "blocks.hpp"
-#include "solver/design/actuators.hpp"
 #include "solver/records/metrics.hpp"
 #include "vertex_coordinates.hpp"
 

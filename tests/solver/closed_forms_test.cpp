@@ -1,4 +1,4 @@
-// What is known without solving anything.
+// Closed forms: known without solving anything.
 #include <Eigen/Geometry>
 
 #include "sheets.hpp"

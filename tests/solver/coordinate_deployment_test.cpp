@@ -1,5 +1,5 @@
-// A sheet let go whose A1 does not lie at the origin, against vertex coordinates and Newton's laws:
-// nothing here knows a pose, a joint's rotation or a frame.
+// The deployment of a sheet whose A1 does not lie at the origin, against vertex coordinates and
+// Newton's laws: nothing here knows a pose, a joint's rotation or a frame.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>

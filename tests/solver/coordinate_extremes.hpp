@@ -1,4 +1,4 @@
-// Where a diagonal first turns back, and the least rates of change, from vertex coordinates alone
+// The first reversal of a diagonal, and the least rates of change, from vertex coordinates alone
 // and steps as short as the path bends: the yardstick for metrics that are found by polynomials in
 // fold angles, or by fewer solves.
 #pragma once

@@ -1,5 +1,5 @@
-// How a sheet moves that is free in space, and its generalised mass, from vertex coordinates alone,
-// for tests.
+// The motion of a sheet free in space, and its generalised mass, from vertex coordinates alone, for
+// tests.
 #pragma once
 
 #include <Eigen/Dense>

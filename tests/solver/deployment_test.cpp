@@ -1,4 +1,4 @@
-// Sheets that are let go, against closed forms: two panels on one hinge, and a single vertex.
+// Deployment of sheets against closed forms: two panels on one hinge, and a single vertex.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

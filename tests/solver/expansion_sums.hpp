@@ -1,4 +1,4 @@
-// What the tables of a ShiftExpansion add up to, without registers.
+// The sums of a ShiftExpansion's tables, without registers.
 #pragma once
 
 #include "solver/model/shift_expansion.hpp"

@@ -1,5 +1,5 @@
-// What a path does between its samples, from solves in steps of a hundredth of a degree or so: the
-// yardstick for what is said by polynomials, or by fewer solves.
+// A path between its samples, from solves in steps of a hundredth of a degree or so: the yardstick
+// for what is said by polynomials, or by fewer solves.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// What a verdict must not depend on: the unit of length, where the sheet lies and from which side
-// it is seen, and how its vertices are numbered.
+// Invariance of a verdict: the unit of length, where the sheet lies and from which side it is seen,
+// and how its vertices are numbered.
 #include "viewed_family.hpp"
 
 namespace misalign::solver {

@@ -1,6 +1,5 @@
-// What the fast tests see of a sheet is what its path shows there, within the errors they claim:
-// lengths and slopes (by central differences of fourth order) of the path in steps of a tenth of a
-// degree.
+// The fast tests see of a sheet what its path shows there, within the errors they claim: lengths
+// and slopes (by central differences of fourth order) of the path in steps of a tenth of a degree.
 #include "solver/lanes/lane_test.hpp"
 
 #include <cmath>

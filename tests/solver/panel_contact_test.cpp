@@ -1,5 +1,5 @@
-// Where panels meet and how thick they may be, against closed forms on the unshifted Miura-ori and
-// conditions that a right answer fulfils. The sweep is tests/stress/contacts.cpp.
+// Contact of panels and their largest thickness, against closed forms on the unshifted Miura-ori
+// and conditions that a right answer fulfils. The sweep is tests/stress/contacts.cpp.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// What tables say of a draw to second order is what its path shows, within the bounds they claim:
+// Tables say of a draw to second order what its path shows, within the bounds they claim:
 // elongations and slopes (by central differences) of paths in steps of a tenth of a degree.
 #include "solver/model/shift_expansion.hpp"
 

@@ -1,6 +1,6 @@
-// What studies say of a sheet must not depend on where it lies in the plane, how it is turned, from
-// which side it is seen or in which unit of length it is given: every number of theirs, on a draw
-// of each family.
+// Invariance of the studies of a sheet: they must not depend on where it lies in the plane, how it
+// is turned, from which side it is seen or in which unit of length it is given: every number of
+// theirs, on a draw of each family.
 #include <Eigen/Geometry>
 #include <map>
 

@@ -1,7 +1,7 @@
-// What is said of where panels first meet, against a sweep of solved states that looks for crossing
-// panels by signs of volumes: every 0.001 degrees within 1 degree of the claim and wherever panels
-// are closer than 1 mm, otherwise every 0.1. Also what the claims rest on: how well lines through
-// the nodes' rates follow the rates, and how far the way's shapes are off.
+// The first contact of panels, against a sweep of solved states that looks for crossing panels by
+// signs of volumes: every 0.001 degrees within 1 degree of the claim and wherever panels are closer
+// than 1 mm, otherwise every 0.1. Also what the claims rest on: how well lines through the nodes'
+// rates follow the rates, and how far the way's shapes are off.
 //   contacts SHEETS DEPLOYS_FROM_DEG CAMPAIGN...    the campaign's first draws with such a D
 #include <fmt/format.h>
 

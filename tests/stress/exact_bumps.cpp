@@ -1,5 +1,5 @@
-// What false, true and "exact" of accept.between_samples make of the same draws, and what is true
-// where the last two differ: solves in steps of 0.01 degrees say so.
+// Compares what false, true and "exact" of accept.between_samples make of the same draws, and what
+// is true where the last two differ: solves in steps of 0.01 degrees say so.
 //   exact_bumps DRAWS CAMPAIGN...
 #include <fmt/format.h>
 

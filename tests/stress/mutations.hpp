@@ -1,4 +1,4 @@
-// What the fuzzers share: dice, small changes of JSON documents and of bytes, and the loop that
+// The fuzzers' common parts: dice, small changes of JSON documents and of bytes, and the loop that
 // counts inputs, times them, and keeps the one at which something was found.
 #pragma once
 

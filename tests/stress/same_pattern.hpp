@@ -1,5 +1,5 @@
-// Whether two patterns are one: by what is folded, not by their words, of which a key that is not
-// written would be missing in both.
+// Compares two patterns: by what is folded, not by their words, of which a key that is not written
+// would be missing in both.
 #pragma once
 
 #include <tuple>

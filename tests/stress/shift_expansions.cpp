@@ -1,5 +1,5 @@
-// What tables say of draws to second order, beside the bounds that they claim: against states that
-// Newton's method finds at both angles. And how many draws they turn away.
+// Tables of draws to second order, beside the bounds that they claim: against states that Newton's
+// method finds at both angles. And how many draws they turn away.
 //   shift_expansions DRAWS CAMPAIGN...
 #include <fmt/format.h>
 

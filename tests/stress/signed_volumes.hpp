@@ -1,4 +1,4 @@
-// Whether two panels cross, by the signs of tetrahedra's volumes alone.
+// Tests whether two panels cross, by the signs of tetrahedra's volumes alone.
 #pragma once
 
 #include <Eigen/Geometry>

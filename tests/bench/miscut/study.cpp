@@ -1,5 +1,5 @@
-// What a candidate's metrics say of the share of its slightly miscut copies that still deploy: a
-// row of CSV for each of some candidates. results/miscut/ has what came of it.
+// Correlates a candidate's metrics with the share of its slightly miscut copies that still deploy:
+// a row of CSV for each of some candidates. results/miscut/ has what came of it.
 //   miscut_study CAMPAIGN.json FROM_DEG CANDIDATES COPIES AMPLITUDE_MM
 #include <Eigen/SVD>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What rank 0 pays, measured with the program's own catalogue, messages and trial on this machine.
+// Costs of rank 0, measured with the program's own catalogue, messages and trial on this machine.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where Newton starts, from solutions already found.
+// Predictors: the start of Newton's method from solutions already found.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What every method is given: misaligned sheets of one campaign, the angles at which lengths are
-// wanted, the closure tolerance; and what it gives back.
+// The problem given to every method: misaligned sheets of one campaign, the angles at which lengths
+// are wanted, the closure tolerance; and what it gives back.
 #pragma once
 
 #include <cstdint>
