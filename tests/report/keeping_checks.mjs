@@ -50,14 +50,21 @@ export async function address_checks(page, data) {
   });
 
   await check("the back button goes back from pick to pick, and forward again", async () => {
+    const lines = by(page, "grid").locator(".line");
+    let other = first;
+    for (let k = 0; other === first; ++k) {
+      await lines.nth(k).click();
+      other = (await state(page)).picked;
+    }
+    await address_has(page, `draw=${other}`);
+    // Only now, however slow the machine is: a filter goes with the pick that is in the address.
     await by(page, "filter").fill(`draw = ${second}`);
-    await by(page, "grid").locator(".line").first().click();
-    await address_has(page, `draw=${second}`);
+    await address_has(page, `filter=draw+%3D+${second}`);
     await page.goBack();
     await picked_is(page, first);
     assert.equal(await by(page, "filter").inputValue(), `stroke_max < ${limit}`);
     await page.goForward();
-    await picked_is(page, second);
+    await picked_is(page, other);
     assert.equal(await by(page, "filter").inputValue(), `draw = ${second}`);
   });
 
