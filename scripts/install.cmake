@@ -24,10 +24,12 @@ install(EXPORT misalignTargets NAMESPACE misalign:: DESTINATION ${CONFIG_DIR} CO
 install(DIRECTORY solver DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/misalign COMPONENT dev
         FILES_MATCHING PATTERN "*.hpp" PATTERN example EXCLUDE PATTERN reference EXCLUDE
         REGEX "/(arb_model|expansion_test|lane_batch|panel_check)\\.hpp$" EXCLUDE
-        REGEX "/(proven_piece|shift_expansion|witness_polynomial)\\.hpp$" EXCLUDE)
+        REGEX "/(proven_interval|shift_expansion|witness_polynomial)\\.hpp$" EXCLUDE)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/misalignConfigVersion.cmake
                                  COMPATIBILITY SameMajorVersion)
+get_property(HAS_SUNDIALS GLOBAL PROPERTY MISALIGN_HAS_SUNDIALS)
+get_property(HAS_FLINT GLOBAL PROPERTY MISALIGN_HAS_FLINT)
 configure_file(scripts/misalignConfig.cmake.in misalignConfig.cmake @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/misalignConfig.cmake scripts/FindFLINT.cmake
               ${PROJECT_BINARY_DIR}/misalignConfigVersion.cmake
@@ -45,9 +47,14 @@ add_custom_target(completion ALL DEPENDS ${COMPLETION}/misalign ${COMPLETION}/_m
 install(FILES ${COMPLETION}/misalign DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${COMPLETION}/_misalign DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 
-find_program(HELP2MAN help2man)
-if(NOT HELP2MAN)
-  message(STATUS "help2man not found: no man pages")
+if(MISALIGN_MAN_PAGES)
+  find_program(HELP2MAN help2man)
+  if(HELP2MAN)
+    add_executable(help2man IMPORTED)
+  endif()
+endif()
+misalign_feature(help2man help2man "manual pages" help2man)
+if(NOT TARGET help2man)
   return()
 endif()
 # The same pages from the same commit, whenever they are made.

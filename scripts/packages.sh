@@ -1,10 +1,12 @@
 # Sourced: makes sure that what a script needs is installed, on Debian and Ubuntu as root or with sudo;
 # elsewhere says what is missing and stops.
 
-build_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
+# What the preset core needs, and what a build with everything needs.
+core_packages="g++ cmake ninja-build git libeigen3-dev libopenmpi-dev openmpi-bin libsqlite3-dev
   libsqlitecpp-dev nlohmann-json3-dev libspdlog-dev libfmt-dev libcli11-dev librandom123-dev
-  libxxhash-dev libboost-math-dev libxsimd-dev libfcl-dev libsundials-dev libflint-dev
-  pkg-config libmatio-dev libdxflib-dev libcpp-httplib-dev pybind11-dev python3-dev python3-numpy help2man"
+  libxxhash-dev libboost-math-dev libxsimd-dev"
+build_packages="$core_packages libfcl-dev libsundials-dev libflint-dev pkg-config libmatio-dev
+  libdxflib-dev libcpp-httplib-dev pybind11-dev python3-dev python3-numpy help2man"
 # Arb, until it became part of FLINT 3.
 if [ "$(. /etc/os-release 2> /dev/null && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
   build_packages+=" libflint-arb-dev"

@@ -204,6 +204,8 @@ auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
       case SQLITE_NOMEM:
       case SQLITE_NOTADB:
         throw storage_failure(database.getFilename(), error);
+      case SQLITE_ABORT:  // by a function that this build has not, and says so
+        throw UserError(kExitFailure, error.what());
       default:
         throw bad_sql(error.what());
     }

@@ -8,6 +8,7 @@
 #include "schema/exchange/deploy_json.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/carried_files.hpp"
+#include "schema/files/features.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "solver/pattern/outline.hpp"
 
@@ -84,16 +85,8 @@ Json rows_of(SQLite::Database& database, const std::string& columns_from_table, 
 
 // `server`: whom the page may ask, in the words of a Content-Security-Policy.
 std::string page_with(const Json& data, std::string_view server) {
-  const auto& files = carried_files();
-  const auto page = std::find_if(files.begin(), files.end(),
-                                 [](const CarriedFile& file) { return file.path == kPage; });
-  if (page == files.end()) {
-    throw UserError(
-        kExitFailure,
-        "this program was built without the report's page (MISALIGN_REPORT=OFF); build it "
-        "with Node.js and npm");
-  }
-  std::string text = page->text;
+  need("Node.js");
+  std::string text = carried_text(kPage);
   const auto put = [&](std::string_view place, std::string_view there) {
     text.replace(text.find(place), place.size(), there);
   };

@@ -10,6 +10,7 @@
 
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/writer_lock.hpp"
+#include "schema/files/features.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/stopwatch.hpp"
@@ -87,6 +88,16 @@ std::vector<Check> check_numbers() {
                                   fmt::join(groups, " | "))});
   }
   return checks;
+}
+
+Check check_libraries() {
+  std::vector<std::string> missing;
+  for (const Feature& feature : kFeatures) {
+    if (!feature.is_in) missing.push_back(fmt::format("{} ({})", feature.library, feature.purpose));
+  }
+  const std::string in = "with " + schema::libraries_text(true);
+  if (missing.empty()) return {"libraries", Health::good, in};
+  return {"libraries", Health::note, fmt::format("{}; without {}", in, fmt::join(missing, ", "))};
 }
 
 std::vector<Check> check_directory(const std::string& directory) {

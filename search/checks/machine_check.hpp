@@ -31,6 +31,8 @@ RankReport unpack_rank(const std::string& text);
 
 /// Random numbers, and verdicts in all of the machine's registers.
 std::vector<Check> check_numbers();
+/// Which libraries this build has; those that it lacks are a note.
+Check check_libraries();
 /// A place for catalogues: its file system, whether it can be written and locked, and how many
 /// commits a second it takes. Leaves nothing there.
 std::vector<Check> check_directory(const std::string& directory);

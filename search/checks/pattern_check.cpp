@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "schema/exchange/folding_json.hpp"
+#include "schema/files/features.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "solver/design/shaped_path.hpp"
 #include "solver/records/metrics.hpp"
@@ -122,7 +123,7 @@ std::string pattern_verification_text(const PatternVerification& v) {
   text += report.first_contact_deg
               ? "contacts     panels cross first at " + shown_number(*report.first_contact_deg) +
                     " deg (" + report.contact + ")\n"
-              : "contacts     none: no two panels without a common vertex cross\n";
+              : no_contacts_text();
   text += "any angle    " + report.meet_text + "\n";
   return text + "findings     " + (v.good() ? "none" : std::to_string(report.findings.size())) +
          "\n";
@@ -137,6 +138,7 @@ Json pattern_verification_json(const PatternVerification& v) {
           {"compared_with_file", v.has_claims},
           {"solvers_apart_mm", v.apart_mm},
           {"shapes", v.shapes},
+          {"panels_checked", has("FCL")},
           {"first_contact_deg", crosses ? Json(*v.report.first_contact_deg) : Json()},
           {"panels", crosses ? Json(v.report.contact) : Json()},
           {"contact", v.report.meet},

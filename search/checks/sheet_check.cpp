@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
 #include "solver/pattern/half_angle.hpp"
 
@@ -63,7 +64,6 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
                               Eigen::Index samples, SheetReport& report) const {
   const auto& [vertices_mm, history, states] = sheet;
   solver::ShapeCheck shape_check(vertices_mm, panels_.corners, panels_.folds);
-  CrossingCheck crossing_check(vertices_mm, panels_.corners);
   solver::SheetGeometry<double> geometry;
   place(mechanism(), vertices_mm, geometry);
   std::vector<double> claimed_deg(panels_.folds.size());
@@ -81,18 +81,31 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
       report.diagonal_mm =
           std::max(report.diagonal_mm, std::abs(length_mm - history.length_mm(k, d)));
     }
-    if (report.first_contact_deg) continue;
-    if (const auto panels = crossing_check.crossing(corners_mm)) {
+  }
+  report.shape = shape_check.worst();
+  add_shape_findings(where, report);
+  find_crossing(sheet, samples, report);
+  find_meeting(sheet, samples, report);
+}
+
+void SheetCheck::find_crossing(const FollowedSheet& sheet, Eigen::Index samples,
+                               SheetReport& report) const {
+  if constexpr (has("FCL")) {
+    CrossingCheck check(sheet.vertices_mm, panels_.corners);
+    solver::SheetGeometry<double> geometry;
+    place(mechanism(), sheet.vertices_mm, geometry);
+    for (Eigen::Index k = 0; k < samples; ++k) {
+      const auto& state = sheet.states[static_cast<std::size_t>(k)];
+      const auto panels = check.crossing(model_.shape().corners_mm(geometry, state));
+      if (!panels) continue;
       const auto place_of = [&](int panel) {
         return schema::facet_json(base_, panels_.facets[panel]).dump();
       };
       report.first_contact_deg = static_cast<double>(k + 1) * sampling_.sample_deg;
       report.contact = place_of(panels->first) + " and " + place_of(panels->second);
+      return;
     }
   }
-  report.shape = shape_check.worst();
-  add_shape_findings(where, report);
-  find_meeting(sheet, samples, report);
 }
 
 void SheetCheck::find_meeting(const FollowedSheet& sheet, Eigen::Index samples,
@@ -159,6 +172,13 @@ schema::Json findings_json(const std::vector<schema::Finding>& findings) {
     json.back()["sentence"] = finding.sentence;
   }
   return json;
+}
+
+std::string no_contacts_text() {
+  if constexpr (has("FCL")) {
+    return "contacts     none: no two panels without a common vertex cross\n";
+  }
+  return "contacts     panels were not looked at: " + schema::missing_text("FCL") + "\n";
 }
 
 std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm) {

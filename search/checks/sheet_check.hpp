@@ -38,6 +38,8 @@ struct FollowedSheet {
 std::string findings_text(const std::vector<schema::Finding>& findings);
 /// Their details, each with its "sentence".
 schema::Json findings_json(const std::vector<schema::Finding>& findings);
+/// A line where no panels were found to cross: that none do, or that this build cannot tell.
+std::string no_contacts_text();
 /// "length 1.2e-13 mm, planarity ..."
 std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm);
 schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm);
@@ -59,7 +61,8 @@ class SheetCheck {
   solver::Metrics measure(const solver::FlatVertices& vertices_mm,
                           const solver::FoldingHistory& history) const;
   /// The first `samples` folded shapes: rigid panels, creases and diagonals as the history says;
-  /// and where panels first cross, which is no fault. `where` names the sheet.
+  /// and where panels first cross, if this build can tell, which is no fault. `where` names the
+  /// sheet.
   void check_shapes(const std::string& where, const FollowedSheet& sheet, Eigen::Index samples,
                     SheetReport& report) const;
 
@@ -67,6 +70,8 @@ class SheetCheck {
   const ColumnTolerances& tolerances() const { return tolerances_; }
 
  private:
+  /// Nothing where this build is without FCL.
+  void find_crossing(const FollowedSheet& sheet, Eigen::Index samples, SheetReport& report) const;
   void find_meeting(const FollowedSheet& sheet, Eigen::Index samples, SheetReport& report) const;
   void add_shape_findings(const std::string& where, SheetReport& report) const;
 

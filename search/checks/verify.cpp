@@ -6,6 +6,7 @@
 #include <random>
 
 #include "schema/catalogue/certificate_table.hpp"
+#include "schema/files/features.hpp"
 #include "search/checks/draws_again.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/long_work.hpp"
@@ -220,7 +221,7 @@ std::string verification_text(const Verification& v) {
         fmt::format("contacts     panels cross in {} of them, first at {:g} deg (draw {}, {})\n",
                     v.contacts(), *first->first_contact_deg, first->draw, first->contact);
   } else {
-    text += "contacts     none: no two panels without a common vertex cross\n";
+    text += no_contacts_text();
   }
   if (const CheckedCandidate* first = v.first_meeting()) {
     const auto meeting = std::count_if(v.checked.begin(), v.checked.end(),
@@ -247,6 +248,7 @@ Json verification_json(const Verification& v) {
           {"digest", v.digest},
           {"candidates", v.candidates},
           {"checked", checked},
+          {"panels_checked", has("FCL")},
           {"fault_samples", {{"checked", v.fault_samples.checked}, {"of", v.fault_samples.of}}},
           {"certificates", {{"good", v.certificates.checked}, {"of", v.certificates.of}}},
           {"units",

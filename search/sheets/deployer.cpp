@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
 #include "solver/design/fold_lines.hpp"
 #include "solver/records/path_record.hpp"
@@ -129,6 +130,7 @@ std::optional<solver::DeploymentStudy> Deployer::study_if_possible(
 
 solver::DeploymentStudy Deployer::study(const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg,
                                         const std::string& name) {
+  schema::need("SUNDIALS");
   const auto way = ways_.follow(base_.base.sheet.vertices_mm + shifts_mm);
   if (!way) {
     throw UserError(schema::kExitFailure,

@@ -38,7 +38,8 @@ class Deployer {
   /// D of the sheet with these shifts.
   double deploys_from_deg(const Eigen::Matrix2Xd& shifts_mm) const;
   /// Of that sheet, which deploys from there. UserError: 2 where it does not fold
-  /// as far as is wished, 1 where its path is lost; `name` is the sheet's in the sentence.
+  /// as far as is wished, 1 where its path is lost or this build is without SUNDIALS; `name` is the
+  /// sheet's in the sentence.
   solver::DeploymentStudy study(const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg,
                                 const std::string& name);
   /// The same; none where it cannot be let go.

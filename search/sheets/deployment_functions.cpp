@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/files/features.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/deployer.hpp"
 #include "search/terminal/long_work.hpp"
@@ -73,6 +74,10 @@ struct Function {
 };
 
 void call(sqlite3_context* context, int count, sqlite3_value** values) {
+  if constexpr (!has("SUNDIALS")) {
+    sqlite3_result_error(context, schema::missing_text("SUNDIALS").c_str(), -1);
+    return sqlite3_result_error_code(context, SQLITE_ABORT);
+  }
   const auto& function = *static_cast<const Function*>(sqlite3_user_data(context));
   const bool has_angle = count > 1 && sqlite3_value_numeric_type(values[1]) != SQLITE_NULL;
   const double from_deg = has_angle ? sqlite3_value_double(values[1]) : kDeployFrom_deg;

@@ -13,7 +13,8 @@ namespace misalign::search {
 ///   critical_friction_n_mm_per_mm(draw), critical_friction_n_mm_per_mm(draw, from_deg)
 /// of any draw of its campaign, as `misalign deploy` says them with its defaults, and these springs
 /// instead of the campaign's if there are any: null where the sheet does not get to flat, does not
-/// fold as far, or its path is lost.
+/// fold as far, or its path is lost. A query that calls one ends with SQLITE_ABORT where this build
+/// is without SUNDIALS.
 void add_deployment_functions(SQLite::Database& database, const std::string& path,
                               std::optional<double> stiffness_n_per_mm = {});
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "schema/files/features.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "solver/certificate/certificate_check.hpp"
 
@@ -36,12 +37,15 @@ std::optional<CertificateFinding> SheetCertifier::row_fault(
 
 std::optional<CertificateFinding> SheetCertifier::check(
     const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
+  schema::need("FLINT");
   if (const auto fault = row_fault(shifts_mm, row)) return fault;
-  const auto certificate = solver::decode(model_.mechanism(), row.proof);
-  const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
-  const auto fault = solver::check_certificate(model_, vertices_mm, *certificate);
-  if (!fault) return std::nullopt;
-  return CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
+  if constexpr (has("FLINT")) {
+    const auto certificate = solver::decode(model_.mechanism(), row.proof);
+    const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
+    const auto fault = solver::check_certificate(model_, vertices_mm, *certificate);
+    if (fault) return CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
+  }
+  return std::nullopt;
 }
 
 bool answers(const schema::CertificateRecord& row, double asked_deg, bool contact) {

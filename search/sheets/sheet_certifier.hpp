@@ -37,6 +37,7 @@ class SheetCertifier {
   std::optional<CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
                                               const schema::CertificateRecord& row) const;
   /// That, and whether the proof is one: the second opinion, in ball arithmetic.
+  /// UserError (1) where this build is without FLINT.
   std::optional<CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
                                           const schema::CertificateRecord& row) const;
 

@@ -13,6 +13,7 @@
 #include "schema/exchange/mat_export.hpp"
 #include "schema/exchange/plate_stl.hpp"
 #include "schema/exchange/svg_pen.hpp"
+#include "schema/files/features.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
 #include "search/sheets/contact_study.hpp"
@@ -78,9 +79,14 @@ void make_directory(const std::string& path) {
 
 SheetFiles::SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
     : folder_(folder), options_(options) {
+  if (options.format == SheetFormat::mat) schema::need("matio");
+  if (options.format == SheetFormat::dxf) schema::need("dxflib");
   if (options.format != SheetFormat::json && options.format != SheetFormat::fold) return;
   deployer_ = std::make_unique<Deployer>(folder.base(), folder.sampling(), folder.actuators(),
                                          DeployWish());
+  if (!has("SUNDIALS") && options.warn) {
+    options.warn("no deployment is in these files: " + schema::missing_text("SUNDIALS"));
+  }
 }
 
 SheetFiles::~SheetFiles() = default;
@@ -95,9 +101,12 @@ void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
     case SheetFormat::json:
       return write_file(stem, data_of(folded, view, origin).dump(1) + "\n");
     case SheetFormat::mat:
-      return write_file(
-          stem, schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
-                                   folded.metrics, folder_.sampling(), label.title, origin));
+      if constexpr (has("matio")) {
+        write_file(stem,
+                   schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
+                                      folded.metrics, folder_.sampling(), label.title, origin));
+      }
+      return;
     case SheetFormat::svg:
     case SheetFormat::dxf:
       return write_drawings(folded, label);
@@ -170,7 +179,10 @@ std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
 // A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
 void SheetFiles::write_drawings(const FoldedSheet& folded, const SheetLabel& label) const {
   const auto text_of = [&](const schema::LineDrawing& drawing) {
-    return options_.format == SheetFormat::svg ? schema::svg_of(drawing) : schema::dxf_of(drawing);
+    if constexpr (has("dxflib")) {
+      if (options_.format == SheetFormat::dxf) return schema::dxf_of(drawing);
+    }
+    return schema::svg_of(drawing);
   };
   const schema::Pattern& base = folder_.base();
   if (!options_.kit) {

@@ -32,7 +32,7 @@ struct SheetFilesOptions {
   schema::MjcfOptions mjcf;
   schema::DeckOptions deck;               ///< of `inp`
   std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
-  std::function<void(const std::string&)> warn;  ///< of a kit, before it is written
+  std::function<void(const std::string&)> warn;  ///< of what is not as it may seem
   /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
   std::optional<double> trim_mm;
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_run.hpp"
 #include "search/ranks/mpi_session.hpp"
@@ -57,6 +58,7 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
                     "certify: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K, --where SQL or --all");
   }
+  if (options.check) schema::need("FLINT");  // before other ranks are started
   if (const int count = ranks_wanted(call.ranks); count > 1) {
     return run_under_mpirun(count, typed, false);
   }
@@ -163,7 +165,8 @@ constexpr const char* kCertifyFooter =
     "It\n"
     "says of how many certificates it is proven too what ends them, and of how many the proof "
     "only\n"
-    "stops. Exit code 6 if a claim does not hold, 3 if there is no certificate.\n\n"
+    "stops. Exit code 6 if a claim does not hold, 3 if there is no certificate. Needs a program\n"
+    "built with FLINT (misalign --version).\n\n"
     "Examples:\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --best 10\n"
     "  misalign certify results/miura-6x6-1a2b3c4d.db --all --ranks all\n"

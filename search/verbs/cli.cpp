@@ -12,6 +12,7 @@
 #include <optional>
 #include <thread>
 
+#include "schema/files/features.hpp"
 #include "schema/files/input.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/terminal/build_info.hpp"
@@ -32,10 +33,12 @@ std::string version_text() {
   const BuildInfo& build = build_info();
   return fmt::format(
       "misalign {}\ncommit    {}\ncompiler  {}\nflags     {}\n"
-      "libraries Eigen {}.{}.{}, SQLite {}, nlohmann-json {}.{}.{}\ninstruction set {}",
+      "libraries Eigen {}.{}.{}, SQLite {}, nlohmann-json {}.{}.{}\nwith      {}\nwithout   {}\n"
+      "instruction set {}",
       build.version, build.commit, build.compiler, build.flags, EIGEN_WORLD_VERSION,
       EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, sqlite3_libversion(), NLOHMANN_JSON_VERSION_MAJOR,
-      NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH,
+      NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, schema::libraries_text(true),
+      schema::libraries_text(false),
       solver::instruction_set_name(solver::available_instruction_sets().back()));
 }
 

@@ -61,7 +61,8 @@ Action deploy_verb(CLI::App& verb) {
       "found\n"
       "by letting it go again and again, otherwise from its energies.\n"
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
-      "second of a ball joint; moments are about the crease's midpoint, square to it.\n\n"
+      "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
+      "Needs a program built with SUNDIALS (misalign --version).\n\n"
       "Examples:\n  misalign deploy search/patterns/table1.json\n"
       "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
       "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.05");

@@ -23,6 +23,7 @@ int run_doctor(const DoctorCall& call) {
   int exit_code = 0;
   if (mpi.rank() == 0) {
     std::vector<Check> checks = check_numbers();
+    checks.push_back(check_libraries());
     std::vector<RankReport> ranks;
     for (const std::string& report : reports) ranks.push_back(unpack_rank(report));
     for (auto&& more : {check_ranks(ranks, mpi.has_beats()), check_directory(call.directory)}) {
@@ -40,8 +41,8 @@ Action doctor_verb(CLI::App& verb) {
   verb.description("whether this machine can run a campaign well");
   verb.footer(
       "Checks the random numbers, the verdicts of every instruction set on known sheets, MPI\n"
-      "and its slots, and the directory for catalogues. Exit code 1 if a campaign would\n"
-      "fail, or could not be trusted.\n\n"
+      "and its slots, and the directory for catalogues; says which libraries this build has.\n"
+      "Exit code 1 if a campaign would fail, or could not be trusted.\n\n"
       "Examples:\n  misalign doctor results\n  mpirun -n 8 --hostfile hosts misalign doctor");
   auto call = std::make_shared<DoctorCall>();
   verb.add_option("DIRECTORY", call->directory, "directory that catalogues will lie in [.]");

@@ -58,11 +58,11 @@ void export_candidates(const ExportCall& call) {
   schema::Campaign campaign = schema::read_campaign_of(*database, call.files.read_from);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);
   const SheetFolder folder(campaign, call.files.look_deg());
-  make_directory(call.files.directory);
   const auto stem_of = [&](std::uint64_t draw) {
     return campaign.name + "-" + std::to_string(draw);
   };
   const SheetFiles files(folder, call.files);
+  make_directory(call.files.directory);
   std::optional<SheetTables> tables;
   if (call.files.format == SheetFormat::csv) {
     const std::vector<std::uint64_t>& named = call.choice.draws;
@@ -99,6 +99,7 @@ void export_pattern(const ExportCall& call) {
   const ChosenSheet sheet = sheet_of_pattern_file(call.files.read_from);
   const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators),
                            call.files.look_deg());
+  const SheetFiles files(folder, call.files);
   make_directory(call.files.directory);
   const FoldedSheet folded = folder.fold(sheet.shifts_mm);
   const std::string stem = std::filesystem::path(call.files.read_from).stem().string();
@@ -108,8 +109,7 @@ void export_pattern(const ExportCall& call) {
     tables.publish();
     return;
   }
-  SheetFiles(folder, call.files)
-      .write(folded, {stem, "misalign: " + sheet.pattern, sheet.pattern}, schema::Json::object());
+  files.write(folded, {stem, "misalign: " + sheet.pattern, sheet.pattern}, schema::Json::object());
 }
 
 // Options that say nothing about the format that is asked for are a mistake.
@@ -189,6 +189,7 @@ constexpr const char* kExportFooter =
     "  mjcf  the sheet folded to --from, about to be let go, for MuJoCo: rigid panels, hinges,\n"
     "        ball joints, springs as tendons\n"
     "  inp   the same for CalculiX: elastic panels\n"
+    "mat needs a program built with matio, dxf with dxflib (misalign --version).\n"
     "Where two holes meet, the panels between them touch in a point. The sheet needs a ball\n"
     "joint there, which is in the files of mjcf and inp alone. Files are named after the "
     "campaign and the draw, or "

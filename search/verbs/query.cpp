@@ -78,7 +78,8 @@ Action query_verb(CLI::App& verb) {
   verb.footer(
       "Named queries: " + schema::named_query_list() +
       ".\ndeploy_time_s(draw) and critical_friction_n_mm_per_mm(draw), or (draw, from_deg), are\n"
-      "found as they are asked for: see misalign deploy.\nElongations and strokes are shares of a "
+      "found as they are asked for: see misalign deploy, and what it needs.\nElongations and "
+      "strokes are shares of a "
       "length: stroke_max < 0.08 is 8 %.\n"
       "On a terminal the rows go through $PAGER [less].\n\n"
       "Examples:\n  misalign query results/miura-6x6-1a2b3c4d.db best\n"

@@ -2,10 +2,12 @@
 #include "schema/report/report.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <limits>
 
+#include "schema/files/features.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/report/report_data.hpp"
 #include "search/sheets/chosen_sheet.hpp"
@@ -61,7 +63,8 @@ Action report_verb(CLI::App& verb) {
   verb.footer(
       "The page needs no network. Its table holds the best candidates. Some of them can be\n"
       "looked at closely (crease pattern, folding, histories, springs): the 36 best, or those\n"
-      "that you choose, and every --draw. The page of a pattern file shows that one sheet.\n\n"
+      "that you choose, and every --draw. The page of a pattern file shows that one sheet.\n"
+      "Needs a program built with Node.js (misalign --version).\n\n"
       "Examples:\n  misalign report results/miura-6x6-1a2b3c4d.db --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --draw 1234 --output report.html\n"
       "  misalign report results/miura-6x6-1a2b3c4d.db --diverse 12 \\\n"
@@ -104,6 +107,11 @@ Action report_verb(CLI::App& verb) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE");
   return [call, &verb, group] {
+    schema::need("Node.js");
+    if (call->with_deployment) schema::need("SUNDIALS");
+    if (!has("SUNDIALS")) {
+      spdlog::warn("no deployment is in the page: {}", schema::missing_text("SUNDIALS"));
+    }
     if (is_pattern_file(call->path)) {
       std::string chosen_by = first_given(*group);
       for (const char* option : {"--draw", "--rows", "--details", "--by", "--deploy"}) {

@@ -7,6 +7,7 @@
 #include <exception>
 #include <thread>
 
+#include "schema/files/features.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -83,7 +84,8 @@ Action watch_verb(CLI::App& verb) {
       "is complete. The search may run already, begin later, end and go on, and is not kept\n"
       "waiting: the catalogue is only read, in short looks. Only programs on this machine reach\n"
       "the page; those of its other users do, too. To look from another machine, with the same\n"
-      "port at both ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n\n"
+      "port at both ends: ssh -L 8617:127.0.0.1:8617 THE_MACHINE_OF_THE_SEARCH\n"
+      "Needs a program built with cpp-httplib and Node.js (misalign --version).\n\n"
       "Examples:\n  misalign watch results/miura-6x6-1a2b3c4d.db\n"
       "  misalign watch results/miura-6x6-1a2b3c4d.db --port 8080");
   auto call = std::make_shared<WatchCall>();
@@ -96,7 +98,8 @@ Action watch_verb(CLI::App& verb) {
   verb.add_option("--address", call->address, "loopback address to listen on [127.0.0.1]")
       ->type_name("ADDRESS");
   return [call] {
-    watch(*call);
+    for (const char* library : {"cpp-httplib", "Node.js"}) schema::need(library);
+    if constexpr (has("cpp-httplib")) watch(*call);
     return 0;
   };
 }

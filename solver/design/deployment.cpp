@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
+#include "generated/features.hpp"
 #include "solver/design/motion_integrator.hpp"
 
 namespace misalign::solver {
@@ -251,7 +253,8 @@ const char* name_of(Outcome outcome) {
 
 Deployment deploy(const DeployingSheet& sheet, const std::vector<double>& wells_x,
                   const DeploymentOptions& options) {
-  return Run(sheet, wells_x, options).run();
+  if constexpr (has("SUNDIALS")) return Run(sheet, wells_x, options).run();
+  throw std::logic_error("built without SUNDIALS, nothing deploys");
 }
 
 }  // namespace misalign::solver

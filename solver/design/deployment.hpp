@@ -53,7 +53,7 @@ struct Deployment {
 };
 
 /// `sheet`'s way must reach beyond from_deg. `wells_x`: where its potential has minima
-/// (find_wells).
+/// (find_wells). Only where this build has SUNDIALS.
 Deployment deploy(const DeployingSheet& sheet, const std::vector<double>& wells_x,
                   const DeploymentOptions& options);
 
