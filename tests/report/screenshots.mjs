@@ -1,4 +1,4 @@
-// Pictures of a report for people to look at, narrow, as on a desk and wide, light and dark:
+// Pictures of a report for people to look at, as on a desk, light and dark:
 //   node screenshots.mjs REPORT.html DIRECTORY [DRAW]        DRAW: one with details
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -12,20 +12,13 @@ const kParts = {
   charts: "#views > .grid >> nth=1",
   facts: "#facts",
 };
-// A number behind the name where it is not the width of a desk.
-const kLooks = [
-  ["light", 1500, ""],
-  ["dark", 1500, ""],
-  ["light", 800, "-800"],
-  ["light", 2500, "-2500"],
-];
 
 mkdirSync(directory, { recursive: true });
 const browser = await open_browser([], { ignoreDefaultArgs: ["--hide-scrollbars"] });
-for (const [theme, width, ending] of kLooks) {
+for (const theme of ["light", "dark"]) {
   const { page, problems } = await open_page(browser, report, {
     colorScheme: theme,
-    viewport: { width, height: 900 },
+    viewport: { width: 1500, height: 900 },
   });
   if (draw) await page.getByTestId("detailed").selectOption(draw);
   // Sticky bars would lie across a picture that is higher than the window.
@@ -37,7 +30,7 @@ for (const [theme, width, ending] of kLooks) {
     const section = page.locator(place);
     if (!(await section.isVisible())) continue;
     await section.scrollIntoViewIfNeeded();
-    await section.screenshot({ path: join(directory, `${part}-${theme}${ending}.png`) });
+    await section.screenshot({ path: join(directory, `${part}-${theme}.png`) });
   }
   if (problems.length) console.error(problems.join("\n"));
   await page.close();
