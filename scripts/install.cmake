@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS misalign RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-file(GLOB SCHEMA_FILES CONFIGURE_DEPENDS schema/*.sql schema/*.json schema/README.md)
+file(GLOB SCHEMA_FILES CONFIGURE_DEPENDS schema/*.sql schema/*.json schema/*.md)
 install(FILES ${SCHEMA_FILES} DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema)
 install(DIRECTORY schema/migrations schema/queries schema/versions
         DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign/schema)
