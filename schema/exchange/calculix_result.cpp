@@ -81,14 +81,14 @@ class StressReader {
   }
 
   bool has_places() const { return placed_; }
-  StressHistory take() { return std::move(history_); }
+  solver::StressHistory take() { return std::move(history_); }
 
  private:
   enum class Block { none, nodes, elements, stresses };
   struct Frame {
     double time_s = 0;
     bool is_sound = true;
-    StressAt outside, anywhere;
+    solver::StressAt outside, anywhere;
     std::vector<double> panels_mpa;
   };
 
@@ -105,7 +105,7 @@ class StressReader {
   bool placed_ = false;
   std::unordered_map<int, Node> nodes_;  // by their numbers, which may be any
   Frame frame_;
-  StressHistory history_;
+  solver::StressHistory history_;
 };
 
 void StressReader::see_entry(const std::string& line) {
@@ -133,7 +133,7 @@ void StressReader::see_entry(const std::string& line) {
 
 void StressReader::see_stress(const Node& node, double stress_mpa) {
   frame_.is_sound = frame_.is_sound && is_result(stress_mpa);
-  const auto raise = [&](StressAt& most) {
+  const auto raise = [&](solver::StressAt& most) {
     if (stress_mpa > most.stress_mpa) {
       most = {stress_mpa, frame_.time_s, node.panel, node.flat_mm};
     }
@@ -158,7 +158,7 @@ void StressReader::end_block() {
     history_.time_s.push_back(frame_.time_s);
     history_.outside_mpa.push_back(frame_.outside.stress_mpa);
     history_.anywhere_mpa.push_back(frame_.anywhere.stress_mpa);
-    const auto raise = [](std::optional<StressAt>& most, const StressAt& now) {
+    const auto raise = [](std::optional<solver::StressAt>& most, const solver::StressAt& now) {
       if (now.panel >= 0 && (!most || now.stress_mpa > most->stress_mpa)) most = now;
     };
     raise(history_.outside, frame_.outside);
@@ -298,9 +298,9 @@ void MotionReader::add_row() {
   if (is_sound_) rows_.push_back(row_);
 }
 
-StressHistory read_stresses(std::istream& file, const std::string& name,
-                            const SimulatedSheet& sheet, const PanelMesh& mesh,
-                            const StressOptions& options) {
+solver::StressHistory read_stresses(std::istream& file, const std::string& name,
+                                    const SimulatedSheet& sheet, const PanelMesh& mesh,
+                                    const StressOptions& options) {
   StressReader reader(sheet, mesh, options);
   for (std::string line; std::getline(file, line);) reader.see_line(line);
   if (!reader.has_places()) {

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <iterator>
 
+#include "schema/exchange/stress_json.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/ranks/stop_signal.hpp"
+#include "search/sheets/calculix_run.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deployer.hpp"
 #include "search/sheets/sheet_files.hpp"
-#include "search/sheets/stress_study.hpp"
+#include "search/sheets/stress_text.hpp"
 #include "search/terminal/duration.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/terminal.hpp"
@@ -22,7 +24,7 @@
 namespace misalign::search {
 namespace {
 
-using schema::ElasticRow;
+using solver::ElasticRow;
 
 struct StressCall {
   std::string path;                   // a catalogue or a pattern file
@@ -99,71 +101,6 @@ class StressProgress {
   double next_s_ = 10;
 };
 
-void print_stress(const char* where, const schema::SimulatedSheet& sheet,
-                  const std::optional<schema::StressAt>& at) {
-  if (!at) return put("  {}: no node lies there; take a finer --mesh\n", where);
-  const auto [row, column] = sheet.places[static_cast<std::size_t>(at->panel)];
-  put("  {}: {:.3g} MPa after {:.4f} s, in panel [{}, {}] at ({:.1f}, {:.1f}) mm of the flat "
-      "sheet\n",
-      where, at->stress_mpa, at->time_s, row, column, at->flat_mm.x(), at->flat_mm.y());
-}
-
-void print_study(const schema::SimulatedSheet& sheet, const StressStudyOptions& options,
-                 const StressStudy& study) {
-  const ElasticRow& last = study.rows.back();
-  const schema::Material& material = options.deck.material;
-  put("{:g} deg, {} x {} elements a panel of {} ({:g} GPa, {:g} mm), springs of {:g} N/mm\n",
-      sheet.pilot_deg, options.deck.elements, options.deck.elements,
-      schema::printable(material.name), material.e_gpa, sheet.plates.thickness_mm,
-      sheet.stiffness_n_per_mm);
-  if (study.deployed_s) {
-    put("deployed: every crease within {:g} deg after {:.4f} s\n", options.flat_deg,
-        *study.deployed_s);
-  } else {
-    const std::string where =
-        sheet.rest_deg > 0
-            ? fmt::format(
-                  "springs are relaxed at {:g} deg: after {:.4f} s the pilot "
-                  "is at {:.3f} deg",
-                  sheet.rest_deg, last.time_s, last.pilot_deg)
-            : fmt::format("not deployed: after {:.4f} s creases are within {:.2f} deg", last.time_s,
-                          last.widest_deg);
-    put("{}{}\n", where,
-        study.was_stopped ? "; there it was stopped"
-        : study.gave_up   ? "; there ccx gave up"
-                          : "");
-  }
-  put("largest von Mises stress\n");
-  print_stress(
-      fmt::format("outside discs of {:g} mm round every vertex", options.stress.disc_mm).c_str(),
-      sheet, study.stress.outside);
-  print_stress("anywhere, which grows as meshes get finer", sheet, study.stress.anywhere);
-  put("CalculiX: {} increments, {:.0f} CPU s, {:.0f} MB\n", study.rows.size() - 1,
-      study.calculix.cpu_s, study.calculix.memory_mb);
-}
-
-// At most twenty rows, the last among them; stresses are the largest since the row before.
-void print_way(const StressStudy& study) {
-  put("\n   time_s pilot_deg rigid_deg widest_deg springs_n_mm bending_n_mm kinetic_n_mm "
-      "outside_discs_mpa\n");
-  constexpr std::size_t kRows = 20;
-  const std::size_t count = study.rows.size(), every = (count + kRows - 1) / kRows;
-  std::size_t frame = 0;
-  for (std::size_t k = (count - 1) % every; k < count; k += every) {
-    const ElasticRow& row = study.rows[k];
-    double largest_mpa = 0;
-    for (; frame < study.stress.time_s.size() &&
-           study.stress.time_s[frame] <= row.time_s * (1 + 1e-5);
-         ++frame) {
-      largest_mpa = std::max(largest_mpa, study.stress.outside_mpa[frame]);
-    }
-    const std::optional<double> rigid_deg = study.rigid_pilot_deg(row.time_s);
-    put("{:>9.5f} {:>9.3f} {:>9} {:>10.3f} {:>12.5g} {:>12.5g} {:>12.5g} {:>17.4g}\n", row.time_s,
-        row.pilot_deg, rigid_deg ? fmt::format("{:.3f}", *rigid_deg) : "-", row.widest_deg,
-        row.springs_n_mm, row.strain_n_mm, row.kinetic_n_mm, largest_mpa);
-  }
-}
-
 // With rigid panels; it is the way that the motion tends to as panels get stiffer.
 std::vector<solver::DeploymentRow> rigid_motion(const ChosenSheet& sheet,
                                                 const schema::SimulatedSheet& released) {
@@ -192,7 +129,7 @@ void show_stress(StressCall& call) {
   const std::string job = job_of(call, sheet);
   keep_input(call, job);
   const std::string result = job_file(call.directory, job, "-stress.json");
-  StressStudy study;
+  solver::StressStudy study;
   {
     // What was reached is read and written within that time, or the program ends anyway.
     constexpr double kToReadAndWrite_s = 120;
@@ -204,14 +141,13 @@ void show_stress(StressCall& call) {
     });
   }
   study.rigid = rigid_motion(sheet, released);
-  schema::Json json = stress_json(released, call.options, study);
+  schema::Json json =
+      schema::stress_json(released, call.options.deck, call.options.stress.disc_mm, study);
   json.update(sheet.whose());
   schema::write_text_file(result, json.dump(1) + "\n");
   if (call.json) return put_json(json);
-  put("{}: let go from ", schema::printable(sheet.name()));
-  print_study(released, call.options, study);
-  print_way(study);
-  put("\n{}\n", schema::printable(result));
+  put("{}: let go from {}\n{}\n", schema::printable(sheet.name()),
+      stress_text(released, call.options, study), schema::printable(result));
 }
 
 constexpr const char* kStressFooter =

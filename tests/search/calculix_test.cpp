@@ -189,7 +189,7 @@ TEST_F(Calculix, MotionIsReadAsItGrows) {
   EXPECT_NEAR(reader.rows()[0].springs_n_mm, folded_.actuation.energy_n_mm[36], 1e-8);
   reader.feed(text.substr(1234));
   ASSERT_EQ(reader.rows().size(), 2u);
-  const schema::ElasticRow& row = reader.rows()[1];
+  const solver::ElasticRow& row = reader.rows()[1];
   EXPECT_EQ(row.time_s, 0.02);
   EXPECT_NEAR(row.pilot_deg, 30, 1e-4);  // displacements of some mm with seven digits
   EXPECT_NEAR(row.widest_deg, folded_.path.history.fold_angle_deg.row(29).cwiseAbs().maxCoeff(),
@@ -206,7 +206,7 @@ TEST_F(Calculix, MotionEndsWhereNumbersDo) {
     schema::MotionReader reader(sheet_, schema::PanelMesh(2));
     reader.feed(good + bad + increment(sheet_, sheet_, "0.3000000E-01", "        1.000000E+00"));
     EXPECT_EQ(reader.is_sound(), reader.rows().size() == 4) << bad.substr(0, 200);
-    for (const schema::ElasticRow& row : reader.rows()) {
+    for (const solver::ElasticRow& row : reader.rows()) {
       EXPECT_TRUE(std::isfinite(row.pilot_deg + row.widest_deg + row.springs_n_mm +
                                 row.strain_n_mm + row.kinetic_n_mm + row.time_s));
       EXPECT_GT(row.widest_deg, 30);
@@ -257,7 +257,7 @@ TEST_F(Calculix, LargestStressAndItsPlace) {
   text += frame("1.00000E-03", 10) + " -3\n" + frame("2.00000E-03", 20) + " -3\n";
   text += frame("3.00000E-03", 90);
   std::istringstream file(text);
-  const schema::StressHistory stress = schema::read_stresses(file, "x.frd", sheet_, mesh, {});
+  const solver::StressHistory stress = schema::read_stresses(file, "x.frd", sheet_, mesh, {});
   ASSERT_EQ(stress.time_s, (std::vector<double>{0.001, 0.002}));
   ASSERT_TRUE(stress.anywhere && stress.outside);
   EXPECT_NEAR(stress.anywhere->stress_mpa, 300, 1e-9);
@@ -298,7 +298,7 @@ TEST_F(Calculix, StressesEndWhereNumbersDo) {
        {frame("2.00000E-03", "         NaN"), frame("2.00000E-03", "************"),
         frame("2.00000E-03", " 3.00000E+99"), frame("        NaN", " 3.00000E+02"),
         frame("0.50000E-03", " 3.00000E+02")}) {
-    const schema::StressHistory stress = read(good + bad + frame("3.00000E-03", " 9.00000E+02"));
+    const solver::StressHistory stress = read(good + bad + frame("3.00000E-03", " 9.00000E+02"));
     EXPECT_FALSE(stress.is_sound);
     EXPECT_EQ(stress.time_s, std::vector<double>{0.001});
     ASSERT_TRUE(stress.anywhere);

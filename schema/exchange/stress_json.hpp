@@ -1,0 +1,13 @@
+// A study of stress, as JSON.
+#pragma once
+
+#include "schema/exchange/calculix_deck.hpp"
+#include "solver/design/stress.hpp"
+
+namespace misalign::schema {
+
+/// The contract's `stress --json`, without whose it is.
+Json stress_json(const SimulatedSheet& sheet, const DeckOptions& deck, double disc_mm,
+                 const solver::StressStudy& study);
+
+}  // namespace misalign::schema
