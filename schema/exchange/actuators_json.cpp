@@ -1,5 +1,7 @@
 #include "schema/exchange/actuators_json.hpp"
 
+#include <fmt/format.h>
+
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {
@@ -16,6 +18,12 @@ Json numbers_json(const std::vector<double>& numbers) {
 
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal) {
   return solver::line_label(mechanism.diagonals[diagonal].from, mechanism.diagonals[diagonal].to);
+}
+
+std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
+  std::vector<std::string> names;
+  for (const int d : diagonals) names.push_back(diagonal_label(mechanism, d));
+  return names.empty() ? "none" : fmt::to_string(fmt::join(names, ", "));
 }
 
 Json limits_json(const solver::Actuation& actuation) {

@@ -8,6 +8,8 @@ namespace misalign::schema {
 
 /// "A11-A17"
 std::string diagonal_label(const solver::Mechanism& mechanism, int diagonal);
+/// "A11-A17, A3-A9"; "none".
+std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals);
 
 /// What a candidate's file says of them: actuators, force on each diagonal at D, weakest point, the
 /// few that would do, where the stroke ends.

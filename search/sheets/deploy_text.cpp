@@ -114,18 +114,12 @@ std::string equilibria_text(const DeploymentStudy& study) {
   return text;
 }
 
-std::string labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
-  std::vector<std::string> names;
-  for (const int d : diagonals) names.push_back(schema::diagonal_label(mechanism, d));
-  return names.empty() ? "none" : fmt::to_string(fmt::join(names, ", "));
-}
-
 std::string wires_text(const solver::Mechanism& mechanism, const DeploymentStudy& study) {
   const solver::Springs& springs = study.sheet.springs;
   if (!springs.pull_only || springs.rest_deg == 0) return "";
   const auto line = [&](const char* side, const std::vector<int>& diagonals) {
     return fmt::format("wires that pull {} {:g} deg: {}\n", side, springs.rest_deg,
-                       labels(mechanism, diagonals));
+                       schema::diagonal_labels(mechanism, diagonals));
   };
   return line("above", study.pulls_from_above) + line("below", study.pulls_from_below);
 }

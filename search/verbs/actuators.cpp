@@ -1,10 +1,7 @@
 // `misalign actuators`: springs on the diagonals of one sheet.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "schema/exchange/actuators_json.hpp"
+#include "search/sheets/actuators_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -19,70 +16,6 @@ struct ActuatorsCall {
   OtherActuators actuators;
   bool json = false;
 };
-
-using Eigen::Index;
-
-std::string labels(const solver::Mechanism& mechanism, const std::vector<int>& diagonals) {
-  std::vector<std::string> names;
-  for (const int d : diagonals) names.push_back(schema::diagonal_label(mechanism, d));
-  return fmt::to_string(fmt::join(names, ", "));
-}
-
-void print_summary(const solver::Mechanism& mechanism, const FoldedSheet& folded) {
-  const solver::Actuation& actuation = folded.actuation;
-  const auto& limit = actuation.actuators.stroke_limit;
-  put("springs of {:g} N/mm on every diagonal, relaxed when flat{}\n",
-      actuation.actuators.stiffness_n_per_mm,
-      limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
-  if (actuation.weakest) {
-    put("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n", actuation.weakest->pilot_deg,
-        actuation.weakest->moment_n_mm);
-  } else {
-    put("deploys from less than 5 deg: no weakest point\n");
-  }
-  if (actuation.few) {
-    put("{} of {} diagonals keep {:.3g} % of that: {}{}\n", actuation.few->diagonals.size(),
-        mechanism.diagonal_count(), 100 * actuation.few->share,
-        labels(mechanism, actuation.few->diagonals),
-        actuation.few->proven ? "; no fewer do" : "; fewer might");
-  }
-  if (actuation.over_stroke) {
-    put("the stroke limit is first exceeded at {:g} deg; up to D by {}\n",
-        actuation.over_stroke->from_deg, labels(mechanism, actuation.over_stroke->diagonals));
-  } else if (limit) {
-    put("no diagonal goes beyond the stroke limit up to D\n");
-  }
-}
-
-// Every 10 degrees, and at D.
-void print_way(const FoldedSheet& folded) {
-  const solver::Actuation& actuation = folded.actuation;
-  const Index at_d = folded.path.rows_up_to_d();
-  put("\npilot_deg deployment  energy_n_mm  moment_n_mm  advantage\n");
-  for (std::size_t row = 1; row < actuation.pilot_deg.size(); ++row) {
-    const double pilot_deg = actuation.pilot_deg[row];
-    const bool is_d = static_cast<Index>(row) == at_d;
-    if (!is_d && std::abs(std::remainder(pilot_deg, 10)) > 1e-9) continue;
-    put("{:>9g} {:>10.4f} {:>12.6g} {:>12.6g} {:>10.4g}{}\n", pilot_deg, (180 - pilot_deg) / 180,
-        actuation.energy_n_mm[row], actuation.moment_n_mm[row], actuation.mechanical_advantage[row],
-        is_d ? "  <- deploys from here" : "");
-  }
-}
-
-void print_forces(const solver::Mechanism& mechanism, const FoldedSheet& folded) {
-  const solver::Actuation& actuation = folded.actuation;
-  const Index at_d = folded.path.rows_up_to_d();
-  put("\n diagonal  force_at_D  elongation\n");
-  for (int d = 0; d < mechanism.diagonal_count(); ++d) {
-    const double force_n = actuation.force_n(at_d, d);
-    const double stretch_mm = force_n / actuation.actuators.stiffness_n_per_mm;
-    const double elongation = stretch_mm / folded.path.history.flat_mm[static_cast<std::size_t>(d)];
-    const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
-                                                          actuation.few->diagonals.end(), d);
-    put("{:>9} {:>9.3f} N {:>9.3f} % {}\n", schema::diagonal_label(mechanism, d), force_n,
-        100 * elongation, kept ? " one of the few" : "");
-  }
-}
 
 void show_actuators(const ActuatorsCall& call) {
   const ChosenSheet sheet = choose_sheet(call.path, call.draw);
@@ -104,9 +37,7 @@ void show_actuators(const ActuatorsCall& call) {
   const bool is_undecided = verdict.first_fault == solver::Fault::undecided;
   put("{}: {}deploys from {:g} deg{}\n", schema::printable(sheet.name()), decision,
       deploys_from_deg, is_undecided ? " as far as could be told (undecided)" : "");
-  print_summary(folder.mechanism(), folded);
-  print_way(folded);
-  print_forces(folder.mechanism(), folded);
+  put(actuators_text(folder.mechanism(), folded.path, folded.actuation));
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#include "search/sheets/actuators_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/exchange/actuators_json.hpp"
+
+namespace misalign::search {
+namespace {
+
+using Eigen::Index;
+using solver::Actuation;
+
+std::string springs_summary(const solver::Mechanism& mechanism, const Actuation& actuation) {
+  const auto& limit = actuation.actuators.stroke_limit;
+  std::string text =
+      fmt::format("springs of {:g} N/mm on every diagonal, relaxed when flat{}\n",
+                  actuation.actuators.stiffness_n_per_mm,
+                  limit ? fmt::format("; stroke limit {:.10g} %", 100 * *limit) : "");
+  if (actuation.weakest) {
+    text += fmt::format("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n",
+                        actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
+  } else {
+    text += "deploys from less than 5 deg: no weakest point\n";
+  }
+  if (actuation.few) {
+    text += fmt::format("{} of {} diagonals keep {:.3g} % of that: {}{}\n",
+                        actuation.few->diagonals.size(), mechanism.diagonal_count(),
+                        100 * actuation.few->share,
+                        schema::diagonal_labels(mechanism, actuation.few->diagonals),
+                        actuation.few->proven ? "; no fewer do" : "; fewer might");
+  }
+  if (actuation.over_stroke) {
+    text += fmt::format("the stroke limit is first exceeded at {:g} deg; up to D by {}\n",
+                        actuation.over_stroke->from_deg,
+                        schema::diagonal_labels(mechanism, actuation.over_stroke->diagonals));
+  } else if (limit) {
+    text += "no diagonal goes beyond the stroke limit up to D\n";
+  }
+  return text;
+}
+
+// Every 10 degrees, and at D.
+std::string energies_text(Index at_d, const Actuation& actuation) {
+  std::string text = "\npilot_deg deployment  energy_n_mm  moment_n_mm  advantage\n";
+  for (std::size_t row = 1; row < actuation.pilot_deg.size(); ++row) {
+    const double pilot_deg = actuation.pilot_deg[row];
+    const bool is_d = static_cast<Index>(row) == at_d;
+    if (!is_d && std::abs(std::remainder(pilot_deg, 10)) > 1e-9) continue;
+    text +=
+        fmt::format("{:>9g} {:>10.4f} {:>12.6g} {:>12.6g} {:>10.4g}{}\n", pilot_deg,
+                    (180 - pilot_deg) / 180, actuation.energy_n_mm[row], actuation.moment_n_mm[row],
+                    actuation.mechanical_advantage[row], is_d ? "  <- deploys from here" : "");
+  }
+  return text;
+}
+
+std::string springs_text(const solver::Mechanism& mechanism, const solver::ShapedPath& path,
+                         const Actuation& actuation) {
+  const Index at_d = path.rows_up_to_d();
+  std::string text = "\n diagonal  force_at_D  elongation\n";
+  for (int d = 0; d < mechanism.diagonal_count(); ++d) {
+    const double force_n = actuation.force_n(at_d, d);
+    const double stretch_mm = force_n / actuation.actuators.stiffness_n_per_mm;
+    const double elongation = stretch_mm / path.history.flat_mm[static_cast<std::size_t>(d)];
+    const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
+                                                          actuation.few->diagonals.end(), d);
+    text += fmt::format("{:>9} {:>9.3f} N {:>9.3f} % {}\n", schema::diagonal_label(mechanism, d),
+                        force_n, 100 * elongation, kept ? " one of the few" : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string actuators_text(const solver::Mechanism& mechanism, const solver::ShapedPath& path,
+                           const Actuation& actuation) {
+  return springs_summary(mechanism, actuation) + energies_text(path.rows_up_to_d(), actuation) +
+         springs_text(mechanism, path, actuation);
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,15 @@
+// Springs on the diagonals, as text.
+#pragma once
+
+#include <string>
+
+#include "solver/design/actuators.hpp"
+
+namespace misalign::search {
+
+/// The weakest point, the few springs that would do and the stroke; then energy and moment every 10
+/// degrees and at D; then the force on each diagonal at D.
+std::string actuators_text(const solver::Mechanism& mechanism, const solver::ShapedPath& path,
+                           const solver::Actuation& actuation);
+
+}  // namespace misalign::search
