@@ -26,4 +26,10 @@ ShareInterval share_interval(std::uint64_t hits, std::uint64_t undecided, std::u
   return {share_interval(hits, trials).low, share_interval(hits + undecided, trials).high};
 }
 
+ShareOfTrials share_of(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
+  const auto [low, high] = share_interval(hits, undecided, trials);
+  const auto decided = static_cast<double>(trials - undecided);
+  return {decided > 0 ? static_cast<double>(hits) / decided : 0, low, high};
+}
+
 }  // namespace misalign::schema

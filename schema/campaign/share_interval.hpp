@@ -25,4 +25,11 @@ ShareInterval share_interval_of(double hits, double trials);
 /// high end all.
 ShareInterval share_interval(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials);
 
+/// A share with its 95 % interval, in which the undecided ones may all be hits or none.
+struct ShareOfTrials {
+  double share;  ///< of the decided ones
+  double low, high;
+};
+ShareOfTrials share_of(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials);
+
 }  // namespace misalign::schema

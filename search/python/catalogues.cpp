@@ -6,6 +6,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
+#include "schema/exchange/tolerance_json.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/draw_numbers.hpp"
@@ -17,7 +18,6 @@
 #include "search/sheets/choice.hpp"
 #include "search/sheets/deployment_functions.hpp"
 #include "search/sheets/tolerance.hpp"
-#include "search/sheets/tolerance_text.hpp"
 #include "search/verbs/query_text.hpp"
 
 namespace misalign::search::python {
@@ -132,7 +132,7 @@ class Catalogue {
       check_miscut("amplitude_mm", amplitude_mm, source_->pattern(), shifts_mm.front(),
                    "draw " + std::to_string(draw));
       schema::Json json =
-          tolerance_json(study_tolerance(*source_->campaign, shifts_mm, options).front());
+          schema::tolerance_json(study_tolerance(*source_->campaign, shifts_mm, options).front());
       json["draw"] = draw;
       return json.dump();
     });

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "search/sheets/tolerance.hpp"
+#include "solver/design/tolerance.hpp"
 
 namespace misalign::search::python {
 namespace {
@@ -16,8 +16,8 @@ bool is_database(const std::string& path) {
 }
 
 double safe_amplitude_mm(const schema::Pattern& pattern) {
-  return largest_miscut_mm(pattern.base.sheet,
-                           Eigen::Matrix2Xd::Zero(2, pattern.base.sheet.vertex_count()));
+  return solver::largest_miscut_mm(pattern.base.sheet,
+                                   Eigen::Matrix2Xd::Zero(2, pattern.base.sheet.vertex_count()));
 }
 
 std::shared_ptr<SheetSource> pattern_source(ChosenSheet sheet) {

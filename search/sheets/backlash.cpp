@@ -98,9 +98,9 @@ class Trials {
 
 // By bisection between a backlash that is taken for good and one that is not, whatever was asked
 // about: so the answer is the same.
-void find_largest(Trials& trials, std::uint64_t all, Backlash& backlash) {
+void find_largest(Trials& trials, std::uint64_t all, solver::Backlash& backlash) {
   const auto wanted =
-      static_cast<std::uint64_t>(std::ceil(kWantedShare * static_cast<double>(all)));
+      static_cast<std::uint64_t>(std::ceil(solver::kWantedShare * static_cast<double>(all)));
   double good_mm = backlash.least_mm, bad_mm = backlash.most_mm;
   bool any_good = false, any_bad = false;
   for (int k = radii_tried(good_mm, bad_mm); k > 0; --k) {
@@ -120,20 +120,6 @@ void find_largest(Trials& trials, std::uint64_t all, Backlash& backlash) {
 
 }  // namespace
 
-std::uint64_t Backlash::undecided() const {
-  return static_cast<std::uint64_t>(std::count_if(
-      trials.begin(), trials.end(), [](const BacklashTrial& trial) { return !trial.is_known; }));
-}
-
-std::uint64_t Backlash::one_way_to(double pilot_deg) const {
-  constexpr double kSame_deg = 1e-9;
-  return static_cast<std::uint64_t>(
-      std::count_if(trials.begin(), trials.end(), [&](const BacklashTrial& trial) {
-        return trial.is_known && trial.one_way_from_deg <= from_deg + kSame_deg &&
-               trial.one_way_to_deg >= pilot_deg - kSame_deg;
-      }));
-}
-
 BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
                              const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                              const solver::BacklashOptions& options)
@@ -151,7 +137,7 @@ double BacklashStudy::most_mm(std::size_t sheet) const {
          model_.mechanism().panel_width_mm;
 }
 
-std::vector<Backlash> BacklashStudy::run(const BacklashStudyOptions& options) const {
+std::vector<solver::Backlash> BacklashStudy::run(const BacklashStudyOptions& options) const {
   const double width_mm = model_.mechanism().panel_width_mm;
   const double least_mm = kLeastBacklash_widths * width_mm;
   CopiesDone copies{0, 0};
@@ -159,7 +145,7 @@ std::vector<Backlash> BacklashStudy::run(const BacklashStudyOptions& options) co
     copies.all +=
         options.trials * (1 + static_cast<std::uint64_t>(radii_tried(least_mm, most_mm(k))));
   }
-  std::vector<Backlash> answers;
+  std::vector<solver::Backlash> answers;
   for (std::size_t k = 0; k < sheets_.size(); ++k) {
     Trials trials(model_, sheets_[k], options_, seed_, options, copies);
     answers.push_back({options.backlash_mm, options_.from_deg, sheets_[k].own_deg,

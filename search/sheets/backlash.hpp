@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "search/sheets/miscut_copies.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/design/backlash.hpp"
 
@@ -20,32 +19,14 @@ struct BacklashStudyOptions {
 /// Trials are kept until all of them are counted: 64 bytes each.
 inline constexpr std::uint64_t kMostBacklashTrials = 1000000;
 
-/// This share of the trials is wanted of the largest backlash.
-inline constexpr double kWantedShare = 0.95;
 /// How well that is known: its logarithm is bisected until two radii are within this ratio, of
 /// which one is good and the other not. The share of 1,000 trials is known to 1.4 % only.
 inline constexpr double kRadiusRatio = 1.01;
 /// It is looked for from here on, as a share of the panel width: 0.08 micrometres on 80 mm.
 inline constexpr double kLeastBacklash_widths = 1e-6;
-/// Backlash must be below this share of the shortest crease, and is looked for up to there: from
-/// there on a hinge's line may point anywhere near.
+/// solver::Backlash must be below this share of the shortest crease, and is looked for up to there:
+/// from there on a hinge's line may point anywhere near.
 inline constexpr double kMostBacklash_creases = 0.1;
-
-/// What was found of one sheet.
-struct Backlash {
-  double backlash_mm;
-  double from_deg, own_deg;                   ///< the range that is asked about: own_deg is D
-  std::vector<solver::BacklashTrial> trials;  ///< in order, with this backlash
-  double panel_width_mm;
-  /// The largest backlash with which at least kWantedShare of the same trials move one way, scaled;
-  /// undecided ones do not count. 0: not even with the least; most_mm: with the most, too.
-  double largest_mm, least_mm, most_mm;
-  std::uint64_t with_largest;  ///< trials that move one way with it
-
-  std::uint64_t undecided() const;
-  /// Trials that move one way from from_deg up to this angle.
-  std::uint64_t one_way_to(double pilot_deg) const;
-};
 
 class BacklashStudy {
  public:
@@ -59,7 +40,7 @@ class BacklashStudy {
   double most_mm(std::size_t sheet) const;
 
   /// One answer for each sheet. Trial t is the same for all sheets of a campaign.
-  std::vector<Backlash> run(const BacklashStudyOptions& options) const;
+  std::vector<solver::Backlash> run(const BacklashStudyOptions& options) const;
 
  private:
   const solver::Model model_;

@@ -1,10 +1,11 @@
-// A study of backlash, in words and as JSON.
+// A study of backlash, as text.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "search/sheets/backlash.hpp"
+#include "solver/design/backlash.hpp"
 
 namespace misalign::search {
 
@@ -12,7 +13,7 @@ namespace misalign::search {
 /// one.
 struct NamedBacklash {
   std::string name;
-  Backlash backlash;
+  solver::Backlash backlash;
   std::optional<double> threshold_deg;
 };
 
@@ -20,7 +21,4 @@ struct NamedBacklash {
 std::string backlash_text(const NamedBacklash& named);
 /// A line for each of several, the one that takes the most backlash last.
 std::string backlashes_text(std::vector<NamedBacklash> several);
-/// Without the sheet's name.
-schema::Json backlash_json(const NamedBacklash& named);
-
 }  // namespace misalign::search

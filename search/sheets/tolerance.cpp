@@ -6,22 +6,16 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <numeric>
 #include <system_error>
 #include <thread>
 
+#include "schema/campaign/share_interval.hpp"
 #include "search/draws/draw.hpp"
 
 namespace misalign::search {
 namespace {
 
 constexpr std::uint64_t kCopiesAtOnce = 256;  // full lanes, and pieces for every core
-
-std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
-  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
-  std::iota(vertices.begin(), vertices.end(), 0);
-  return vertices;
-}
 
 // Some copies of one sheet, in one piece of work.
 struct CopyRange {
@@ -38,8 +32,8 @@ class Study {
       : campaign_(campaign),
         shifts_mm_(shifts_mm),
         options_(options),
-        model_(campaign.pattern.base, all_vertices(campaign.pattern.base.sheet), campaign.path(),
-               campaign.threshold_sample(), campaign.criterion()) {
+        model_(campaign.pattern.base, solver::all_vertices(campaign.pattern.base.sheet),
+               campaign.path(), campaign.threshold_sample(), campaign.criterion()) {
     const int vertices = model_.mechanism().vertices;
     for (std::size_t sheet = 0; sheet < shifts_mm.size(); ++sheet) {
       tolerances_.push_back({options.amplitude_mm,
@@ -58,7 +52,7 @@ class Study {
     }
   }
 
-  std::vector<Tolerance> run() {
+  std::vector<solver::Tolerance> run() {
     judge_the_sheets();
     const auto most = static_cast<std::size_t>(std::max(options_.jobs, 1));
     std::vector<std::thread> others;
@@ -72,7 +66,7 @@ class Study {
     work();
     for (std::thread& other : others) other.join();
     if (failure_) std::rethrow_exception(failure_);
-    for (Tolerance& tolerance : tolerances_) sort_by_harm(tolerance);
+    for (solver::Tolerance& tolerance : tolerances_) sort_by_harm(tolerance);
     return std::move(tolerances_);
   }
 
@@ -110,10 +104,10 @@ class Study {
     try {
       const auto own_batch = batch();
       for (std::size_t k; (k = next_++) < ranges_.size();) {
-        const MiscutCopies copies = try_copies(ranges_[k], *own_batch);
+        const solver::MiscutCopies copies = try_copies(ranges_[k], *own_batch);
         const std::lock_guard lock(mutex_);
         if (failure_) return;
-        Tolerance& tolerance = tolerances_[ranges_[k].sheet];
+        solver::Tolerance& tolerance = tolerances_[ranges_[k].sheet];
         const int vertex = ranges_[k].vertex;
         (vertex < 0 ? tolerance.copies
                     : tolerance.vertices[static_cast<std::size_t>(vertex)].copies)
@@ -127,7 +121,7 @@ class Study {
     }
   }
 
-  MiscutCopies try_copies(const CopyRange& range, solver::Batch& own_batch) const {
+  solver::MiscutCopies try_copies(const CopyRange& range, solver::Batch& own_batch) const {
     const Eigen::Matrix2Xd& shifts_mm = shifts_mm_[range.sheet];
     Eigen::Matrix2Xd errors_mm(2, shifts_mm.cols());
     solver::ShiftBlock block;
@@ -141,18 +135,19 @@ class Study {
       }
       append(shifts_mm + errors_mm, block);
     }
-    MiscutCopies copies;
+    solver::MiscutCopies copies;
     for (const solver::Verdict& verdict : own_batch.judge(block)) {
       copies.add(verdict);
     }
     return copies;
   }
 
-  static void sort_by_harm(Tolerance& tolerance) {
-    const auto harm = [&](const VertexTolerance& vertex) {
+  static void sort_by_harm(solver::Tolerance& tolerance) {
+    const auto harm = [&](const solver::VertexTolerance& vertex) {
       const std::uint64_t survivors = vertex.copies.from(tolerance.threshold_sample);
-      return std::pair(-share_of(survivors, vertex.copies).share,
-                       tolerance.mean_loss_deg(vertex.copies));
+      return std::pair(
+          -schema::share_of(survivors, vertex.copies.undecided, vertex.copies.trials).share,
+          tolerance.mean_loss_deg(vertex.copies));
     };
     std::stable_sort(tolerance.vertices.begin(), tolerance.vertices.end(),
                      [&](const auto& a, const auto& b) { return harm(a) > harm(b); });
@@ -165,22 +160,16 @@ class Study {
   std::vector<CopyRange> ranges_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows
-  std::vector<Tolerance> tolerances_;
+  std::vector<solver::Tolerance> tolerances_;
   CopiesDone copies_{0, 0};
   std::exception_ptr failure_;
 };
 
 }  // namespace
 
-double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm) {
-  solver::CreasePattern sheet = base;
-  sheet.vertices_mm += shifts_mm;
-  return solver::largest_safe_amplitude_mm(sheet, all_vertices(sheet));
-}
-
 void check_miscut(const std::string& name, double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet) {
-  const double largest_mm = largest_miscut_mm(base, shifts_mm);
+  const double largest_mm = solver::largest_miscut_mm(base, shifts_mm);
   if (amplitude_mm < largest_mm) return;
   throw schema::UserError(schema::kExitUsage,
                           name + " " + schema::shown_number(amplitude_mm) + ": must be below " +
@@ -196,9 +185,9 @@ void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::ui
   draw_shifts(errors, campaign.seed, trial, errors_mm, kToleranceStream);
 }
 
-std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,
-                                       const std::vector<Eigen::Matrix2Xd>& shifts_mm,
-                                       const ToleranceOptions& options) {
+std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
+                                               const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                                               const ToleranceOptions& options) {
   return Study(campaign, shifts_mm, options).run();
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "search/draws/draw_evaluator.hpp"
-#include "search/sheets/miscut_copies.hpp"
+#include "solver/design/tolerance.hpp"
 
 namespace misalign::search {
 
@@ -29,32 +29,8 @@ struct ToleranceOptions {
   std::function<void(const CopiesDone&)> progress{};  ///< called now and then, by one at a time
 };
 
-struct VertexTolerance {
-  int vertex;
-  MiscutCopies copies;  ///< in which this vertex alone is off its place
-};
-
-struct Tolerance {
-  double amplitude_mm;
-  double sample_deg, threshold_deg;
-  int threshold_sample;
-  int own_sample;  ///< D of the sheet itself
-  MiscutCopies copies;
-  std::vector<VertexTolerance> vertices;  ///< the most harmful first; none if not asked for
-
-  /// Copies that deploy from the campaign's threshold.
-  std::uint64_t survivors() const { return copies.from(threshold_sample); }
-  double mean_loss_deg(const MiscutCopies& some) const {
-    return (own_sample - some.mean_sample()) * sample_deg;
-  }
-};
-
 /// Trials with one vertex alone are made no more than this.
 inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
-
-/// Errors must be smaller than this, mm: from there on a facet of the sheet with these shifts (one
-/// column per vertex) can lose its convexity.
-double largest_miscut_mm(const solver::CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm);
 
 /// UserError (2) unless an amplitude, `name` in the sentence, is below that of this sheet.
 void check_miscut(const std::string& name, double amplitude_mm, const solver::CreasePattern& base,
@@ -62,8 +38,8 @@ void check_miscut(const std::string& name, double amplitude_mm, const solver::Cr
 
 /// One answer for each sheet of the campaign with these shifts; the amplitude is below the largest
 /// of each.
-std::vector<Tolerance> study_tolerance(const schema::Campaign& campaign,
-                                       const std::vector<Eigen::Matrix2Xd>& shifts_mm,
-                                       const ToleranceOptions& options);
+std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
+                                               const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                                               const ToleranceOptions& options);
 
 }  // namespace misalign::search

@@ -4,37 +4,27 @@
 
 #include <algorithm>
 
+#include "schema/exchange/tolerance_json.hpp"
+
 namespace misalign::search {
 namespace {
 
-using schema::Json;
-
-constexpr double kQuantiles[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
-
-Json share_json(std::uint64_t hits, const MiscutCopies& copies) {
-  const ShareOfTrials share = share_of(hits, copies);
-  return {{"copies", hits},
-          {"share", share.share},
-          {"share_low", share.low},
-          {"share_high", share.high}};
-}
-
-std::string share_line(const Tolerance& t, double deg, std::uint64_t hits) {
-  const ShareOfTrials share = share_of(hits, t.copies);
+std::string share_line(const solver::Tolerance& t, double deg, std::uint64_t hits) {
+  const schema::ShareOfTrials share = schema::share_of(hits, t.copies);
   return fmt::format("still from {:<6g} {}, {:.4g} % (95 %: {:.4g} to {:.4g})\n", deg, hits,
                      100 * share.share, 100 * share.low, 100 * share.high);
 }
 
-std::string vertices_text(const Tolerance& t) {
+std::string vertices_text(const solver::Tolerance& t) {
   std::string text = fmt::format(
       "one vertex alone, {} copies each, the most harmful first\n"
       "vertex  still from {:g}  mean loss, deg\n",
       t.vertices.front().copies.trials, t.threshold_deg);
-  for (const VertexTolerance& vertex : t.vertices) {
+  for (const solver::VertexTolerance& vertex : t.vertices) {
     const std::uint64_t survivors = vertex.copies.from(t.threshold_sample);
-    text +=
-        fmt::format("{:<6} {:>12.4g} % {:>15.4g}\n", solver::vertex_label(vertex.vertex),
-                    100 * share_of(survivors, vertex.copies).share, t.mean_loss_deg(vertex.copies));
+    text += fmt::format("{:<6} {:>12.4g} % {:>15.4g}\n", solver::vertex_label(vertex.vertex),
+                        100 * schema::share_of(survivors, vertex.copies).share,
+                        t.mean_loss_deg(vertex.copies));
   }
   return text + "\n";
 }
@@ -42,12 +32,12 @@ std::string vertices_text(const Tolerance& t) {
 }  // namespace
 
 std::string tolerance_text(const NamedTolerance& named) {
-  const Tolerance& t = named.tolerance;
+  const solver::Tolerance& t = named.tolerance;
   std::string text = t.vertices.empty() ? "" : vertices_text(t);
   text += fmt::format("{}, deploys from {:g} deg; {} copies, every vertex off by up to {:g} mm\n",
                       named.name, t.own_sample * t.sample_deg, t.copies.trials, t.amplitude_mm);
   text += "deploy from      ";
-  for (const double share : kQuantiles) {
+  for (const double share : solver::kShownShares) {
     text += fmt::format(" {:g} deg ({:g} %)", t.copies.quantile(share) * t.sample_deg, 100 * share);
   }
   text += "\n";
@@ -62,50 +52,23 @@ std::string tolerance_text(const NamedTolerance& named) {
 
 std::string tolerances_text(std::vector<NamedTolerance> several) {
   const auto share = [](const NamedTolerance& named) {
-    return share_of(named.tolerance.survivors(), named.tolerance.copies);
+    return schema::share_of(named.tolerance.survivors(), named.tolerance.copies);
   };
   std::stable_sort(several.begin(), several.end(),
                    [&](const auto& a, const auto& b) { return share(a).share < share(b).share; });
-  const Tolerance& first = several.front().tolerance;
+  const solver::Tolerance& first = several.front().tolerance;
   std::string text = fmt::format(
       "{} copies each, every vertex off by up to {:g} mm; the most tolerant last\n"
       "{:24}  deploys from  still from {:<6g} 95 %\n",
       first.copies.trials, first.amplitude_mm, "", first.threshold_deg);
   for (const NamedTolerance& named : several) {
-    const Tolerance& t = named.tolerance;
-    const ShareOfTrials survive = share(named);
+    const solver::Tolerance& t = named.tolerance;
+    const schema::ShareOfTrials survive = share(named);
     text += fmt::format("{:<24}  {:>12g}  {:>15.4g} % {:.4g} to {:.4g}\n", named.name,
                         t.own_sample * t.sample_deg, 100 * survive.share, 100 * survive.low,
                         100 * survive.high);
   }
   return text;
-}
-
-Json tolerance_json(const Tolerance& t) {
-  Json quantiles = Json::array(), vertices = Json::array();
-  for (const double share : kQuantiles) {
-    quantiles.push_back(
-        {{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}});
-  }
-  for (const VertexTolerance& vertex : t.vertices) {
-    Json json = share_json(vertex.copies.from(t.threshold_sample), vertex.copies);
-    json["vertex"] = solver::vertex_label(vertex.vertex);
-    json["trials"] = vertex.copies.trials;
-    json["undecided"] = vertex.copies.undecided;
-    json["mean_loss_deg"] = t.mean_loss_deg(vertex.copies);
-    vertices.push_back(json);
-  }
-  Json json = {{"amplitude_mm", t.amplitude_mm},
-               {"trials", t.copies.trials},
-               {"undecided", t.copies.undecided},
-               {"deploys_from_deg", t.own_sample * t.sample_deg},
-               {"threshold_deg", t.threshold_deg},
-               {"from_threshold", share_json(t.survivors(), t.copies)},
-               {"from_own", share_json(t.copies.from(t.own_sample), t.copies)},
-               {"mean_loss_deg", t.mean_loss_deg(t.copies)},
-               {"quantiles", quantiles}};
-  if (!t.vertices.empty()) json["vertices"] = vertices;
-  return json;
 }
 
 }  // namespace misalign::search

@@ -1,6 +1,9 @@
 // `misalign tolerance --backlash`: how often a sheet still moves one way when its joints have play.
+#include "search/sheets/backlash.hpp"
+
 #include <fmt/format.h>
 
+#include "schema/exchange/backlash_json.hpp"
 #include "search/sheets/backlash_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/tolerance_call.hpp"
@@ -49,7 +52,7 @@ void check_backlash(const ToleranceCall& call) {
 void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets) {
   const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash);
   refuse_backlash(call, sheets, study);
-  std::vector<Backlash> answers =
+  std::vector<solver::Backlash> answers =
       study.run({*call.backlash_mm, call.study.trials, call.study.jobs, show_copies});
   std::vector<NamedBacklash> named;
   schema::Json list = schema::Json::array();
@@ -58,7 +61,7 @@ void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets) {
     const bool is_drawn = !sheets.draws.empty();
     named.push_back({sheets.key(k).name(), std::move(answers[k]),
                      is_drawn ? std::optional(sheets.campaign.threshold_deg) : std::nullopt});
-    list.push_back(backlash_json(named.back()));
+    list.push_back(schema::backlash_json(named.back().backlash, named.back().threshold_deg));
     list.back().update(sheets.key(k).json());
   }
   const bool single = is_single(call, sheets);

@@ -4,8 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/exchange/tolerance_json.hpp"
 #include "search/ranks/run_info.hpp"
-#include "search/sheets/backlash_text.hpp"
 #include "search/sheets/tolerance_text.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/terminal.hpp"
@@ -39,19 +39,19 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
   }
 }
 
-schema::Yield yield_of(std::uint64_t draw, const Tolerance& tolerance) {
+schema::Yield yield_of(std::uint64_t draw, const solver::Tolerance& tolerance) {
   return {draw, tolerance.amplitude_mm, tolerance.copies.trials, tolerance.survivors(),
           tolerance.copies.undecided};
 }
 
 void print(const ToleranceCall& call, const ChosenSheets& sheets,
-           const std::vector<Tolerance>& tolerances) {
+           const std::vector<solver::Tolerance>& tolerances) {
   const bool single = is_single(call, sheets);
   std::string text;
   if (call.json) {
     Json list = Json::array();
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
-      list.push_back(tolerance_json(tolerances[k]));
+      list.push_back(schema::tolerance_json(tolerances[k]));
       list.back().update(sheets.key(k).json());
     }
     text = (single ? list.front() : list).dump(1) + "\n";
@@ -75,7 +75,7 @@ void run_miscuts(ToleranceCall& call, const ChosenSheets& sheets) {
                  sheets.shifts_mm[k], sheets.key(k).name());
   }
   call.study.progress = show_copies;
-  const std::vector<Tolerance> tolerances =
+  const std::vector<solver::Tolerance> tolerances =
       study_tolerance(sheets.campaign, sheets.shifts_mm, call.study);
   if (call.keep && !sheets.draws.empty()) {
     std::vector<schema::Yield> yields;

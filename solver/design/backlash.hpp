@@ -1,89 +1,41 @@
-// Backlash: whether a sheet still moves one way when its joints have play. Every joint has settled
-// somewhere within its play and stays there (LooseSheet); the path is followed from the middle of
-// the range that is asked about, up and down, and further down until it is lost: flat is no state
-// of such a sheet.
+// The study of backlash: how often a sheet still moves one way, each time with every joint settled
+// somewhere else in its play.
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
-#include "solver/kinematics/loose_sheet.hpp"
-#include "solver/model/model.hpp"
-#include "solver/verdict/verdict.hpp"
+#include "solver/design/backlash_follower.hpp"
 
 namespace misalign::solver {
 
-struct BacklashOptions {
-  /// Pilot angles from here to D count. Below, springs that are relaxed when flat hardly pull:
-  /// their moment falls with the cube of the angle, to 1/370 of that at 36 degrees.
-  double from_deg = 5;
-  /// Between the angles below `from_deg` at which the assignment is looked at.
-  double flat_step_deg = 0.1;
+/// This share of the trials is wanted of the largest backlash.
+inline constexpr double kWantedShare = 0.95;
+
+/// What was found of one sheet.
+struct Backlash {
+  double backlash_mm;
+  double from_deg, own_deg;           ///< the range that is asked about: own_deg is D
+  std::vector<BacklashTrial> trials;  ///< in order, with this backlash
+  double panel_width_mm;
+  /// The largest backlash with which at least kWantedShare of the same trials move one way, scaled;
+  /// undecided ones do not count. 0: not even with the least; most_mm: with the most, too.
+  double largest_mm, least_mm, most_mm;
+  std::uint64_t with_largest;  ///< trials that move one way with it
+
+  std::uint64_t undecided() const;
+  /// Trials that move one way from from_deg up to this angle.
+  std::uint64_t one_way_to(double pilot_deg) const;
+
+  /// Of the trials that know one, ascending: where the branch is lost, where the stretch begins and
+  /// ends, and what is left over round whole vertices, in backlashes.
+  std::vector<double> lost_deg() const;
+  std::vector<double> one_way_from_deg() const;
+  std::vector<double> one_way_to_deg() const;
+  std::vector<double> left_over() const;
 };
 
-/// How the way down ends.
-enum class BranchEnd {
-  flat,          ///< it does not: the pilot comes to 0 with every crease on its side
-  turns,         ///< the pilot reaches a limit point, from which it opens again
-  other_branch,  ///< a crease passes 0, from mountain to valley or back
-  not_known      ///< a numerical failure: it was followed so far
-};
-
-/// One sheet with its joints settled in one way.
-struct BacklashTrial {
-  bool is_known = true;  ///< false: a numerical failure
-  /// The range round the start in which every sample is in order: the path exists, no crease
-  /// passes 180 degrees, each keeps its sign and each diagonal goes on as the sheet's own does.
-  /// from_deg to D at the widest; as far as it was looked at.
-  double one_way_from_deg = 0, one_way_to_deg = 0;
-  Fault fault = Fault::none;  ///< what ends it within from_deg to D; above, if both ends do
-  double lost_deg = 0;        ///< where the branch ends on the way down; only if asked for
-  BranchEnd lost = BranchEnd::not_known;
-  double gap_widths = 0;  ///< the largest vertex_gap at a sample of it; only if asked for
-
-  bool moves_one_way() const { return is_known && fault == Fault::none; }
-};
-
-/// The sheet itself: what its trials start from and are compared with.
-struct BacklashSheet {
-  SheetGeometry<double> geometry;
-  int own_sample = 0;  ///< D; what follows is only there if that lies above from_deg
-  double own_deg = 0;
-  double start_deg = 0;         ///< a sample, about half way between
-  FoldState<double> start;      ///< there
-  std::vector<int> directions;  ///< of each diagonal from from_deg to D: +1 lengthens
-  double shortest_crease_widths = 0;
-};
-
-/// Follows the sheet's own path.
-BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
-                               const BacklashOptions& options);
-
-/// Judges one sheet with its joints here and there. Owns its memory.
-class BacklashFollower {
- public:
-  /// Both must outlive this object; D of the sheet is above from_deg.
-  BacklashFollower(const Model& model, const BacklashSheet& sheet, const BacklashOptions& options);
-  ~BacklashFollower();
-
-  /// With `scale` (panel widths per unit) of these offsets. `only_whether`: stops where it is known
-  /// that the sheet does not move one way, and goes no further down than from_deg.
-  BacklashTrial trial(const JointOffsets& offsets, double scale, bool only_whether);
-
- private:
-  class Branch;
-  struct Followers;
-
-  PathResult follow(Branch& branch);
-  void find_start(const JointOffsets& offsets, double scale);
-
-  const Model& model_;
-  const BacklashSheet& sheet_;
-  const BacklashOptions options_;
-  PathPlan up_, down_;
-  LooseSheet<double> loose_;
-  FoldState<double> start_;
-  std::unique_ptr<Followers> followers_;
-};
+/// What this share of values in ascending order stays at or below, at least one.
+double quantile(const std::vector<double>& values, double share);
 
 }  // namespace misalign::solver

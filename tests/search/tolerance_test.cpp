@@ -1,16 +1,26 @@
+#include "search/sheets/tolerance.hpp"
+
 #include <Random123/philox.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/beta.hpp>
 #include <set>
 
+#include "schema/exchange/backlash_json.hpp"
+#include "schema/exchange/tolerance_json.hpp"
 #include "search/draws/draw.hpp"
+#include "search/sheets/backlash.hpp"
 #include "search/sheets/backlash_text.hpp"
 #include "search/sheets/tolerance_text.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {
 namespace {
+
+using schema::tolerance_json;
+using solver::Backlash;
+using solver::MiscutCopies;
+using solver::Tolerance;
 
 constexpr double kAmplitude_mm = 0.1;
 constexpr std::uint64_t kTrials = 60;
@@ -59,7 +69,7 @@ TEST_F(ToleranceTest, NoErrorNoLoss) {
     EXPECT_EQ(tolerance.survivors(), 20u);
     EXPECT_EQ(tolerance.mean_loss_deg(tolerance.copies), 0);
     EXPECT_EQ(tolerance.vertices.size(), 25u);
-    for (const VertexTolerance& vertex : tolerance.vertices) {
+    for (const solver::VertexTolerance& vertex : tolerance.vertices) {
       EXPECT_EQ(vertex.copies.from(150), 20u);
       EXPECT_EQ(tolerance.mean_loss_deg(vertex.copies), 0);
     }
@@ -222,7 +232,7 @@ TEST_F(ToleranceTest, BacklashIsThatOfItsTrials) {
   EXPECT_NE(text.substr(text.rfind('\n', text.size() - 2)).find("95 % one way up to"),
             std::string::npos)
       << text;
-  EXPECT_EQ(backlash_json({"", backlash, 150})["one_way"]["trials"], one_way(0.02));
+  EXPECT_EQ(schema::backlash_json(backlash, 150)["one_way"]["trials"], one_way(0.02));
 }
 
 // What counts is said last, in words too.
@@ -253,7 +263,7 @@ TEST(MiscutCopies, UndecidedOnesBoundBothWays) {
   for (int k = 0; k < 2; ++k) copies.add({3, solver::Fault::undecided});
   EXPECT_EQ(copies.trials, 12u);
   EXPECT_EQ(copies.undecided, 2u);
-  const ShareOfTrials share = share_of(copies.from(150), copies);
+  const schema::ShareOfTrials share = schema::share_of(copies.from(150), copies);
   EXPECT_DOUBLE_EQ(share.share, 0.6);
   EXPECT_NEAR(share.low, boost::math::ibeta_inv(6, 7, 0.025), 1e-12);
   EXPECT_NEAR(share.high, boost::math::ibeta_inv(9, 4, 0.975), 1e-12);

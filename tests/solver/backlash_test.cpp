@@ -1,6 +1,6 @@
 // Joints with play: one hinge against a closed form, whole sheets against a solver whose unknowns
 // are the panels, and what is left as the play vanishes.
-#include "solver/design/backlash.hpp"
+#include "solver/design/backlash_follower.hpp"
 
 #include <gtest/gtest.h>
 

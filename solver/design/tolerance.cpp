@@ -1,16 +1,14 @@
-#include "search/sheets/miscut_copies.hpp"
+#include "solver/design/tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "schema/campaign/share_interval.hpp"
+namespace misalign::solver {
 
-namespace misalign::search {
-
-void MiscutCopies::add(const solver::Verdict& verdict) {
+void MiscutCopies::add(const Verdict& verdict) {
   ++trials;
-  if (verdict.first_fault == solver::Fault::undecided) {
+  if (verdict.first_fault == Fault::undecided) {
     ++undecided;
     return;
   }
@@ -51,10 +49,16 @@ double MiscutCopies::mean_sample() const {
   return sum / static_cast<double>(decided());
 }
 
-ShareOfTrials share_of(std::uint64_t hits, std::uint64_t undecided, std::uint64_t trials) {
-  const auto [low, high] = schema::share_interval(hits, undecided, trials);
-  const auto decided = static_cast<double>(trials - undecided);
-  return {decided > 0 ? static_cast<double>(hits) / decided : 0, low, high};
+std::vector<int> all_vertices(const CreasePattern& sheet) {
+  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
 }
 
-}  // namespace misalign::search
+double largest_miscut_mm(const CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm) {
+  CreasePattern sheet = base;
+  sheet.vertices_mm += shifts_mm;
+  return largest_safe_amplitude_mm(sheet, all_vertices(sheet));
+}
+
+}  // namespace misalign::solver

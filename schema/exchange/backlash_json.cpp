@@ -1,0 +1,81 @@
+#include "schema/exchange/backlash_json.hpp"
+
+#include <algorithm>
+
+#include "solver/design/tolerance.hpp"
+
+namespace misalign::schema {
+namespace {
+
+Json quantiles_json(const std::vector<double>& values, const char* name) {
+  Json quantiles = Json::array();
+  if (values.empty()) return quantiles;
+  for (const double share : solver::kShownShares) {
+    quantiles.push_back({{"share", share}, {name, solver::quantile(values, share)}});
+  }
+  return quantiles;
+}
+
+Json one_way_json(const solver::Backlash& backlash, double up_to_deg) {
+  const ShareOfTrials share = one_way_share(backlash, up_to_deg);
+  return {{"to_deg", up_to_deg},
+          {"trials", backlash.one_way_to(up_to_deg)},
+          {"share", share.share},
+          {"share_low", share.low},
+          {"share_high", share.high}};
+}
+
+Json ends_json(const solver::Backlash& backlash) {
+  Json faults = Json::object();
+  for (const solver::BacklashTrial& trial : backlash.trials) {
+    if (!trial.is_known || trial.fault == solver::Fault::none) continue;
+    auto& count = faults[solver::fault_name(trial.fault)];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+  }
+  return faults;
+}
+
+}  // namespace
+
+ShareOfTrials one_way_share(const solver::Backlash& backlash, double up_to_deg) {
+  return share_of(backlash.one_way_to(up_to_deg), backlash.undecided(), backlash.trials.size());
+}
+
+Json backlash_json(const solver::Backlash& backlash, std::optional<double> threshold_deg) {
+  const std::vector<double> left = backlash.left_over();
+  Json ends = Json::object();
+  for (const solver::BranchEnd end :
+       {solver::BranchEnd::flat, solver::BranchEnd::turns, solver::BranchEnd::other_branch,
+        solver::BranchEnd::not_known}) {
+    ends[solver::name_of(end)] =
+        std::count_if(backlash.trials.begin(), backlash.trials.end(),
+                      [&](const solver::BacklashTrial& trial) { return trial.lost == end; });
+  }
+  Json largest = nullptr;
+  if (backlash.largest_mm > 0) {
+    largest = {{"backlash_mm", backlash.largest_mm},
+               {"wanted_share", solver::kWantedShare},
+               {"trials", backlash.with_largest}};
+    largest["is_most"] = backlash.largest_mm >= backlash.most_mm;
+  }
+  Json json = {{"backlash_mm", backlash.backlash_mm},
+               {"trials", backlash.trials.size()},
+               {"undecided", backlash.undecided()},
+               {"from_deg", backlash.from_deg},
+               {"deploys_from_deg", backlash.own_deg},
+               {"one_way", one_way_json(backlash, backlash.own_deg)},
+               {"largest", largest},
+               {"faults", ends_json(backlash)},
+               {"branch_ends", ends},
+               {"lost", quantiles_json(backlash.lost_deg(), "lost_deg")},
+               {"one_way_from", quantiles_json(backlash.one_way_from_deg(), "from_deg")},
+               {"one_way_up_to", quantiles_json(backlash.one_way_to_deg(), "to_deg")},
+               {"left_over_backlashes",
+                {{"median", solver::quantile(left, 0.5)}, {"largest", left.back()}}}};
+  if (threshold_deg && *threshold_deg > backlash.from_deg) {
+    json["one_way_to_threshold"] = one_way_json(backlash, *threshold_deg);
+  }
+  return json;
+}
+
+}  // namespace misalign::schema

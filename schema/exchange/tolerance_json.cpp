@@ -1,0 +1,43 @@
+#include "schema/exchange/tolerance_json.hpp"
+
+namespace misalign::schema {
+namespace {
+
+Json share_json(std::uint64_t hits, const solver::MiscutCopies& copies) {
+  const ShareOfTrials share = share_of(hits, copies);
+  return {{"copies", hits},
+          {"share", share.share},
+          {"share_low", share.low},
+          {"share_high", share.high}};
+}
+
+}  // namespace
+
+Json tolerance_json(const solver::Tolerance& t) {
+  Json quantiles = Json::array(), vertices = Json::array();
+  for (const double share : solver::kShownShares) {
+    quantiles.push_back(
+        {{"share", share}, {"deploys_from_deg", t.copies.quantile(share) * t.sample_deg}});
+  }
+  for (const solver::VertexTolerance& vertex : t.vertices) {
+    Json json = share_json(vertex.copies.from(t.threshold_sample), vertex.copies);
+    json["vertex"] = solver::vertex_label(vertex.vertex);
+    json["trials"] = vertex.copies.trials;
+    json["undecided"] = vertex.copies.undecided;
+    json["mean_loss_deg"] = t.mean_loss_deg(vertex.copies);
+    vertices.push_back(json);
+  }
+  Json json = {{"amplitude_mm", t.amplitude_mm},
+               {"trials", t.copies.trials},
+               {"undecided", t.copies.undecided},
+               {"deploys_from_deg", t.own_sample * t.sample_deg},
+               {"threshold_deg", t.threshold_deg},
+               {"from_threshold", share_json(t.survivors(), t.copies)},
+               {"from_own", share_json(t.copies.from(t.own_sample), t.copies)},
+               {"mean_loss_deg", t.mean_loss_deg(t.copies)},
+               {"quantiles", quantiles}};
+  if (!t.vertices.empty()) json["vertices"] = vertices;
+  return json;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,60 @@
+// The study of tolerance: how many copies of a sheet still deploy, every vertex cut a little off
+// its place.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/pattern/crease_pattern.hpp"
+#include "solver/verdict/verdict.hpp"
+
+namespace misalign::solver {
+
+/// Verdicts on miscut copies, counted.
+struct MiscutCopies {
+  std::uint64_t trials = 0;
+  std::uint64_t undecided = 0;           ///< numerical failures: neither yes nor no
+  std::vector<std::uint64_t> of_sample;  ///< the decided ones, counted by their D
+
+  void add(const Verdict& verdict);
+  void add(const MiscutCopies& others);
+  std::uint64_t decided() const { return trials - undecided; }
+  /// The decided ones that deploy from this sample, or from a later one.
+  std::uint64_t from(int sample) const;
+  /// The D that this share of the decided ones stays at or below, at least one: 0.5 is the median.
+  int quantile(double share) const;
+  /// Mean of D over the decided ones.
+  double mean_sample() const;
+};
+
+struct VertexTolerance {
+  int vertex;
+  MiscutCopies copies;  ///< in which this vertex alone is off its place
+};
+
+struct Tolerance {
+  double amplitude_mm;
+  double sample_deg, threshold_deg;
+  int threshold_sample;
+  int own_sample;  ///< D of the sheet itself
+  MiscutCopies copies;
+  std::vector<VertexTolerance> vertices;  ///< the most harmful first; none if not asked for
+
+  /// Copies that deploy from the campaign's threshold.
+  std::uint64_t survivors() const { return copies.from(threshold_sample); }
+  double mean_loss_deg(const MiscutCopies& some) const {
+    return (own_sample - some.mean_sample()) * sample_deg;
+  }
+};
+
+/// The least share, the largest, and some between, of which studies say what they stay at or below.
+inline constexpr double kShownShares[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
+
+/// Those that are cut off their places.
+std::vector<int> all_vertices(const CreasePattern& sheet);
+
+/// Errors must be smaller than this, mm: from there on a facet of the sheet with these shifts (one
+/// column per vertex) can lose its convexity.
+double largest_miscut_mm(const CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm);
+
+}  // namespace misalign::solver
