@@ -1,8 +1,11 @@
-// A certificate as it is kept: what it says, its proof and its hash.
+// A certificate as it is kept: what it says, its proof and its hash; and what a check finds.
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace misalign::schema {
 
@@ -25,5 +28,37 @@ struct CertificateRecord {
 
 /// The proof of one is hardly ever larger than this.
 inline constexpr std::size_t kUsualCertificate_bytes = 20000;
+
+/// A sheet's certificate, without its proof.
+struct CertifiedSheet {
+  std::string name;  ///< "draw 7", or a pattern's
+  CertificateRecord row;
+  std::size_t bytes;    ///< of the proof
+  bool is_new = false;  ///< made now, not there already
+};
+
+/// Of a row, whose proof is taken out.
+CertifiedSheet certified_sheet(std::string name, CertificateRecord row, bool is_new);
+
+/// What a check finds wrong with a certificate.
+struct CertificateFinding {
+  struct Interval {
+    double from_deg, to_deg;
+  };
+  std::uint64_t draw = 0;
+  std::optional<Interval> interval;  ///< of pilot angles; none where it is the row itself
+  std::string what;
+
+  /// "draw 7, 12.5 to 14 deg: ...".
+  std::string sentence() const;
+};
+
+/// What came of checking the certificates of a catalogue's candidates, or of a pattern.
+struct CertificateCheck {
+  std::uint64_t checked = 0, of = 0;
+  std::uint64_t without = 0;  ///< candidates that have no certificate
+  std::vector<CertificateFinding> findings;
+  std::map<std::string, std::uint64_t> ends = {};  ///< of those that hold, by name
+};
 
 }  // namespace misalign::schema

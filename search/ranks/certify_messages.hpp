@@ -21,7 +21,7 @@ struct SheetOrder {
 /// What came of it: a certificate that was made, or what is wrong with the one that was checked.
 struct SheetResult {
   std::optional<schema::CertificateRecord> made;
-  std::optional<CertificateFinding> finding;
+  std::optional<schema::CertificateFinding> finding;
 };
 
 /// What a worker sends back of its sheets: of the first ones, all if it was not interrupted.

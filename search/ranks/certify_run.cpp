@@ -31,7 +31,7 @@ struct Sheet {
   std::uint64_t draw;
   double asked_deg = 0;
   Eigen::Matrix2Xd shifts_mm = {};  // of a splitting campaign; a plain one's are made again
-  std::optional<CertifiedSheet> done = {};
+  std::optional<schema::CertifiedSheet> done = {};
   std::string end = {};  // of the certificate that is checked
 };
 
@@ -145,7 +145,7 @@ class CertifyZero {
     const Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database_, ready_.campaign, draw);
     if (ready_.campaign.splitting) sheet.shifts_mm = shifts_mm;
     if (row && is_good(shifts_mm, *row, sheet.asked_deg)) {
-      sheet.done = certified_sheet(name_of_draw(draw), std::move(*row), false);
+      sheet.done = schema::certified_sheet(name_of_draw(draw), std::move(*row), false);
     } else {
       open_.push_back(sheets_.size());
     }
@@ -197,7 +197,7 @@ class CertifyZero {
     gone_.insert(gone_.end(), gone.begin(), gone.end());
     for (std::size_t k = 0; k < rows.size(); ++k) {
       Sheet& sheet = sheets_[open_[done[k].sheet]];
-      sheet.done = certified_sheet(name_of_draw(sheet.draw), std::move(rows[k]), true);
+      sheet.done = schema::certified_sheet(name_of_draw(sheet.draw), std::move(rows[k]), true);
     }
   }
 

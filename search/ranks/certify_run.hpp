@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "search/sheets/certify_text.hpp"
+#include "schema/records/certificate_record.hpp"
 
 namespace misalign::search {
 
@@ -23,9 +23,9 @@ struct CertifyOptions {
 
 /// What rank 0 knows in the end.
 struct CertifyReport {
-  std::vector<CertifiedSheet> sheets;  ///< in their order; none of a check
-  std::uint64_t left = 0;              ///< not done, because a signal asked to stop
-  CertificateCheck check;
+  std::vector<schema::CertifiedSheet> sheets;  ///< in their order; none of a check
+  std::uint64_t left = 0;                      ///< not done, because a signal asked to stop
+  schema::CertificateCheck check;
 };
 
 /// Returns the exit code; `show` is called on rank 0 once all is stored.

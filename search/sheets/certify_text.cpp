@@ -6,13 +6,14 @@
 #include <cmath>
 #include <map>
 
+#include "schema/files/printable.hpp"
 #include "schema/files/text_table.hpp"
 #include "search/terminal/count_text.hpp"
+#include "solver/certificate/certificate.hpp"
 
 namespace misalign::search {
 namespace {
 
-using schema::Json;
 using solver::CertificateEnd;
 
 constexpr std::size_t kFew = 20;
@@ -54,9 +55,9 @@ auto median(std::vector<Value> values) {
 }
 
 template <class Of>
-auto median_of(const std::vector<CertifiedSheet>& sheets, const Of& of) {
+auto median_of(const std::vector<schema::CertifiedSheet>& sheets, const Of& of) {
   std::vector<decltype(of(sheets.front()))> values;
-  for (const CertifiedSheet& sheet : sheets) values.push_back(of(sheet));
+  for (const schema::CertifiedSheet& sheet : sheets) values.push_back(of(sheet));
   return median(std::move(values));
 }
 
@@ -67,11 +68,11 @@ schema::Row row_of(const std::string& end, const std::vector<double>& certified_
           shown_deg(*std::max_element(certified_deg.begin(), certified_deg.end()))};
 }
 
-std::string summary_of(const std::vector<CertifiedSheet>& sheets) {
+std::string summary_of(const std::vector<schema::CertifiedSheet>& sheets) {
   std::map<std::string, std::vector<double>> by_end;
   std::vector<double> all;
   std::size_t there_already = 0;
-  for (const CertifiedSheet& sheet : sheets) {
+  for (const schema::CertifiedSheet& sheet : sheets) {
     by_end[sheet.row.end].push_back(sheet.row.certified_deg);
     all.push_back(sheet.row.certified_deg);
     there_already += !sheet.is_new;
@@ -82,25 +83,21 @@ std::string summary_of(const std::vector<CertifiedSheet>& sheets) {
   std::string text = schema::aligned(rows, {false, true, true, true, true});
   text += fmt::format(
       "in the median {:.3g} ms, {} intervals and {:.3g} kB",
-      1e3 * median_of(sheets, [](const CertifiedSheet& sheet) { return sheet.row.seconds; }),
-      median_of(sheets, [](const CertifiedSheet& sheet) { return sheet.row.intervals; }),
-      1e-3 * static_cast<double>(
-                 median_of(sheets, [](const CertifiedSheet& sheet) { return sheet.bytes; })));
+      1e3 *
+          median_of(sheets, [](const schema::CertifiedSheet& sheet) { return sheet.row.seconds; }),
+      median_of(sheets, [](const schema::CertifiedSheet& sheet) { return sheet.row.intervals; }),
+      1e-3 * static_cast<double>(median_of(
+                 sheets, [](const schema::CertifiedSheet& sheet) { return sheet.bytes; })));
   if (there_already > 0) text += fmt::format("; {} were there already", there_already);
   return text + "\n";
 }
 
-bool is_proven(const std::string& end) {
-  const auto known = solver::certificate_end(end);
-  return known && solver::is_proven(*known);
-}
-
 // How many, and which: "3 (reversal 2, to_the_end 1)"; empty of none.
-std::string ends_text(const CertificateCheck& check, bool proven) {
+std::string ends_text(const schema::CertificateCheck& check, bool proven) {
   std::uint64_t count = 0;
   std::string names;
   for (const auto& [end, certificates] : check.ends) {
-    if (is_proven(end) != proven) continue;
+    if (solver::is_proven(end) != proven) continue;
     count += certificates;
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", end, certificates);
   }
@@ -108,7 +105,7 @@ std::string ends_text(const CertificateCheck& check, bool proven) {
 }
 
 // What is proven of why they end.
-std::string ends_text(const CertificateCheck& check) {
+std::string ends_text(const schema::CertificateCheck& check) {
   const std::string proven = ends_text(check, true), others = ends_text(check, false);
   std::string text;
   if (!proven.empty()) text += "what ends it is proven of " + proven + "\n";
@@ -121,13 +118,7 @@ std::string ends_text(const CertificateCheck& check) {
 
 }  // namespace
 
-CertifiedSheet certified_sheet(std::string name, schema::CertificateRecord row, bool is_new) {
-  const std::size_t bytes = row.proof.size();
-  row.proof = {};
-  return {std::move(name), std::move(row), bytes, is_new};
-}
-
-std::string certified_text(const CertifiedSheet& sheet) {
+std::string certified_text(const schema::CertifiedSheet& sheet) {
   const schema::CertificateRecord& row = sheet.row;
   std::string text = sheet.name + ": ";
   if (row.intervals == 0) return text + "nothing is certified: " + reason(row) + "\n";
@@ -143,23 +134,16 @@ std::string certified_text(const CertifiedSheet& sheet) {
   return text + (sheet.is_new ? ")\n" : ", there already)\n");
 }
 
-std::string certified_text(const std::vector<CertifiedSheet>& sheets) {
+std::string certified_text(const std::vector<schema::CertifiedSheet>& sheets) {
   if (sheets.size() > kFew) return summary_of(sheets);
   std::string text;
-  for (const CertifiedSheet& sheet : sheets) text += certified_text(sheet);
+  for (const schema::CertifiedSheet& sheet : sheets) text += certified_text(sheet);
   return text;
 }
 
-Json certified_json(const CertifiedSheet& sheet) {
-  Json json = schema::certificate_json(sheet.row);
-  json.erase("proof");
-  json["bytes"] = sheet.bytes;
-  return json;
-}
-
-std::string check_text(const CertificateCheck& check) {
+std::string check_text(const schema::CertificateCheck& check) {
   std::string text;
-  for (const CertificateFinding& finding : check.findings) {
+  for (const schema::CertificateFinding& finding : check.findings) {
     text += schema::printable(finding.sentence()) + "\n";
   }
   text += count_text(check.checked, "certificate") + " checked";
@@ -173,24 +157,6 @@ std::string check_text(const CertificateCheck& check) {
     text += fmt::format("; {} without a certificate", count_text(check.without, "sheet"));
   }
   return text + "\n" + ends_text(check);
-}
-
-Json check_json(const CertificateCheck& check) {
-  Json findings = Json::array();
-  for (const CertificateFinding& finding : check.findings) {
-    const auto& interval = finding.interval;
-    findings.push_back({{"draw", finding.draw},
-                        {"from_deg", interval ? Json(interval->from_deg) : Json()},
-                        {"to_deg", interval ? Json(interval->to_deg) : Json()},
-                        {"what", finding.what}});
-  }
-  Json ends = {{"proven", Json::object()}, {"unproven", Json::object()}};
-  for (const auto& [end, certificates] : check.ends) {
-    ends[is_proven(end) ? "proven" : "unproven"][end] = certificates;
-  }
-  return {{"checked", check.checked}, {"of", check.of},
-          {"without", check.without}, {"ends", ends},
-          {"findings", findings},     {"good", check.findings.empty()}};
 }
 
 }  // namespace misalign::search

@@ -1,18 +1,10 @@
 #include "search/sheets/sheet_certifier.hpp"
 
-#include <fmt/format.h>
-
 #include "schema/files/features.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "solver/certificate/certificate_check.hpp"
 
 namespace misalign::search {
-
-std::string CertificateFinding::sentence() const {
-  if (!interval) return fmt::format("draw {}: {}", draw, what);
-  return fmt::format("draw {}, {:.10g} to {:.10g} deg: {}", draw, interval->from_deg,
-                     interval->to_deg, what);
-}
 
 SheetCertifier::SheetCertifier(const schema::Pattern& base, const solver::Model& model,
                                bool contact)
@@ -28,14 +20,14 @@ schema::CertificateRecord SheetCertifier::certify(std::uint64_t draw,
                                  watch.seconds());
 }
 
-std::optional<CertificateFinding> SheetCertifier::row_fault(
+std::optional<schema::CertificateFinding> SheetCertifier::row_fault(
     const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
   const auto fault = schema::certificate_fault(base_, model_.mechanism(), shifts_mm, row);
   if (!fault) return std::nullopt;
-  return CertificateFinding{row.draw, {}, *fault};
+  return schema::CertificateFinding{row.draw, {}, *fault};
 }
 
-std::optional<CertificateFinding> SheetCertifier::check(
+std::optional<schema::CertificateFinding> SheetCertifier::check(
     const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
   schema::need("FLINT");
   if (const auto fault = row_fault(shifts_mm, row)) return fault;
@@ -43,7 +35,8 @@ std::optional<CertificateFinding> SheetCertifier::check(
     const auto certificate = solver::decode(model_.mechanism(), row.proof);
     const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
     const auto fault = solver::check_certificate(model_, vertices_mm, *certificate);
-    if (fault) return CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
+    if (fault)
+      return schema::CertificateFinding{row.draw, {{fault->from_deg, fault->to_deg}}, fault->what};
   }
   return std::nullopt;
 }

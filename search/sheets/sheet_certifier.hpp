@@ -11,19 +11,6 @@
 
 namespace misalign::search {
 
-/// What a check finds wrong with a certificate.
-struct CertificateFinding {
-  struct Interval {
-    double from_deg, to_deg;
-  };
-  std::uint64_t draw = 0;
-  std::optional<Interval> interval;  ///< of pilot angles; none where it is the row itself
-  std::string what;
-
-  /// "draw 7, 12.5 to 14 deg: ...".
-  std::string sentence() const;
-};
-
 class SheetCertifier {
  public:
   /// Both must outlive this object; shifts of the base itself do not matter.
@@ -34,12 +21,12 @@ class SheetCertifier {
                                     double asked_deg);
 
   /// Whether hash and columns are those of the proof, of this sheet.
-  std::optional<CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
-                                              const schema::CertificateRecord& row) const;
+  std::optional<schema::CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
+                                                      const schema::CertificateRecord& row) const;
   /// That, and whether the proof is one: the second opinion, in ball arithmetic.
   /// UserError (1) where this build is without FLINT.
-  std::optional<CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
-                                          const schema::CertificateRecord& row) const;
+  std::optional<schema::CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
+                                                  const schema::CertificateRecord& row) const;
 
  private:
   const schema::Pattern& base_;

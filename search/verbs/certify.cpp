@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "schema/exchange/certify_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_run.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/rank_starter.hpp"
+#include "search/sheets/certify_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/sheet_certifier.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
@@ -31,13 +34,13 @@ struct CertifyCall {
 
 void show(const CertifyCall& call, const CertifyReport& report) {
   if (call.options.check) {
-    call.json ? put_json(check_json(report.check)) : put(check_text(report.check));
+    call.json ? put_json(schema::check_json(report.check)) : put(check_text(report.check));
     return;
   }
   if (call.json) {
     Json list = Json::array();
-    for (const CertifiedSheet& sheet : report.sheets) {
-      list.push_back(certified_json(sheet));
+    for (const schema::CertifiedSheet& sheet : report.sheets) {
+      list.push_back(schema::certified_json(sheet));
       list.back()["draw"] = sheet.row.draw;
     }
     const bool is_single = call.choice.draws.size() == 1 && list.size() == 1;
@@ -111,14 +114,14 @@ int run_on_pattern(const CertifyCall& call) {
                           "one: misalign certify " +
                           file + " --json > certified.json");
     }
-    CertificateCheck check;
+    schema::CertificateCheck check;
     check.checked = check.of = 1;
     if (auto finding = certifier.check(sheet.shifts_mm, *row)) {
       check.findings = {*finding};
     } else {
       check.ends = {{row->end, 1}};
     }
-    call.json ? put_json(check_json(check)) : put(check_text(check));
+    call.json ? put_json(schema::check_json(check)) : put(check_text(check));
     return check.findings.empty() ? 0 : schema::kExitCheckFailed;
   }
   const double asked_deg =
@@ -131,7 +134,7 @@ int run_on_pattern(const CertifyCall& call) {
   if (call.json) {
     put_json(document_of(sheet, row));
   } else {
-    put(certified_text(certified_sheet(sheet.pattern, row, true)));
+    put(certified_text(schema::certified_sheet(sheet.pattern, row, true)));
   }
   return 0;
 }

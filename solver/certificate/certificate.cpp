@@ -112,6 +112,11 @@ bool is_proven(CertificateEnd end) {
          end == CertificateEnd::over_folded || end == CertificateEnd::sign_changed;
 }
 
+bool is_proven(std::string_view name) {
+  const auto end = certificate_end(name);
+  return end && is_proven(*end);
+}
+
 std::string encode(const Mechanism& mechanism, const Certificate& certificate) {
   std::string bytes;
   put_bits(bytes, kVersion);

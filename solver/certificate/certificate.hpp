@@ -31,6 +31,8 @@ std::optional<CertificateEnd> certificate_end(std::string_view name);
 /// Whether a certificate that ends so proves that it happens, by its closing interval or by having
 /// come to the angle asked for. Of the other ends it claims only that its proof goes no farther.
 bool is_proven(CertificateEnd end);
+/// By its name; false of a name that is none.
+bool is_proven(std::string_view name);
 
 /// An interval of pilot angles, and the state in its middle.
 struct PathInterval {

@@ -2,6 +2,7 @@
 // candidates that are certified as they are found.
 #include <gtest/gtest.h>
 
+#include "schema/exchange/certify_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
@@ -98,8 +99,8 @@ TEST_F(Certificates, AndFindingsArriveAsTheyWereSent) {
   SentResults sent;
   sent.seconds = 0.25;
   sent.results.push_back({certified(4), {}});
-  sent.results.push_back({{}, CertificateFinding{7, {{1.5, 2}}, "a reason"}});
-  sent.results.push_back({{}, CertificateFinding{8, {}, ""}});
+  sent.results.push_back({{}, schema::CertificateFinding{7, {{1.5, 2}}, "a reason"}});
+  sent.results.push_back({{}, schema::CertificateFinding{8, {}, ""}});
   sent.results.push_back({});
   const SentResults came = unpack_results(pack(sent));
   ASSERT_EQ(came.results.size(), 4u);
@@ -208,7 +209,7 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
   row.place = "A10-A18";
   row.intervals = 28;
   row.proof = std::string(2000, 'x');
-  const CertifiedSheet sheet = certified_sheet("draw 7", row, true);
+  const schema::CertifiedSheet sheet = schema::certified_sheet("draw 7", row, true);
   EXPECT_EQ(sheet.bytes, 2000u);
   const std::string text = certified_text(sheet);
   EXPECT_NE(text.find("to 156.1549 deg of 180;"), std::string::npos) << text;
@@ -216,31 +217,32 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
   row.intervals = 0;
   row.certified_deg = 0;
   row.end = "flat_branch";
-  EXPECT_NE(certified_text(certified_sheet("draw 7", row, true)).find("nothing is certified"),
-            std::string::npos);
+  EXPECT_NE(
+      certified_text(schema::certified_sheet("draw 7", row, true)).find("nothing is certified"),
+      std::string::npos);
   for (int tenths = 1; tenths < 1800; ++tenths) {
     row.certified_deg = row.asked_deg = tenths * 0.1;
     row.end = "to_the_end";
     row.intervals = 1;
-    const std::string whole = certified_text(certified_sheet("draw 7", row, true));
+    const std::string whole = certified_text(schema::certified_sheet("draw 7", row, true));
     EXPECT_LT(whole.find(" deg, as asked"),
               std::string("draw 7: certified from flat to 123.4x").size())
         << whole;
   }
-  const schema::Json json = certified_json(sheet);
+  const schema::Json json = schema::certified_json(sheet);
   EXPECT_FALSE(json.contains("proof"));
   EXPECT_EQ(json["certified_deg"], 156.15499);
   EXPECT_EQ(json["bytes"], 2000);
 }
 
 TEST(CertificateText, OfManyIsASummary) {
-  std::vector<CertifiedSheet> sheets;
+  std::vector<schema::CertifiedSheet> sheets;
   for (int k = 0; k < 30; ++k) {
     schema::CertificateRecord row;
     row.end = k < 10 ? "reversal" : "to_the_end";
     row.certified_deg = k < 10 ? 150 + k : 170;
     row.intervals = 20;
-    sheets.push_back(certified_sheet("draw " + std::to_string(k), row, k > 4));
+    sheets.push_back(schema::certified_sheet("draw " + std::to_string(k), row, k > 4));
   }
   const std::string text = certified_text(sheets);
   for (const char* part : {"reversal", "to_the_end", "all", "; 5 were there already"}) {
@@ -252,21 +254,21 @@ TEST(CertificateText, OfManyIsASummary) {
 }
 
 TEST(CertificateText, OfACheckSaysWhatHasNone) {
-  CertificateCheck check{2, 2, 1, {}, {{"to_the_end", 2}}};
+  schema::CertificateCheck check{2, 2, 1, {}, {{"to_the_end", 2}}};
   EXPECT_EQ(check_text(check),
             "2 certificates checked: all hold, up to their certified angles; 1 sheet without a "
             "certificate\nwhat ends it is proven of 2 (to_the_end 2)\n");
-  EXPECT_EQ(check_json(check)["good"], true);
+  EXPECT_EQ(schema::check_json(check)["good"], true);
   check = {1, 3, 0, {{9, {}, "why"}}};
   const std::string text = check_text(check);
   EXPECT_NE(text.find("draw 9: why\n"), std::string::npos) << text;
   EXPECT_NE(text.find("of 3 (stopped)"), std::string::npos) << text;
-  EXPECT_EQ(check_json(check)["good"], false);
+  EXPECT_EQ(schema::check_json(check)["good"], false);
 }
 
 // An end is proven by a closing interval, or by having come to the angle that was asked for.
 TEST(CertificateText, OfACheckSaysWhichEndsAreProven) {
-  CertificateCheck check{8, 8, 0, {}};
+  schema::CertificateCheck check{8, 8, 0, {}};
   for (int k = 0; k < solver::kCertificateEnds; ++k) {
     const auto end = static_cast<solver::CertificateEnd>(k);
     check.ends[solver::name_of(end)] = 1;
@@ -279,8 +281,8 @@ TEST(CertificateText, OfACheckSaysWhichEndsAreProven) {
       "what ends it is proven of 4 (over_folded 1, reversal 1, sign_changed 1, to_the_end 1)\n"
       "what ends it is not proven of 4 (contact 1, flat_branch 1, fold_limit 1, unclear_slope "
       "1): there the proof stops, for whatever reason\n");
-  EXPECT_EQ(check_json(check)["ends"]["proven"].size(), 4u);
-  EXPECT_EQ(check_json(check)["ends"]["unproven"]["fold_limit"], 1);
+  EXPECT_EQ(schema::check_json(check)["ends"]["proven"].size(), 4u);
+  EXPECT_EQ(schema::check_json(check)["ends"]["unproven"]["fold_limit"], 1);
 }
 
 // As the search goes: accepted ones alone, up to their D, with what `certify` would make.

@@ -1,0 +1,33 @@
+#include "schema/exchange/certify_json.hpp"
+
+#include "schema/catalogue/certificate_row.hpp"
+#include "solver/certificate/certificate.hpp"
+
+namespace misalign::schema {
+
+Json certified_json(const CertifiedSheet& sheet) {
+  Json json = certificate_json(sheet.row);
+  json.erase("proof");
+  json["bytes"] = sheet.bytes;
+  return json;
+}
+
+Json check_json(const CertificateCheck& check) {
+  Json findings = Json::array();
+  for (const CertificateFinding& finding : check.findings) {
+    const auto& interval = finding.interval;
+    findings.push_back({{"draw", finding.draw},
+                        {"from_deg", interval ? Json(interval->from_deg) : Json()},
+                        {"to_deg", interval ? Json(interval->to_deg) : Json()},
+                        {"what", finding.what}});
+  }
+  Json ends = {{"proven", Json::object()}, {"unproven", Json::object()}};
+  for (const auto& [end, certificates] : check.ends) {
+    ends[solver::is_proven(end) ? "proven" : "unproven"][end] = certificates;
+  }
+  return {{"checked", check.checked}, {"of", check.of},
+          {"without", check.without}, {"ends", ends},
+          {"findings", findings},     {"good", check.findings.empty()}};
+}
+
+}  // namespace misalign::schema
