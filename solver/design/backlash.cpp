@@ -20,6 +20,19 @@ std::vector<double> sorted(const std::vector<BacklashTrial>& trials, Value value
 
 }  // namespace
 
+const char* name_of(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::flat:
+      return "flat";
+    case BranchEnd::turns:
+      return "turns";
+    case BranchEnd::other_branch:
+      return "other_branch";
+    default:
+      return "not_known";
+  }
+}
+
 std::uint64_t Backlash::undecided() const {
   return static_cast<std::uint64_t>(std::count_if(
       trials.begin(), trials.end(), [](const BacklashTrial& trial) { return !trial.is_known; }));

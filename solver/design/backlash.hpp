@@ -12,6 +12,9 @@ namespace misalign::solver {
 /// This share of the trials is wanted of the largest backlash.
 inline constexpr double kWantedShare = 0.95;
 
+/// "flat", ...: as in files.
+const char* name_of(BranchEnd end);
+
 /// What was found of one sheet.
 struct Backlash {
   double backlash_mm;

@@ -231,19 +231,6 @@ class BacklashFollower::Branch {
   PathResult path_{};
 };
 
-const char* name_of(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::flat:
-      return "flat";
-    case BranchEnd::turns:
-      return "turns";
-    case BranchEnd::other_branch:
-      return "other_branch";
-    default:
-      return "not_known";
-  }
-}
-
 BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
                                const BacklashOptions& options) {
   const Mechanism& mechanism = model.mechanism();

@@ -28,7 +28,6 @@ enum class BranchEnd {
   other_branch,  ///< a crease passes 0, from mountain to valley or back
   not_known      ///< a numerical failure: it was followed so far
 };
-const char* name_of(BranchEnd end);
 
 /// One sheet with its joints settled in one way.
 struct BacklashTrial {

@@ -1,13 +1,12 @@
 // Joints with play: one hinge against a closed form, whole sheets against a solver whose unknowns
 // are the panels, and what is left as the play vanishes.
-#include "solver/design/backlash_follower.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "blocks.hpp"
 #include "panel_poses.hpp"
+#include "solver/design/backlash_follower.hpp"
 #include "solver/design/shaped_path.hpp"
 
 namespace misalign::solver {
