@@ -1,4 +1,4 @@
-// Where panels meet, and how thick they may be, as JSON and as words.
+// The study of contact as JSON: where panels meet, and how thick they may be.
 #pragma once
 
 #include <string>

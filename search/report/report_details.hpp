@@ -20,7 +20,7 @@ struct DetailOptions {
 
 class ReportDetails {
  public:
-  /// Reads the files of `wish`; UserError (3). `folder` must outlive this object.
+  /// Reads the files of `options`; UserError (3). `folder` must outlive this object.
   ReportDetails(const SheetFolder& folder, const DetailOptions& options);
 
   /// Of a draw of a campaign.

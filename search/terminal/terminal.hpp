@@ -22,7 +22,7 @@ bool terminal_is_able();
 /// Whether the locale's characters are UTF-8.
 bool locale_is_utf8();
 
-/// As wished; else only to an able terminal, and never with NO_COLOR set.
+/// As `mode` says; else only to an able terminal, and never with NO_COLOR set.
 bool colors_wanted(ColorMode mode, bool to_terminal);
 
 /// Marks words, or leaves them as they are.

@@ -139,7 +139,7 @@ void SolvedExtremes::go(const SolvedPlace& from, const SolvedPlace& to, double o
   const SolvedPlace middle{from.pilot_rad + cubic_between(from, to, 0, 1).pilot(0.5), point};
   if (off <= kSolved_widths || halvings == kMostSolvedHalvings || is_clear(from, to, off, judge) ||
       !solver_.solve(*geometry_, from, to, middle.pilot_rad, point)) {
-    settle(from, to, judge);
+    solve_turns(from, to, judge);
     return;
   }
   const double off_of_half = kOffOfHalf * cubics_off(from, middle, to, 0.5);
@@ -148,7 +148,7 @@ void SolvedExtremes::go(const SolvedPlace& from, const SolvedPlace& to, double o
 }
 
 // What the cubics show is solved where it is.
-void SolvedExtremes::settle(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge) {
+void SolvedExtremes::solve_turns(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge) {
   const bool may_turn_here = may_turn();
   double first_rad = to.pilot_rad;
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {

@@ -36,7 +36,7 @@ class SolvedExtremes {
           const Judge& judge);
   bool is_clear(const SolvedPlace& from, const SolvedPlace& to, double off,
                 const Judge& judge) const;
-  void settle(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge);
+  void solve_turns(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge);
   double turn_between(const SolvedPlace& from, const SolvedPlace& to, const Turn& turn);
   void take_slopes(const PathPoint& point, const Judge& judge);
   bool may_turn() const { return !extremes_.reverses_deg; }
