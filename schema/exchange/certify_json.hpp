@@ -1,4 +1,4 @@
-// What `misalign certify` says of certificates, as JSON.
+// The certificates of `misalign certify`, as JSON.
 #pragma once
 
 #include "schema/files/input.hpp"

@@ -1,4 +1,4 @@
-// What `misalign certify` says of certificates, as text.
+// The certificates of `misalign certify`, as text.
 #pragma once
 
 #include <string>
