@@ -148,7 +148,8 @@ void SolvedExtremes::go(const SolvedPlace& from, const SolvedPlace& to, double o
 }
 
 // What the cubics show is solved where it is.
-void SolvedExtremes::solve_turns(const SolvedPlace& from, const SolvedPlace& to, const Judge& judge) {
+void SolvedExtremes::solve_turns(const SolvedPlace& from, const SolvedPlace& to,
+                                 const Judge& judge) {
   const bool may_turn_here = may_turn();
   double first_rad = to.pilot_rad;
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
