@@ -4,11 +4,15 @@
 #include <dxflib/dl_writer_ascii.h>
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
+#include <string_view>
 
 #include "schema/files/input.hpp"
 #include "schema/files/memory_file.hpp"
 #include "schema/files/printable.hpp"
+#include "schema/files/utf8.hpp"
+#include "solver/pattern/half_angle.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -31,20 +35,15 @@ std::string capitals(std::string name) {
 std::string dxf_text(const std::string& words) {
   const std::string line = printable(utf8(words));
   std::string text;
-  for (std::size_t at = 0; at < line.size();) {
-    const auto byte = static_cast<unsigned char>(line[at]);
-    const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
-    if (length == 1) {
-      text += line[at];
-      if (byte == '^' || byte == '%') text += ' ';
+  for (std::string_view rest = line; !rest.empty();) {
+    const Utf8Character c = first_character(rest);
+    if (c.bytes == 1) {
+      text += rest[0];
+      if (c.code == '^' || c.code == '%') text += ' ';
     } else {
-      unsigned code = byte & (0x7fU >> length);
-      for (std::size_t k = 1; k < length; ++k) {
-        code = code << 6 | (static_cast<unsigned char>(line[at + k]) & 0x3fU);
-      }
-      text += length < 4 ? fmt::format("\\U+{:04X}", code) : "?";
+      text += c.bytes < 4 ? fmt::format("\\U+{:04X}", std::uint32_t{c.code}) : "?";
     }
-    at += length;
+    rest.remove_prefix(c.bytes);
   }
   return text;
 }
@@ -141,13 +140,12 @@ class DxfPen {
       dxf_.writeCircle(*to_, DL_CircleData(at.x(), at.y(), 0, circle.radius_mm), look);
     }
     constexpr int kMiddle = 1, kBaseLine = 0;
-    constexpr double kRadPerDeg = 0.017453292519943295;
     for (const DrawnText& text : layer.texts) {
       const Eigen::Vector2d at = text.at_mm - drawing_.least_mm;
       dxf_.writeText(*to_,
                      DL_TextData(at.x(), at.y(), 0, at.x(), at.y(), 0, text.height_mm, 1, 0,
                                  text.centred ? kMiddle : 0, kBaseLine, dxf_text(text.words),
-                                 kStyle, text.turned_deg * kRadPerDeg),
+                                 kStyle, text.turned_deg * solver::kRadPerDeg),
                      look);
     }
   }

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "schema/files/utf8.hpp"
+
 namespace misalign::schema {
 namespace {
 
@@ -32,28 +34,6 @@ bool is_escaped(char32_t c) {
                      [c](const Range& range) { return c >= range.first && c <= range.second; });
 }
 
-struct Character {
-  char32_t code;
-  std::size_t bytes;  // 0: no UTF-8 begins here
-};
-
-// The first character of a text that is not empty: shortest forms only, no halves of pairs.
-Character first_of(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  if (byte(0) < 0x80) return {byte(0), 1};
-  const std::size_t bytes = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
-  if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < bytes) return {0, 0};
-  char32_t code = byte(0) & (0xffU >> (bytes + 1));
-  for (std::size_t k = 1; k < bytes; ++k) {
-    if ((byte(k) & 0xc0) != 0x80) return {0, 0};
-    code = (code << 6) | (byte(k) & 0x3fU);
-  }
-  constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_half = code >= 0xd800 && code <= 0xdfff;
-  if (code < kLeast[bytes] || code > 0x10ffff || is_half) return {0, 0};
-  return {code, bytes};
-}
-
 void append_escape(std::string& shown, char32_t code) {
   const auto append = [&](std::uint32_t unit) { shown += fmt::format("\\u{:04x}", unit); };
   if (code < 0x10000) return append(code);
@@ -67,16 +47,15 @@ std::string escaped(std::string_view text, Keeps keeps) {
   std::string shown;
   shown.reserve(text.size());
   while (!text.empty()) {
-    const Character c = first_of(text);
-    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
-    if (c.bytes == 0) {
+    const Utf8Character c = first_character(text);
+    if (!c.is_utf8) {
       shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
     } else if (is_escaped(c.code) && !keeps(c.code)) {
       append_escape(shown, c.code);
     } else {
-      shown.append(text.substr(0, bytes));
+      shown.append(text.substr(0, c.bytes));
     }
-    text.remove_prefix(bytes);
+    text.remove_prefix(c.bytes);
   }
   return shown;
 }

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include "schema/files/printable.hpp"
+#include "schema/files/utf8.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -38,14 +39,10 @@ bool within(const std::array<Ranges, count>& ranges, char32_t c) {
 
 std::size_t display_width(const std::string& text) {
   std::size_t width = 0;
-  for (std::size_t k = 0; k < text.size();) {
-    const auto first = static_cast<unsigned char>(text[k++]);
-    char32_t c = first;
-    if (first >= 0xc0) c = first & (first >= 0xf0 ? 0x07 : first >= 0xe0 ? 0x0f : 0x1f);
-    for (; k < text.size() && (static_cast<unsigned char>(text[k]) & 0xc0) == 0x80; ++k) {
-      c = (c << 6) | (static_cast<unsigned char>(text[k]) & 0x3f);
-    }
-    width += within(kOnTheLetterBefore, c) ? 0 : within(kWide, c) ? 2 : 1;
+  for (std::string_view rest = text; !rest.empty();) {
+    const Utf8Character c = first_character(rest);
+    width += within(kOnTheLetterBefore, c.code) ? 0 : within(kWide, c.code) ? 2 : 1;
+    rest.remove_prefix(c.bytes);
   }
   return width;
 }
