@@ -1,9 +1,6 @@
 #include "search/ranks/rank_starter.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -16,6 +13,7 @@
 #include <thread>
 
 #include "schema/files/input.hpp"
+#include "search/terminal/child_process.hpp"
 #include "search/terminal/terminal.hpp"
 
 namespace misalign::search {
@@ -61,42 +59,10 @@ std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>&
   return command;
 }
 
-// Both ends close when this process becomes another one.
-struct Pipe {
-  int read_end = -1, write_end = -1;
-
-  Pipe() {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) {
-      throw UserError(schema::kExitFailure, std::string("no pipe can be made (") +
-                                                std::strerror(errno) + "); close some programs");
-    }
-    read_end = ends[0];
-    write_end = ends[1];
-  }
-  ~Pipe() {
-    close(read_end);
-    close_write_end();
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  void close_write_end() {
-    if (write_end >= 0) close(write_end);
-    write_end = -1;
-  }
-};
-
-// Child: exec mpirun; on failure send errno through the pipe.
-[[noreturn]] void become_mpirun(const std::vector<std::string>& command, const sigset_t& mask,
-                                pid_t starter, int reason, int printed) {
-  // A group of its own: Ctrl-C is for the starter, which says it to rank 0. And nothing to read:
-  // mpirun would take what was meant for others.
+// Child, before it execs mpirun.
+bool prepare_mpirun(const sigset_t& mask, pid_t starter, int printed) {
+  // A group of its own: Ctrl-C is for the starter, which says it to rank 0.
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != starter) _exit(1);
-  const int nothing = open("/dev/null", O_RDONLY);
-  if (nothing > 0) dup2(nothing, STDIN_FILENO);
   dup2(printed, STDOUT_FILENO);
   setenv(kStarterVariable, std::to_string(starter).c_str(), 1);
   setenv("COLUMNS", std::to_string(terminal_width(STDERR_FILENO)).c_str(), 1);
@@ -108,34 +74,18 @@ struct Pipe {
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   }
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  pthread_sigmask(SIG_SETMASK, &mask, nullptr);
-  execvp(arguments[0], arguments.data());
-  const int error = errno;
-  [[maybe_unused]] const auto written = write(reason, &error, sizeof error);
-  _exit(127);
+  return pthread_sigmask(SIG_SETMASK, &mask, nullptr) == 0;
 }
 
-// Returns mpirun's process; UserError if there is no such program.
-pid_t started(const std::vector<std::string>& command, const sigset_t& mask, Pipe& printed) {
-  Pipe reason;
-  const pid_t starter = getpid(), launcher = fork();
-  if (launcher == 0) become_mpirun(command, mask, starter, reason.write_end, printed.write_end);
-  const int fork_error = errno;
-  reason.close_write_end();
-  printed.close_write_end();
-  int error = launcher < 0 ? fork_error : 0;
-  if (launcher > 0 && read(reason.read_end, &error, sizeof error) != sizeof error) error = 0;
-  if (error == 0) return launcher;
-  if (launcher > 0) waitpid(launcher, nullptr, 0);
+// UserError if there is no such program.
+void expect_started(const ChildProcess& launcher) {
+  if (launcher.error() == 0) return;
   throw UserError(schema::kExitFailure,
-                  error == ENOENT
+                  launcher.error() == ENOENT
                       ? "--ranks: there is no mpirun in PATH (it starts the ranks); install Open "
                         "MPI's programs (Debian: openmpi-bin), or leave --ranks out: one core"
-                      : std::string("--ranks: mpirun cannot be started (") + std::strerror(error) +
-                            "); leave --ranks out: one core");
+                      : std::string("--ranks: mpirun cannot be started (") +
+                            std::strerror(launcher.error()) + "); leave --ranks out: one core");
 }
 
 // Passes on what the ranks print: mpirun says nothing of what it could not write, and whoever asked
@@ -173,16 +123,14 @@ class Printed {
 // Waits for mpirun and passes signals on.
 class Starter {
  public:
-  Starter(pid_t launcher, const sigset_t& watched) : launcher_(launcher), watched_(watched) {}
+  Starter(ChildProcess& launcher, const sigset_t& watched)
+      : launcher_(launcher), watched_(watched) {}
 
-  // mpirun's status as of waitpid.
-  int wait() {
-    int status = 0;
-    while (waitpid(launcher_, &status, WNOHANG) != launcher_) {
+  void wait() {
+    while (!launcher_.has_ended()) {
       siginfo_t info;
       if (sigwaitinfo(&watched_, &info) > 0) pass_on(info);
     }
-    return status;
   }
 
   /// 0, SIGINT or SIGTERM: what asked the search to leave, the last one.
@@ -204,7 +152,7 @@ class Starter {
         break;
       case SIGUSR1:
       case SIGUSR2:
-        kill(launcher_, info.si_signo);
+        launcher_.send(info.si_signo);
         break;
       case SIGTSTP:
         std::fputs(
@@ -222,19 +170,18 @@ class Starter {
   void ask_to_leave(int signal) {
     asked_twice_ = asked_by_ != 0;
     asked_by_ = signal;
-    if (asked_twice_) kill(launcher_, SIGTERM);
+    if (asked_twice_) launcher_.send(SIGTERM);
     if (rank_zero_ > 0) kill(rank_zero_, SIGTERM);
   }
 
-  const pid_t launcher_;
+  ChildProcess& launcher_;
   const sigset_t watched_;
   pid_t rank_zero_ = 0;
   int asked_by_ = 0;
   bool asked_twice_ = false;
 };
 
-int exit_code(int status, const Starter& starter, int ranks) {
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+int exit_code(int code, const Starter& starter, int ranks) {
   if (starter.asked_twice()) return 128 + starter.asked_by();
   if (starter.asked_by() && (code == 0 || code == kLeftWithStarter)) return 0;
   if (!starter.ranks_began() && !starter.asked_by()) {
@@ -260,13 +207,18 @@ int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with
   }
   pthread_sigmask(SIG_BLOCK, &watched, &before);
   Pipe pipe;
-  Starter starter(started(mpirun_words(ranks, words, with_bar), before, pipe), watched);
-  const int status = [&] {
-    const Printed printed(pipe.read_end);
-    return starter.wait();
-  }();
+  ChildProcess launcher(mpirun_words(ranks, words, with_bar), [&, starter = getpid()] {
+    return prepare_mpirun(before, starter, pipe.write_end());
+  });
+  pipe.close_write_end();
+  expect_started(launcher);
+  Starter starter(launcher, watched);
+  {
+    const Printed printed(pipe.read_end());
+    starter.wait();
+  }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return exit_code(status, starter, ranks);
+  return exit_code(launcher.exit_code(), starter, ranks);
 }
 
 bool has_starter() { return std::getenv(kStarterVariable) != nullptr; }
