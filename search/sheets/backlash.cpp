@@ -1,14 +1,10 @@
 #include "search/sheets/backlash.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "search/draws/draw.hpp"
+#include "search/sheets/on_threads.hpp"
 
 namespace misalign::search {
 namespace {
@@ -49,39 +45,26 @@ class Trials {
   // Until more than so many do not move one way.
   void run(double backlash_mm, bool only_whether, std::uint64_t most_misses) {
     trials_.assign(options_.trials, {});
-    next_ = misses_ = 0;
-    most_misses_ = most_misses;
+    misses_ = 0;
     const double scale = backlash_mm / model_.mechanism().panel_width_mm;
     const std::uint64_t done_before = copies_.done;
-    std::vector<std::thread> others;
-    try {
-      for (std::size_t k = 1; k < followers_.size(); ++k) {
-        others.emplace_back([=, this] { work(*followers_[k], scale, only_whether); });
-      }
-    } catch (const std::system_error&) {
-      // No more threads are to be had: those that there are do it all.
-    }
-    work(*followers_.front(), scale, only_whether);
-    for (std::thread& other : others) other.join();
-    if (failure_) std::rethrow_exception(failure_);
+    on_threads(
+        followers_.size(), options_.trials,
+        [&](std::size_t thread) {
+          return [&, thread](std::size_t k) {
+            return followers_[thread]->trial(trial_offsets(model_.mechanism(), seed_, k), scale,
+                                             only_whether);
+          };
+        },
+        [&](std::size_t k, const BacklashTrial& trial) {
+          trials_[k] = trial;
+          if (!trial.moves_one_way()) ++misses_;
+          ++copies_.done;
+          if (options_.progress) options_.progress(copies_);
+          return misses_ <= most_misses;
+        });
     copies_.done = done_before + options_.trials;  // what was not worth judging is done, too
     if (options_.progress) options_.progress(copies_);
-  }
-
-  void work(solver::BacklashFollower& follower, double scale, bool only_whether) {
-    try {
-      for (std::uint64_t k; (k = next_++) < options_.trials && misses_ <= most_misses_;) {
-        trials_[k] =
-            follower.trial(trial_offsets(model_.mechanism(), seed_, k), scale, only_whether);
-        if (!trials_[k].moves_one_way()) ++misses_;
-        const std::lock_guard lock(mutex_);
-        ++copies_.done;
-        if (options_.progress) options_.progress(copies_);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-    }
   }
 
   const solver::Model& model_;
@@ -89,11 +72,8 @@ class Trials {
   const BacklashStudyOptions& options_;
   std::vector<std::unique_ptr<solver::BacklashFollower>> followers_;  // one for each thread
   std::vector<BacklashTrial> trials_;
-  std::atomic<std::uint64_t> next_ = 0, misses_ = 0;
-  std::uint64_t most_misses_ = 0;
-  std::mutex mutex_;  // of what follows
+  std::uint64_t misses_ = 0;
   CopiesDone& copies_;
-  std::exception_ptr failure_;
 };
 
 // By bisection between a backlash that is taken for good and one that is not, whatever was asked

@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "schema/campaign/share_interval.hpp"
 #include "search/draws/draw.hpp"
+#include "search/sheets/on_threads.hpp"
 
 namespace misalign::search {
 namespace {
@@ -54,18 +50,17 @@ class Study {
 
   std::vector<solver::Tolerance> run() {
     judge_the_sheets();
-    const auto most = static_cast<std::size_t>(std::max(options_.jobs, 1));
-    std::vector<std::thread> others;
-    try {
-      for (std::size_t k = 1; k < std::min(most, ranges_.size()); ++k) {
-        others.emplace_back([this] { work(); });
-      }
-    } catch (const std::system_error&) {
-      // No more threads are to be had: those that there are do it all.
-    }
-    work();
-    for (std::thread& other : others) other.join();
-    if (failure_) std::rethrow_exception(failure_);
+    on_threads(
+        static_cast<std::size_t>(std::max(options_.jobs, 1)), ranges_.size(),
+        [&](std::size_t) {
+          return [this, own_batch = batch()](std::size_t k) {
+            return try_copies(ranges_[k], *own_batch);
+          };
+        },
+        [&](std::size_t k, const solver::MiscutCopies& copies) {
+          add(ranges_[k], copies);
+          return true;
+        });
     for (solver::Tolerance& tolerance : tolerances_) sort_by_harm(tolerance);
     return std::move(tolerances_);
   }
@@ -99,26 +94,13 @@ class Study {
                            shifts_mm.data() + shifts_mm.size());
   }
 
-  // One thread's: the next piece, until there is none or somebody failed.
-  void work() {
-    try {
-      const auto own_batch = batch();
-      for (std::size_t k; (k = next_++) < ranges_.size();) {
-        const solver::MiscutCopies copies = try_copies(ranges_[k], *own_batch);
-        const std::lock_guard lock(mutex_);
-        if (failure_) return;
-        solver::Tolerance& tolerance = tolerances_[ranges_[k].sheet];
-        const int vertex = ranges_[k].vertex;
-        (vertex < 0 ? tolerance.copies
-                    : tolerance.vertices[static_cast<std::size_t>(vertex)].copies)
-            .add(copies);
-        copies_.done += copies.trials;
-        if (options_.progress) options_.progress(copies_);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-    }
+  void add(const CopyRange& range, const solver::MiscutCopies& copies) {
+    solver::Tolerance& tolerance = tolerances_[range.sheet];
+    (range.vertex < 0 ? tolerance.copies
+                      : tolerance.vertices[static_cast<std::size_t>(range.vertex)].copies)
+        .add(copies);
+    copies_.done += copies.trials;
+    if (options_.progress) options_.progress(copies_);
   }
 
   solver::MiscutCopies try_copies(const CopyRange& range, solver::Batch& own_batch) const {
@@ -158,11 +140,8 @@ class Study {
   const ToleranceOptions& options_;
   const solver::Model model_;
   std::vector<CopyRange> ranges_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;  // of what follows
   std::vector<solver::Tolerance> tolerances_;
   CopiesDone copies_{0, 0};
-  std::exception_ptr failure_;
 };
 
 }  // namespace
