@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . scripts/packages.sh
-command -v python3 > /dev/null || need_packages python3
+python3 -c 'import matplotlib' 2> /dev/null || need_packages python3-matplotlib
 here=results/work-precision
 
 if [ "${1:-}" != draw ]; then
