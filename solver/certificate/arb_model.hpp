@@ -15,6 +15,8 @@
 #include <arb_poly.h>
 #endif
 
+#include "solver/certificate/call.hpp"
+
 namespace misalign::solver {
 
 /// Two words of 64 bits: the longest numbers that arb keeps without a heap of their own.
@@ -37,7 +39,7 @@ class ArbBound {
 template <int Degree>
 class ArbModel {
  public:
-  ArbModel() {
+  MISALIGN_CALL ArbModel() {
     for (arb_struct& k : c_) arb_init(&k);
   }
   /// A constant, exactly.
@@ -45,17 +47,17 @@ class ArbModel {
   explicit ArbModel(const ArbModel<0>& number) requires(Degree > 0) : ArbModel() {
     arb_set(&c_[0], number[0]);
   }
-  ArbModel(const ArbModel& b) : ArbModel() { *this = b; }
-  ArbModel(ArbModel&& b) noexcept : ArbModel() { swap(b); }
-  ArbModel& operator=(const ArbModel& b) {
+  MISALIGN_CALL ArbModel(const ArbModel& b) : ArbModel() { *this = b; }
+  MISALIGN_CALL ArbModel(ArbModel&& b) noexcept : ArbModel() { swap(b); }
+  MISALIGN_CALL ArbModel& operator=(const ArbModel& b) {
     for (int k = 0; k <= Degree; ++k) arb_set(&c_[k], &b.c_[k]);
     return *this;
   }
-  ArbModel& operator=(ArbModel&& b) noexcept {
+  MISALIGN_CALL ArbModel& operator=(ArbModel&& b) noexcept {
     swap(b);
     return *this;
   }
-  ~ArbModel() {
+  MISALIGN_CALL ~ArbModel() {
     for (arb_struct& k : c_) arb_clear(&k);
   }
 
@@ -73,22 +75,22 @@ class ArbModel {
   }
   void widen(const ArbBound& error) { arb_add_error_mag(&c_[0], error.get()); }
 
-  ArbModel operator-() const {
+  MISALIGN_CALL ArbModel operator-() const {
     ArbModel result;
     for (int k = 0; k <= Degree; ++k) arb_neg(result[k], &c_[k]);
     return result;
   }
-  friend ArbModel operator+(const ArbModel& a, const ArbModel& b) {
+  MISALIGN_CALL friend ArbModel operator+(const ArbModel& a, const ArbModel& b) {
     ArbModel result;
     for (int k = 0; k <= Degree; ++k) arb_add(result[k], a[k], b[k], kArbBits);
     return result;
   }
-  friend ArbModel operator-(const ArbModel& a, const ArbModel& b) {
+  MISALIGN_CALL friend ArbModel operator-(const ArbModel& a, const ArbModel& b) {
     ArbModel result;
     for (int k = 0; k <= Degree; ++k) arb_sub(result[k], a[k], b[k], kArbBits);
     return result;
   }
-  friend ArbModel operator*(const ArbModel& a, const ArbModel& b) {
+  MISALIGN_CALL friend ArbModel operator*(const ArbModel& a, const ArbModel& b) {
     ArbModel result;
     for (int k = 0; k <= Degree; ++k) {
       arb_dot(result[k], nullptr, 0, a[0], 1, b[k], -1, k + 1, kArbBits);
@@ -105,12 +107,12 @@ class ArbModel {
     }
     return result;
   }
-  ArbModel& operator+=(const ArbModel& b) {
+  MISALIGN_CALL ArbModel& operator+=(const ArbModel& b) {
     for (int k = 0; k <= Degree; ++k) arb_add(&c_[k], &c_[k], b[k], kArbBits);
     return *this;
   }
   /// Adds a number times a model.
-  void add_product(const ArbModel<0>& k, const ArbModel& b) {
+  MISALIGN_CALL void add_product(const ArbModel<0>& k, const ArbModel& b) {
     for (int i = 0; i <= Degree; ++i) arb_addmul(&c_[i], k[0], b[i], kArbBits);
   }
 

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "solver/certificate/call.hpp"
+
 namespace misalign::solver {
 
 template <int Degree>
@@ -32,7 +34,7 @@ struct Polynomial {
     for (int i = 0; i <= Degree; ++i) result.c[i] = k * a.c[i];
     return result;
   }
-  friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  MISALIGN_CALL friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
     Polynomial result;
     for (int i = 0; i <= Degree; ++i) {
       for (int j = 0; i + j <= Degree; ++j) result.c[i + j] += a.c[i] * b.c[j];

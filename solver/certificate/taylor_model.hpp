@@ -19,6 +19,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/certificate/call.hpp"
+
 namespace misalign::solver {
 
 inline constexpr double kUnit = 0x1p-53;
@@ -90,7 +92,7 @@ struct TaylorModel {
     return result;
   }
   /// Powers above the degree are left out, and their sizes added to the radius.
-  friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
+  MISALIGN_CALL friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
     TaylorModel result;
     double left_out = 0, tail = 0, size_a = std::abs(a.c[0]);
     for (int i = 0; i <= Degree; ++i) result.c[i] = a.c[0] * b.c[i];

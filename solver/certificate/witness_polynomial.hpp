@@ -17,25 +17,28 @@ struct WitnessPolynomial {
   WitnessPolynomial() = default;
   WitnessPolynomial(double constant) { c[0] = constant; }  // NOLINT: a number is a polynomial
 
-  WitnessPolynomial operator-() const { return scaled(-1, *this); }
-  friend WitnessPolynomial operator+(const WitnessPolynomial& a, const WitnessPolynomial& b) {
+  MISALIGN_CALL WitnessPolynomial operator-() const { return scaled(-1, *this); }
+  MISALIGN_CALL friend WitnessPolynomial operator+(const WitnessPolynomial& a,
+                                                   const WitnessPolynomial& b) {
     WitnessPolynomial result;
     for (int k = 0; k <= Degree; ++k) result.c[k] = a.c[k] + b.c[k];
     return result;
   }
-  friend WitnessPolynomial operator-(const WitnessPolynomial& a, const WitnessPolynomial& b) {
+  MISALIGN_CALL friend WitnessPolynomial operator-(const WitnessPolynomial& a,
+                                                   const WitnessPolynomial& b) {
     WitnessPolynomial result;
     for (int k = 0; k <= Degree; ++k) result.c[k] = a.c[k] - b.c[k];
     return result;
   }
-  friend WitnessPolynomial operator*(const WitnessPolynomial& a, const WitnessPolynomial& b) {
+  MISALIGN_CALL friend WitnessPolynomial operator*(const WitnessPolynomial& a,
+                                                   const WitnessPolynomial& b) {
     WitnessPolynomial result;
     for (int i = 0; i <= Degree; ++i) {
       for (int j = 0; i + j <= Degree; ++j) result.c[i + j] += a.c[i] * b.c[j];
     }
     return result;
   }
-  friend WitnessPolynomial scaled(double k, const WitnessPolynomial& a) {
+  MISALIGN_CALL friend WitnessPolynomial scaled(double k, const WitnessPolynomial& a) {
     WitnessPolynomial result;
     for (int i = 0; i <= Degree; ++i) result.c[i] = k * a.c[i];
     return result;
