@@ -252,8 +252,8 @@ export function show_shifts(box, detail, state) {
     h(
       "ul",
       { class: "shifts" },
-      entries.map(([name, [x, y]]) =>
-        h("li", {}, h("b", {}, name), ` (${signed(x)}, ${signed(y)})`),
+      entries.map(([vertex, [x, y]]) =>
+        h("li", {}, h("b", {}, vertex), ` (${signed(x)}, ${signed(y)})`),
       ),
     ),
     h("div", { class: "row" }, save, copy_button(json, state, "Copy as JSON")),

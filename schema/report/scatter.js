@@ -44,7 +44,6 @@ export function first_axes(candidates) {
 }
 
 class Scatter {
-  #box;
   #candidates;
   #state;
   #axes = h("div");
@@ -62,7 +61,7 @@ class Scatter {
   #shown = new Uint8Array(0);
 
   constructor(box, candidates, state, name) {
-    [this.#box, this.#candidates, this.#state] = [box, candidates, state];
+    [this.#candidates, this.#state] = [candidates, state];
     for (const axis of ["across", "up"]) this.#add_select(axis);
     box.append(this.#axes, this.#canvas, this.#tip);
     box.classList.add("scatter");

@@ -60,15 +60,15 @@ export async function no_detail_checks(page, data) {
       await page.evaluate(() => {
         const timeout = setTimeout;
         window.later = [];
-        window.setTimeout = (run, ms) => (ms > 1000 ? void later.push(run) : timeout(run, ms));
+        window.setTimeout = (run, ms) => (ms > 1000 ? void window.later.push(run) : timeout(run, ms));
         window.time_goes_by = () => {
-          for (const run of later) run();
+          for (const run of window.later) run();
           window.setTimeout = timeout;
         };
       });
       await button.dblclick();
       assert.equal(await button.textContent(), "Copied");
-      await page.evaluate(() => time_goes_by());
+      await page.evaluate(() => window.time_goes_by());
       assert.equal(await button.textContent(), "Copy", "it says so for good");
     },
   );
@@ -86,9 +86,9 @@ export async function layout_checks(page, data) {
         page,
         {
           test: (narrow) => {
-            const grid = document.querySelector("#table [role=grid]"),
+            const rows = document.querySelector("#table [role=grid]"),
               sign = document.querySelector("#table .side.right");
-            return [grid.scrollWidth - grid.clientWidth > 1, sign.checkVisibility()].every(
+            return [rows.scrollWidth - rows.clientWidth > 1, sign.checkVisibility()].every(
               (seen) => seen === narrow,
             );
           },

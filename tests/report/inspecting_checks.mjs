@@ -1,4 +1,5 @@
 // A picked draw: folding, histories, springs.
+/* global misalign -- of the page */
 import assert from "node:assert/strict";
 import { crease_check, drag_checks, width_check, zoom_checks } from "./crease_checks.mjs";
 import { axis, by, check, depth_of, eventually, floats, pixels, state } from "./reading.mjs";

@@ -1,4 +1,5 @@
 // What a reader keeps of a page: its address, and files of what it shows.
+/* global misalign -- of the page */
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { by, check, eventually, floats, kManyColours, median, state } from "./reading.mjs";
@@ -164,9 +165,9 @@ const rows_of = (bytes) =>
 /** How many colours a picture has, if they are few, drawn by the browser as it draws any picture. */
 const colours_of = (page, bytes, type) =>
   page.evaluate(
-    async ([data, type, most]) => {
+    async ([data, format, most]) => {
       const image = new Image();
-      image.src = `data:${type};base64,${data}`;
+      image.src = `data:${format};base64,${data}`;
       await image.decode();
       const canvas = Object.assign(document.createElement("canvas"), {
         width: image.naturalWidth,
@@ -203,10 +204,10 @@ async function numbers_check(page, data, detail) {
       ["energy", "energy_n_mm", floats(detail.energy_n_mm)],
       ["moment", "moment_n_mm", floats(detail.moment_n_mm)],
     ]) {
-      const [heads, ...rows] = rows_of((await saved(page, id, "csv")).bytes);
-      assert.deepEqual(heads, ["pilot_deg", "deployment_ratio", column]);
-      assert.equal(Number(rows[k][0]), detail.pilot_deg[k]);
-      assert.ok(Math.abs(Number(rows[k][2]) - values[k]) <= 1e-6 * Math.abs(values[k]), id);
+      const [names, ...lines] = rows_of((await saved(page, id, "csv")).bytes);
+      assert.deepEqual(names, ["pilot_deg", "deployment_ratio", column]);
+      assert.equal(Number(lines[k][0]), detail.pilot_deg[k]);
+      assert.ok(Math.abs(Number(lines[k][2]) - values[k]) <= 1e-6 * Math.abs(values[k]), id);
     }
   });
 }

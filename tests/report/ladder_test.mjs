@@ -154,8 +154,8 @@ async function chart_check(page, levels) {
       box
         .locator(`g[aria-label="${group}"] > *`)
         .evaluateAll(
-          (nodes, names) =>
-            nodes.map((node) => names.map((name) => Number(node.getAttribute(name)))),
+          (nodes, wanted) =>
+            nodes.map((node) => wanted.map((name) => Number(node.getAttribute(name)))),
           names,
         );
     const dots = await numbers("dot", ["cx", "cy"]),

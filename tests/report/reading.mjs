@@ -1,5 +1,6 @@
 // What the checks of a page are made of: the data inside it, read without the page's code, and what
 // can be seen on it.
+/* global misalign -- of the page */
 import assert from "node:assert/strict";
 import { AsyncLocalStorage } from "node:async_hooks";
 import { readFileSync } from "node:fs";

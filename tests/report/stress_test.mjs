@@ -165,7 +165,7 @@ async function keeping_checks(page, { history }) {
         chip: document.querySelector("#stress-panels i").style.background,
         width: Number(document.querySelector("#stress-history svg.plot").getAttribute("width")),
       });
-      addEventListener("beforeprint", () => (window.printed = looks()));
+      addEventListener("beforeprint", () => (window.printed = window.looks()));
     });
     const before = await page.evaluate(() => window.looks());
     await page.pdf();

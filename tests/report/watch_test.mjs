@@ -50,7 +50,7 @@ async function grown(page, term, than) {
 
 const state_is = (page, words) =>
   page.waitForFunction(
-    (words) => document.getElementById("watch-state").textContent.startsWith(words),
+    (wanted) => document.getElementById("watch-state").textContent.startsWith(wanted),
     words,
   );
 
@@ -79,36 +79,7 @@ async function problem_checks() {
   });
 }
 
-async function campaign_checks() {
-  const { context, page, problems, asked } = await open();
-  await check("it says that it is live", () => state_is(page, "live"));
-  await check("draws and candidates move", async () => {
-    const draws = await number_in(page, "Draws"),
-      accepted = await number_in(page, "Accepted");
-    const then = await grown(page, "Draws", draws);
-    await grown(page, "Accepted", accepted);
-    await grown(page, "Draws a second", 0);
-    return `${draws} to ${then}`;
-  });
-  await check("the best and the ladder of angles are shown, and the ladder moves", async () => {
-    assert.equal(await tile(page, "Best so far").locator("strong").textContent(), "30°");
-    const caption = page.locator("#angles-caption"),
-      before = await caption.textContent();
-    assert.match(before, /^All [\d,]+ candidates of the catalogue; [\d,]+ deploy from 30°\.$/);
-    assert.equal(await by(page, "angles").locator("svg.plot").count(), 1);
-    await page.waitForFunction(
-      (before) => document.getElementById("angles-caption").textContent !== before,
-      before,
-    );
-  });
-  await check("one picture a chart, and one row of buttons, however often they were drawn", async () => {
-    for (const id of ["angles", "faults", "survival"]) {
-      const card = page.locator(".card").filter({ has: by(page, id) });
-      if (!(await card.isVisible())) continue;
-      assert.equal(await by(page, id).locator("svg.plot").count(), 1, id);
-      assert.equal(await card.locator(".saving").count(), 1, id);
-    }
-  });
+async function loading_check(page) {
   await check("new candidates are loaded when that is wanted; filter and picked draw stay", async () => {
     const rows = () => page.evaluate(() => document.querySelector('[role="grid"]').ariaRowCount);
     const load = by(page, "watch-load");
@@ -129,6 +100,39 @@ async function campaign_checks() {
     assert.equal(await by(page, "filter").inputValue(), "deploys_from_deg >= 21");
     return `${await rows()} rows`;
   });
+}
+
+async function campaign_checks() {
+  const { context, page, problems, asked } = await open();
+  await check("it says that it is live", () => state_is(page, "live"));
+  await check("draws and candidates move", async () => {
+    const draws = await number_in(page, "Draws"),
+      accepted = await number_in(page, "Accepted");
+    const then = await grown(page, "Draws", draws);
+    await grown(page, "Accepted", accepted);
+    await grown(page, "Draws a second", 0);
+    return `${draws} to ${then}`;
+  });
+  await check("the best and the ladder of angles are shown, and the ladder moves", async () => {
+    assert.equal(await tile(page, "Best so far").locator("strong").textContent(), "30°");
+    const caption = page.locator("#angles-caption"),
+      before = await caption.textContent();
+    assert.match(before, /^All [\d,]+ candidates of the catalogue; [\d,]+ deploy from 30°\.$/);
+    assert.equal(await by(page, "angles").locator("svg.plot").count(), 1);
+    await page.waitForFunction(
+      (then) => document.getElementById("angles-caption").textContent !== then,
+      before,
+    );
+  });
+  await check("one picture a chart, and one row of buttons, however often they were drawn", async () => {
+    for (const id of ["angles", "faults", "survival"]) {
+      const card = page.locator(".card").filter({ has: by(page, id) });
+      if (!(await card.isVisible())) continue;
+      assert.equal(await by(page, id).locator("svg.plot").count(), 1, id);
+      assert.equal(await card.locator(".saving").count(), 1, id);
+    }
+  });
+  await loading_check(page);
   await check("it says when nobody answers, and when somebody does again", async () => {
     await state_is(page, "live");
     const before = problems.length;
@@ -144,13 +148,13 @@ async function campaign_checks() {
     const other = await context.newPage();
     await other.goto("data:text/html,<title>other</title>");
     const read = await other.evaluate(
-      (url) => fetch(`${url}live`).then((answer) => answer.text(), () => "refused"),
+      (place) => fetch(`${place}live`).then((answer) => answer.text(), () => "refused"),
       url,
     );
     assert.equal(read, "refused");
-    const framed = await other.evaluate(async (url) => {
+    const framed = await other.evaluate(async (place) => {
       const frame = document.createElement("iframe");
-      frame.src = url;
+      frame.src = place;
       document.body.append(frame);
       await new Promise((done) => (frame.onload = done));
       return frame.contentDocument === null;
