@@ -1,28 +1,46 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs the main campaign on all cores for about a minute (again: goes
-# on from there), shows the best candidates, exports the best one and writes a report to look at.
+# Installs what is missing, builds the program, runs the main campaign on all cores for about a minute (again: goes
+# on from there), shows candidates after ten seconds and the best at the end, exports the best one, writes a report to
+# look at, and builds the rest.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
 need_packages $build_packages
 
 cmake --preset release -DMISALIGN_TESTS=OFF -DMISALIGN_PYTHON=ON > /dev/null
-cmake --build --preset release  # all that `cmake --install` takes
+echo "Building the program first; the Python package, the manual and completion are built at the end."
+cmake --build --preset release --target misalign
 program=build/release/misalign
 
-summary=$("$program" search search/campaigns/miura-6x6.json --ranks all --draws 1000000000 \
-  --max-time "${1:-60}")
-catalogue=${summary%%:*}
+search() {  # for so many seconds; sets catalogue and what is said of it
+  summary=$("$program" search search/campaigns/miura-6x6.json --ranks all --draws 1000000000 --max-time "$1")
+  catalogue=${summary%%:*}
+}
+best() {
+  echo
+  echo "$1 (misalign query $catalogue best):"
+  "$program" query "$catalogue" best --no-pager
+}
+seconds=${1:-60} first_s=10
+if [ "${seconds%.*}" -gt $first_s ]; then
+  search $first_s
+  best "The best candidates so far"
+  echo
+  search $((${seconds%.*} - first_s))
+else
+  search "$seconds"
+fi
 
 echo
 echo "$summary"
 "$program" status "$catalogue"
-echo
-echo "The best candidates (misalign query $catalogue best):"
-"$program" query "$catalogue" best --no-pager
+best "The best candidates"
 echo
 echo "The best one, as JSON:"
 "$program" export "$catalogue" --best 1 --format json --output results/candidates
 echo
 echo "Everything to look at, in a browser:"
 "$program" report "$catalogue" --output results/report.html
+echo
+echo "Building the rest:"
+cmake --build --preset release  # all that `cmake --install` takes

@@ -36,7 +36,8 @@ timed "what was installed" bare 'export PATH=~/.local/bin:$PATH
 echo
 sed -n '/^== scripts/,/^== cmake/p' "$log" | awk '
   / \[[0-9]+\/[0-9]+\] / && !first { first = $1; print "  packages and configuring", first, "s" }
-  / \[[0-9]+\/[0-9]+\] / { last = $1 }
+  / \[[0-9]+\/[0-9]+\] / && !found { last = $1 }
+  /The best candidates/ && !found { found = $1; print "  to the first candidates", found - first, "s" }
   / (real|user|sys)\t/ { print "  " $2, $3 }
   END { print "  building", last - first, "s" }'
 grep -E ': (stopped|complete|max_time), ' "$log" | sed 's/^[0-9]* /  /'
