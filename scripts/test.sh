@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds with warnings as errors, runs every test, and the unit tests once
-# more under the address and undefined-behaviour sanitizers.
+# Installs what is missing, builds with warnings as errors and runs every unit test and the system tests that are
+# quick. --all: every test there is, clang-tidy, ESLint, what is built on request only, and the unit tests once more
+# under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -9,46 +10,60 @@ stage() {  # ends the last stage with how long it took, and begins the next
   [ -z "${begun_s-}" ] || echo "== $stage: $((SECONDS - begun_s)) s"
   stage=$1 begun_s=$SECONDS
 }
-stage "packages and layout"
-need_packages $build_packages $test_packages $hosts_packages
-scripts/check.sh
+configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON > /dev/null; }
 
-stage "build"
-cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON > /dev/null
-cmake --build --preset release
+quick() {
+  stage "packages and layout"
+  need_packages $build_packages $test_packages
+  scripts/check.sh
+  stage "build"
+  configure
+  cmake --build --preset release --target quick
+  stage "unit tests and quick system tests"
+  ctest --preset release -L quick -j 3
+}
 
-# Beside the tests of the release, of which many wait: the unit tests under the sanitizers, two programs at a
-# time. Tests that follow hundreds of paths, or a path in steps of 0.01 degrees, take minutes there and run no
-# code of their own; the lanes are templates, of which the narrowest will do. Without line numbers, which take time to make, and without checks of every pointer
-# (for null, size, alignment and overflow: what it does wrong the address sanitizer sees) it takes half of the
-# time: what is found is looked at again with the preset as it is, which checks all.
+# The unit tests, two programs at a time. *Slow* are those that take minutes here and run no code of their own.
 sanitized() {
-  cmake --preset asan -DMISALIGN_WERROR=ON -DMISALIGN_REPORT=OFF -DMISALIGN_WIDE_LANES=OFF \
-    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-Og -fno-sanitize=null,alignment,object-size,pointer-overflow" > /dev/null
+  cmake --preset asan -DMISALIGN_WERROR=ON > /dev/null
   # The largest files first, so that no core is idle at the end.
   cmake --build --preset asan --target search_test -- -j 2
   cmake --build --preset asan --target solver_test schema_test certificate_test -- -j 2
-  local many_paths
-  many_paths='*IsometryOnEverySample*:*StepsOfTheSolver*:*SamplesDoNotMove*:*LargeShifts*:DrawEvaluator.Instr*:DrawEvaluator.TurnsNext*'
-  many_paths+=':ToleranceTest.Instr*:ToleranceTest.Trials*:ToleranceTest.Most*:ToleranceTest.NoErr*:ToleranceTest.Threads*'
-  many_paths+=':MergeTest.Pieces*:MergeTest.Overlaps*:MergeTest.Disagree*:MergeTest.Verdicts*:MergeTest.Undecided*'
-  many_paths+=':Splitting.EveryInstr*:Splitting.Pilots*:Splitting.PiecesKeep*:Splitting.Accepted*:Score.IsTheSame*:VerifyTest.AGood*'
-  many_paths+=':SoftStop.IsTheSame*:*BatchTest.Failing*/baseline:Drawn/Acceptance*/3:DegreeFour.FoldsAs*'
-  many_paths+=':*BatchTest*/avx2:Golden.AllV*:FewDiagonals.OfMany*:LookBetween.Sees*:*ExactBumps.AreThose*'
-  many_paths+=':*OlderCatalogues*/1:*OlderCatalogues*/2:*OlderCatalogues*/3:*OlderCatalogues*/4:*OlderCatalogues*/5:SnapshotTest*:DrawEvaluator.UnitsThatAreFull*:VerifyTest.ARemoved*:NothingFound.Guesses*:StoredCertificates.AreJoined*:*OlderCatalogues.AreVerified*:HostilePieces.PiecesThatLie*'
-  printf '%s\n' {search,solver,schema,certificate}_test\ {0,1} | GTEST_FILTER="-$many_paths" GTEST_TOTAL_SHARDS=2 \
+  printf '%s\n' {search,solver,schema,certificate}_test\ {0,1} | GTEST_FILTER='-*Slow*' GTEST_TOTAL_SHARDS=2 \
     xargs -P 2 -L 1 sh -c 'cd build/asan/tests && GTEST_SHARD_INDEX=$1 ./"$0" --gtest_brief=1'
 }
-stage "release: every test; sanitizers beside it"
-log=build/sanitizers.log
-set -m  # a process group of its own: whoever ends it ends its compilers and tests
-sanitized > $log 2>&1 &
-sanitizers=$!
-set +m
-trap 'kill -- -$sanitizers 2> /dev/null && wait $sanitizers || true' EXIT
-ctest --preset release -j 3
-stage "sanitizers, what was left of them"
-wait $sanitizers || { cat $log; exit 1; }
-grep PASSED $log
-stage "all"
-echo "== all: $SECONDS s"
+
+all() {
+  stage "packages and layout"
+  need_packages $build_packages $test_packages $lint_packages $hosts_packages
+  scripts/check.sh
+  stage "clang-tidy and ESLint"
+  scripts/check.sh --tidy
+  stage "build"
+  configure
+  cmake --build --preset release
+  # Beside the tests of the release, of which many wait.
+  stage "release: every test; sanitizers beside it"
+  log=build/sanitizers.log
+  set -m  # a process group of its own: whoever ends it ends its compilers and tests
+  sanitized > $log 2>&1 &
+  sanitizers=$!
+  set +m
+  trap 'kill -- -$sanitizers 2> /dev/null && wait $sanitizers || true' EXIT
+  ctest --preset release -j 3
+  stage "sanitizers, what was left of them"
+  wait $sanitizers || { cat $log; exit 1; }
+  grep PASSED $log
+  stage "studies, which are built on request"
+  cmake --build --preset release --target studies
+}
+
+case "${1-}" in
+  "") quick ;;
+  --all) all ;;
+  *) echo "usage: scripts/test.sh [--all]" >&2; exit 2 ;;
+esac
+stage "done"
+echo "== in all: $SECONDS s"
+[ "${1-}" = --all ] || echo "scripts/test.sh --all adds: the long system tests (Python, browser, cluster, packages," \
+  "core alone), sanitizers, clang-tidy, ESLint and the programs of the studies; about 40 minutes on two cores."

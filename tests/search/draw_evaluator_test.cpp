@@ -110,7 +110,7 @@ TEST(DrawEvaluator, UnitsCountEveryDrawOnce) {
 
 // A unit whose results take more than one message may is several: none of them larger than that and
 // a block, and together what one unit would have been.
-TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthers) {
+TEST(DrawEvaluator, UnitsThatAreFullGoOnInOthersSlow) {
   constexpr schema::DrawRange kAll{0, 600};
   DrawEvaluator evaluator(miura_4x4());
   const schema::UnitRecord whole = work_off(evaluator, kAll);
@@ -279,7 +279,7 @@ TEST(DrawEvaluator, KeepsStiffStops) {
 }
 
 // The same draws in the registers of every instruction set of this machine, and in other blocks.
-TEST(DrawEvaluator, InstructionSetsAndBlocksAgree) {
+TEST(DrawEvaluator, InstructionSetsAndBlocksAgreeSlow) {
   const auto draws_of = [](const schema::UnitRecord& unit) {
     std::vector<std::pair<std::uint64_t, int>> draws;
     for (const auto& candidate : unit.candidates) {
@@ -307,7 +307,7 @@ TEST(DrawEvaluator, InstructionSetsAndBlocksAgree) {
 // there, in draws of the main campaign with a limit up to 0.05 degrees beyond D, is what the same
 // path says in steps of a hundredth of a degree. None of them goes on again before D, which would
 // be a bump.
-TEST(DrawEvaluator, TurnsNextToAFoldLimitAreThoseOfTheFinePath) {
+TEST(DrawEvaluator, TurnsNextToAFoldLimitAreThoseOfTheFinePathSlow) {
   const schema::Campaign campaign = schema::read_campaign(
       {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}}, "a test");
   const SheetFolder coarse(campaign), fine(campaign, 0.01);

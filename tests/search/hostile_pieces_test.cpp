@@ -82,7 +82,7 @@ const std::pair<const char*, Lie> kLies[] = {
      [](PieceResult& piece) { piece.seconds = std::numeric_limits<double>::quiet_NaN(); }},
 };
 
-TEST_F(HostilePieces, PiecesThatLieAreMadeAgain) {
+TEST_F(HostilePieces, PiecesThatLieAreMadeAgainSlow) {
   for (const auto& [what, lie] : kLies) {
     SCOPED_TRACE(what);
     const std::string path = attacked("SELECT 1");

@@ -79,7 +79,7 @@ class MergeTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(MergeTest, PiecesAreTheWhole) {
+TEST_F(MergeTest, PiecesAreTheWholeSlow) {
   make("whole.db", {{0, 3000}});
   const std::string whole = state("whole.db").digest;
   const auto a = make("a.db", {{0, 700}, {700, 1500}}, {0, 1500});
@@ -108,7 +108,7 @@ TEST_F(MergeTest, PiecesAreTheWhole) {
   EXPECT_EQ(state("all.db").digest, whole);
 }
 
-TEST_F(MergeTest, OverlapsAreComparedAndPartsMadeAgain) {
+TEST_F(MergeTest, OverlapsAreComparedAndPartsMadeAgainSlow) {
   make("whole.db", {{0, 3000}});
   const auto a = make("a.db", {{0, 1000}, {1000, 1800}});
   const auto b = make("b.db", {{0, 1000}, {1600, 2500}, {2600, 3000}});
@@ -121,7 +121,7 @@ TEST_F(MergeTest, OverlapsAreComparedAndPartsMadeAgain) {
   EXPECT_EQ(state("all.db").digest, state("whole.db").digest);
 }
 
-TEST_F(MergeTest, DisagreementsAreNamedAndNothingIsWritten) {
+TEST_F(MergeTest, DisagreementsAreNamedAndNothingIsWrittenSlow) {
   make("a.db", {{0, 1024}});
   const auto first = [&] {
     const auto database = schema::open_for_reading(path("a.db"));
@@ -162,7 +162,7 @@ TEST_F(MergeTest, DisagreementsAreNamedAndNothingIsWritten) {
   EXPECT_TRUE(disagrees(join({path("b.db")}), "accepted"));
 }
 
-TEST_F(MergeTest, VerdictsThatDifferAreNamed) {
+TEST_F(MergeTest, VerdictsThatDifferAreNamedSlow) {
   make("a.db", {{0, 500}});
   {
     schema::UnitRecord unit = work_off(evaluator_, {0, 500});
@@ -179,7 +179,7 @@ TEST_F(MergeTest, VerdictsThatDifferAreNamed) {
 }
 
 // What one run could not decide and another could is judged again, and settled.
-TEST_F(MergeTest, UndecidedDrawsAreDecidedWhereOthersAre) {
+TEST_F(MergeTest, UndecidedDrawsAreDecidedWhereOthersAreSlow) {
   make("whole.db", {{0, 500}});
   {
     schema::UnitRecord unit = work_off(evaluator_, {0, 500});

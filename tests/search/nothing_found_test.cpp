@@ -137,7 +137,7 @@ TEST(NothingFound, UndecidedDrawsMayBeAcceptedOnes) {
 }
 
 // What was counted bounds what is guessed: nothing in a million draws is no share of 1e-4.
-TEST(NothingFound, GuessesNoMoreThanCountingLeaves) {
+TEST(NothingFound, GuessesNoMoreThanCountingLeavesSlow) {
   Survival shallow(1, 180);
   shallow.add(100, WeightedCount::of(80, 1024));
   shallow.add(150, WeightedCount::of(12, 1024));
@@ -174,7 +174,7 @@ TEST(NothingFound, AsJson) {
 
 // A real campaign: the share at an angle that a few in a thousand survive, guessed from eighths of
 // the draws that hardly ever have one so deep, against the count over all of them.
-TEST(NothingFound, GuessesOfARealCampaign) {
+TEST(NothingFound, GuessesOfARealCampaignSlow) {
   DrawEvaluator evaluator(
       schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}},
                              {"accept", {{"deploys_from_deg", 180}}}},

@@ -77,7 +77,7 @@ class SnapshotTest : public testing::Test {
   std::uint64_t next_ = 0;
 };
 
-TEST_F(SnapshotTest, Verify) {
+TEST_F(SnapshotTest, VerifySlow) {
   const auto database = schema::open_for_reading(path("a.db"));
   for (int k = 0; k < 3; ++k) {
     const std::uint64_t before = next_;
@@ -87,7 +87,7 @@ TEST_F(SnapshotTest, Verify) {
   }
 }
 
-TEST_F(SnapshotTest, Merge) {
+TEST_F(SnapshotTest, MergeSlow) {
   for (int k = 0; k < 3; ++k) {
     const std::uint64_t before = next_;
     const MergeReport report = merge({path("all.db"), {path("a.db")}, run_, schema::Builds::same});

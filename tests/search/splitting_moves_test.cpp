@@ -190,7 +190,7 @@ TEST(Splitting, MovesWithinALevelKeepItUniform) {
 }
 
 // The same of the work on a piece: it moves particles, and keeps them above the level.
-TEST(Splitting, PiecesKeepTheirLevelUniform) {
+TEST(Splitting, PiecesKeepTheirLevelUniformSlow) {
   FewSheets few;
   const int level = few.level();
   const std::vector<std::size_t> sheets = few.from(level);

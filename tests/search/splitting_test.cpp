@@ -150,7 +150,7 @@ TEST(Splitting, SharesAreProducts) {
   EXPECT_EQ(record.share(3), 0);
 }
 
-TEST(Splitting, EveryInstructionSetGivesTheSame) {
+TEST(Splitting, EveryInstructionSetGivesTheSameSlow) {
   const schema::Campaign campaign = climbed_miura(170);
   const int last = last_level(campaign);
   const Ladder ladder{kClimbSeed,
@@ -178,7 +178,7 @@ Ladder piloted(std::uint64_t seed, unsigned pieces) {
   return level_finder.ladder();
 }
 
-TEST(Splitting, PilotsAreFunctionsOfTheSeed) {
+TEST(Splitting, PilotsAreFunctionsOfTheSeedSlow) {
   schema::Campaign campaign = climbed_miura(175);
   campaign.splitting->particles = 100;
   campaign.splitting->first_draws = 600;
@@ -208,7 +208,7 @@ TEST(Splitting, NamedLevelsAreTaken) {
 
 // Who is accepted lies above every level, and whoever lies above a level has one score from all
 // judges up to it: levels are nested. The long form is in results/splitting/unbiased.md.
-TEST(Splitting, AcceptedDrawsAreAboveEveryLevel) {
+TEST(Splitting, AcceptedDrawsAreAboveEveryLevelSlow) {
   const schema::Campaign campaign = climbed_miura(170);
   DrawEvaluator plain(campaign);
   LevelScorers scorers(campaign, widest_set());

@@ -68,7 +68,7 @@ class StoredCertificates : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(StoredCertificates, AreJoinedTheFartherOneOfTwo) {
+TEST_F(StoredCertificates, AreJoinedTheFartherOneOfTwoSlow) {
   make("a.db", {0, 40}, 30);
   make("b.db", {20, 60}, 45);
   const MergeReport report = join();

@@ -62,7 +62,7 @@ class ToleranceTest : public testing::Test {
   const std::uint64_t draw_ = candidate();
 };
 
-TEST_F(ToleranceTest, NoErrorNoLoss) {
+TEST_F(ToleranceTest, NoErrorNoLossSlow) {
   for (const double amplitude_mm : {0.0, 1e-9}) {
     const Tolerance tolerance = study(amplitude_mm, 20);
     EXPECT_EQ(tolerance.copies.trials, 20u);
@@ -100,7 +100,7 @@ std::vector<std::uint64_t> counted(const std::vector<int>& samples) {
 }
 
 // Every trial by itself: the dense reference on the sheet put together here.
-TEST_F(ToleranceTest, TrialsAreTheReferences) {
+TEST_F(ToleranceTest, TrialsAreTheReferencesSlow) {
   const Tolerance tolerance = study(kAmplitude_mm, kTrials);
   const solver::PerforatedSheet& base = campaign_.pattern.base;
   const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
@@ -152,7 +152,7 @@ TEST_F(ToleranceTest, OwnAngleNeedsNoCopies) {
   EXPECT_EQ(itself.copies.trials, 0u);
 }
 
-TEST_F(ToleranceTest, MostHarmfulVerticesFirst) {
+TEST_F(ToleranceTest, MostHarmfulVerticesFirstSlow) {
   const Tolerance tolerance = study(kAmplitude_mm, kTrials);
   for (std::size_t k = 1; k < tolerance.vertices.size(); ++k) {
     const MiscutCopies& before = tolerance.vertices[k - 1].copies;
@@ -164,7 +164,7 @@ TEST_F(ToleranceTest, MostHarmfulVerticesFirst) {
   }
 }
 
-TEST_F(ToleranceTest, InstructionSetsAgree) {
+TEST_F(ToleranceTest, InstructionSetsAgreeSlow) {
   const Tolerance expected = study(kAmplitude_mm, 30);
   for (const auto set : solver::available_instruction_sets()) {
     ToleranceOptions other = options(kAmplitude_mm, 30);
@@ -175,7 +175,7 @@ TEST_F(ToleranceTest, InstructionSetsAgree) {
 }
 
 // Several sheets on several threads give what each gives alone on one; all copies are reported.
-TEST_F(ToleranceTest, ThreadsAndCompanyDoNotMatter) {
+TEST_F(ToleranceTest, ThreadsAndCompanyDoNotMatterSlow) {
   const std::vector<std::uint64_t> draws = {draw_, 0, 1, 2};
   std::vector<Eigen::Matrix2Xd> sheets;
   for (const std::uint64_t draw : draws) sheets.push_back(shifts_mm(draw));

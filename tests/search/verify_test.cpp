@@ -94,7 +94,7 @@ class VerifyTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(VerifyTest, AGoodOneIsGoodThroughout) {
+TEST_F(VerifyTest, AGoodOneIsGoodThroughoutSlow) {
   const Verification v = look({.sample = {}, .units = kUnits});
   for (const auto& finding : v.findings) ADD_FAILURE() << finding.sentence;
   EXPECT_GT(v.checked.size(), 10u);
@@ -153,7 +153,7 @@ TEST_F(VerifyTest, EitherFaultBetweenSamplesMayHaveBeenStored) {
   EXPECT_FALSE(exported.agree("first_fault", "bump_between_samples", "not_monotone"));
 }
 
-TEST_F(VerifyTest, ARemovedCandidateWithItsSumsIsFoundByMakingUnitsAgain) {
+TEST_F(VerifyTest, ARemovedCandidateWithItsSumsIsFoundByMakingUnitsAgainSlow) {
   const std::int64_t draw = number("SELECT max(draw) FROM candidate WHERE draw % 1024 > 30");
   const std::int64_t unit =
       number("SELECT unit FROM candidate WHERE draw = " + std::to_string(draw));

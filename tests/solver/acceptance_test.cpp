@@ -61,8 +61,9 @@ TEST_P(Acceptance, IsTheReferences) {
 INSTANTIATE_TEST_SUITE_P(Drawn, Acceptance,
                          testing::Values(DrawnSheets{4, 4, Shifted::interior, 100},
                                          DrawnSheets{6, 6, Shifted::interior, 80},
-                                         DrawnSheets{6, 6, Shifted::ring, 60},
-                                         DrawnSheets{8, 6, Shifted::interior, 30}));
+                                         DrawnSheets{6, 6, Shifted::ring, 60}));
+INSTANTIATE_TEST_SUITE_P(DrawnSlow, Acceptance,
+                         testing::Values(DrawnSheets{8, 6, Shifted::interior, 30}));
 
 }  // namespace
 }  // namespace misalign::solver

@@ -80,7 +80,7 @@ TEST_P(BatchTest, NothingToDo) {
 
 // Between ordinary sheets: large shifts, whose paths need another start, have none or turn early,
 // coordinates that are no number, and vertices that fall on each other.
-TEST_P(BatchTest, FailingNeighboursChangeNothing) {
+TEST_P(BatchTest, FailingNeighboursChangeNothingSlow) {
   const DrawableSheet sheets(6, 6);
   const Model model = sheets.with_threshold(160, {}, kFewer == 1 ? 0.4 : 0);
   const auto batch = this->batch(model);

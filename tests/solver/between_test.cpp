@@ -60,7 +60,7 @@ TEST(LookBetween, AgreesWithTheCubicItself) {
 
 // On random sheets: where the cubics of a path in steps of a degree see a diagonal go back, against
 // its lengths every hundredth of one.
-TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBack) {
+TEST(LookBetween, SeesWhereDiagonalsOfRealPathsGoBackSlow) {
   const DrawableSheet sheets(6, 6);
   const ShiftBlock block = sheets.draws(400 / kFewer, kSeed);
   int bumps = 0, smooth = 0;

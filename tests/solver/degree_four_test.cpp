@@ -144,7 +144,7 @@ double end_of(const Sectors& sector, int way) {
   return good;
 }
 
-TEST(DegreeFour, FoldsAsRotationsAndTrianglesDo) {
+TEST(DegreeFour, FoldsAsRotationsAndTrianglesDoSlow) {
   constexpr int kVertices = 20000;
   Vertices vertices;
   double worst_opening = 0, worst_angle = 0;

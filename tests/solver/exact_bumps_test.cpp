@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Draws, ExactBumps,
                                          ExactDraws{6, 6, 40, 1}, ExactDraws{6, 6, 16, 5},
                                          ExactDraws{6, 6, 16, 10}));
 
-TEST_P(ExactBumps, AreThoseOfFineSteps) {
+TEST_P(ExactBumps, AreThoseOfFineStepsSlow) {
   LaneBatch<double, float> batch(exact_);
   const std::vector<Verdict>& verdicts = batch.judge(block_);
   int bumps = 0;

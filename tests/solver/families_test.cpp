@@ -88,7 +88,7 @@ double largest_difference_mm(const FoldingHistory& one, const FoldingHistory& ot
 // Every verdict is the same in steps of 0.1 to 20 degrees, and the lengths up to it: worst of
 // 280 sheets 4e-11 mm, limit 1e-9. Past the verdict a long step can lead across a gap between two
 // curves (see path_follower_test.cpp).
-TEST_P(Families, StepsOfTheSolverDoNotMatter) {
+TEST_P(Families, StepsOfTheSolverDoNotMatterSlow) {
   const CarriedFamily whole(GetParam());
   double worst_mm = 0;
   for (const CarriedFamily& family : {whole, CarriedFamily(cut_down(whole.base, 4, 4))}) {
@@ -122,7 +122,7 @@ TEST_P(Families, StepsOfTheSolverDoNotMatter) {
 
 // The same of samples of 0.1 to 20 degrees, up to the verdict at 1 degree: worst of 700
 // sheets 2e-11 mm.
-TEST_P(Families, SamplesDoNotMoveThePath) {
+TEST_P(Families, SamplesDoNotMoveThePathSlow) {
   const CarriedFamily family(GetParam());
   const ShiftBlock block = family.draws(kSheetsOfEach, kSeed);
   std::vector<std::vector<FoldingHistory>> by_sample;

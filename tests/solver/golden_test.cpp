@@ -39,7 +39,7 @@ TEST_P(GoldenTable1, LengthsVerdictAndFoldLimit) {
 INSTANTIATE_TEST_SUITE_P(Golden, GoldenTable1,
                          testing::Values("table1_odd.json", "table1_even.json"));
 
-TEST(Golden, AllVerdictsFaultsAndFoldLimits) {
+TEST(Golden, AllVerdictsFaultsAndFoldLimitsSlow) {
   const Json verdicts = golden("verdicts.json");
   int cases = 0;
   for (const Json& set : verdicts["sets"]) {
@@ -63,7 +63,7 @@ TEST(Golden, AllVerdictsFaultsAndFoldLimits) {
 
 // Rigid panels keep their lengths: checked on vertex coordinates, which loop closure never sees.
 // Worst of all golden patterns 2e-10 mm on 80 mm panels; in proportion on others.
-TEST(Golden, IsometryOnEverySampleAtEveryPanelSize) {
+TEST(Golden, IsometryOnEverySampleAtEveryPanelSizeSlow) {
   const Json verdicts = golden("verdicts.json");
   double worst_ratio = 0;
   int patterns = 0;

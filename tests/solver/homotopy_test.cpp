@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Amplitudes, Starts, testing::Values(0.4, 8.0, 11.0),
                          });
 
 // A block with such sheets gives what each of them gives alone, and none is undecided.
-TEST(LargeShifts, AreDecidedInLanes) {
+TEST(LargeShifts, AreDecidedInLanesSlow) {
   const DrawableSheet sheets(6, 6);
   const Model model = sheets.with_threshold(100);
   const ShiftBlock block = sheets.draws(40 / kFewer, kSeed, 10);

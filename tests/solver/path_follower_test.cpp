@@ -200,7 +200,7 @@ TEST(PathFollowerGolden, Table1) {
   }
 }
 
-TEST(PathFollowerGolden, AllVerdictsFaultsAndFoldLimits) {
+TEST(PathFollowerGolden, AllVerdictsFaultsAndFoldLimitsSlow) {
   const Json verdicts = golden("verdicts.json");
   int cases = 0;
   for (const Json& set : verdicts["sets"]) {

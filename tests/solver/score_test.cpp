@@ -113,7 +113,7 @@ TEST(Score, IsThatOfTheSolvedLengths) {
 }
 
 // Also where a polynomial's errors leave the score in doubt.
-TEST(Score, IsTheSameOnEveryInstructionSet) {
+TEST(Score, IsTheSameOnEveryInstructionSetSlow) {
   const DrawableSheet sheets{4, 4};
   const ShiftBlock block = sheets.draws(400 / kFewer, kSeed + 18);
   for (const BumpRule bumps : {BumpRule::ignored, BumpRule::by_cubic, BumpRule::exact}) {

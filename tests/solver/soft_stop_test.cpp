@@ -73,7 +73,7 @@ TEST_F(SoftStop, IsSofterThanTheEnergySays) {
 
 // Of stops that are as stiff as was asked for up to rounding too: polynomials leave those to close
 // steps, whose slopes are those of dense matrices to 1e-9 of the stiffness.
-TEST_F(SoftStop, IsTheSameByEveryMeans) {
+TEST_F(SoftStop, IsTheSameByEveryMeansSlow) {
   constexpr int kStop_deg = 45;
   int soft = 0, stiff = 0;
   for (int i = 0; i < block_.sheets; ++i) {
@@ -111,7 +111,7 @@ TEST_F(SoftStop, IsTheSameByEveryMeans) {
 }
 
 // Records, by which candidates are measured, say the same, and up to D the same as without a stop.
-TEST_F(SoftStop, IsTheSameInRecords) {
+TEST_F(SoftStop, IsTheSameInRecordsSlow) {
   constexpr int kStop_deg = 60;
   const Model without = asking(0, 0), some = asking(kStop_deg, 2e-4);
   const auto plain = make_batch(available_instruction_sets().back(), without);
