@@ -8,8 +8,8 @@
 #include <set>
 #include <string_view>
 
-#include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/journal_check.hpp"
+#include "schema/catalogue/study_table.hpp"
 #include "schema/files/file_calls.hpp"
 
 namespace misalign::schema {
@@ -60,7 +60,7 @@ bool is_among(const std::array<std::string_view, count>& names, const char* name
 }
 
 bool may_call(const char* function) {
-  return function && (known_functions().contains(function) || is_among(kCostlyFunctions, function));
+  return function && (known_functions().contains(function) || study_column(function));
 }
 
 // Virtual tables that SQLite has without being asked for them, such as dbstat and fts3tokenize.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "schema/catalogue/sql_tokens.hpp"
+#include "schema/catalogue/study_table.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -18,10 +19,7 @@ SqlTokens lower_tokens(const std::string& sql) {
   return text;
 }
 
-bool is_costly(const std::string& token) {
-  return std::find(kCostlyFunctions.begin(), kCostlyFunctions.end(), token) !=
-         kCostlyFunctions.end();
-}
+bool is_costly(const std::string& token) { return study_column(token); }
 
 // Where a condition begins, and what may follow it.
 bool begins_condition(const std::string& token) { return token == "where" || token == "on"; }

@@ -86,29 +86,14 @@ const kEnergy = [
       "Stored at D by springs of the report’s stiffness k on all diagonals: k/2 times stretch². Not a column of the catalogue.",
   },
 ];
-// Where `--deploy` asked for them.
-const kDeployment = [
-  {
-    name: "deploy_time_s",
-    label: "deploy time",
-    unit: "s",
-    better: "less",
-    may_be_unknown: true,
-    text: (v) => number(v),
-    about:
-      "When it is flat, let go at rest 20 % folded (36°) with the report’s springs, 1 mm panels of 2.7 g/cm³, free in space and without friction.",
-  },
-  {
-    name: "critical_friction_n_mm_per_mm",
-    label: "critical friction",
-    unit: "N mm/mm",
-    better: "more",
-    may_be_unknown: true,
-    text: (v) => number(v),
-    about: "The most friction of the creases, per mm, with which it then still gets to flat.",
-  },
-];
-const kAfter = { reverses_at_deg: kCertified, miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kDeployment] };
+// Where `--deploy` and its like asked for them.
+const kOfStudies = words.columns_of_studies.map(({ meaning, ...rest }) => ({
+  ...rest,
+  may_be_unknown: true,
+  text: (v) => number(v),
+  about: meaning,
+}));
+const kAfter = { reverses_at_deg: kCertified, miscut_margin_mm: kYields, stretch_sq_mm2: [...kEnergy, ...kOfStudies] };
 
 export const metrics = kStored.flatMap((metric) => [metric, ...(kAfter[metric.name] ?? [])]);
 

@@ -1,10 +1,13 @@
 #include "schema/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/deploy_json.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/carried_files.hpp"
@@ -120,20 +123,28 @@ Json words_json() {
     if (metric.needs_a_campaign) json["needs_a_campaign"] = true;
     if (metric.schema_since > 1 && !metric.none_is_best) json["may_be_unknown"] = true;
   }
-  return {{"faults", faults}, {"metrics", metrics}};
+  Json columns = Json::array();
+  for (const StudyEntry& study : study_table()) {
+    for (const StudyColumn& column : study.columns) {
+      columns.push_back({{"name", column.name},
+                         {"label", column.label},
+                         {"unit", column.unit},
+                         {"meaning", column.meaning},
+                         {"better", column.less_is_better ? "less" : "more"}});
+    }
+  }
+  return {{"faults", faults}, {"metrics", metrics}, {"columns_of_studies", columns}};
 }
 
-Json candidates_json(SQLite::Database& database, std::uint64_t most, bool with_deployment) {
-  const std::string first =
-      "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most);
-  // The functions of the rows that are shown alone.
-  const Json rows = query_rows(
-      database, with_deployment
-                    ? "SELECT *, deploy_time_s(draw) AS deploy_time_s, "
-                      "critical_friction_n_mm_per_mm(draw) AS critical_friction_n_mm_per_mm "
-                      "FROM (" +
-                          first + ")"
-                    : first);
+Json candidates_json(SQLite::Database& database, std::uint64_t most,
+                     const std::vector<std::string_view>& functions) {
+  std::string sql = "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most);
+  if (!functions.empty()) {  // of the rows that are shown alone
+    std::string found;
+    for (const std::string_view name : functions) found += fmt::format(", {0}(draw) AS {0}", name);
+    sql = "SELECT *" + found + " FROM (" + sql + ")";
+  }
+  const Json rows = query_rows(database, sql);
   const Json total = query_rows(database, "SELECT count(*) AS total FROM candidate");
   Json columns = Json::object();
   for (const Json& row : rows) {

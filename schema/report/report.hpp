@@ -9,13 +9,14 @@
 namespace misalign::schema {
 
 /// What the page says of faults and metrics: {"faults": [{"name", "label", "meaning"}], "metrics":
-/// [...]}, of their tables.
+/// [...], "columns_of_studies": [...]}, of their tables.
 Json words_json();
 
 /// Draws as texts (they may exceed 2^53), columns of the candidates view: the `most` first ones in
-/// the order of the query `best`, and how many there are. With `let_go` also what the connection's
-/// functions say of deploying them.
-Json candidates_json(SQLite::Database& database, std::uint64_t most, bool with_deployment = false);
+/// the order of the query `best`, and how many there are. With what these functions of studies say
+/// of each.
+Json candidates_json(SQLite::Database& database, std::uint64_t most,
+                     const std::vector<std::string_view>& functions = {});
 
 /// What was found of miscut copies of those candidates, and of `draws`: {"draw", and what
 /// yield_json says}.

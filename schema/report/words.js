@@ -4,7 +4,7 @@ function read_words() {
   try {
     return JSON.parse(document.getElementById("report-words").textContent);
   } catch {
-    return { faults: [], metrics: [] }; // of a page without data, which says so by itself
+    return { faults: [], metrics: [], columns_of_studies: [] }; // of a page without data, which says so by itself
   }
 }
 export const words = read_words();

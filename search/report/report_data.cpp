@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/status_json.hpp"
 #include "schema/files/json_values.hpp"
 #include "schema/report/report.hpp"
@@ -118,6 +119,18 @@ Json chosen_json(const ReportCall& call) {
           {"by", schema::or_null(choice.by)}};
 }
 
+// What SQL finds of each candidate for the studies that were asked for.
+std::vector<std::string_view> functions_of(const ReportCall& call) {
+  std::vector<std::string_view> functions;
+  for (const auto& [name, is_asked] : call.studies) {
+    if (!is_asked) continue;
+    for (const schema::StudyColumn& column : schema::study_named(name).columns) {
+      functions.push_back(column.name);
+    }
+  }
+  return functions;
+}
+
 // What the page's commands are made of: it shows how to go on from what it shows.
 Json commands_json(const ReportCall& call) {
   std::string choice = text_of(call.choice);
@@ -138,10 +151,9 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
                     const ReportCall& call, DetailedDraws& detailed) {
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
-    Json json = {
-        {"state", schema::page_state_json(schema::read_state(database))},
-        {"faults", schema::faults_json(database, campaign)},
-        {"candidates", schema::candidates_json(database, call.rows, call.with_deployment)}};
+    Json json = {{"state", schema::page_state_json(schema::read_state(database))},
+                 {"faults", schema::faults_json(database, campaign)},
+                 {"candidates", schema::candidates_json(database, call.rows, functions_of(call))}};
     detailed = detailed_draws(database, json["candidates"], call);
     json["yields"] = schema::report_yields_json(database, call.rows, detailed.draws);
     json["certificates"] = schema::report_certificates_json(database, call.rows, detailed.draws);

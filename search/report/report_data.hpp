@@ -1,7 +1,9 @@
 // The data of a report's page: of a catalogue, or of a pattern file.
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "schema/catalogue/catalogue_state.hpp"
@@ -19,7 +21,7 @@ struct ReportCall {
   std::uint64_t details = 36;        ///< so many of the best ones can be looked at
   Choice choice;                     ///< whom to look at instead; of `where` alone, `details` many
   OtherActuators actuators;
-  bool with_deployment = false;  ///< the table has columns of each sheet's deployment
+  std::map<std::string_view, bool> studies;  ///< of the table of studies, those that were asked for
   DetailOptions detail;
 };
 

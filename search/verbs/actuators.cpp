@@ -1,6 +1,7 @@
 // `misalign actuators`: springs on the diagonals of one sheet.
 #include <fmt/format.h>
 
+#include "schema/catalogue/study_table.hpp"
 #include "search/sheets/actuators_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
@@ -43,7 +44,7 @@ void show_actuators(const ActuatorsCall& call) {
 }  // namespace
 
 Action actuators_verb(CLI::App& verb) {
-  verb.description("springs on the diagonals of one sheet");
+  verb.description(schema::study_named("actuators").about);
   verb.footer(
       "Along the path:\n"
       "  energy       of all springs\n"

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/certify_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
@@ -182,7 +183,7 @@ constexpr const char* kCertifyFooter =
 }  // namespace
 
 Action certify_verb(CLI::App& verb, const Words& typed) {
-  verb.description("prove that a sheet folds in one way, and its diagonals go one way, up to D");
+  verb.description(schema::study_named("certify").about);
   verb.footer(kCertifyFooter);
   auto call = std::make_shared<CertifyCall>();
   CertifyOptions& options = call->options;

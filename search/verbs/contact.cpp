@@ -1,6 +1,7 @@
 // `misalign contact`: where the panels of one sheet meet, and how thick they may be.
 #include <fmt/format.h>
 
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_study.hpp"
@@ -37,7 +38,7 @@ void show_contact(const ContactCall& call) {
 }  // namespace
 
 Action contact_verb(CLI::App& verb) {
-  verb.description("where the panels of one sheet meet, and how thick they may be");
+  verb.description(schema::study_named("contact").about);
   verb.footer(
       "Of panels without thickness, at any angle and not only at samples: the first at which\n"
       "two meet. Those with a common crease meet when it is closed, those with one common\n"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/deploy_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_text.hpp"
@@ -47,7 +48,7 @@ void show_deployment(const DeployCall& call) {
 }  // namespace
 
 Action deploy_verb(CLI::App& verb) {
-  verb.description("lets one sheet go: its motion, friction, equilibria");
+  verb.description(schema::study_named("deploy").about);
   verb.footer(
       "The exact motion of rigid panels with springs on all diagonals, let go at rest. It ends\n"
       "flat, or (outcome)\n"

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "schema/catalogue/study_table.hpp"
 #include "schema/files/features.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/report/report_data.hpp"
@@ -92,14 +93,11 @@ Action report_verb(CLI::App& verb) {
     many->check(counted(1, kMostDetails))->excludes(details);
   }
   add_other_actuators(verb, call->actuators);
-  verb.add_flag(
-      "--deploy", call->with_deployment,
-      "in the table also when candidates that are let go are flat, and what friction they "
-      "overcome (some milliseconds each)");
-  verb.add_flag(
-      "--contact", call->detail.contact,
-      "also where panels first meet, of each sheet that can be looked at closely (about a "
-      "tenth of a second each)");
+  for (const schema::StudyEntry& study : schema::study_table()) {
+    if (study.in_report) {
+      verb.add_flag(fmt::format("--{}", study.name), call->studies[study.name], study.in_report);
+    }
+  }
   verb.add_option("--stress", call->detail.stress_files,
                   "NAME-stress.json that `misalign stress` wrote of a sheet that can be looked at "
                   "closely: colours its panels (again: and that one)")
@@ -108,14 +106,20 @@ Action report_verb(CLI::App& verb) {
       ->type_name("FILE");
   return [call, &verb, group] {
     schema::need("Node.js");
-    if (call->with_deployment) schema::need("SUNDIALS");
+    if (call->studies["deploy"]) schema::need("SUNDIALS");
+    call->detail.contact = call->studies["contact"];
     if (!has("SUNDIALS")) {
       spdlog::warn("no deployment is in the page: {}", schema::missing_text("SUNDIALS"));
     }
     if (is_pattern_file(call->path)) {
       std::string chosen_by = first_given(*group);
-      for (const char* option : {"--draw", "--rows", "--details", "--by", "--deploy"}) {
+      for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
         if (verb.count(option) > 0) chosen_by = option;
+      }
+      for (const schema::StudyEntry& study : schema::study_table()) {  // of candidates alone
+        if (!study.columns.empty() && call->studies[study.name]) {
+          chosen_by = fmt::format("--{}", study.name);
+        }
       }
       if (!chosen_by.empty()) throw only_of_a_catalogue(call->path, chosen_by);
       refuse_own_input(*call);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/stress_json.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/ranks/stop_signal.hpp"
@@ -173,7 +174,7 @@ constexpr const char* kStressFooter =
 }  // namespace
 
 Action stress_verb(CLI::App& verb) {
-  verb.description("elastic panels, let go: do they deploy, and what do they suffer (CalculiX)");
+  verb.description(schema::study_named("stress").about);
   verb.footer(kStressFooter);
   auto call = std::make_shared<StressCall>();
   add_catalogue_or_pattern(verb, call->path);

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/sheets/tolerance_text.hpp"
@@ -138,8 +139,7 @@ void add_subject(CLI::App& verb, ToleranceCall& call) {
 }  // namespace
 
 Action tolerance_verb(CLI::App& verb) {
-  verb.description(
-      "how many miscut copies of a sheet still deploy, or how loose its joints may be");
+  verb.description(schema::study_named("tolerance").about);
   verb.footer(
       "Every vertex, also on the perimeter, is moved by a random error, uniform on [-MM, MM]\n"
       "in x and in y. Trial t makes the same errors for every candidate of a campaign: they\n"

@@ -10,6 +10,7 @@
 
 #include "schema/catalogue/metric_table.hpp"
 #include "schema/catalogue/since.hpp"
+#include "schema/catalogue/study_table.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/input.hpp"
 #include "schema/report/report.hpp"
@@ -192,6 +193,29 @@ TEST(MetricTable, IsWhatThePageKnowsToWrite) {
   }
   EXPECT_EQ(words.at("metrics").size() + 1, schema::metric_table().size()) << "all but D's sample";
   EXPECT_EQ(words.at("faults").size(), solver::fault_table().size());
+}
+
+// Each study has its four files, by its name; what the page shows of one is what SQL may call.
+TEST(StudyTable, IsWhatTheTreeHas) {
+  std::size_t columns = 0;
+  for (const StudyEntry& study : study_table()) {
+    const std::string name(study.name);
+    for (const std::string& path :
+         {"search/verbs/" + name + ".cpp", "search/sheets/" + name + "_text.cpp",
+          "schema/exchange/" + name + "_json.cpp"}) {
+      EXPECT_FALSE(source_text(path).empty()) << path;
+    }
+    for (const StudyColumn& column : study.columns) {
+      EXPECT_EQ(study_column(column.name), &column) << "a name of one study alone";
+      ++columns;
+    }
+  }
+  const Json shown = words_json().at("columns_of_studies");
+  EXPECT_EQ(shown.size(), columns);
+  for (const Json& column : shown) {
+    EXPECT_TRUE(study_column(column.at("name").get<std::string>())) << column;
+  }
+  EXPECT_FALSE(study_column("draw"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/study_table.hpp"
 #include "solver/design/farthest_first.hpp"
 
 namespace misalign::search {
@@ -68,7 +69,8 @@ class CostlyChoice : public testing::Test {
         "CREATE TABLE certificate AS SELECT draw, 100 + draw AS certified_deg FROM candidate; "
         "CREATE VIEW candidates AS SELECT *, (SELECT certified_deg FROM certificate WHERE "
         "certificate.draw = candidate.draw) AS certified_deg FROM candidate");
-    for (const std::string_view name : schema::kCostlyFunctions) {
+    for (const std::string_view name : {"deploy_time_s", "critical_friction_n_mm_per_mm"}) {
+      EXPECT_TRUE(schema::study_column(name));
       for (const int arguments : {1, 2}) {
         sqlite3_create_function_v2(database_.getHandle(), std::string(name).c_str(), arguments,
                                    SQLITE_UTF8 | SQLITE_DETERMINISTIC, &asked_, answer, nullptr,
