@@ -32,8 +32,8 @@ ModelKey with_all_vertices(ModelKey key) {
 }
 
 // Judges sheets from `first` on until none is left, or until one has shifts at vertices that the
-// model does not know; the first sheet that was not judged. `one` gets a judge and a block, `rest`
-// the judge at the end; Python's signals are looked at between them.
+// model does not know; the first sheet that was not judged. `one` gets a stream and a block, `rest`
+// the stream at the end; Python's signals are looked at between them.
 template <class One, class Rest>
 std::uint64_t judge_from(std::uint64_t first, const ModelKey& key, ShiftBlocks& blocks,
                          const One& one, const Rest& rest) {
@@ -46,12 +46,12 @@ std::uint64_t judge_from(std::uint64_t first, const ModelKey& key, ShiftBlocks& 
     const double* const rows = blocks.rows(first, count);
     unlocked([&] {
       fits = blocks.pack(rows, first, count, key.shifted, block);
-      if (fits) one(judge, block);
+      if (fits) one(stream, block);
     });
     if (fits) first += count;
     check_signals();
   }
-  unlocked([&] { rest(judge); });
+  unlocked([&] { rest(stream); });
   return first;
 }
 
