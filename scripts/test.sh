@@ -56,6 +56,8 @@ all() {
   grep PASSED $log
   stage "studies, which are built on request"
   cmake --build --preset release --target studies
+  stage "the core alone"
+  bash tests/system/core.sh "$PWD/build/release/misalign" "$PWD" -DMISALIGN_WERROR=ON
 }
 
 case "${1-}" in

@@ -13,6 +13,9 @@ for verb in search status fold perforations replay query export report watch act
   "$program" $verb --help | grep -q Example || fail "$verb --help has no example"
 done
 "$program" --version | grep -q "^compiler" || fail "--version"
+for library in SUNDIALS FLINT dxflib matio FCL cpp-httplib; do  # tests are built with all of them
+  "$program" --version | grep -q "^with .*\b$library\b" || fail "--version: $library"
+done
 
 "$program" status "$file" --json > status.json || fail "status"
 [ "$(sqlite3 :memory: "SELECT json_extract(readfile('status.json'), '\$.draws')")" = 1200 ] ||

@@ -4,7 +4,7 @@ quick_campaign campaign.json
 "$program" search campaign.json --draws 1200 --unit-draws 400 --catalogue good.db > /dev/null 2>&1 ||
   fail "search"
 "$program" verify good.db --all --json > good.json || fail "verify of a good catalogue"
-[ "$(field good.json good)" = 1 ] || fail "good"
+[ "$(field good.json good)$(field good.json panels_checked)" = 11 ] || fail "good, with panels"
 [ "$(sqlite3 :memory: "SELECT json_array_length(readfile('good.json'), '\$.checked')")" = \
   "$(sql good.db 'SELECT count(*) FROM candidate')" ] || fail "--all: how many"
 "$program" verify good.db > text || fail "verify in words"
