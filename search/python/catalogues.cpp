@@ -17,8 +17,8 @@
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/choice.hpp"
 #include "search/sheets/deployment_functions.hpp"
+#include "search/sheets/query_text.hpp"
 #include "search/sheets/tolerance.hpp"
-#include "search/verbs/query_text.hpp"
 
 namespace misalign::search::python {
 namespace {

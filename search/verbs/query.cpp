@@ -5,9 +5,9 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/sheets/deployment_functions.hpp"
+#include "search/sheets/query_text.hpp"
 #include "search/terminal/nothing_found.hpp"
 #include "search/terminal/terminal.hpp"
-#include "search/verbs/query_text.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

@@ -1,11 +1,10 @@
-#include "search/verbs/query_text.hpp"
+#include "search/sheets/query_text.hpp"
 
 #include <algorithm>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/terminal/ladder_text.hpp"
 #include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
