@@ -171,7 +171,7 @@ class TableWriter {
       const bool keeps = !kept.empty();
       kept.push_back(aligned_row());
       table.widen(kept.back());
-      for (const std::string& cell : kept.back()) bytes += cell.size() + sizeof cell;
+      for (const std::string& cell : kept.back()) bytes += cell.size() + sizeof(std::string);
       if (!keeps || rows_ == kKept || bytes > kKept_bytes || std::clock() - begin > kKeptFor) {
         give_kept();
       }

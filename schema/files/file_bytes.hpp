@@ -28,7 +28,7 @@ auto uninterrupted(const Call& call) {
 }
 
 /// What an SQLite database begins with; the zero is a part of it.
-inline constexpr std::string_view kDatabaseHeader("SQLite format 3", 16);
+inline constexpr std::string_view kDatabaseHeader("SQLite format 3", 16);  // NOLINT: with its zero
 
 enum class FileKind {
   any,     ///< what a person has named: a pipe, too

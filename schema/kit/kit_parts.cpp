@@ -77,7 +77,7 @@ std::vector<KitPart> kit_parts(const KitSheet& sheet, CreaseCut crease) {
 
 std::vector<KitPart> divided(const KitSheet& sheet, const KitPart& part, int down, int across) {
   const auto [rows, columns] = spans(sheet, part);
-  const auto cell = [&](int f) {
+  const auto cell = [&, &rows = rows, &columns = columns](int f) {  // clang 14 takes no bindings
     const auto& [row, column] = sheet.base.sheet.places[static_cast<std::size_t>(f)];
     return rows.cell(row, down) * across + columns.cell(column, across);
   };

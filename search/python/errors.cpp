@@ -18,6 +18,7 @@ void bind_errors(py::module_& module) {
         const bool is_first = error_type == nullptr;
         error_type = type.release().ptr();  // for as long as the process lives
         if (!is_first) return;
+        // NOLINTNEXTLINE: as pybind11 wants it
         py::register_exception_translator([](std::exception_ptr thrown) {
           try {
             std::rethrow_exception(thrown);

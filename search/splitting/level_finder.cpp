@@ -57,7 +57,7 @@ bool LevelFinder::add(std::uint32_t end_of_order, PieceResult result) {
   return true;
 }
 
-void LevelFinder::end_level(PieceResult all) {
+void LevelFinder::end_level(const PieceResult& all) {
   if (all.there.scores.empty()) {
     end(false);
   } else if (looked_at_ < ladder_.first_draws) {

@@ -35,7 +35,7 @@ class LevelFinder {
   bool is_whole() const { return is_whole_; }
 
  private:
-  void end_level(PieceResult all);
+  void end_level(const PieceResult& all);
   void go_on_from(int score, const PieceResult& all);
   void end(bool is_whole);
   // That of the particles which are looked at.

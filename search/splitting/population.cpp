@@ -47,7 +47,7 @@ PopulationRecord Population::record() {
   return std::move(record_);
 }
 
-void Population::end_level(PieceResult all) {
+void Population::end_level(const PieceResult& all) {
   std::vector<std::uint32_t> ancestors;
   for (const std::uint32_t particle : all.survivors) {
     ancestors.push_back(level_ == 0 ? particle : ancestors_[particle]);

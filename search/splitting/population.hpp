@@ -41,7 +41,7 @@ class Population {
   PopulationRecord record();
 
  private:
-  void end_level(PieceResult all);
+  void end_level(const PieceResult& all);
 
   const Ladder& ladder_;
   const std::uint32_t number_;

@@ -23,7 +23,7 @@ constexpr float kLeastOrder = 0.5F;
 
 // Shifts of a vertex in its place, in amplitudes.
 struct TernaryShift {
-  explicit TernaryShift(int place) : x(place / 3 - 1), y(place % 3 - 1) {}
+  explicit TernaryShift(int place) : x(place / 3 - 1), y(place % 3 - 1) {}  // NOLINT: whole
   double x, y;
 };
 
