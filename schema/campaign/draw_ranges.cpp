@@ -1,10 +1,12 @@
 #include "schema/campaign/draw_ranges.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace misalign::schema {
 
 std::vector<DrawRange> united(const std::vector<DrawRange>& ascending, std::uint64_t end) {
+  assert(std::ranges::is_sorted(ascending, {}, &DrawRange::lo));
   std::vector<DrawRange> all;
   for (const DrawRange& range : ascending) {
     if (range.lo >= end) break;
@@ -20,6 +22,8 @@ std::vector<DrawRange> united(const std::vector<DrawRange>& ascending, std::uint
 
 std::vector<DrawRange> without(const std::vector<DrawRange>& wanted,
                                const std::vector<DrawRange>& others) {
+  assert(std::ranges::is_sorted(wanted, {}, &DrawRange::lo));
+  assert(std::ranges::is_sorted(others, {}, &DrawRange::lo));
   std::vector<DrawRange> rest;
   auto other = others.begin();
   for (const DrawRange& range : wanted) {

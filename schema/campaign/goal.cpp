@@ -1,6 +1,7 @@
 #include "schema/campaign/goal.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "schema/campaign/share_interval.hpp"
@@ -54,6 +55,7 @@ void GoalEnd::follow(const Part& part) {
   const auto granule_of = [&](std::uint64_t draw) {
     return (draw - goal_.range.lo) / kGoalGranule;
   };
+  assert(std::ranges::is_sorted(part.accepted) && std::ranges::is_sorted(part.undecided));
   auto next_undecided = std::lower_bound(part.undecided.begin(), part.undecided.end(), reached_);
   const auto close_up_to = [&](std::uint64_t granule) {
     if (granule == granule_) return;

@@ -1,6 +1,7 @@
 #include "schema/campaign/share_interval.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
+#include <cassert>
 
 namespace misalign::schema {
 
@@ -14,6 +15,7 @@ ShareInterval share_interval(std::uint64_t hits, std::uint64_t trials) {
 
 ShareInterval share_interval_of(double k, double n) {
   if (!(n > 0)) return {0, 1};
+  assert(k >= 0 && k <= n);
   using Binomial = boost::math::binomial_distribution<double>;
   constexpr double kOneEnd = 0.05, kEachEnd = kOneEnd / 2;
   if (k == 0) return {0, Binomial::find_upper_bound_on_p(n, k, kOneEnd)};

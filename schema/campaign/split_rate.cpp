@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::schema {
@@ -39,6 +40,7 @@ double untransformed(double quantile, double k) {
 
 // Of shares over their mean.
 ShareInterval hall_interval(const std::vector<double>& relative) {
+  assert(relative.size() > 1);
   const auto n = static_cast<double>(relative.size());
   double squares = 0, cubes = 0;
   for (const double value : relative) {

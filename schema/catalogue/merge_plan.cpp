@@ -1,6 +1,7 @@
 #include "schema/catalogue/merge_plan.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 #include "schema/campaign/draw_ranges.hpp"
@@ -17,6 +18,7 @@ struct Unit {
 // the most draws.
 std::vector<bool> most_draws(const std::vector<Unit>& units) {
   const std::size_t count = units.size();
+  assert(std::ranges::is_sorted(units, {}, [](const Unit& unit) { return unit.range.hi; }));
   // most[k]: draws of the best choice among the first k; before[k]: how many end where unit k
   // begins or earlier.
   std::vector<std::uint64_t> most = {0};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -87,6 +88,7 @@ std::string printable_csv(std::string_view rows) {
 }
 
 std::string shortened(const std::string& text, std::size_t most) {
+  assert(most > 3);  // the dots
   if (text.size() <= most) return text;
   const auto continues = [&](std::size_t at) {
     return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string_view>
 #include <utility>
 
@@ -49,6 +50,7 @@ std::size_t display_width(const std::string& text) {
 
 void Columns::widen(const Row& row) {
   for (std::size_t k = 0; k < row.size(); ++k) {
+    assert(k < width_.size());
     width_[k] = std::max(width_[k], display_width(row[k]));
   }
 }
@@ -56,6 +58,7 @@ void Columns::widen(const Row& row) {
 std::string Columns::line(const Row& row) const {
   std::string line;
   for (std::size_t k = 0; k < row.size(); ++k) {
+    assert(k < width_.size() && k < numeric_.size());
     const std::size_t own = display_width(row[k]);
     const std::string pad(width_[k] - std::min(width_[k], own), ' ');
     line += (k ? "  " : "") + (numeric_[k] ? pad + row[k] : row[k] + pad);

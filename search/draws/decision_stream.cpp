@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,7 @@ void DecisionStream::accept(const Draws& block, const TellDecision& tell) {
   constexpr double kPaths_s = 0.08;
   const Stopwatch watch;
   const std::vector<solver::Rejection>& seen = batch_.reject(block.shifts);
+  assert(seen.size() >= block.size());
   for (std::size_t k = 0; k < block.size(); ++k) {
     if (seen[k].fault == solver::Fault::none) {
       waiting_.add(block, k);
@@ -64,6 +66,7 @@ void DecisionStream::finish(const TellDecision& tell) {
   if (waiting_.size() == 0) return;
   const Stopwatch watch;
   const std::vector<solver::Verdict>& verdicts = batch_.judge(waiting_.shifts);
+  assert(verdicts.size() >= waiting_.size());
   for (std::size_t k = 0; k < waiting_.size(); ++k) {
     tell(waiting_.numbers[k], decision_of(verdicts[k]));
   }

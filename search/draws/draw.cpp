@@ -3,6 +3,7 @@
 #include <Random123/philox.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::search {
@@ -17,6 +18,7 @@ double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
 
 // A level, or a share whose word gives it again.
 bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
+  assert(misalignment.amplitude_mm > 0);
   const double share = shift_mm / misalignment.amplitude_mm;
   if (misalignment.distribution == schema::ShiftDistribution::ternary) {
     return share == 0 || shift_mm == misalignment.amplitude_mm ||
@@ -60,6 +62,7 @@ void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, s
 
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  Eigen::Matrix2Xd& shifts_mm) {
+  assert(misalignment.vertices.empty() || misalignment.vertices.back() < shifts_mm.cols());
   Eigen::Matrix2Xd drawn(2, misalignment.vertices.size());
   draw_shifts(misalignment, seed, draw, drawn.data());
   for (std::size_t k = 0; k < misalignment.vertices.size(); ++k) {

@@ -8,11 +8,13 @@
 namespace misalign::search {
 
 Ledger::Ledger(const DrawRange& wanted, const std::vector<DrawRange>& done) : end_(wanted.hi) {
+  assert(wanted.lo <= wanted.hi);
   for (const DrawRange& range : schema::without({wanted}, done)) open(range);
 }
 
 void Ledger::open(const DrawRange& range) {
   if (range.lo >= range.hi) return;
+  assert(range.hi <= end_ && !open_.contains(range.lo));
   open_[range.lo] = range.hi;
   open_draws_ += range.size();
 }
@@ -47,6 +49,7 @@ bool Ledger::take(const DrawRange& range) {
 
 void Ledger::finish(const DrawRange& taken, std::uint64_t done_to) {
   assert(given_out_.contains(taken.lo) && done_to >= taken.lo && done_to <= taken.hi);
+  assert(draws_given_out_ >= taken.size());
   draws_given_out_ -= taken.size();
   given_out_.erase(taken.lo);
   open({done_to, std::min(taken.hi, end_)});

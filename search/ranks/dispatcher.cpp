@@ -30,6 +30,7 @@ Dispatcher::Dispatcher(Ledger ledger, int workers, const UnitSize& size)
 }
 
 std::optional<DrawRange> Dispatcher::assign(int worker) {
+  assert(worker >= 0 && static_cast<std::size_t>(worker) < workers_.size());
   Worker& w = workers_[worker];
   assert(!w.assigned);
   const auto count = static_cast<int>(workers_.size());
@@ -41,6 +42,7 @@ std::optional<DrawRange> Dispatcher::assign(int worker) {
 void Dispatcher::finish(int worker, std::uint64_t done_to, double seconds) {
   Worker& w = workers_[worker];
   assert(w.assigned);
+  assert(done_to >= w.assigned->lo && seconds >= 0);
   const std::uint64_t draws = done_to - w.assigned->lo;
   if (draws > 0 && seconds > 0) w.draws_per_s = static_cast<double>(draws) / seconds;
   ledger_.finish(*w.assigned, done_to);

@@ -22,6 +22,7 @@ PieceResult LevelPieces::all() {
   PieceResult all;
   all.survivors.reserve(survivors);
   all.there.reserve(survivors, bytes_each);
+  assert(done_.empty() || done_.begin()->first == 0);
   for (auto& [lo, result] : done_) all.append(std::move(result));
   return all;
 }

@@ -1,6 +1,7 @@
 #include "search/splitting/moves.hpp"
 
 #include <bit>
+#include <cassert>
 
 #include "search/draws/draw.hpp"
 
@@ -14,6 +15,7 @@ StepWords::StepWords(std::uint64_t seed, std::uint32_t population, std::uint32_t
       stream_(level << 8 | kSplittingStream) {}
 
 std::uint32_t StepWords::next() {
+  assert(used_ / 4 < 1u << 16);  // the block's number has 16 bits of the counter
   const std::uint32_t at = used_ % 4;
   if (at == 0) block_ = philox_block(seed_, counter_low_, step_ | used_ / 4, stream_);
   ++used_;
@@ -21,6 +23,7 @@ std::uint32_t StepWords::next() {
 }
 
 std::size_t StepWords::next_below(std::size_t count) {
+  assert(count > 0);
   return static_cast<std::size_t>((static_cast<std::uint64_t>(next()) * count) >> 32);
 }
 
@@ -48,6 +51,7 @@ void Moves::propose(StepWords words, ShiftCode::Sheet sheet) const {
 }
 
 void Moves::mirror(const solver::ShiftSymmetry& symmetry, ShiftCode::Sheet sheet) const {
+  assert(symmetry.from.size() == code_.shifts() && symmetry.negated.size() == code_.shifts());
   const std::vector<std::uint8_t> before(sheet.begin(), sheet.end());
   for (std::size_t k = 0; k < code_.shifts(); ++k) {
     code_.copy(sheet, k, before, static_cast<std::size_t>(symmetry.from[k]), symmetry.negated[k]);

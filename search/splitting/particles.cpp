@@ -1,5 +1,6 @@
 #include "search/splitting/particles.hpp"
 
+#include <cassert>
 #include <cstring>
 
 #include "search/draws/draw.hpp"
@@ -15,6 +16,7 @@ ShiftCode::ShiftCode(const schema::Misalignment& misalignment)
                  : sizeof(std::uint32_t)) {}
 
 std::uint32_t ShiftCode::code(ConstSheet sheet, std::size_t k) const {
+  assert(k < shifts_);
   if (is_ternary()) return sheet[k];
   std::uint32_t word;
   std::memcpy(&word, sheet.data() + k * width_, width_);
@@ -22,6 +24,7 @@ std::uint32_t ShiftCode::code(ConstSheet sheet, std::size_t k) const {
 }
 
 void ShiftCode::set(Sheet sheet, std::size_t k, std::uint32_t code) const {
+  assert(k < shifts_ && (!is_ternary() || code < 3));
   if (is_ternary()) {
     sheet[k] = static_cast<std::uint8_t>(code);
   } else {

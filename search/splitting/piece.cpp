@@ -38,12 +38,15 @@ PieceWork::PieceWork(const Moves& moves, std::uint32_t sweeps, LevelScorers& sco
       order_(std::move(order)),
       bytes_(moves.code().bytes()),
       next_(order_.lo) {
+  assert(order_.lo <= order_.hi && order_.within <= order_.next);
+  assert(order_.is_first || order_.here.count() == order_.hi - order_.lo);
   result_.population = order_.population;
   result_.level = order_.level;
   result_.lo = result_.hi = order_.lo;
 }
 
 void PieceWork::run_next_block() {
+  assert(!finished());
   const Stopwatch watch;
   if (block_ == 0) begin_block();
   make_proposals();
@@ -87,6 +90,7 @@ void PieceWork::make_proposals() {
 void PieceWork::take_good_ones() {
   const int least = order_.is_first ? order_.next : order_.within;
   const std::vector<int>& scores = scorers_.from(least).score(shifts_);
+  assert(scores.size() == block_ && now_scores_.size() == block_);
   const int accepted = last_level(scorers_.campaign());
   for (std::uint32_t k = 0; k < block_; ++k) {
     ++of_block_.tried;

@@ -50,9 +50,11 @@ PopulationRecord Population::record() {
 void Population::end_level(const PieceResult& all) {
   std::vector<std::uint32_t> ancestors;
   for (const std::uint32_t particle : all.survivors) {
+    assert(level_ == 0 || particle < ancestors_.size());
     ancestors.push_back(level_ == 0 ? particle : ancestors_[particle]);
   }
   const auto survivors = static_cast<std::uint32_t>(all.survivors.size());
+  assert(all.there.scores.size() == all.survivors.size());
   const std::set<std::uint32_t> different(ancestors.begin(), ancestors.end());
   record_.levels.push_back({level_, ladder_.size(level_), survivors,
                             static_cast<std::uint32_t>(different.size()), all.tried, all.taken,

@@ -8,6 +8,7 @@ namespace misalign::solver {
 
 void hermite_weights(const double* nodes, int count, const double* origin, double x,
                      double* of_values, double* of_rates, double* of_origin) {
+  assert(count >= 0 && (!origin || of_origin));
   for (int k = 0; k < count; ++k) {
     double basis = 1, basis_rate = 0;
     for (int i = 0; i < count; ++i) {
@@ -39,6 +40,7 @@ HermiteTable::HermiteTable(int functions, int most_nodes)
       rates_(terms_.size()) {}
 
 void HermiteTable::add(double x, const double* values, const double* rates) {
+  assert(static_cast<std::size_t>(order_) + 2 <= nodes_.size());
   for (int twice = 0; twice < 2; ++twice, ++order_) {
     nodes_[order_] = x;
     std::copy_n(values, functions_, row(order_));
@@ -47,6 +49,7 @@ void HermiteTable::add(double x, const double* values, const double* rates) {
 }
 
 void HermiteTable::add_value(double x, const double* values) {
+  assert(static_cast<std::size_t>(order_) < nodes_.size());
   nodes_[order_] = x;
   std::copy_n(values, functions_, row(order_));
   ++order_;
@@ -68,6 +71,7 @@ void HermiteTable::finish() {
 }
 
 double HermiteTable::value(int function, double x) const {
+  assert(function >= 0 && function < functions_);
   double sum = 0;
   for (int k = order_ - 1; k >= 0; --k) sum = sum * (x - nodes_[k]) + row(k)[function];
   return sum;
@@ -101,6 +105,7 @@ double HermiteTable::second_rate(int function, double x) const {
 
 void HermiteTable::find_rate(int function, double from, double to, double* coefficients) const {
   assert(order_ <= kMostOrder);
+  assert(order_ >= 2);
   const double width = to - from;
   double powers[kMostOrder] = {row(order_ - 1)[function]};  // of (x - from) / width
   for (int k = order_ - 2, degree = 0; k >= 0; --k) {
@@ -124,6 +129,7 @@ void HermiteTable::find_rate(int function, double from, double to, double* coeff
 
 double HermiteTable::largest_rate_change(double from, double to, int last_terms) const {
   // The derivative of the product of the distances to the first nodes, each as far as it gets.
+  assert(order_ <= kMostOrder && last_terms <= order_);
   double product = 1, rate = 0, most = 0, change[kMostOrder] = {};
   for (int k = 0; k < order_; ++k) {
     change[k] = rate;

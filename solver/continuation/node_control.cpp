@@ -1,6 +1,7 @@
 #include "solver/continuation/node_control.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -36,6 +37,7 @@ NodeControl::~NodeControl() = default;
 
 void NodeControl::begin(const PathStart& start, int lane) {
   flat_lengths(mechanism_, *start.geometry, flat_.data());
+  assert(start.first_station < start.plan->stations.size());
   Path& path = paths_[lane];
   path.plan = start.plan;
   path.function.begin(flat_.data());
@@ -96,11 +98,13 @@ bool NodeControl::take(int lane) {
 }
 
 NodeStep NodeControl::take_back(int lane) {
+  assert(paths_[lane].function.count() > 0);
   paths_[lane].function.drop();
   return retry(paths_[lane]);
 }
 
 bool NodeControl::ends_segment(int lane) const {
+  assert(lane >= 0 && static_cast<std::size_t>(lane) < paths_.size());
   const PathFunction& function = paths_[lane].function;
   if (!function.turns()) return true;
   // From a node next to the turn the rise follows from its rate and the bend of the pilot's angle,

@@ -1,6 +1,7 @@
 #include "solver/continuation/path.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -16,6 +17,7 @@ constexpr double kSameAngle_deg = 1e-9;
 
 PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
                    const FlatVertices& base_vertices_mm, const PathPlanOptions& options) {
+  assert(options.sample_deg > 0 && options.end_deg > 0);
   PathPlan plan;
   const auto add_multiples = [&](double step_deg, bool visit, bool sampled) {
     const int count = static_cast<int>(options.end_deg / step_deg * (1 + kWholeMultiple));
@@ -43,6 +45,7 @@ PathPlan plan_path(const Mechanism& mechanism, const BaseFolding& folding,
                                     return b.pilot_deg - a.pilot_deg <= kSameAngle_deg;
                                   }),
                       plan.stations.end());
+  assert(plan.stations.front().pilot_deg > 0);
   for (Station& station : plan.stations) station.pilot = half_angle_of_deg(station.pilot_deg);
   plan.start = base_state(mechanism, folding, base_vertices_mm, plan.stations.front().pilot);
   return plan;

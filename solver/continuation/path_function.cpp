@@ -1,6 +1,7 @@
 #include "solver/continuation/path_function.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -73,6 +74,7 @@ void PathFunction::add_at_turn() {
 }
 
 void PathFunction::renew() {
+  assert(kept() > inside_);
   choose_variable();
   for (int k = 0; k < kept(); ++k) at_[k] = sign_ * angle_rad(node(k).creases[variable_]);
   from_ = count_ > inside_ + 1 ? at_[inside_ + 1] : 0;
@@ -83,6 +85,7 @@ void PathFunction::renew() {
 }
 
 void PathFunction::drop() {
+  assert(count_ > 0);
   --count_;
   inside_ = std::max(inside_ - 1, 0);
   for (int k = 0; k < kept(); ++k) at_[k] = sign_ * angle_rad(node(k).creases[variable_]);
@@ -157,6 +160,7 @@ double PathFunction::pilot_rise() const {
 
 // Newton's method from where it was asked last, in a bracket; samples lie side by side.
 double PathFunction::locate(double pilot_rad) const {
+  assert(kept() > 0);
   if (variable_ == pilot_) return pilot_rad;
   double low = at_[kept() - 1], high = end();
   double x = located_x_ + (pilot_rad - located_rad_) / located_slope_;
@@ -204,6 +208,7 @@ double PathFunction::node_error() const {
 
 void PathFunction::find_lengths(double x, std::vector<double>& lengths,
                                 std::vector<double>& errors) const {
+  assert(std::ssize(lengths) == diagonals_ && std::ssize(errors) == diagonals_);
   if (variable_ == pilot_) {
     table_.find_values(x, diagonals_, lengths.data(), errors.data());
     const double all =
@@ -233,6 +238,7 @@ void PathFunction::look(double x, PathEstimate& estimate) const {
 }
 
 double PathFunction::slope(int diagonal, double x) const {
+  assert(diagonal >= 0 && diagonal < diagonals_);
   return table_.rate(diagonal, x) / pilot_slope(x);
 }
 
@@ -270,6 +276,7 @@ bool PathFunction::creases_are_clear() const {
 }
 
 double PathFunction::find_creases(double x, std::vector<HalfAngle<double>>& creases) const {
+  assert(creases.size() == mechanism_.creases.size());
   double nodes[kNodes], of_values[kNodes], of_rates[kNodes], fewer_values[kNodes],
       fewer_rates[kNodes];
   const int count = kept();

@@ -1,12 +1,15 @@
 #include "solver/continuation/step_control.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
 namespace misalign::solver {
 
 void StepControl::begin(const PathPlan& plan, std::size_t first_station, int forward_sign) {
+  assert(first_station < plan.stations.size());
+  assert(forward_sign >= -1 && forward_sign <= 1);
   plan_ = &plan;
   station_ = first_station;
   phase_ = Phase::stepping;
@@ -17,6 +20,7 @@ void StepControl::begin(const PathPlan& plan, std::size_t first_station, int for
 }
 
 PathStep StepControl::after(const NewtonReport& report) {
+  assert(plan_ && phase_ != Phase::idle);  // begun, and not ended
   ++result_.newton_iterations;
   // Where a coordinate or a pivot is no number the tangent is none; the residual's and the
   // corrections' largest entries may hide it.
@@ -76,6 +80,7 @@ PathStep StepControl::arrive(const NewtonReport& report, double tangent_sign) {
 // Extrapolates with the rates of change at the last stations, dx/dpilot = tangent / its pilot
 // entry, integrated as a polynomial through up to three of them (Adams-Bashforth, unequal steps).
 PathStep StepControl::proceed() {
+  assert(phase_ == Phase::stepping && tangents_ > 0);
   if (++station_ == plan_->stations.size()) return end(PathEnd::end_reached);
   corrections_ = 0;
   corrected_rad_ = 0;
@@ -94,6 +99,7 @@ PathStep StepControl::proceed() {
     weight[2] += twist / h2;
   }
   PathStep move;
+  assert(h > 0);  // stations ascend
   move.depart = move.hold = true;
   for (int k = 0; k < 3; ++k) move.along[k] = weight[k] / tangent_pilot_[k];
   move.pilot = target().pilot;
@@ -120,6 +126,7 @@ PathStep StepControl::begin_arc(const NewtonReport& report) {
 
 // The next step along the arc from the last point believed.
 PathStep StepControl::go_along(const HalfAngle<double>& last_pilot) {
+  assert(phase_ == Phase::arc);
   ++arc_steps_;
   ++result_.arc_steps;
   const double rise = ds_ * tangent_pilot_[0];

@@ -1,6 +1,7 @@
 #include "solver/design/folding_way.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -40,6 +41,8 @@ FoldingWay::FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
       stations_(std::move(stations)),
       flat_mm_(static_cast<Index>(mechanism.diagonals.size())),
       joints_(table_of_joints()) {
+  assert(drawn_mm.cols() == mechanism.vertices);
+  assert(step > 0 && end > 0);
   flat_lengths(mechanism, geometry_, flat_mm_.data());
   flat_mm_ *= mechanism.panel_width_mm;
 }
@@ -54,6 +57,7 @@ SmoothTable FoldingWay::table_of_joints() const {
   Eigen::MatrixXd values(diagonals() + creases() + 4 * balls(), count);
   for (Index k = 0; k < count; ++k) {
     const FoldState<double>& state = stations_[static_cast<std::size_t>(k)].state;
+    assert(std::ssize(state.creases) == creases() && std::ssize(state.balls) == balls());
     double* value = values.col(k).data();
     folded_lengths(*mechanism_, geometry_, state, value);
     for (Index d = 0; d < diagonals(); ++d) *value++ *= mechanism_->panel_width_mm;

@@ -8,6 +8,7 @@
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <array>
+#include <cassert>
 #include <new>
 #include <utility>
 
@@ -96,6 +97,7 @@ struct MotionIntegrator::Cvode {
 MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod method, double end,
                                    double scale, double tolerance)
     : cvode_(std::make_unique<Cvode>(std::move(acceleration), method, end)) {
+  assert(end > 0 && scale > 0 && tolerance > 0);
   void* const memory = cvode_->memory;
   CVodeInit(memory, Cvode::rates, 0, cvode_->y);
   CVodeSStolerances(memory, tolerance, tolerance * scale);
@@ -110,6 +112,7 @@ MotionIntegrator::MotionIntegrator(Acceleration acceleration, MotionMethod metho
 MotionIntegrator::~MotionIntegrator() = default;
 
 void MotionIntegrator::start(const MotionState& state) {
+  assert(std::isfinite(state.x) && std::isfinite(state.rate));
   state_ = state;
   double* const y = N_VGetArrayPointer(cvode_->y);
   y[0] = state.x;

@@ -56,6 +56,7 @@ SmoothTable::SmoothTable(const Eigen::MatrixXd& values, std::vector<Parity> pari
 }
 
 std::pair<const SmoothTable::Segment&, double> SmoothTable::at(double x) const {
+  assert(step_ > 0);
   const double steps = std::abs(x) / step_;
   const auto segment = static_cast<std::size_t>(
       std::clamp(std::floor(steps + 0.5), 0.0, static_cast<double>(places())));
@@ -65,6 +66,7 @@ std::pair<const SmoothTable::Segment&, double> SmoothTable::at(double x) const {
 void SmoothTable::find(double x, Index first, Index count, Eigen::VectorXd& values,
                        Eigen::VectorXd& slopes) const {
   const auto [segment, u] = at(x);
+  assert(first >= 0 && count >= 0 && first + count <= functions());
   const auto rows = segment.middleRows(first, count);
   values = rows.col(kPoints - 1);
   slopes.setZero(count);
@@ -81,6 +83,7 @@ void SmoothTable::find(double x, Index first, Index count, Eigen::VectorXd& valu
 
 double SmoothTable::value(double x, Index function) const {
   const auto [segment, u] = at(x);
+  assert(function >= 0 && function < functions());
   double value = 0;
   for (int power = kPoints - 1; power >= 0; --power) value = value * u + segment(function, power);
   return x < 0 ? value * mirrored_(function) : value;

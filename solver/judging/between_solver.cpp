@@ -1,6 +1,7 @@
 #include "solver/judging/between_solver.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -51,6 +52,7 @@ double cubics_off(const SolvedPlace& from, const SolvedPlace& between, const Sol
                     kMiddlePerRate * std::abs(cubic.rate(share) - rate)});
   }
   // It grows like the square of the product of both distances.
+  assert(share > 0 && share < 1);
   const double product = 4 * share * (1 - share);
   return off / (product * product);
 }
@@ -82,6 +84,7 @@ BetweenSolver::Workspace& BetweenSolver::workspace() {
 }
 
 PathPoint& BetweenSolver::room(int halvings) {
+  assert(halvings >= 0 && halvings <= kMostSolvedHalvings + 1);
   return workspace().rooms[static_cast<std::size_t>(halvings)];
 }
 

@@ -1,5 +1,7 @@
 #include "solver/judging/close_judge.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 
 CloseJudge::CloseJudge(const Model& model, SolvedBumps& bumps)
@@ -23,6 +25,7 @@ void CloseJudge::begin(const SheetGeometry<double>& geometry,
 bool CloseJudge::see(const Station& station, const PathPoint& point, bool with_slopes,
                      const SheetGeometry<double>* geometry) {
   if (looks_between() && !is_over_) {
+    assert(geometry && station.pilot_deg > last_deg_);
     if (!judge_.is_in_order(&point.state, point.lengths)) {
       is_over_ = true;
     } else {

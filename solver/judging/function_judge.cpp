@@ -1,6 +1,7 @@
 #include "solver/judging/function_judge.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/continuation/node_control.hpp"
@@ -35,6 +36,7 @@ FunctionJudge::~FunctionJudge() = default;
 FunctionJudge::FunctionJudge(const FunctionJudge&) = default;
 
 void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_lengths) {
+  assert(flat_lengths.size() == last_.size());
   plan_ = &plan;
   next_ = 0;
   last_rad_ = 0;
@@ -50,6 +52,7 @@ void FunctionJudge::begin(const PathPlan& plan, const std::vector<double>& flat_
 }
 
 ObserverResult FunctionJudge::see(const PathFunction& function) {
+  assert(plan_ && !fault_known_);  // begun; and once a fault is known, it is enough
   is_sure_ = true;
   const bool turns = function.turns();
   const double end = function.end(), end_rad = function.pilot(end);
@@ -178,6 +181,7 @@ void FunctionJudge::know_last_better(const PathFunction& function) {
     last_[d] = again_.lengths[d];
     last_errors_[d] = again_.length_errors[d];
   }
+  assert(rows_.size() >= last_.size());
   judge_.correct_last(last_);
   std::copy(last_.begin(), last_.end(), rows_.end() - static_cast<std::ptrdiff_t>(last_.size()));
 }

@@ -1,6 +1,7 @@
 #include "solver/judging/sheet_queue.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace misalign::solver {
@@ -16,6 +17,9 @@ void SheetBlock::place(int sheet, FlatVertices& vertices_mm) const {
   if (vertices_mm_) {
     vertices_mm = *vertices_mm_;
   } else {
+    assert(sheet >= 0 && sheet < shifts_->sheets);
+    assert(shifts_->shifts_mm.size() >=
+           static_cast<std::size_t>(shifts_->sheets) * 2 * model_->shifted().size());
     model_->displace(shifts_->of(sheet), vertices_mm);
   }
 }
@@ -43,11 +47,13 @@ void SheetQueue::begin(const SheetBlock& block) {
 }
 
 void SheetQueue::begin_again(const std::vector<int>& sheets) {
+  assert(block_);  // begun before
   waiting_ = sheets;
   next_ = 0;
 }
 
 bool SheetQueue::put_next(PathStart& start, int lane) {
+  assert(block_ && lane >= 0 && static_cast<std::size_t>(lane) < sheet_of_lane_.size());
   if (next_ == waiting_.size()) return false;
   const SheetGeometry<double>& geometry = put(waiting_[next_++], lane);
   const FarSheet* const far = far_sheet(of_lane(lane));
@@ -90,6 +96,7 @@ const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet) {
 }
 
 const SheetGeometry<double>& SheetQueue::put(int sheet, int lane) {
+  assert(block_ && sheet >= 0 && sheet < block_->sheets());
   sheet_of_lane_[lane] = sheet;
   return geometry_of_lane(lane);
 }

@@ -1,6 +1,7 @@
 #include "solver/judging/solved_bumps.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace misalign::solver {
 
@@ -12,6 +13,7 @@ SolvedBumps::~SolvedBumps() = default;
 BumpFound SolvedBumps::look(const SheetGeometry<double>& geometry, double from_deg,
                             const PathPoint& from, double to_deg, const PathPoint& to,
                             const Judge& judge) {
+  assert(from_deg < to_deg && from.lengths.size() == to.lengths.size());
   retreats_.assign(from.lengths.size(), {});
   BumpFound found;
   found.is_known = go(geometry, {from_deg * kRadPerDeg, from}, {to_deg * kRadPerDeg, to}, 0, judge);

@@ -1,5 +1,7 @@
 #include "solver/kinematics/fold_state.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 namespace {
 
@@ -18,6 +20,7 @@ Quaternion<double> crossing_rotation(const Mechanism& mechanism, const FlatVerti
 FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& folding,
                              const FlatVertices& base_vertices_mm, const HalfAngle<double>& pilot) {
   const std::vector<HalfAngle<double>> angles = folding.fold_angles(pilot);
+  assert(angles.size() == mechanism.edges.size());
   FoldState<double> state;
   for (const Crease& crease : mechanism.creases) state.creases.push_back(angles[crease.edge]);
   for (const BallJoint& ball : mechanism.balls) {
@@ -32,6 +35,8 @@ FoldState<double> base_state(const Mechanism& mechanism, const BaseFolding& fold
 
 void place(const Mechanism& mechanism, const FlatVertices& vertices_mm,
            SheetGeometry<double>& geometry) {
+  assert(vertices_mm.cols() == mechanism.vertices);
+  assert(mechanism.panel_width_mm > 0);
   const std::size_t vertices = static_cast<std::size_t>(vertices_mm.cols());
   geometry.x.resize(vertices);
   geometry.y.resize(vertices);

@@ -1,6 +1,7 @@
 #include "solver/kinematics/folded_shape.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace misalign::solver {
 
@@ -11,6 +12,7 @@ FoldedShape::FoldedShape(const CreasePattern& sheet, const std::vector<int>& hol
       kept_(sheet.facets.size(), true),
       placed_by_(sheet.vertex_count(), -1) {
   for (const int f : holes) kept_[f] = false;
+  assert(std::count(kept_.begin(), kept_.end(), true) > 0);  // there is a root
   root_ = static_cast<int>(std::find(kept_.begin(), kept_.end(), true) - kept_.begin());
 
   std::vector<bool> reached(facets_.size(), false);
@@ -34,6 +36,7 @@ FoldedShape::FoldedShape(const CreasePattern& sheet, const std::vector<int>& hol
       try_joint(at, ball.from_facet, ball.to_facet, {true, i, 1, ball.vertex});
     }
   }
+  assert(std::ssize(frontier) == std::count(kept_.begin(), kept_.end(), true));  // joints reach all
   for (const int f : frontier) {
     for (const int v : facets_[f]) {
       if (placed_by_[v] < 0) placed_by_[v] = f;
@@ -49,6 +52,7 @@ Eigen::Matrix3Xd FoldedShape::vertices_mm(const SheetGeometry<double>& geometry,
                                           const FoldState<double>& state) const {
   FoldedPoints<double> points;
   place(geometry, state, points);
+  assert(points.vertices.size() == placed_by_.size());
   Eigen::Matrix3Xd vertices_mm(3, static_cast<Eigen::Index>(points.vertices.size()));
   for (Eigen::Index v = 0; v < vertices_mm.cols(); ++v) {
     vertices_mm.col(v) = seen_mm(points.vertices[v]);

@@ -1,6 +1,7 @@
 #include "solver/kinematics/loose_sheet.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/kinematics/diagonals.hpp"
@@ -19,6 +20,9 @@ Mat3<double> rotation_between(const Vec3<double>& u, const Vec3<double>& v) {
 
 void loosen(const Mechanism& mechanism, const SheetGeometry<double>& geometry,
             const JointOffsets& offsets, double scale, LooseSheet<double>& sheet) {
+  assert(offsets.creases_a.size() == mechanism.creases.size());
+  assert(offsets.creases_b.size() == mechanism.creases.size());
+  assert(offsets.balls.size() == mechanism.balls.size());
   static_cast<SheetGeometry<double>&>(sheet) = geometry;
   sheet.creases.clear();
   for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
@@ -39,6 +43,7 @@ void loosen(const Mechanism& mechanism, const SheetGeometry<double>& geometry,
 // S Rot(-rho) = S Rot(-top) Rot(top - rho), the last about the line's other direction.
 void count_pilot_down(const Mechanism& mechanism, const HalfAngle<double>& top,
                       LooseSheet<double>& sheet) {
+  assert(sheet.creases.size() == mechanism.creases.size());  // loosened before
   const Crease& pilot = mechanism.creases[mechanism.pilot];
   double &x = sheet.axis_x[pilot.edge], &y = sheet.axis_y[pilot.edge];
   Pose<double>& displaced = sheet.creases[mechanism.pilot];
@@ -50,6 +55,7 @@ void count_pilot_down(const Mechanism& mechanism, const HalfAngle<double>& top,
 double vertex_gap(const Mechanism& mechanism, const LooseSheet<double>& sheet,
                   const FoldState<double>& state) {
   double largest = 0;
+  assert(state.creases.size() == mechanism.creases.size());
   for (const Loop& loop : mechanism.loops) {
     if (loop.hole >= 0) continue;
     Pose<double> pose = Pose<double>::identity();

@@ -79,8 +79,10 @@ class Builder {
       const std::vector<int> ring = facets_around(sheet_, vertex);
       const auto at = std::find(ring.begin(), ring.end(), hole) - ring.begin();
       const int opposite = ring[(at + 2) % 4];
+      assert(at < 4 && ring.size() == 4);
       if (is_hole_[opposite]) {
         const int ball = ball_of_vertex_[vertex];
+        assert(ball >= 0);
         const int sense = mechanism_.balls[ball].from_facet == from ? 1 : -1;
         loop.passages.push_back({true, ball, sense, vertex});
       } else {
@@ -110,6 +112,7 @@ class Builder {
 
   Passage over_crease(int from, int to, int vertex) const {
     const Crossing over = crossing(from, to, vertex);
+    assert(crease_of_edge_[over.edge] >= 0);
     return {false, crease_of_edge_[over.edge], over.sense, vertex};
   }
 

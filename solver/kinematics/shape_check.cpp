@@ -1,6 +1,7 @@
 #include "solver/kinematics/shape_check.hpp"
 
 #include <Eigen/Geometry>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,7 @@ ShapeCheck::ShapeCheck(const Eigen::Matrix2Xd& flat_mm, std::vector<std::array<i
 
 void ShapeCheck::see(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd& corners_mm,
                      const std::vector<double>& claimed_deg) {
+  assert(claimed_deg.size() == folds_.size());
   see_panels(vertices_mm, corners_mm);
   for (std::size_t i = 0; i < folds_.size(); ++i) {
     const double within = folded_deg(vertices_mm, folds_[i], panels_);
@@ -57,6 +59,8 @@ void ShapeCheck::see(const Eigen::Matrix3Xd& vertices_mm, const Eigen::Matrix3Xd
 
 void ShapeCheck::see_panels(const Eigen::Matrix3Xd& vertices_mm,
                             const Eigen::Matrix3Xd& corners_mm) {
+  assert(vertices_mm.cols() == flat_mm_.cols());
+  assert(corners_mm.cols() == 4 * std::ssize(panels_));
   Eigen::Index corner = 0;
   for (const std::array<int, 4>& panel : panels_) {
     for (int i = 0; i < 4; ++i) {

@@ -1,6 +1,7 @@
 #include "solver/lanes/observers.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace misalign::solver {
 
@@ -13,6 +14,7 @@ FunctionObserver::FunctionObserver(const Model& model, int lanes)
 FunctionObserver::~FunctionObserver() = default;
 
 void FunctionObserver::begin(const SheetBlock& block, std::vector<Verdict>& verdicts) {
+  assert(std::ssize(verdicts) == block.sheets());
   verdicts_ = &verdicts;
   left_.clear();
   queue_.begin(block);
@@ -124,6 +126,7 @@ void ApproachObserver::begin(const SheetBlock& block, RejectionTest& rejection) 
 }
 
 ApproachObserver::Kept& ApproachObserver::keep(OpenSheet& sheet) {
+  assert(sheet.kept_state < kept_count_ && kept_count_ <= std::ssize(kept_));
   if (sheet.kept_state < 0) sheet.kept_state = kept_count_++;
   if (sheet.kept_state == static_cast<int>(kept_.size())) {
     kept_.push_back({nullptr, point_.state,
@@ -141,12 +144,14 @@ bool ApproachObserver::next(PathStart& start, int lane) {
   const auto first = std::find_if(stations.begin(), stations.end(), [&](const Station& station) {
     return station.sample == kept.angle->sample;
   });
+  assert(first != stations.end() && kept.angle);
   start = {&queue_.put(sheet, lane), &kept.state, &model_.approach(),
            static_cast<std::size_t>(first - stations.begin()), kept.angle->determinant_sign};
   return true;
 }
 
 bool ApproachObserver::see(const Station& station, int lane) {
+  assert(rejection_ && station.sample > 0);
   const int sheet = queue_.of_lane(lane);
   rejection_->observe(sheet, {station.sample, point_.lengths.data(), kRejection.path_length_widths,
                               point_.slopes.data(), kRejection.path_slope_widths_per_rad});

@@ -40,6 +40,7 @@ bool ActiveMatrix::Candidate::before(const Candidate& other) const {
 ActiveMatrix::ActiveMatrix(const std::vector<JacobianEntry>& entries,
                            const std::vector<PivotValues>& values, int equations)
     : rows_(equations), rows_in_(equations + 1), candidates_(equations + 1) {
+  assert(entries.size() == values.size());
   std::vector<std::vector<std::pair<int, std::size_t>>> in_row(equations);
   for (std::size_t e = 0; e < entries.size(); ++e) {
     in_row[entries[e].row].push_back({entries[e].column, e});
@@ -73,9 +74,11 @@ ActiveMatrix::Place ActiveMatrix::choose(const std::vector<int>& columns, double
 }
 
 void ActiveMatrix::eliminate(const Place& pivot) {
+  assert(pivot.row >= 0 && !rows_[pivot.row].columns.empty());  // eliminated once
   const Row pivot_row = std::move(rows_[pivot.row]);
   for (const int column : pivot_row.columns) {
     auto& rows = rows_in_[column];
+    assert(std::binary_search(rows.begin(), rows.end(), pivot.row));
     rows.erase(std::lower_bound(rows.begin(), rows.end(), pivot.row));
     candidates_[column].known = false;
   }

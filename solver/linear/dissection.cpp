@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -50,6 +51,7 @@ class Dissection {
                   static_cast<int>(loop));
     }
     for (const JacobianEntry& entry : jacobian_entries(mechanism)) {
+      assert(entry.column < mechanism.unknowns && entry.row < mechanism.equations);
       std::vector<int>& loops = loops_of_[entry.column];
       const int loop = loop_of_row[entry.row];
       if (std::find(loops.begin(), loops.end(), loop) == loops.end()) loops.push_back(loop);
@@ -169,6 +171,7 @@ class Dissection {
     for (int direction = 0; direction < kDirections; ++direction) {
       try_direction(direction, loops, unknowns, outside, cut);
     }
+    assert(cut.left > 0 && cut.left < std::ssize(loops));  // both parts are smaller
     sort_along(cut.direction, loops);
     const auto middle = loops.begin() + cut.left;
     for (auto loop = loops.begin(); loop != loops.end(); ++loop) rank_[*loop] = loop >= middle;

@@ -1,6 +1,7 @@
 #include "solver/linear/elimination.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace misalign::solver {
@@ -61,6 +62,7 @@ void give_slots(const std::vector<JacobianEntry>& entries, Elimination& plan) {
   const auto slot_at = [&](int i, int j) {
     const auto row = plan.column.begin() + first_slot[i],
                end = plan.column.begin() + first_slot[i + 1];
+    assert(std::binary_search(row, end, j));
     return static_cast<std::int32_t>(std::lower_bound(row, end, j) - plan.column.begin());
   };
   for (const JacobianEntry& entry : entries) {
@@ -107,6 +109,7 @@ void list_columns(Elimination& plan) {
 
 // Whether pivot k + 1 has the rows below and the columns beyond of pivot k, without its own.
 bool goes_on(const Elimination& plan, int k) {
+  assert(k >= 0 && k + 1 < plan.equations);
   const Pivot &a = plan.pivots[k], &b = plan.pivots[k + 1];
   const auto row = plan.lower_row.begin();
   const auto column = plan.column.begin();
@@ -130,6 +133,7 @@ PivotBlock block_from(const Elimination& plan, std::int32_t first) {
 }
 
 void find_blocks(Elimination& plan) {
+  assert(std::ssize(plan.pivots) == plan.equations);
   std::vector<char> is_filled(plan.slots);
   for (const std::int32_t slot : plan.slot_of_value) is_filled[slot] = true;
   const auto fill = [&](std::int32_t slot) {
@@ -153,6 +157,7 @@ void find_blocks(Elimination& plan) {
       }
     }
     block.fill.end = end_of(plan.fill_slots);
+    assert(block.end > block.first);
     if (block.size() > 1) {
       plan.most_packed = std::max(plan.most_packed, block.size() * block.upper.size());
     }
@@ -165,6 +170,7 @@ void find_blocks(Elimination& plan) {
 Elimination eliminate_in_order(const std::vector<JacobianEntry>& entries,
                                const std::vector<int>& row_of, const std::vector<int>& column_of) {
   Elimination plan{};
+  assert(column_of.size() == row_of.size() + 1);
   plan.equations = static_cast<int>(row_of.size());
   plan.row_of = row_of;
   plan.column_of = column_of;

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <cassert>
 
 #include "solver/kinematics/loop_closure.hpp"
 #include "solver/linear/dissection.hpp"
@@ -35,6 +36,7 @@ Sparse jacobian_at(const Mechanism& mechanism, const SheetGeometry<double>& geom
 // the least one is at most what any of its steps finds, and what the last one finds but for a part
 // in a million.
 bool is_regular(const Sparse& square) {
+  assert(square.rows() == square.cols());
   constexpr int kMostIterations = 500;
   constexpr double kRelativeChange = 1e-6;
   Eigen::SparseLU<Sparse> lu;
@@ -65,6 +67,7 @@ Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& h
     order.insert(order.end(), part.begin(), part.end());
   }
   Mobility mobility{mechanism.unknowns, mechanism.equations, 0};
+  assert(std::ssize(order) == mechanism.unknowns);
   for (const double of_180 : {40.0, 75.0, 110.0}) {
     const double pilot_deg = of_180 / 180 * folding.end_deg();
     const Sparse jacobian = jacobian_at(

@@ -1,5 +1,7 @@
 #include "solver/linear/newton.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 
 ClosureSystem::ClosureSystem(const Mechanism& mechanism)
@@ -45,6 +47,8 @@ Newton::Newton(const Mechanism& mechanism, const NewtonOptions& options)
 
 NewtonResult Newton::correct(const SheetGeometry<double>& geometry, FoldState<double>& state) {
   const Mechanism& mechanism = system_.mechanism();
+  assert(state.creases.size() == mechanism.creases.size());
+  assert(state.balls.size() == mechanism.balls.size());
   for (int iteration = 0;; ++iteration) {
     const double open = system_.evaluate(geometry, state);
     if (!system_.residual().allFinite()) return {NewtonEnd::not_a_number, iteration, open};

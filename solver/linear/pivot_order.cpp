@@ -111,6 +111,7 @@ int partner_of_pilot(const Mechanism& mechanism, const BaseFolding& folding,
   const auto middle = [&](const Crease& crease) -> Eigen::Vector2d {
     return 0.5 * (vertices_mm.col(crease.a) + vertices_mm.col(crease.b));
   };
+  assert(folding.end_deg() > 0 && folding.end_deg() <= 180);
   const auto angles = folding.fold_angles(half_angle_of_deg(0.5 * folding.end_deg()));
   const Crease& pilot = mechanism.creases[mechanism.pilot];
   double most = 0;
@@ -153,6 +154,7 @@ Elimination plan_with(double first_threshold, const std::vector<JacobianEntry>& 
     assert(threshold > 1e-15 && "the mechanism has more than one degree of freedom");
     eliminate_waiting(threshold);
   }
+  assert(std::ssize(row_of) == equations - 1);  // the partner's row is left
   row_of.push_back(
       static_cast<int>(std::find(row_done.begin(), row_done.end(), false) - row_done.begin()));
   column_of.push_back(partner);
@@ -173,6 +175,7 @@ Elimination plan_elimination(const Mechanism& mechanism, const BaseFolding& fold
   const std::vector<PivotValues> misaligned = jacobians_at(kTried_deg, kOffBase);
   const auto parts = dissect(mechanism, base_vertices_mm);
   const int partner = partner_of_pilot(mechanism, folding, base_vertices_mm);
+  assert(partner >= 0 && partner < mechanism.equations);
   Elimination best{};
   double least_error = HUGE_VAL;
   for (const double threshold : kPivotThresholds) {

@@ -1,5 +1,7 @@
 #include "solver/model/dense_state.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 
 struct DenseState::Matrices {
@@ -24,6 +26,7 @@ DenseState::~DenseState() = default;
 
 void DenseState::find(const SheetGeometry<double>& geometry, const FoldState<double>& state,
                       PathPoint& point) {
+  assert(state.creases.size() == mechanism_.creases.size());
   if (!matrices_) matrices_ = std::make_unique<Matrices>(mechanism_);
   auto& [system, newton, factors, smallest, trial, misfit] = *matrices_;
   point.state = state;

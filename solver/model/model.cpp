@@ -1,6 +1,7 @@
 #include "solver/model/model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/linear/pivot_order.hpp"
@@ -89,6 +90,7 @@ std::vector<double> lengths_per_closure(const Mechanism& mechanism,
     }
   }
   std::vector<double> work(n), rows(gradients.size());
+  assert(n > 0 && rows.size() == diagonals * static_cast<std::size_t>(n));
   for (std::size_t first = 0; first < rows.size(); first += static_cast<std::size_t>(n)) {
     factors.transposed(gradients.data() + first, work.data(), rows.data() + first);
   }
@@ -135,6 +137,9 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
                   .maxCoeff() /
               mechanism_.panel_width_mm),
       length_per_rad_(bound_of_length_per_rad(mechanism_, base.sheet.vertices_mm)) {
+  assert(
+      std::ranges::all_of(shifted, [&](int v) { return v >= 0 && v < base.sheet.vertex_count(); }));
+  assert(threshold_sample >= 0 && path.sample_deg > 0 && std::isfinite(extent_));
   choose_tests();
 }
 
@@ -172,6 +177,7 @@ void Model::choose_tests() {
 }
 
 TestAngle Model::angle(double pilot_deg, int sample, bool with_slopes) const {
+  assert(pilot_deg >= 0 && pilot_deg <= 180);
   const HalfAngle<double> pilot = half_angle_of_deg(pilot_deg);
   TestAngle angle{sample,
                   pilot,

@@ -1,6 +1,7 @@
 #include "solver/model/rejection_test.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -22,6 +23,7 @@ std::optional<double> chord_error(double first_correction_rad, double second_cor
 
 double rounding_error(double epsilon, double extent, const TestAngle& test) {
   const std::size_t equations = static_cast<std::size_t>(test.factors.plan().equations);
+  assert(test.lengths_per_closure.size() % equations == 0);
   double most = 0;
   for (auto row = test.lengths_per_closure.begin(); row != test.lengths_per_closure.end();
        row += static_cast<std::ptrdiff_t>(equations)) {
@@ -53,6 +55,7 @@ void RejectionTest::begin(int sheets) {
 }
 
 void RejectionTest::set_flat(int sheet, const double* lengths) {
+  assert(sheet >= 0 && static_cast<std::size_t>(sheet) < rejections_.size());
   std::copy_n(lengths, diagonals_, flat_.begin() + static_cast<std::ptrdiff_t>(sheet * diagonals_));
 }
 
@@ -63,6 +66,8 @@ void RejectionTest::expect(int sheet, const signed char* directions, bool both, 
 }
 
 void RejectionTest::observe(int sheet, const Observation& observation) {
+  assert(sheet >= 0 && static_cast<std::size_t>(sheet) < rejections_.size());
+  assert(observation.sample > 0 && observation.length_error >= 0);
   if (sees_both(sheet, observation)) {
     rejections_[sheet] = {Fault::not_monotone, observation.sample};
     return;
@@ -102,6 +107,7 @@ bool RejectionTest::sees_both(int sheet, const Observation& now) {
 void RejectionTest::observe(int sheet, int sample, const FoldState<double>& state) {
   constexpr double least_cosine = kLeastCosine - kRejection.fold_angle_rad;
   const std::vector<Crease>& creases = model_.mechanism().creases;
+  assert(state.creases.size() == creases.size());
   for (std::size_t k = 0; k < creases.size(); ++k) {
     if (state.creases[k].c < least_cosine) rejections_[sheet] = {Fault::over_folded, sample};
     if (state.creases[k].s * creases[k].assignment < -kRejection.fold_angle_rad) {

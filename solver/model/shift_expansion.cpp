@@ -1,6 +1,7 @@
 #include "solver/model/shift_expansion.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <random>
 
@@ -78,6 +79,7 @@ class Polynomial {
 };
 
 ShiftExpansion::Short rounded(double value, double unit) {
+  assert(std::abs(value) <= 32767 * unit);  // the bound of all sums fits
   return static_cast<ShiftExpansion::Short>(std::lround(value / unit));
 }
 
@@ -122,6 +124,7 @@ std::size_t ShiftGradients::place(ShiftedQuantity quantity, int diagonal, int sh
 
 void ShiftGradients::add(ShiftedQuantity quantity, int diagonal, int sheet, int coordinate,
                          double value) {
+  assert(diagonal < diagonals_ && sheet < sheets_.sheets && coordinate < coordinates_);
   values_[place(quantity, diagonal, sheet, coordinate)] += value;
 }
 
@@ -200,6 +203,8 @@ float ShiftExpansion::second_order(int kind, const Short* sums) const {
 
 void ShiftExpansion::calibrate(const std::vector<Short>& sums, const ShiftSample& sample) {
   const std::size_t sheets = sample.is_known.size();
+  assert(sums.size() >= sheets * this->sums());
+  assert(sample.slopes.size() == sheets * static_cast<std::size_t>(diagonals_));
   for (int kind = 0; kind < 2; ++kind) {
     const std::vector<double>& truth = kind == 0 ? sample.elongations : sample.slopes;
     Kind& of = kinds_[kind];
@@ -228,6 +233,7 @@ void ShiftExpansion::calibrate(const std::vector<Short>& sums, const ShiftSample
 
 ShiftExpansion::Estimate ShiftExpansion::estimate(ShiftedQuantity quantity, int diagonal,
                                                   const Short* sums) const {
+  assert(diagonal >= 0 && diagonal < diagonals_);
   const int which = static_cast<int>(quantity);
   const Kind& kind = kinds_[which];
   const std::size_t d = static_cast<std::size_t>(diagonal);

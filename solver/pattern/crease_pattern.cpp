@@ -1,6 +1,7 @@
 #include "solver/pattern/crease_pattern.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -53,6 +54,8 @@ std::vector<Edge> edges_of(const std::vector<std::array<int, 4>>& facets) {
 }
 
 int find_edge(const CreasePattern& sheet, int vertex, int other_vertex) {
+  assert(std::min(vertex, other_vertex) >= 0);
+  assert(std::max(vertex, other_vertex) < sheet.vertex_count());
   const auto key = std::minmax(vertex, other_vertex);
   const auto at = std::lower_bound(sheet.edges.begin(), sheet.edges.end(), key,
                                    [](const Edge& e, const auto& k) {
@@ -63,6 +66,7 @@ int find_edge(const CreasePattern& sheet, int vertex, int other_vertex) {
 }
 
 std::vector<int> facets_around(const CreasePattern& sheet, int vertex) {
+  assert(vertex >= 0 && vertex < sheet.vertex_count());
   int first = 0;
   const auto corner_of = [&](int f) {
     const auto& v = sheet.facets[f];
@@ -73,6 +77,7 @@ std::vector<int> facets_around(const CreasePattern& sheet, int vertex) {
   for (int f = first; f >= 0 && f < sheet.facet_count();) {
     ring.push_back(f);
     // The edge by which a counter-clockwise facet enters the vertex is the one to cross next.
+    assert(corner_of(f) < 4);  // else its edges lead past the vertex
     const int before = sheet.facets[f][(corner_of(f) + 3) % 4];
     const Edge& edge = sheet.edges[find_edge(sheet, before, vertex)];
     f = edge.left == f ? edge.right : edge.left;
@@ -114,6 +119,7 @@ std::string vertex_label(int vertex) { return "A" + std::to_string(vertex + 1); 
 std::string line_label(int from, int to) { return vertex_label(from) + "-" + vertex_label(to); }
 
 std::vector<int> nonconvex_facets(const CreasePattern& sheet, const FlatVertices& vertices_mm) {
+  assert(vertices_mm.cols() == sheet.vertex_count());
   std::vector<int> bad;
   for (int f = 0; f < sheet.facet_count(); ++f) {
     const auto& v = sheet.facets[f];
@@ -131,6 +137,7 @@ std::vector<int> nonconvex_facets(const CreasePattern& sheet, const FlatVertices
 double largest_safe_amplitude_mm(const CreasePattern& sheet, const std::vector<int>& shifted) {
   std::vector<bool> movable(sheet.vertex_count(), false);
   for (const int v : shifted) movable[v] = true;
+  assert(sheet.panel_width_mm > 0);  // else the bisection does not end
   double safe = 0, unsafe = sheet.panel_width_mm + sheet.vertices_mm.cwiseAbs().maxCoeff();
   while (unsafe - safe > 1e-9 * sheet.panel_width_mm) {
     const double middle = 0.5 * (safe + unsafe);

@@ -1,6 +1,7 @@
 #include "solver/pattern/degree_four.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -26,6 +27,9 @@ int sign_of(double value) { return value < 0 ? -1 : 1; }
 
 DegreeFourVertex::DegreeFourVertex(const std::array<Eigen::Vector2d, 4>& u, int opposite_sign)
     : opposite_sign_(opposite_sign) {
+  assert(opposite_sign == 1 || opposite_sign == -1);
+  for ([[maybe_unused]] const Eigen::Vector2d& direction : u)
+    assert(std::abs(direction.norm() - 1) < 1e-9);
   const Turn a = between(u[0], u[1]), b = between(u[1], u[2]), c = between(u[2], u[3]),
              d = between(u[3], u[0]);
   flat_foldable_ = std::abs((a + c).s) < kFlatFoldable_rad;

@@ -1,5 +1,7 @@
 #include "solver/pattern/half_angle.hpp"
 
+#include <cassert>
+
 namespace misalign::solver {
 namespace {
 
@@ -21,6 +23,7 @@ double taylor_cosine(double x) {
 }  // namespace
 
 HalfAngle<double> half_angle_of_deg(double angle_deg) {
+  assert(std::abs(angle_deg) <= 360);  // what the Taylor polynomials reach
   if (angle_deg < 0) {
     const HalfAngle<double> mirrored = half_angle_of_deg(-angle_deg);
     return {mirrored.c, -mirrored.s};
@@ -38,6 +41,7 @@ HalfAngle<double> half_angle_of_deg(double angle_deg) {
 }
 
 HalfAngle<double> half_angle_of_ratio(double numerator, double denominator) {
+  assert(numerator != 0 || denominator != 0);
   const double scale = 1.0 / std::sqrt(numerator * numerator + denominator * denominator);
   return {denominator * scale, numerator * scale};
 }

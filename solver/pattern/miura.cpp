@@ -1,6 +1,7 @@
 #include "solver/pattern/miura.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace misalign::solver {
@@ -18,6 +19,8 @@ MiuraShape MiuraShape::uniform(int rows, int columns, double width_mm, double he
 
 CreasePattern miura_sheet(const MiuraShape& shape) {
   const int m = shape.rows(), n = shape.columns();
+  assert(m > 0 && n > 0);
+  assert(shape.height_mm.size() == shape.offset_mm.size());
   std::vector<double> x(n + 1, 0), y(m + 1, 0), shift(m + 1, 0);
   for (int j = 0; j < n; ++j) x[j + 1] = x[j] + shape.width_mm[j];
   for (int i = 0; i < m; ++i) {
@@ -48,6 +51,7 @@ CreasePattern miura_sheet(const MiuraShape& shape) {
 std::vector<int> miura_assignment(const MiuraShape& shape, const CreasePattern& sheet) {
   const auto zigzag_sign = [](int j) { return j % 2 == 1 ? 1 : -1; };
   std::vector<int> assignment(sheet.edges.size(), 0);
+  assert(sheet.facet_count() == shape.rows() * shape.columns());
   const auto sign = [&](int i, int j, int to_i, int to_j) -> int& {
     return assignment[find_edge(sheet, vertex_index(shape, i, j), vertex_index(shape, to_i, to_j))];
   };

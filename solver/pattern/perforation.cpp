@@ -1,6 +1,7 @@
 #include "solver/pattern/perforation.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace misalign::solver {
 namespace {
@@ -95,6 +96,8 @@ std::vector<int> inner_facets(const CreasePattern& sheet) {
 }
 
 std::vector<int> checkerboard(const CreasePattern& sheet, int remainder) {
+  assert(remainder == 0 || remainder == 1);
+  assert(sheet.places.size() == sheet.facets.size());
   std::vector<int> holes = inner_facets(sheet);
   std::erase_if(holes,
                 [&](int f) { return (sheet.places[f][0] + sheet.places[f][1]) % 2 != remainder; });
@@ -102,6 +105,7 @@ std::vector<int> checkerboard(const CreasePattern& sheet, int remainder) {
 }
 
 int default_pilot(const CreasePattern& sheet, const std::vector<int>& holes) {
+  assert(std::is_sorted(holes.begin(), holes.end()));
   const auto is_hole = [&](int f) { return std::binary_search(holes.begin(), holes.end(), f); };
   const auto first = std::find_if(sheet.edges.begin(), sheet.edges.end(), [&](const Edge& edge) {
     return !edge.on_perimeter() && !is_hole(edge.left) && !is_hole(edge.right);
@@ -111,6 +115,7 @@ int default_pilot(const CreasePattern& sheet, const std::vector<int>& holes) {
 
 std::vector<std::string> hole_faults(const CreasePattern& sheet, const std::vector<int>& holes) {
   std::vector<bool> is_hole(sheet.facet_count(), false);
+  assert(holes.empty() || (holes.front() >= 0 && holes.back() < sheet.facet_count()));
   for (const int f : holes) is_hole[f] = true;
   const auto name = [&](int f) {
     const auto& v = sheet.facets[f];

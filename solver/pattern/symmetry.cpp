@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <set>
 
@@ -64,6 +65,7 @@ bool maps_creases(const PerforatedSheet& base, const std::vector<int>& to) {
 
 std::vector<ShiftSymmetry> shift_symmetries(const PerforatedSheet& base,
                                             const std::vector<int>& shifted) {
+  assert(std::is_sorted(shifted.begin(), shifted.end()));
   std::vector<ShiftSymmetry> symmetries;
   for (int which = 1; which < 8; ++which) {
     const int first = which & 1 ? -1 : 1, second = which & 2 ? -1 : 1;
@@ -80,6 +82,7 @@ std::vector<ShiftSymmetry> shift_symmetries(const PerforatedSheet& base,
       const auto at = std::lower_bound(shifted.begin(), shifted.end(),
                                        (*to)[static_cast<std::size_t>(shifted[k])]);
       const auto j = static_cast<std::size_t>(at - shifted.begin());
+      assert(j < shifted.size());  // the image of the shifted vertices is themselves
       for (std::size_t axis = 0; axis < 2; ++axis) {
         symmetry.from[2 * j + axis] = static_cast<int>(2 * k + (swaps ? 1 - axis : axis));
         symmetry.negated[2 * j + axis] = (axis == 0 ? first : second) < 0;

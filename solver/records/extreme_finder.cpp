@@ -1,6 +1,7 @@
 #include "solver/records/extreme_finder.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "solver/verdict/from_flat.hpp"
@@ -58,6 +59,7 @@ void ExtremeFinder::begin(const std::vector<double>& flat_lengths) {
 
 void ExtremeFinder::see(const Station& station, double x, const PathEstimate& here,
                         const FunctionJudge& judge, const PathFunction& function) {
+  assert(station.pilot_deg > last_deg_ && here.lengths.size() == last_.size());
   const double step_rad = (station.pilot_deg - last_deg_) * kRadPerDeg;
   const bool is_in_order = station.sample <= judge.samples_in_order();
   const bool counts = is_in_order && last_deg_ >= kInactiveFrom_deg;
@@ -124,6 +126,7 @@ void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
 void ExtremeFinder::note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
                               const PathFunction& function) {
   const int d = judge.bump_where();
+  assert(d >= 0 && d < std::ssize(last_));
   const Subsegment subsegment{function, d, judge.direction(d),
                               function.locate(from.pilot_deg * kRadPerDeg),
                               function.locate(to.pilot_deg * kRadPerDeg)};
@@ -133,6 +136,7 @@ void ExtremeFinder::note_bump(const Station& from, const Station& to, const Func
 }
 
 void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {
+  assert(diagonal >= 0 && diagonal < std::ssize(last_));
   constexpr double kPart = 1e-3;  // of a segment
   const double by = kPart * (function.to() - function.from());
   const double pilot_deg = function.pilot(x) / kRadPerDeg;

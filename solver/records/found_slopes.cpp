@@ -1,6 +1,7 @@
 #include "solver/records/found_slopes.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -17,6 +18,7 @@ constexpr double kSameSlope = 1e-6, kSlopeError = 1e-9;
 // In the diagonals' directions, which the lengths at D say.
 double least_of(const std::vector<double>& slopes, const PathRecord& record) {
   const std::size_t count = slopes.size();
+  assert(count == record.flat.size() && record.lengths.size() >= count);
   const double* const at_d = record.lengths.data() + record.lengths.size() - count;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t d = 0; d < count; ++d) {

@@ -1,12 +1,14 @@
 #include "solver/records/history_observer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace misalign::solver {
 namespace {
 
 Eigen::MatrixXd rows_of(const std::vector<double>& values, std::size_t rows) {
+  assert(rows == 0 ? values.empty() : values.size() % rows == 0);
   const Eigen::Index columns = static_cast<Eigen::Index>(rows > 0 ? values.size() / rows : 0);
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const RowMajor>(values.data(), static_cast<Eigen::Index>(rows), columns);
@@ -43,6 +45,7 @@ void HistoryObserver::begin(const SheetBlock& block) {
 }
 
 void HistoryObserver::measure_only(const std::vector<int>& sheets) {
+  assert(std::ranges::all_of(sheets, [&](int k) { return k >= 0 && k < std::ssize(histories_); }));
   for (FoldingHistory& history : histories_) history = {};
   finds_extremes_ = true;
   queue_.begin_again(sheets);
@@ -89,6 +92,7 @@ bool HistoryObserver::see(const Station& station, int lane) {
 
 void HistoryObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
+  assert(std::ssize(point_.lengths) == model_.mechanism().diagonal_count());
   auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   if (station.sample > 0) {
     judge.see(station, point_, true,

@@ -12,6 +12,7 @@ double corner_angle_deg(const CreasePattern& sheet, const FlatVertices& vertices
                         int vertex) {
   const auto& v = sheet.facets[facet];
   const auto at = std::find(v.begin(), v.end(), vertex) - v.begin();
+  assert(at < 4);
   const Eigen::Vector2d out = vertices_mm.col(v[(at + 1) % 4]) - vertices_mm.col(vertex);
   const Eigen::Vector2d in = vertices_mm.col(v[(at + 3) % 4]) - vertices_mm.col(vertex);
   return std::atan2(out.x() * in.y() - out.y() * in.x(), out.dot(in)) / kRadPerDeg;
@@ -27,6 +28,7 @@ double kawasaki_defect_deg(const PerforatedSheet& base, const FlatVertices& vert
       return std::binary_search(base.holes.begin(), base.holes.end(), f);
     });
     if (!whole) continue;
+    assert(ring.size() == 4);
     const double opposite = corner_angle_deg(base.sheet, vertices_mm, ring[0], v) +
                             corner_angle_deg(base.sheet, vertices_mm, ring[2], v);
     worst = std::max(worst, std::abs(opposite - 180));
@@ -39,6 +41,8 @@ Metrics measure(const PerforatedSheet& base, const FlatVertices& vertices_mm,
   const int samples = record.verdict.deploys_from_sample;
   assert(samples > 0);
   const double width_mm = base.sheet.panel_width_mm;
+  assert(vertices_mm.cols() == base.sheet.vertex_count() && sample_deg > 0);
+  assert(record.lengths.size() >= static_cast<std::size_t>(samples) * record.flat.size());
   Metrics m{};
   m.deploys_from_sample = samples;
   m.deploys_from_deg = samples * sample_deg;

@@ -1,12 +1,15 @@
 #include "solver/records/path_record.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solver/records/function_recorder.hpp"
 
 namespace misalign::solver {
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) {
   const double width_mm = mechanism.panel_width_mm;
+  assert(std::ssize(history.stations) == history.length_mm.rows());
+  assert(history.open_by.size() == history.stations.size());
   PathRecord record;
   record.verdict = history.verdict;
   record.path = history.path;

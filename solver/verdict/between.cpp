@@ -1,12 +1,14 @@
 #include "solver/verdict/between.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
 
 CubicBetween cubic_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
                            double slowing, int direction) {
+  assert(step_rad > 0 && slowing > 0);
   const double u = 2 * step_rad / (1 + slowing), v = u * (slowing - 1);
   const double rise = direction * (next.length - here.length);
   const double b = direction * here.slope * u, end = direction * next.slope * (u * slowing);

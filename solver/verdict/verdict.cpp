@@ -1,6 +1,7 @@
 #include "solver/verdict/verdict.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace misalign::solver {
@@ -9,6 +10,7 @@ Judge::Judge(const Mechanism& mechanism, const Criterion& criterion)
     : mechanism_(mechanism), criterion_(criterion) {}
 
 void Judge::begin(const std::vector<double>& flat_lengths) {
+  assert(std::ssize(flat_lengths) == mechanism_.diagonal_count());
   samples_in_order_ = 0;
   last_pilot_deg_ = 0;
   last_pilot_rate_ = 0;  // flat: all branches meet there
@@ -25,6 +27,8 @@ void Judge::begin(const std::vector<double>& flat_lengths) {
 bool Judge::see(const Station& station, const FoldState<double>* state,
                 const std::vector<double>& lengths, const std::vector<double>* slopes,
                 double pilot_rate) {
+  assert(lengths.size() == last_.size());
+  assert(station.pilot_deg > last_pilot_deg_ || fault_ != Fault::none);  // samples ascend
   if (!is_in_order(state, lengths)) return false;
   if (slopes) {
     const Between between = seen_between(station, lengths, *slopes, pilot_rate);
@@ -48,6 +52,7 @@ bool Judge::see(const Station& station, const FoldState<double>* state,
 }
 
 void Judge::end_between(int where, double rate, double from_deg) {
+  assert(where >= 0 && where < mechanism_.diagonal_count());
   end(goes_back(where, rate) ? Fault::reverses_between : Fault::bump, where);
   if (fault_ != Fault::bump) return;
   between_.bump_where = where;
@@ -55,6 +60,7 @@ void Judge::end_between(int where, double rate, double from_deg) {
 }
 
 bool Judge::is_in_order(const FoldState<double>* state, const std::vector<double>& lengths) {
+  assert(!state || state->creases.size() == mechanism_.creases.size());
   if (fault_ != Fault::none) return false;
   fault_ = fault_in(state, lengths, where_);
   if (fault_ == Fault::none) return true;
@@ -110,6 +116,7 @@ LeastPart Judge::missed_part(const FoldState<double>* state, const std::vector<d
     return part;
   }
   if (fault_ == Fault::over_folded || fault_ == Fault::assignment_flipped) {
+    assert(state);  // a fault of creases was seen in it
     for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
       const HalfAngle<double>& rho = state->creases[i];
       const double excess = fault_ == Fault::over_folded
