@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "solver/kinematics/diagonals.hpp"
+
 namespace misalign::solver {
 
 SheetBlock::SheetBlock(const Model& model, const ShiftBlock& shifts)
@@ -103,6 +105,18 @@ const SheetGeometry<double>& SheetQueue::put(int sheet, int lane) {
 
 const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
   return placed_.of(*block_, of_lane(lane));
+}
+
+QueueObserver::QueueObserver(const Model& model, int lanes)
+    : model_(model), queue_(model, lanes), flat_(model.mechanism().diagonals.size()) {}
+
+QueueObserver::~QueueObserver() = default;
+
+bool QueueObserver::next(PathStart& start, int lane) {
+  if (!queue_.put_next(start, lane)) return false;
+  flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
+  begin_sheet(start, lane);
+  return true;
 }
 
 }  // namespace misalign::solver

@@ -84,4 +84,24 @@ class SheetQueue {
   PlacedSheet placed_;
 };
 
+/// An observer of paths that takes its sheets from a queue.
+class QueueObserver {
+ public:
+  virtual ~QueueObserver();
+
+  /// For the follower: the queue's next sheet.
+  bool next(PathStart& start, int lane);
+  const Effort& effort() const { return effort_; }
+
+ protected:
+  QueueObserver(const Model& model, int lanes);
+  /// A sheet has been put into this lane; flat_ has the lengths of its diagonals (panel widths).
+  virtual void begin_sheet(PathStart& start, int lane) = 0;
+
+  const Model& model_;
+  SheetQueue queue_;
+  std::vector<double> flat_;
+  Effort effort_;
+};
+
 }  // namespace misalign::solver

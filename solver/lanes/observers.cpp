@@ -6,10 +6,9 @@
 namespace misalign::solver {
 
 FunctionObserver::FunctionObserver(const Model& model, int lanes)
-    : model_(model),
-      queue_(model, lanes),
-      judges_(static_cast<std::size_t>(lanes), FunctionJudge(model.mechanism(), model.criterion())),
-      flat_(model.mechanism().diagonals.size()) {}
+    : QueueObserver(model, lanes),
+      judges_(static_cast<std::size_t>(lanes),
+              FunctionJudge(model.mechanism(), model.criterion())) {}
 
 FunctionObserver::~FunctionObserver() = default;
 
@@ -20,11 +19,8 @@ void FunctionObserver::begin(const SheetBlock& block, std::vector<Verdict>& verd
   queue_.begin(block);
 }
 
-bool FunctionObserver::next(PathStart& start, int lane) {
-  if (!queue_.put_next(start, lane)) return false;
-  flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
+void FunctionObserver::begin_sheet(PathStart& start, int lane) {
   judges_[lane].begin(*start.plan, flat_);
-  return true;
 }
 
 void FunctionObserver::ended(const PathResult& path, int lane) {
@@ -39,8 +35,7 @@ void FunctionObserver::ended(const PathResult& path, int lane) {
 }
 
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
-    : model_(model),
-      queue_(model, lanes),
+    : QueueObserver(model, lanes),
       between_(model.mechanism(), model.elimination()),
       bumps_(model.mechanism(), between_),
       point_(model.mechanism()),
@@ -58,11 +53,8 @@ void JudgingObserver::begin(const SheetBlock& block) {
   queue_.begin(block);
 }
 
-bool JudgingObserver::next(PathStart& start, int lane) {
-  if (!queue_.put_next(start, lane)) return false;
-  flat_lengths(model_.mechanism(), *start.geometry, point_.lengths.data());
-  judges_[lane].begin(*start.geometry, point_.lengths);
-  return true;
+void JudgingObserver::begin_sheet(PathStart& start, int lane) {
+  judges_[lane].begin(*start.geometry, flat_);
 }
 
 bool JudgingObserver::see(const Station& station, int lane) {

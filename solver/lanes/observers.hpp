@@ -14,41 +14,36 @@
 namespace misalign::solver {
 
 /// Full paths as functions: what these say for certain.
-class FunctionObserver {
+class FunctionObserver final : public QueueObserver {
  public:
   FunctionObserver(const Model& model, int lanes);
-  ~FunctionObserver();
+  ~FunctionObserver() override;
 
   /// Verdicts go to `verdicts`.
   void begin(const SheetBlock& block, std::vector<Verdict>& verdicts);
-  bool next(PathStart& start, int lane);
   ObserverResult see(const PathFunction& function, int lane) { return judges_[lane].see(function); }
   void ended(const PathResult& path, int lane);
 
   /// The sheets that were not decided.
   const std::vector<int>& left() const { return left_; }
-  const Effort& effort() const { return effort_; }
 
  private:
-  const Model& model_;
-  SheetQueue queue_;
+  void begin_sheet(PathStart& start, int lane) override;
+
   std::vector<FunctionJudge> judges_;  // of lanes
   std::vector<Verdict>* verdicts_ = nullptr;
   std::vector<int> left_;
-  std::vector<double> flat_;
-  Effort effort_;
 };
 
 /// Full paths in close steps: every sample of a sheet goes to a judge, until it has seen enough.
-class JudgingObserver {
+class JudgingObserver final : public QueueObserver {
  public:
   JudgingObserver(const Model& model, int lanes);
-  ~JudgingObserver();
+  ~JudgingObserver() override;
 
   void begin(const SheetBlock& block);
   /// Only these sheets of the block.
   void only(const std::vector<int>& sheets) { queue_.begin_again(sheets); }
-  bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const {
     return model_.bumps() != BumpRule::ignored || model_.criterion().asks_for_stop();
@@ -59,14 +54,12 @@ class JudgingObserver {
   void fall_back();
 
   std::vector<Verdict>& verdicts() { return verdicts_; }
-  const Effort& effort() const { return effort_; }
 
  private:
+  void begin_sheet(PathStart& start, int lane) override;
   /// Whether the loops of this sheet are open at the point found.
   bool is_open(const SheetGeometry<double>& geometry);
 
-  const Model& model_;
-  SheetQueue queue_;
   BetweenSolver between_;
   SolvedBumps bumps_;
   std::vector<CloseJudge> judges_;  // of lanes
@@ -75,7 +68,6 @@ class JudgingObserver {
   std::vector<double> residual_;
   DenseState dense_state_;
   DenseFallback fallback_;
-  Effort effort_;
 };
 
 /// A sheet that is not decided yet, and its state kept for the approach; -1: none can be trusted.

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "solver/continuation/node_follower.hpp"
-#include "solver/linear/held_correction.hpp"
-#include "solver/linear/singular_value.hpp"
 #include "solver/records/record_builder.hpp"
 #include "solver/records/recorder.hpp"
 
@@ -24,18 +22,7 @@ class FunctionRecorder {
         follower_(follower),
         close_follower_(close_follower),
         records_(model, kLanes<T>),
-        placed_(mechanism_),
-        geometry_(lane_geometry<T>(mechanism_)),
-        state_(flat_state<T>(mechanism_)),
-        factors_(model.elimination()),
-        square_factors_(factors_),
-        smallest_(mechanism_.equations),
-        residual_(mechanism_.equations, T(0)),
-        work_(mechanism_.unknowns, T(0)),
-        turn_(work_),
-        lengths_(mechanism_.diagonals.size(), T(0)),
-        slopes_(lengths_),
-        margin_(mechanism_) {}
+        measure_(model) {}
 
   /// Of every sheet of the block; says which are left for the close steps.
   const std::vector<int>& record(const SheetBlock& block) {
@@ -78,46 +65,39 @@ class FunctionRecorder {
 
   // Of as many sheets as there are lanes, or those that are left.
   void solve_wanted(const SheetBlock& block, const std::vector<int>& sheets, std::size_t first) {
-    const auto sheet_of_lane = [&](int i) {
-      return sheets[std::min(first + static_cast<std::size_t>(i), sheets.size() - 1)];
-    };
-    for (int i = 0; i < kLanes<T>; ++i) {
-      put_lane(placed_.of(block, sheet_of_lane(i)), geometry_, i);
-      smallest_.restart(i);
-    }
+    measure_.put(block, sheets, first);
+    for (int i = 0; i < kLanes<T>; ++i) measure_.restart(i);
     const int margins = static_cast<int>(model_.margin_samples().size());
-    if (margins > 0) margin_.begin(geometry_);
+    MiscutMargin<T>& margin = measure_.margin();
+    if (margins > 0) margin.begin(measure_.geometry());
     for (int k = 0; k < records_.wanted_count(); ++k) {
       for (int i = 0; i < kLanes<T>; ++i) {
-        const WantedState& wanted = records_.wanted(sheet_of_lane(i), k);
-        put_lane(wanted.near, state_, i);
-        lane(state_.creases[mechanism_.pilot].c, i) = wanted.pilot.c;
-        lane(state_.creases[mechanism_.pilot].s, i) = wanted.pilot.s;
+        const WantedState& wanted = records_.wanted(measure_.sheet(i), k);
+        put_lane(wanted.near, measure_.state(), i);
+        hold(wanted.pilot, i);
       }
       solve(k - margins);
-      if (k < margins) margin_.see(state_, factors_);
+      if (k < margins) margin.see(measure_.state(), measure_.factors());
       for (int i = 0; i < kLanes<T>; ++i) keep(records_.solved(i, k), i);
     }
     const std::size_t lanes = std::min<std::size_t>(kLanes<T>, sheets.size() - first);
-    find_reversals(sheets.data() + first, static_cast<int>(lanes));
+    find_reversals(static_cast<int>(lanes));
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
-      records_.take(sheet_of_lane(i), i, margins > 0 ? margin_.mm(i) : std::nullopt);
+      records_.take(measure_.sheet(i), i, margins > 0 ? margin.mm(i) : std::nullopt);
     }
   }
 
   // The states of the first reversals again, until they are there; so many lanes have one.
-  void find_reversals(const int* sheets, int lanes) {
+  void find_reversals(int lanes) {
     const int reversal = records_.wanted_count() - 1;
     for (int round = 0; round < kMostReversalRounds; ++round) {
       bool any = false;
       std::array<bool, kLanes<T>> again{};
       for (int i = 0; i < lanes; ++i) {
-        again[i] = records_.wants_again(sheets[i], i);
+        again[i] = records_.wants_again(measure_.sheet(i), i);
         if (!again[i]) continue;
         any = true;
-        const WantedState& wanted = records_.wanted(sheets[i], reversal);
-        lane(state_.creases[mechanism_.pilot].c, i) = wanted.pilot.c;
-        lane(state_.creases[mechanism_.pilot].s, i) = wanted.pilot.s;
+        hold(records_.wanted(measure_.sheet(i), reversal).pilot, i);
       }
       if (!any) return;
       solve(static_cast<int>(Wanted::reversal));
@@ -134,35 +114,26 @@ class FunctionRecorder {
     const bool for_lengths = beside_margin == static_cast<int>(Wanted::before_least_step) ||
                              beside_margin == static_cast<int>(Wanted::after_least_step);
     const bool for_slopes = beside_margin >= static_cast<int>(Wanted::least_slope);
-    correct(true);
-    correct(!for_slopes);
+    measure_.correct(true);
+    measure_.correct(!for_slopes);
     if (beside_margin >= static_cast<int>(Wanted::before_d)) {
-      if (!for_slopes) correct(!for_lengths);
-      correct(!for_lengths);
+      if (!for_slopes) measure_.correct(!for_lengths);
+      measure_.correct(!for_lengths);
     }
-    open_by_ = evaluate(mechanism_, geometry_, state_, residual_.data(), nullptr);
-    factors_.null_vector(-factors_.pilot_coefficient() / factors_.partner_coefficient(), T(1),
-                         work_.data(), turn_.data());
-    folded_lengths_and_slopes(mechanism_, geometry_, state_, turn_.data(), lengths_.data(),
-                              slopes_.data(), residual_.data());
-    if (for_lengths || for_slopes) return;
-    singular_value_ = smallest_.of(square_factors_);
-    model_.shape().place(geometry_, state_, points_);
-    isometry_error_ = model_.shape().isometry_error(geometry_, points_);
+    measure_.find_closure(measure_.geometry());
+    measure_.find_slopes(measure_.geometry());
+    if (!for_lengths && !for_slopes) measure_.find_condition(measure_.geometry());
   }
 
-  void correct(bool new_factors) {
-    correct_held(mechanism_, geometry_, new_factors, factors_, residual_, work_, turn_, state_);
+  void hold(const HalfAngle<double>& pilot, int i) {
+    HalfAngle<T>& held = measure_.state().creases[mechanism_.pilot];
+    lane(held.c, i) = pilot.c;
+    lane(held.s, i) = pilot.s;
   }
 
   void keep(SolvedState& solved, int i) const {
-    solved.open_by = lane(open_by_, i);
-    solved.singular_value = lane(singular_value_, i);
-    solved.isometry_error = lane(isometry_error_, i);
-    for (std::size_t d = 0; d < lengths_.size(); ++d) {
-      solved.lengths[d] = lane(lengths_[d], i);
-      solved.slopes[d] = lane(slopes_[d], i);
-    }
+    solved.quality = measure_.quality(i);
+    measure_.copy_slopes(i, solved.lengths, solved.slopes);
   }
 
   const Model& model_;
@@ -170,16 +141,7 @@ class FunctionRecorder {
   NodeFollower<T>& follower_;
   PathFollower<T>& close_follower_;
   RecordBuilder records_;
-  PlacedSheet placed_;
-  SheetGeometry<T> geometry_;
-  FoldState<T> state_;
-  SparseLu<T> factors_;
-  SquareFactors<T> square_factors_;
-  SmallestSingularValue<T> smallest_;
-  FoldedPoints<T> points_;
-  std::vector<T> residual_, work_, turn_, lengths_, slopes_;
-  T open_by_, singular_value_, isometry_error_;
-  MiscutMargin<T> margin_;
+  StateMeasure<T> measure_;
 };
 
 /// Every path of the block as a function, or where that is not sure in close steps.

@@ -23,9 +23,8 @@ std::size_t index_of(const Station& station, const PathPlan& plan) {
 }  // namespace
 
 HistoryObserver::HistoryObserver(const Model& model, int lanes, const StationVisitor* visit)
-    : model_(model),
+    : QueueObserver(model, lanes),
       visit_(visit),
-      queue_(model, lanes),
       between_(model.mechanism(), model.elimination()),
       bumps_(model.mechanism(), between_),
       point_(model.mechanism()),
@@ -51,20 +50,18 @@ void HistoryObserver::measure_only(const std::vector<int>& sheets) {
   queue_.begin_again(sheets);
 }
 
-bool HistoryObserver::next(PathStart& start, int lane) {
-  if (!queue_.put_next(start, lane)) return false;
-  if (fallback_.under_way() && goes_on(start, lane)) return true;
+void HistoryObserver::begin_sheet(PathStart& start, int lane) {
+  if (fallback_.under_way() && goes_on(start, lane)) return;
   auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   lengths_mm.clear();
   slopes_mm_per_deg.clear();
   angles_deg.clear();
   history = {};
-  history.flat_mm.resize(model_.mechanism().diagonals.size());
-  flat_lengths(model_.mechanism(), *start.geometry, history.flat_mm.data());
-  judge.begin(*start.geometry, history.flat_mm);
+  judge.begin(*start.geometry, flat_);
   if (finds_extremes_) extremes.begin(queue_.geometry_of_lane(lane));
-  for (double& length : history.flat_mm) length *= model_.mechanism().panel_width_mm;
-  return true;
+  for (const double length : flat_) {
+    history.flat_mm.push_back(length * model_.mechanism().panel_width_mm);
+  }
 }
 
 bool HistoryObserver::goes_on(PathStart& start, int lane) {

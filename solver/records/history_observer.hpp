@@ -11,28 +11,21 @@
 #include "solver/model/dense_state.hpp"
 #include "solver/records/history.hpp"
 #include "solver/records/solved_extremes.hpp"
+#include "solver/records/state_measure.hpp"
 
 namespace misalign::solver {
 
-/// How well a station was solved, and can be.
-struct SolveQuality {
-  double open_by;             ///< largest closure entry: radians, panel widths
-  double singular_value_min;  ///< of the square Jacobian
-  double isometry_error;      ///< panel widths
-};
-
 /// Followed by a DenseFallback, it is an observer by itself and takes all but the state from dense
 /// matrices; a follower of lanes is seen by a Recorder, which looks at all lanes together.
-class HistoryObserver {
+class HistoryObserver final : public QueueObserver {
  public:
   /// All must outlive this object.
   HistoryObserver(const Model& model, int lanes, const StationVisitor* visit = nullptr);
-  ~HistoryObserver();
+  ~HistoryObserver() override;
 
   void begin(const SheetBlock& block);
   /// Only these sheets of the block, and their extremes as well.
   void measure_only(const std::vector<int>& sheets);
-  bool next(PathStart& start, int lane);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
   /// point() from its state alone, by dense factors.
@@ -45,7 +38,6 @@ class HistoryObserver {
   void fall_back();
 
   std::vector<FoldingHistory>& histories() { return histories_; }
-  const Effort& effort() const { return effort_; }
 
  private:
   struct Lane {
@@ -66,12 +58,11 @@ class HistoryObserver {
         Lane{CloseJudge(model_, bumps_), SolvedExtremes(model_.mechanism(), between_)});
   }
 
+  void begin_sheet(PathStart& start, int lane) override;
   // A sheet that was not finished takes its lane back, and begins where it was.
   bool goes_on(PathStart& start, int lane);
 
-  const Model& model_;
   const StationVisitor* visit_;
-  SheetQueue queue_;
   BetweenSolver between_;
   SolvedBumps bumps_;
   bool finds_extremes_ = false;
@@ -82,7 +73,6 @@ class HistoryObserver {
   FoldedPoints<double> points_;
   DenseState dense_state_;
   DenseFallback fallback_;
-  Effort effort_;
 };
 
 }  // namespace misalign::solver

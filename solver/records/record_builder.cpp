@@ -22,21 +22,19 @@ constexpr int kShortSegment_samples = 4;
 }  // namespace
 
 RecordBuilder::RecordBuilder(const Model& model, int lanes)
-    : model_(model),
-      queue_(model, lanes),
+    : QueueObserver(model, lanes),
       lanes_(static_cast<std::size_t>(lanes),
              Lane{FunctionJudge(model.mechanism(), model.criterion()),
                   ExtremeFinder(model.mechanism().diagonal_count())}),
       solved_(static_cast<std::size_t>(lanes)),
-      flat_(model.mechanism().diagonals.size()),
       here_(model.mechanism()),
       near_(flat_state<double>(model.mechanism())) {
   for (const Station& station : model.path().stations) {
     if (station.sample > 0) samples_.push_back(&station);
   }
   const std::size_t diagonals = flat_.size();
-  const SolvedState nothing{0, 0, 0, std::vector<double>(diagonals),
-                            std::vector<double>(diagonals)};
+  const SolvedState nothing{
+      {0, 0, 0}, std::vector<double>(diagonals), std::vector<double>(diagonals)};
   for (auto& of_lane : solved_) of_lane.assign(static_cast<std::size_t>(wanted_count()), nothing);
 }
 
@@ -49,9 +47,7 @@ void RecordBuilder::begin(const SheetBlock& block) {
   next_unfinished_ = 0;
 }
 
-bool RecordBuilder::next(PathStart& start, int lane) {
-  if (!queue_.put_next(start, lane)) return false;
-  flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
+void RecordBuilder::begin_sheet(PathStart& start, int lane) {
   Lane& one = lanes_[lane];
   one.judge.begin(*start.plan, flat_);
   one.record = {};
@@ -61,7 +57,6 @@ bool RecordBuilder::next(PathStart& start, int lane) {
   one.fault_seen = false;
   one.least_step = std::numeric_limits<double>::infinity();
   one.finder.begin(flat_);
-  return true;
 }
 
 ObserverResult RecordBuilder::look(const PathFunction& function, int lane) {
@@ -265,7 +260,7 @@ const std::vector<PathRecord>& RecordBuilder::merge(const std::vector<FoldingHis
 // Whether a solved state is the one that the function has there.
 bool RecordBuilder::is_the_same(const PathRecord& record, const WantedState& wanted,
                                 const SolvedState& solved) const {
-  if (!(solved.open_by <= NewtonOptions{}.closure_tolerance)) return false;
+  if (!(solved.quality.open_by <= NewtonOptions{}.closure_tolerance)) return false;
   if (wanted.sample == 0) return true;
   const double* const expected =
       record.lengths.data() + static_cast<std::size_t>(wanted.sample - 1) * flat_.size();
@@ -301,18 +296,18 @@ void RecordBuilder::take(int sheet, int lane, std::optional<double> miscut_margi
   }
   const auto judged = static_cast<std::size_t>(wanted_index(Wanted::least_slope));
   for (std::size_t k = 0; k < judged; ++k) {
-    record.residual_max = std::max(record.residual_max, solved[k].open_by);
-    record.isometry_error = std::max(record.isometry_error, solved[k].isometry_error);
+    record.residual_max = std::max(record.residual_max, solved[k].quality.open_by);
+    record.isometry_error = std::max(record.isometry_error, solved[k].quality.isometry_error);
   }
-  std::vector<double> values = {of(Wanted::first).singular_value,
-                                of(Wanted::second).singular_value};
+  std::vector<double> values = {of(Wanted::first).quality.singular_value_min,
+                                of(Wanted::second).quality.singular_value_min};
   for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
     if (model_.margin_samples()[k] > 2 && model_.margin_samples()[k] < in_order - 1) {
-      values.push_back(solved[k].singular_value);
+      values.push_back(solved[k].quality.singular_value_min);
     }
   }
-  values.push_back(of(Wanted::before_d).singular_value);
-  values.push_back(of(Wanted::at_d).singular_value);
+  values.push_back(of(Wanted::before_d).quality.singular_value_min);
+  values.push_back(of(Wanted::at_d).quality.singular_value_min);
   record.singular_value_min = *std::min_element(values.begin(), values.end());
   made.is_sure = std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
   made.is_sure =

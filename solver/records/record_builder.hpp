@@ -10,6 +10,7 @@
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/model/model.hpp"
 #include "solver/records/found_slopes.hpp"
+#include "solver/records/state_measure.hpp"
 
 namespace misalign::solver {
 
@@ -23,8 +24,8 @@ struct WantedState {
 
 /// What was found there.
 struct SolvedState {
-  double open_by, singular_value, isometry_error;  ///< as in SolveQuality
-  std::vector<double> lengths, slopes;             ///< panel widths, per radian of pilot
+  SolveQuality quality;
+  std::vector<double> lengths, slopes;  ///< panel widths, per radian of pilot
 };
 
 /// Which states of a path are wanted: those of the model's margin_samples, and these, in this
@@ -51,13 +52,12 @@ struct UnfinishedRecord {
   int least_step_sample = 0;
 };
 
-class RecordBuilder {
+class RecordBuilder final : public QueueObserver {
  public:
   RecordBuilder(const Model& model, int lanes);
-  ~RecordBuilder();
+  ~RecordBuilder() override;
 
   void begin(const SheetBlock& block);
-  bool next(PathStart& start, int lane);
   /// `find_state(x, state)` gives a state near the path's at a point of the function.
   template <class FindState>
   ObserverResult see(const PathFunction& function, int lane, const FindState& find_state) {
@@ -102,8 +102,6 @@ class RecordBuilder {
   /// All of the block, those that were left by their histories.
   const std::vector<PathRecord>& merge(const std::vector<FoldingHistory>& left);
 
-  const Effort& effort() const { return effort_; }
-
  private:
   struct Request {
     int index;  // of wanted
@@ -120,6 +118,7 @@ class RecordBuilder {
     bool has_reversed() const { return finder.first_reversal().diagonal >= 0; }
   };
 
+  void begin_sheet(PathStart& start, int lane) override;
   bool is_the_same(const PathRecord& record, const WantedState& wanted,
                    const SolvedState& solved) const;
   std::optional<double> conclude(const PathResult& path, const PathFunction& function,
@@ -141,9 +140,7 @@ class RecordBuilder {
     return lanes_[lane].record.wanted[request.index].near;
   }
 
-  const Model& model_;
   std::vector<const Station*> samples_;  // of the model's path
-  SheetQueue queue_;
   std::vector<Lane> lanes_;
   std::vector<UnfinishedRecord> records_;
   std::vector<PathRecord> merged_;
@@ -158,10 +155,8 @@ class RecordBuilder {
   std::vector<Unfinished> unfinished_;
   std::size_t next_unfinished_ = 0;
   std::vector<Request> requests_;
-  std::vector<double> flat_;
   PathEstimate here_;
   const FoldState<double> near_;  // of the size that a state has
-  Effort effort_;
 };
 
 }  // namespace misalign::solver
