@@ -189,7 +189,7 @@ void StressReader::place_nodes() {
     const Eigen::Vector2d flat0 = sheet_.flat_mm.col(corners[0]);
     node.flat_mm = flat0 + shares[0] * (sheet_.flat_mm.col(corners[1]) - flat0) +
                    shares[1] * (sheet_.flat_mm.col(corners[3]) - flat0);
-    node.outside = std::all_of(corners.begin(), corners.end(), [&](int v) {
+    node.outside = std::all_of(corners.begin(), corners.end(), [&, &node = node](int v) {
       return (sheet_.flat_mm.col(v) - node.flat_mm).norm() > options_.disc_mm;
     });
   }

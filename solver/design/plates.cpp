@@ -34,7 +34,7 @@ std::vector<PanelMass> panel_masses(const Plates& plates,
                                     const FlatVertices& vertices_mm) {
   std::vector<PanelMass> masses;
   for (const auto& [a, b, c, d] : panels) {
-    const auto half = [&](int second, int third) {
+    const auto half = [&, a = a](int second, int third) {
       return triangle(plates.area_density(),
                       {Vector2d(vertices_mm.col(a)), Vector2d(vertices_mm.col(second)),
                        Vector2d(vertices_mm.col(third))});

@@ -84,7 +84,8 @@ ShapedPath record_shapes(const Model& model, const FlatVertices& vertices_mm) {
   FoldedPoints<double> points;
   std::vector<Twist<double>> twists;
   ShapedPath path;
-  const StationVisitor keep_shape = [&](const Station&, const PathPoint& point) {
+  const StationVisitor keep_shape = [&, from = from, to = to](const Station&,
+                                                              const PathPoint& point) {
     model.shape().place(geometry, point.state, points);
     model.shape().move(geometry, points, point.rates.data(), twists);
     path.span_slope_mm_per_deg.push_back(per_deg *
