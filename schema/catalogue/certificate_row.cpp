@@ -11,7 +11,7 @@
 #include "schema/files/base64.hpp"
 #include "schema/files/hash.hpp"
 #include "solver/design/contact_finder.hpp"
-#include "solver/design/fold_lines.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::schema {
 namespace {

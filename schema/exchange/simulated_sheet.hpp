@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "schema/campaign/pattern_file.hpp"
-#include "solver/design/fold_lines.hpp"
 #include "solver/design/plates.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::schema {
 

@@ -9,8 +9,8 @@
 #include "schema/exchange/contact_json.hpp"
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/crossing_check.hpp"
-#include "solver/design/fold_lines.hpp"
 #include "solver/records/history.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::search {
 

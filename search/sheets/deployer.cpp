@@ -8,8 +8,8 @@
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
-#include "solver/design/fold_lines.hpp"
 #include "solver/records/path_record.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::search {
 namespace {

@@ -4,7 +4,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/models.hpp"
 #include "solver/design/actuators.hpp"
-#include "solver/design/fold_lines.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::search {
 

@@ -15,7 +15,7 @@
 
 #include "solver/certificate/certificate.hpp"
 #include "solver/certificate/witness_polynomial.hpp"
-#include "solver/design/fold_lines.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

@@ -13,7 +13,7 @@
 
 #include "solver/certificate/path_tube.hpp"
 #include "solver/certificate/polynomial.hpp"
-#include "solver/design/fold_lines.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "solver/design/actuators.hpp"
-#include "solver/design/folding_way.hpp"
 #include "solver/design/plates.hpp"
+#include "solver/sheet/folding_way.hpp"
 
 namespace misalign::solver {
 

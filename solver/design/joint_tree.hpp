@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solver/design/fold_lines.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

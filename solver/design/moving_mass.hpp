@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "solver/design/fold_lines.hpp"
-#include "solver/design/folding_way.hpp"
 #include "solver/design/plates.hpp"
+#include "solver/sheet/folding_way.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "solver/design/fold_lines.hpp"
-#include "solver/design/folding_way.hpp"
 #include "solver/design/panel_distance.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 #include "solver/linear/sparse_lu.hpp"
+#include "solver/sheet/folding_way.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::solver {
 

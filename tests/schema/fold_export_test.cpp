@@ -10,8 +10,8 @@
 
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/exchange/drawing.hpp"
-#include "solver/design/fold_lines.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "solver/sheet/panels.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -1,6 +1,6 @@
 // The way of a folding path as functions of one coordinate, and what follows from it, against
 // vertex coordinates and other solvers.
-#include "solver/design/folding_way.hpp"
+#include "solver/sheet/folding_way.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include "solver/continuation/node_follower.hpp"
 #include "solver/continuation/path_follower.hpp"
-#include "solver/design/folding_way.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/linear/held_correction.hpp"
+#include "solver/sheet/folding_way.hpp"
 
 namespace misalign::solver {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/design/folding_way.hpp"
+#include "solver/sheet/folding_way.hpp"
 
 #include <algorithm>
 #include <cassert>

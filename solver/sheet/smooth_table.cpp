@@ -1,4 +1,4 @@
-#include "solver/design/smooth_table.hpp"
+#include "solver/sheet/smooth_table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 
-#include "solver/design/smooth_table.hpp"
 #include "solver/model/model.hpp"
+#include "solver/sheet/smooth_table.hpp"
 
 namespace misalign::solver {
 

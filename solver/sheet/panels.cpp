@@ -1,4 +1,4 @@
-#include "solver/design/fold_lines.hpp"
+#include "solver/sheet/panels.hpp"
 
 #include "solver/linear/newton.hpp"
 #include "solver/pattern/outline.hpp"
