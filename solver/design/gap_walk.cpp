@@ -19,34 +19,36 @@ double first_root(double f, double b, double a) {
 
 }  // namespace
 
-GapWalk::Segment GapWalk::segment(int index) const {
+const PolygonCorners& GapWalk::rates(int node) const {
+  const auto slot = static_cast<std::size_t>(node & 3);
+  if (nodes_[slot] != node) find_rates(node, rates_[slot]);
+  nodes_[slot] = node;
+  return rates_[slot];
+}
+
+const GapWalk::Segment& GapWalk::segment(int index) const {
+  if (index == segment_index_) return segment_;
+  segment_index_ = index;
+  auto& [from, to, error] = segment_;
   const int last = motion_.nodes() - 1;
-  Segment segment;
-  find_rates(index - 1, segment.from);
-  PolygonCorners before, beyond;
-  find_rates(index - 2, before);
   const bool is_behind_all = index > last;
-  if (is_behind_all) {
-    find_rates(index - 3, beyond);
-    segment.to = 2 * segment.from - before;
-  } else {
-    find_rates(index, segment.to);
-    if (index < last) find_rates(index + 1, beyond);
-  }
-  for (Index k = 0; k < segment.from.cols(); ++k) {
+  from = rates(index - 1);
+  const PolygonCorners& before = rates(index - 2);
+  const PolygonCorners& beyond = rates(is_behind_all ? index - 3 : std::min(index + 1, last));
+  to = is_behind_all ? PolygonCorners(2 * from - before) : rates(index);
+  for (Index k = 0; k < from.cols(); ++k) {
     double curved = 0;
     if (is_behind_all) {  // half a step beyond two nodes that the line goes through: three eighths
-      curved = 3 * (segment.from.col(k) - 2 * before.col(k) + beyond.col(k)).norm();
+      curved = 3 * (from.col(k) - 2 * before.col(k) + beyond.col(k)).norm();
     } else {
-      curved = (segment.to.col(k) - 2 * segment.from.col(k) + before.col(k)).norm();
+      curved = (to.col(k) - 2 * from.col(k) + before.col(k)).norm();
       if (index < last) {
-        curved =
-            std::max(curved, (beyond.col(k) - 2 * segment.to.col(k) + segment.from.col(k)).norm());
+        curved = std::max(curved, (beyond.col(k) - 2 * to.col(k) + from.col(k)).norm());
       }
     }
-    segment.error(k) = curved / 8;
+    error(k) = curved / 8;
   }
-  return segment;
+  return segment_;
 }
 
 double GapWalk::certain_until(double level_mm, double end) const {
@@ -56,7 +58,7 @@ double GapWalk::certain_until(double level_mm, double end) const {
   double from = place - index;
   auto gaps_mm = gaps_mm_;
   for (;; ++index, from = 0) {
-    const Segment rates = segment(index);
+    const Segment& rates = segment(index);
     double until = 1;
     for (Index k = 0; k < gaps_mm.cols(); ++k) {
       const double error_mm = kRateSafety * rates.error(k) + kRateError * motion_.panel_width_mm();
@@ -82,6 +84,16 @@ double PolygonWalk::look(double x) {
   direction_ = separation_.direction;
   gaps_mm_ = (direction_.transpose() * seen).array() - (direction_.transpose() * of_a_).maxCoeff();
   return gaps_mm_.minCoeff();
+}
+
+double PolygonWalk::least_mm(double x) const {
+  constexpr double kRounding_mm = 1e-6;
+  const Vector3d at_a = of_a_.rowwise().mean(), at_b = of_b_.rowwise().mean();
+  const auto radius_mm = [](const PolygonCorners& polygon, const Vector3d& centre) {
+    return std::sqrt((polygon.colwise() - centre).colwise().squaredNorm().maxCoeff());
+  };
+  const Vector3d seen = seen_from(motion_.pose(x, a_), motion_.pose(x, b_), at_b);
+  return (seen - at_a).norm() - radius_mm(of_a_, at_a) - radius_mm(of_b_, at_b) - kRounding_mm;
 }
 
 void PolygonWalk::find_rates(int node, PolygonCorners& rates) const {

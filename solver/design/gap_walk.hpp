@@ -8,6 +8,9 @@
 // first root. From there one looks again.
 #pragma once
 
+#include <array>
+#include <limits>
+
 #include "solver/design/panel_motion.hpp"
 
 namespace misalign::solver {
@@ -39,12 +42,23 @@ class GapWalk {
     PolygonCorners from, to;
     Eigen::Array<double, 1, 8> error;
   };
-  Segment segment(int index) const;
+  const Segment& segment(int index) const;
 
   const PanelMotion& motion_;
   double x_ = 0;
   Eigen::Vector3d direction_ = Eigen::Vector3d::UnitZ();
   Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 8> gaps_mm_;  // of the corners
+
+ private:
+  const PolygonCorners& rates(int node) const;
+
+  static constexpr int kNone = std::numeric_limits<int>::min();
+  // Of the last segment that was asked for, and of the nodes round it: the next one needs three of
+  // the same four.
+  mutable std::array<int, 4> nodes_{kNone, kNone, kNone, kNone};
+  mutable std::array<PolygonCorners, 4> rates_;
+  mutable int segment_index_ = kNone;
+  mutable Segment segment_;
 };
 
 /// Between a polygon of one panel and one of another, or a segment of it.
@@ -54,6 +68,8 @@ class PolygonWalk : public GapWalk {
       : GapWalk(motion), a_(a), b_(b), of_a_(std::move(of_a)), of_b_(std::move(of_b)) {}
 
   double look(double x) override;
+  /// Not more than the gap at x is, by spheres round both.
+  double least_mm(double x) const;
   /// As last looked at, in flat coordinates of panel a.
   const Separation& separation() const { return separation_; }
   int a() const { return a_; }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 
 #include "solver/linear/held_correction.hpp"
 
@@ -67,6 +68,7 @@ PanelMotion::PanelMotion(const Model& model, const FoldingWay& way, const Panels
     }
     corners_mm_.push_back(polygon);
   }
+  found_.assign(corners_mm_.size(), {-1, {}});
   look_at_stations();
 }
 
@@ -136,12 +138,17 @@ double PanelMotion::resolved_part() const {
 }
 
 PanelPose PanelMotion::pose(double x, int panel) const {
+  assert(x >= 0 && panel >= 0 && panel < panels());
   if (x > smooth_until_) {
     solve(x);
     return solved_[static_cast<std::size_t>(panel)];
   }
-  poses_.front().find(x, kPerPose * panel, kPerPose, values_, slopes_);
-  return {Eigen::Map<const Matrix3d>(values_.data()), values_.tail<3>()};
+  FoundPose& found = found_[static_cast<std::size_t>(panel)];
+  if (x != found.x) {
+    poses_.front().find(x, kPerPose * panel, kPerPose, values_, slopes_);
+    found = {x, {Eigen::Map<const Matrix3d>(values_.data()), values_.tail<3>()}};
+  }
+  return found.pose;
 }
 
 double PanelMotion::crease_rad(double x, int crease) const {
@@ -150,8 +157,9 @@ double PanelMotion::crease_rad(double x, int crease) const {
     const HalfAngle<double>& rho = state_.creases[static_cast<std::size_t>(crease)];
     return 2 * std::atan2(rho.s, rho.c);
   }
-  way_.find_creases(x, values_, slopes_);
-  return values_(crease);
+  if (x != creases_at_) way_.find_creases(x, creases_rad_, slopes_);
+  creases_at_ = x;
+  return creases_rad_(crease);
 }
 
 void PanelMotion::place(const FoldState<double>& state, std::vector<PanelPose>& poses) const {
@@ -202,15 +210,6 @@ const PanelMotion* ResolvedWay::follow(const FlatVertices& vertices_mm) {
     if (motion_->resolved_until() >= way_->end()) break;
   }
   return &*motion_;
-}
-
-Vector3d seen_from(const PanelPose& a, const PanelPose& b, const Vector3d& point) {
-  return a.rotation.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm);
-}
-
-Vector3d rate_seen_from(const MovingPose& a, const MovingPose& b, const Vector3d& point) {
-  return a.rotation_rate.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm) +
-         a.rotation.transpose() * (b.rotation_rate * point + b.shift_rate_mm - a.shift_rate_mm);
 }
 
 }  // namespace misalign::solver

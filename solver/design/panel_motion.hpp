@@ -82,6 +82,14 @@ class PanelMotion {
   mutable std::vector<PanelPose> solved_;
   mutable SparseLu<double> lu_;
   mutable std::vector<double> residual_, work_, turn_;
+  // By the polynomials: of each panel and of all creases the last that was looked up, and where.
+  struct FoundPose {
+    double x;
+    PanelPose pose;
+  };
+  mutable std::vector<FoundPose> found_;
+  mutable double creases_at_ = -1;
+  mutable Eigen::VectorXd creases_rad_;
   mutable Eigen::VectorXd values_, slopes_;
 };
 
@@ -113,8 +121,14 @@ class ResolvedWay {
 };
 
 /// A point of panel b, flat coordinates, seen from panel a; and how fast it moves.
-Eigen::Vector3d seen_from(const PanelPose& a, const PanelPose& b, const Eigen::Vector3d& point);
-Eigen::Vector3d rate_seen_from(const MovingPose& a, const MovingPose& b,
-                               const Eigen::Vector3d& point);
+inline Eigen::Vector3d seen_from(const PanelPose& a, const PanelPose& b,
+                                 const Eigen::Vector3d& point) {
+  return a.rotation.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm);
+}
+inline Eigen::Vector3d rate_seen_from(const MovingPose& a, const MovingPose& b,
+                                      const Eigen::Vector3d& point) {
+  return a.rotation_rate.transpose() * (b.rotation * point + b.shift_mm - a.shift_mm) +
+         a.rotation.transpose() * (b.rotation_rate * point + b.shift_rate_mm - a.shift_rate_mm);
+}
 
 }  // namespace misalign::solver

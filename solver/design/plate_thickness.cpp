@@ -188,6 +188,7 @@ PlateThickness largest_thickness(const Panels& panels, const PanelMotion& motion
   for (int k = 1; k <= kGuesses; ++k) {
     const double x = end * k / kGuesses;
     for (auto& [walk, pair] : walks) {
+      if (walk.least_mm(x) >= least_mm) continue;
       const double gap_mm = walk.look(x);
       if (gap_mm >= least_mm) continue;
       least_mm = std::max(gap_mm, 0.0);
