@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/design/plate_thickness.hpp"
+#include "solver/design/studied.hpp"
 
 namespace misalign::solver {
 
@@ -14,6 +15,10 @@ namespace misalign::solver {
 inline constexpr double kTrimPart = 1.0 / 16;
 /// Clearances are shown at multiples of this pilot angle.
 inline constexpr double kClearanceStep_deg = 1;
+
+struct ContactOptions {
+  std::optional<double> trim_mm;  ///< of corners; none: kTrimPart of the panel width
+};
 
 struct ContactStudy {
   double deploys_from_deg = 0, end_deg = 0;
@@ -25,5 +30,8 @@ struct ContactStudy {
   std::vector<Clearance> clearances;        ///< at these
   std::optional<PlateThickness> thickness;  ///< none where the sheet deploys from nothing
 };
+
+/// Faults: trim_mm leaves nothing of an edge.
+Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options = {});
 
 }  // namespace misalign::solver

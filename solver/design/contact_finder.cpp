@@ -76,9 +76,8 @@ std::vector<PanelPair> pairs_of(const Panels& panels) {
   return pairs;
 }
 
-ContactFinder::ContactFinder(const Panels& panels, const PanelMotion& motion,
-                             const ContactOptions& options)
-    : panels_(panels), motion_(motion), options_(options), pairs_(pairs_of(panels)) {}
+ContactFinder::ContactFinder(const Panels& panels, const PanelMotion& motion, double touch_mm)
+    : panels_(panels), motion_(motion), touch_mm_(touch_mm), pairs_(pairs_of(panels)) {}
 
 std::unique_ptr<GapWalk> ContactFinder::walk_of(const PanelPair& pair) const {
   if (pair.kind == ContactKind::crease) return std::make_unique<CreaseWalk>(motion_, pair.joint);
@@ -101,7 +100,7 @@ std::optional<Contact> ContactFinder::first(double end) const {
   std::optional<Contact> first;
   for (const PanelPair& pair : pairs_) {
     const std::unique_ptr<GapWalk> walk = walk_of(pair);
-    const double x = first_touch(*walk, options_.touch_mm, first ? first->x : end);
+    const double x = first_touch(*walk, touch_mm_, first ? first->x : end);
     if (x == kNever || (first && x >= first->x)) continue;
     const auto* polygons = dynamic_cast<const PolygonWalk*>(walk.get());
     first = contact_of(pair, polygons ? polygons->separation() : Separation{}, x);

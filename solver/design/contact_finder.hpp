@@ -25,10 +25,8 @@ struct PanelPair {
 /// Every two panels, each with what they have in common.
 std::vector<PanelPair> pairs_of(const Panels& panels);
 
-struct ContactOptions {
-  /// Panels this close touch. Above what the shapes are off by (results/deployment/contact.md).
-  double touch_mm = 1e-6;
-};
+/// Panels this close touch. Above what the shapes are off by (results/deployment/contact.md).
+inline constexpr double kTouch_mm = 1e-6;
 
 struct Contact {
   PanelPair pair;
@@ -49,8 +47,7 @@ struct Clearance {
 class ContactFinder {
  public:
   /// The sheet must outlive this object.
-  ContactFinder(const Panels& panels, const PanelMotion& motion,
-                const ContactOptions& options = {});
+  ContactFinder(const Panels& panels, const PanelMotion& motion, double touch_mm = kTouch_mm);
 
   /// The first contact up to `end` (x), which lies where the motion is resolved: before it no
   /// panels meet, for certain, as GapWalk bounds it. Those that come within touch_mm without
@@ -66,7 +63,7 @@ class ContactFinder {
 
   const Panels& panels_;
   const PanelMotion& motion_;
-  const ContactOptions options_;
+  const double touch_mm_;
   const std::vector<PanelPair> pairs_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generated/features.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -11,6 +13,34 @@ std::vector<double> wells_of(const std::vector<Equilibrium>& equilibria) {
     if (at.is_well) wells_x.push_back(at.x);
   }
   return wells_x;
+}
+
+// Of the angles that must lie on the way: the first that does not.
+std::optional<OptionFault> angle_fault(const Sheet& sheet, const DeployOptions& options) {
+  const FoldingWay& way = *sheet.way();
+  double end_deg = way.end_deg();
+  std::string reason =
+      way.ends_at_limit() ? "reaches its fold limit" : "is followed no farther than";
+  if (const auto over_deg = way.over_folded_deg(); over_deg && *over_deg < end_deg) {
+    end_deg = *over_deg;
+    reason = "has a crease folded to 180 deg";
+  }
+  std::optional<OptionFault> fault;
+  const auto check = [&](const char* name, const std::string& before, double angle_deg) {
+    if (fault || angle_deg < end_deg) return;
+    fault = {name, before + shown("%g", angle_deg),
+             sheet.name() + " " + reason + " at " + shown("%.4f", end_deg) + " deg",
+             "name a smaller angle"};
+  };
+  const Springs& springs = options.sheet.springs;
+  check("from_deg", "", options.motion.from_deg);
+  check("rest_deg", "", springs.rest_deg);
+  check("hinge_rest_deg", "", options.sheet.joints.rest_deg);
+  for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
+    const Diagonal& at = sheet.mechanism().diagonals[static_cast<std::size_t>(diagonal)];
+    check("rest", line_label(at.from, at.to) + "= ", rest_deg);
+  }
+  return fault;
 }
 
 }  // namespace
@@ -85,6 +115,25 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
     (arrives(middle) ? arriving : held) = middle;
   }
   return arriving;
+}
+
+Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
+  if constexpr (!has("SUNDIALS")) return {};
+  const FoldingWay* const way = sheet.way();
+  if (!way) return {};
+  DeployOptions from = options;
+  from.motion.from_deg = options.from_deg.value_or(kDeployFrom_deg);
+  if (!options.from_deg && sheet.deploys_from_deg() > 0) {
+    from.motion.from_deg = std::min(from.motion.from_deg, sheet.deploys_from_deg());
+  }
+  if (auto fault = angle_fault(sheet, from)) return *fault;
+  DeploymentStudy study =
+      study_deployment(*way, sheet.model(), options.sheet, from.motion, options.forces);
+  if (options.sheet.joints.damping_n_mm_s_per_mm > 0) {
+    study.friction.critical_n_mm_per_mm =
+        critical_friction_in_motion(*way, sheet.model(), options.sheet, from.motion);
+  }
+  return study;
 }
 
 }  // namespace misalign::solver

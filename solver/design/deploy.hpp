@@ -5,8 +5,19 @@
 #include "solver/design/deployment.hpp"
 #include "solver/design/equilibria.hpp"
 #include "solver/design/joint_forces.hpp"
+#include "solver/design/studied.hpp"
 
 namespace misalign::solver {
+
+/// Where a sheet is let go if nothing else is said: the paper's "20 % folded".
+inline constexpr double kDeployFrom_deg = 36;
+
+struct DeployOptions {
+  std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less
+  DeployingSheetOptions sheet;
+  DeploymentOptions motion;                  ///< but for its start
+  std::optional<JointForcesOptions> forces;  ///< none: they are not found
+};
 
 struct DeploymentStudy {
   DeployingSheetOptions sheet;
@@ -41,5 +52,10 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
                                                   const DeployingSheetOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative = 1e-4);
+
+/// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
+/// not lie on its way. With damping the critical friction is the one in motion. Nothing also where
+/// this build is without SUNDIALS.
+Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options = {});
 
 }  // namespace misalign::solver

@@ -212,4 +212,16 @@ const PanelMotion* ResolvedWay::follow(const FlatVertices& vertices_mm) {
   return &*motion_;
 }
 
+std::optional<PanelMotion> resolved_motion(const Sheet& sheet) {
+  std::optional<PanelMotion> motion;
+  for (int stations = kFewestMotionStations; stations <= kMostMotionStations; stations *= 2) {
+    motion.reset();
+    const FoldingWay* const way = sheet.way(stations);
+    if (!way) break;
+    motion.emplace(sheet.model(), *way, sheet.panels());
+    if (motion->resolved_until() >= way->end()) break;
+  }
+  return motion;
+}
+
 }  // namespace misalign::solver

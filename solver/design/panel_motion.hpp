@@ -8,8 +8,7 @@
 #include "solver/design/panel_distance.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 #include "solver/linear/sparse_lu.hpp"
-#include "solver/sheet/folding_way.hpp"
-#include "solver/sheet/panels.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 
@@ -119,6 +118,14 @@ class ResolvedWay {
   std::optional<FoldingWay> way_;
   std::optional<PanelMotion> motion_;
 };
+
+/// How few stations are enough for the motion of most sheets' panels, and how many are tried.
+inline constexpr int kFewestMotionStations = 120, kMostMotionStations = 960;
+
+/// Along a way with as many stations as the motion needs: kFewestMotionStations, twice as many, and
+/// so on up to kMostMotionStations, where it may still not be resolved to the end. Nothing where
+/// the path is lost. `sheet` must outlive it.
+std::optional<PanelMotion> resolved_motion(const Sheet& sheet);
 
 /// A point of panel b, flat coordinates, seen from panel a; and how fast it moves.
 inline Eigen::Vector3d seen_from(const PanelPose& a, const PanelPose& b,

@@ -46,19 +46,6 @@ Eigen::Index ShapedPath::rows_up_to_d() const {
   return rows;
 }
 
-Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history,
-                              double band_deg) {
-  const Eigen::MatrixXd& angle_deg = history.fold_angle_deg;
-  for (Eigen::Index row = 0; row < angle_deg.rows(); ++row) {
-    for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
-      const double angle = angle_deg(row, static_cast<Eigen::Index>(i));
-      const bool valley = mechanism.is_valley(mechanism.creases[i]);
-      if ((angle > 0) != valley || std::abs(angle) > 180 + band_deg) return row;
-    }
-  }
-  return angle_deg.rows();
-}
-
 Eigen::Index rows_shown(const Mechanism& mechanism, const ShapedPath& path) {
   const Eigen::Index up_to_d = path.rows_up_to_d();
   return up_to_d > 0 ? up_to_d : rows_folded_well(mechanism, path.history, kShownOverFold_deg);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/records/history.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 
@@ -17,11 +17,6 @@ struct ShapedPath {
   /// How many rows of the history lie up to D: the flat sheet not among them.
   Eigen::Index rows_up_to_d() const;
 };
-
-/// How many rows from the first on have every crease on its side, and none folded past 180 degrees
-/// by more than the band: what can be shown of a sheet that deploys from nothing.
-Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history,
-                              double band_deg = kOverFoldBand_deg);
 
 /// How many rows are shown of a path: those up to D, or of a sheet that deploys from nothing those
 /// that are folded well, but for the rounding of angles near 180 degrees.

@@ -94,10 +94,12 @@ class FoldingWay {
   mutable Eigen::VectorXd quaternions_, quaternion_rates_;
 };
 
+/// With these the polynomials between the stations are off by 1e-11 panel widths or radians at most
+/// (tests/solver/folding_way_test.cpp).
+inline constexpr int kWayStations = 60;
+
 struct FoldingWayOptions {
-  /// With 60 the polynomials between the stations are off by 1e-11 panel widths or radians at most
-  /// (tests/solver/folding_way_test.cpp).
-  int stations = 60;
+  int stations = kWayStations;
 };
 
 /// Finds where paths end by following them as functions (NodeFollower), then solves them at

@@ -1,11 +1,9 @@
-#include <algorithm>
+#include "solver/sheet/way_solver.hpp"
+
 #include <cmath>
 
-#include "solver/continuation/node_follower.hpp"
-#include "solver/continuation/path_follower.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/linear/held_correction.hpp"
-#include "solver/sheet/folding_way.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -27,57 +25,52 @@ FoldState<double> in_proportion(const FoldState<double>& state, double share) {
   return other;
 }
 
-// Where one sheet's path ends, and a state of it near flat, from either follower.
-class PathEndFinder {
+// From either follower.
+class PathOutliner {
  public:
-  PathEndFinder(const Model& model, const FlatVertices& vertices_mm)
-      : queue_(model, 1), sheet_(vertices_mm), near_(flat_state<double>(model.mechanism())) {}
+  PathOutliner(const Model& model, const FlatVertices& vertices_mm, NodeFollower<double>& follower,
+               PathFollower<double>& close_follower)
+      : queue_(model, 1),
+        sheet_(vertices_mm),
+        follower_(follower),
+        close_follower_(close_follower),
+        outline_{{}, flat_state<double>(model.mechanism()), 0} {}
 
-  void find(NodeFollower<double>& follower, PathFollower<double>& close_follower) {
-    node_follower_ = &follower;
+  PathOutline find() {
     queue_.begin(sheet_);
-    follower.run(*this);
-    if (!path_.lost()) return;
-    node_follower_ = nullptr;
-    close_follower_ = &close_follower;
-    near_deg_ = 0;
+    follower_.run(*this);
+    if (!outline_.path.lost()) return outline_;
+    outline_.near_deg = 0;
     queue_.begin(sheet_);
-    close_follower.run(*this);
+    close_follower_.run(*this);
+    return outline_;
   }
-  /// Whether there is a state near flat; and one in proportion to it.
-  bool has_near() const { return near_deg_ > 0; }
-  FoldState<double> near(double pilot_deg) const {
-    return in_proportion(near_, pilot_deg / near_deg_);
-  }
-  const PathResult& path() const { return path_; }
 
   // For the followers.
   bool next(PathStart& start, int lane) { return queue_.put_next(start, lane); }
   ObserverResult see(const PathFunction& function, int lane) {
-    if (!has_near() && function.pilot(function.end()) > kFirst_deg * kRadPerDeg) {
-      node_follower_->find_state(function.locate(kFirst_deg * kRadPerDeg), lane, near_);
-      near_deg_ = kFirst_deg;
+    if (!outline_.has_near() && function.pilot(function.end()) > kFirst_deg * kRadPerDeg) {
+      follower_.find_state(function.locate(kFirst_deg * kRadPerDeg), lane, outline_.near);
+      outline_.near_deg = kFirst_deg;
     }
     return ObserverResult::go_on;
   }
   bool see(const Station& station, int) {
-    if (has_near()) return true;
-    near_ = close_follower_->state();
-    near_deg_ = station.pilot_deg;
+    if (outline_.has_near()) return true;
+    outline_.near = close_follower_.state();
+    outline_.near_deg = station.pilot_deg;
     return true;
   }
   void ended(PathResult path, int lane) {
-    if (queue_.has_ended(path, lane)) path_ = path;
+    if (queue_.has_ended(path, lane)) outline_.path = path;
   }
 
  private:
   SheetQueue queue_;
   const SheetBlock sheet_;
-  const NodeFollower<double>* node_follower_ = nullptr;
-  const PathFollower<double>* close_follower_ = nullptr;
-  FoldState<double> near_;
-  double near_deg_ = 0;
-  PathResult path_{};
+  NodeFollower<double>& follower_;
+  PathFollower<double>& close_follower_;
+  PathOutline outline_;
 };
 
 // The states of one path at a plan's stations, closed once more, and their rates.
@@ -124,6 +117,42 @@ class StationKeeper {
 
 }  // namespace
 
+PathOutline outline_path(const Model& model, const FlatVertices& vertices_mm,
+                         NodeFollower<double>& follower, PathFollower<double>& close_follower) {
+  return PathOutliner(model, vertices_mm, follower, close_follower).find();
+}
+
+std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vertices_mm,
+                                    const PathOutline& outline, int station_count,
+                                    PathFollower<double>& close_follower) {
+  if (!outline.has_near()) return {};
+  const double end_rad = outline.path.fold_limit_deg * kRadPerDeg;
+  const WayCoordinate coordinate{outline.path.end == PathEnd::fold_limit ? end_rad : 0};
+  const double end = coordinate.x_of(end_rad), step = end / station_count;
+
+  SheetGeometry<double> geometry;
+  place(model.mechanism(), vertices_mm, geometry);
+  PathPlan plan;
+  for (int k = 0; k < station_count; ++k) {
+    const double pilot_deg = coordinate.pilot_rad((k + 0.5) * step) / kRadPerDeg;
+    plan.stations.push_back({pilot_deg, half_angle_of_deg(pilot_deg), 0, true});
+  }
+  const FoldState<double> near =
+      in_proportion(outline.near, plan.stations.front().pilot_deg / outline.near_deg);
+  std::vector<WayStation> stations =
+      StationKeeper(model, {&geometry, &near, &plan}, close_follower).keep();
+  const std::size_t solved = stations.size();
+  if (2 * solved < plan.stations.size() || solved < SmoothTable::kPoints) return {};
+  for (std::size_t k = 0; k < solved; ++k) {
+    const double rate = coordinate.pilot_rate((static_cast<double>(k) + 0.5) * step);
+    for (double& of_unknown : stations[k].rates) of_unknown *= rate;
+  }
+  const bool is_whole = solved == plan.stations.size() && !outline.path.lost();
+  const double last = (static_cast<double>(solved) - 0.5) * step;
+  return FoldingWay(model.mechanism(), vertices_mm, coordinate, step, is_whole ? end : last,
+                    std::move(stations));
+}
+
 struct WaySolver::Workspace {
   explicit Workspace(const Model& model)
       : nodes(model.mechanism(), model.elimination()),
@@ -138,34 +167,9 @@ WaySolver::WaySolver(const Model& model, const FoldingWayOptions& options)
 WaySolver::~WaySolver() = default;
 
 std::optional<FoldingWay> WaySolver::follow(const FlatVertices& vertices_mm) {
-  const Mechanism& mechanism = model_.mechanism();
-  PathEndFinder ahead(model_, vertices_mm);
-  ahead.find(workspace_->nodes, workspace_->closely);
-  if (!ahead.has_near()) return {};
-  const double end_rad = ahead.path().fold_limit_deg * kRadPerDeg;
-  const WayCoordinate coordinate{ahead.path().end == PathEnd::fold_limit ? end_rad : 0};
-  const double end = coordinate.x_of(end_rad), step = end / options_.stations;
-
-  SheetGeometry<double> geometry;
-  place(mechanism, vertices_mm, geometry);
-  PathPlan plan;
-  for (int k = 0; k < options_.stations; ++k) {
-    const double pilot_deg = coordinate.pilot_rad((k + 0.5) * step) / kRadPerDeg;
-    plan.stations.push_back({pilot_deg, half_angle_of_deg(pilot_deg), 0, true});
-  }
-  const FoldState<double> near = ahead.near(plan.stations.front().pilot_deg);
-  std::vector<WayStation> stations =
-      StationKeeper(model_, {&geometry, &near, &plan}, workspace_->closely).keep();
-  const std::size_t solved = stations.size();
-  if (2 * solved < plan.stations.size() || solved < SmoothTable::kPoints) return {};
-  for (std::size_t k = 0; k < solved; ++k) {
-    const double rate = coordinate.pilot_rate((static_cast<double>(k) + 0.5) * step);
-    for (double& of_unknown : stations[k].rates) of_unknown *= rate;
-  }
-  const bool is_whole = solved == plan.stations.size() && !ahead.path().lost();
-  const double last = (static_cast<double>(solved) - 0.5) * step;
-  return FoldingWay(mechanism, vertices_mm, coordinate, step, is_whole ? end : last,
-                    std::move(stations));
+  auto& [nodes, closely] = *workspace_;
+  const PathOutline outline = outline_path(model_, vertices_mm, nodes, closely);
+  return solve_way(model_, vertices_mm, outline, options_.stations, closely);
 }
 
 }  // namespace misalign::solver

@@ -109,7 +109,7 @@ class Studies {
     ResolvedWay ways(model_, panels_);
     const PanelMotion* const motion = ways.follow(vertices_mm_);
     ASSERT_TRUE(motion);
-    const ContactFinder finder(panels_, *motion, {ContactOptions{}.touch_mm * unit_});
+    const ContactFinder finder(panels_, *motion, kTouch_mm * unit_);
     const auto first = finder.first(motion->resolved_until());
     put("contact", first ? first->pilot_deg : -1);
     if (first && first->pair.kind == ContactKind::apart) {

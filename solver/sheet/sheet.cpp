@@ -1,0 +1,220 @@
+#include "solver/sheet/sheet.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "solver/records/function_recorder.hpp"
+#include "solver/sheet/way_solver.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+
+// Where all is folded flat the equations are singular, and angles known to the root of the closure
+// tolerance: 6e-5 degrees.
+constexpr double kShownOverFold_deg = 1e-3;
+
+Eigen::Matrix3Xd laid_over(const Eigen::Matrix3Xd& shape_mm, const FlatVertices& flat_mm) {
+  Eigen::Matrix3Xd place_mm = Eigen::Matrix3Xd::Zero(3, flat_mm.cols());
+  place_mm.topRows<2>() = flat_mm;
+  const Eigen::Isometry3d moved(Eigen::umeyama(shape_mm, place_mm, false));
+  return moved * shape_mm;
+}
+
+// The first such pair of vertices: a rectangle has two, and rounding must not choose between them.
+std::pair<int, int> farthest_apart(const FlatVertices& vertices_mm) {
+  constexpr double kLongerBy = 1 + 1e-9;  // far above what a sheet loses that is drawn far off
+  std::pair<int, int> span{0, 0};
+  double longest = 0;
+  for (int a = 0; a < static_cast<int>(vertices_mm.cols()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(vertices_mm.cols()); ++b) {
+      const double length = (vertices_mm.col(a) - vertices_mm.col(b)).norm();
+      if (length > kLongerBy * longest) longest = length, span = {a, b};
+    }
+  }
+  return span;
+}
+
+SheetGeometry<double> placed(const Sheet& sheet) {
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
+  return geometry;
+}
+
+}  // namespace
+
+struct SheetSolver::Workspace {
+  explicit Workspace(const Model& model)
+      : follower(model.mechanism(), model.elimination()),
+        close_follower(model.mechanism(), model.elimination()),
+        functions(model, follower, close_follower),
+        recorder(model, close_follower, &keep) {}
+
+  NodeFollower<double> follower;
+  PathFollower<double> close_follower;
+  FunctionRecorder<double> functions;
+  std::vector<WayStation> states;  // of the path that is recorded
+  const StationVisitor keep = [this](const Station&, const PathPoint& point) {
+    states.push_back({point.state, point.rates});
+  };
+  Recorder<double> recorder;
+};
+
+SheetSolver::SheetSolver(const Model& model)
+    : model_(model), panels_(panels_of(model.base(), model.mechanism())) {}
+
+SheetSolver::~SheetSolver() = default;
+
+SheetSolver::Workspace& SheetSolver::workspace() {
+  if (!workspace_) workspace_ = std::make_unique<Workspace>(model_);
+  return *workspace_;
+}
+
+struct Sheet::Outline : PathOutline {};
+
+Sheet::Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name)
+    : solver_(solver),
+      shifts_mm_(std::move(shifts_mm)),
+      vertices_mm_(model().base().sheet.vertices_mm + shifts_mm_),
+      name_(std::move(name)) {
+  assert(shifts_mm_.cols() == model().base().sheet.vertex_count());
+  assert(shifts_mm_.allFinite());
+}
+
+const PathRecord& Sheet::record() const {
+  if (record_) return *record_;
+  SheetSolver::Workspace& with = solver_.workspace();
+  ++solver_.followed_.as_functions;
+  record_ = measure_paths(SheetBlock(vertices_mm_), with.functions, with.recorder).front();
+  assert(record_->flat.size() == mechanism().diagonals.size());
+  return *record_;
+}
+
+const FoldingHistory& Sheet::history() const {
+  if (history_) return *history_;
+  SheetSolver::Workspace& with = solver_.workspace();
+  ++solver_.followed_.closely;
+  with.states.clear();
+  FoldingHistory history = std::move(with.recorder.record(SheetBlock(vertices_mm_)).front());
+  assert(with.states.size() >= history.stations.size());
+  with.states.resize(history.stations.size());
+  states_ = std::exchange(with.states, {});
+  const PathExtremes extremes = extremes_of(history);
+  history.between.bump_where = extremes.bump_where;
+  history.between.bump_deg = extremes.bump_deg.value_or(0);
+  history_ = std::move(history);
+  return *history_;
+}
+
+// As the path has them as a function, where that was measured.
+PathExtremes Sheet::extremes_of(const FoldingHistory& history) const {
+  const bool deploys = history.verdict.deploys_from_sample > 0;
+  if (deploys && !record().lengths.empty()) return record().extremes;
+  return record_of(history, mechanism()).extremes;
+}
+
+std::optional<Metrics> Sheet::measure(const FoldingHistory& history) const {
+  if (history.verdict.deploys_from_sample == 0) return {};
+  PathRecord record = record_of(history, mechanism());
+  record.extremes = extremes_of(history);
+  return solver::measure(model().base(), vertices_mm_, record, model().sample_deg());
+}
+
+const Metrics* Sheet::metrics() const {
+  if (!metrics_) metrics_ = measure(history());
+  return *metrics_ ? &**metrics_ : nullptr;
+}
+
+const std::vector<WayStation>& Sheet::states() const {
+  history();
+  return states_;
+}
+
+const std::vector<Eigen::Matrix3Xd>& Sheet::shapes_mm() const {
+  if (shapes_mm_.size() == states().size()) return shapes_mm_;
+  const SheetGeometry<double> geometry = placed(*this);
+  for (const WayStation& at : states()) {
+    shapes_mm_.push_back(laid_over(model().shape().vertices_mm(geometry, at.state), vertices_mm_));
+  }
+  return shapes_mm_;
+}
+
+const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
+  if (span_slope_mm_per_deg_.size() == states().size()) return span_slope_mm_per_deg_;
+  const SheetGeometry<double> geometry = placed(*this);
+  const FoldedShape& shape = model().shape();
+  const auto [from, to] = farthest_apart(vertices_mm_);
+  const double per_deg = mechanism().panel_width_mm * kRadPerDeg;
+  FoldedPoints<double> points;
+  std::vector<Twist<double>> twists;
+  for (const WayStation& at : states()) {
+    shape.place(geometry, at.state, points);
+    shape.move(geometry, points, at.rates.data(), twists);
+    span_slope_mm_per_deg_.push_back(per_deg * shape.distance_rate(points, twists, from, to));
+  }
+  return span_slope_mm_per_deg_;
+}
+
+const FoldingWay* Sheet::way(int stations) const {
+  assert(stations >= SmoothTable::kPoints);
+  auto found = ways_.find(stations);
+  if (found == ways_.end()) {
+    SheetSolver::Workspace& with = solver_.workspace();
+    if (!outline_) {
+      ++solver_.followed_.as_functions;
+      outline_ = std::make_shared<Outline>(
+          Outline{outline_path(model(), vertices_mm_, with.follower, with.close_follower)});
+    }
+    if (outline_->has_near()) ++solver_.followed_.closely;
+    found = ways_
+                .emplace(stations,
+                         solve_way(model(), vertices_mm_, *outline_, stations, with.close_follower))
+                .first;
+  }
+  return found->second ? &*found->second : nullptr;
+}
+
+Index Sheet::rows_up_to_d() const {
+  Index rows = 0;
+  for (std::size_t row = 0; row < history().stations.size(); ++row) {
+    const int sample = history().stations[row].sample;
+    if (sample > 0 && sample <= history().verdict.deploys_from_sample) {
+      rows = static_cast<Index>(row) + 1;
+    }
+  }
+  return rows;
+}
+
+Index Sheet::rows_shown() const {
+  const Index up_to_d = rows_up_to_d();
+  return up_to_d > 0 ? up_to_d : rows_folded_well(mechanism(), history(), kShownOverFold_deg);
+}
+
+std::vector<Index> Sheet::rows_to_show(double step_deg) const {
+  std::vector<Index> rows;
+  const Index end = rows_shown();
+  for (Index row = 0; row < end; ++row) {
+    const double away =
+        std::remainder(history().stations[static_cast<std::size_t>(row)].pilot_deg, step_deg);
+    if (std::abs(away) < 1e-9 || row + 1 == end) rows.push_back(row);
+  }
+  return rows;
+}
+
+Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history, double band_deg) {
+  const Eigen::MatrixXd& angle_deg = history.fold_angle_deg;
+  for (Index row = 0; row < angle_deg.rows(); ++row) {
+    for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+      const double angle = angle_deg(row, static_cast<Index>(i));
+      const bool valley = mechanism.is_valley(mechanism.creases[i]);
+      if ((angle > 0) != valley || std::abs(angle) > 180 + band_deg) return row;
+    }
+  }
+  return angle_deg.rows();
+}
+
+}  // namespace misalign::solver

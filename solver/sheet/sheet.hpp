@@ -1,0 +1,122 @@
+// One sheet of a model, and all that was found of it.
+//
+// `Model` is what all sheets share, a `SheetSolver` the workspace of one thread, a `Sheet` the data
+// of one sheet: each is found once, when it is first asked for, and the same for all who ask.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/records/metrics.hpp"
+#include "solver/sheet/folding_way.hpp"
+#include "solver/sheet/panels.hpp"
+
+namespace misalign::solver {
+
+/// Follows the paths of a model's sheets, one after another.
+class SheetSolver {
+ public:
+  /// `model` must outlive this object.
+  explicit SheetSolver(const Model& model);
+  ~SheetSolver();
+  SheetSolver(const SheetSolver&) = delete;
+  SheetSolver& operator=(const SheetSolver&) = delete;
+
+  const Model& model() const { return model_; }
+  const Panels& panels() const { return panels_; }
+
+  /// How many paths were followed so far, in long steps and in close ones.
+  struct Followed {
+    int as_functions = 0, closely = 0;
+  };
+  const Followed& followed() const { return followed_; }
+
+ private:
+  friend class Sheet;
+  struct Workspace;
+  Workspace& workspace();
+
+  const Model& model_;
+  const Panels panels_;
+  Followed followed_;
+  std::unique_ptr<Workspace> workspace_;  // made when a path is first followed
+};
+
+/// For one thread, its solver's.
+class Sheet {
+ public:
+  /// One column of shifts per vertex, off the model's base. `solver` must outlive this object;
+  /// `name` is the sheet's in sentences.
+  Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name = "the sheet");
+
+  const Model& model() const { return solver_.model(); }
+  const Mechanism& mechanism() const { return model().mechanism(); }
+  const Panels& panels() const { return solver_.panels(); }
+  const std::string& name() const { return name_; }
+  const Eigen::Matrix2Xd& shifts_mm() const { return shifts_mm_; }
+  const FlatVertices& vertices_mm() const { return vertices_mm_; }
+
+  /// In long steps, as a campaign's draws are measured.
+  const PathRecord& record() const;
+  const Verdict& verdict() const { return record().verdict; }
+  /// D, and the angle of a sample.
+  double deploys_from_deg() const { return sample_deg(verdict().deploys_from_sample); }
+  double sample_deg(int sample) const { return sample * model().sample_deg(); }
+
+  /// In close steps, every station. What it says of bumps is the record's.
+  const FoldingHistory& history() const;
+  /// At each row of the history: 3 x vertices. Each shape is turned and moved, as it is, to where
+  /// it lies best over the flat sheet at z = 0 (least squares over the vertices; Kabsch 1976), so
+  /// that neighbours differ little.
+  const std::vector<Eigen::Matrix3Xd>& shapes_mm() const;
+  /// Of the sheet's span, between the two vertices that are farthest apart when flat: its rate of
+  /// change at each row, from the exact rates of all joints.
+  const std::vector<double>& span_slope_mm_per_deg() const;
+  /// The states at its rows; rates are by radian of pilot.
+  const std::vector<WayStation>& states() const;
+
+  /// Of every sample up to D, by the history; null where the sheet deploys from nothing.
+  const Metrics* metrics() const;
+  /// The same by another history of this sheet.
+  std::optional<Metrics> measure(const FoldingHistory& history) const;
+
+  /// The path as functions of one coordinate, solved at so many stations; null: it is lost.
+  const FoldingWay* way(int stations = kWayStations) const;
+
+  /// How many rows of the history lie up to D: the flat sheet not among them.
+  Eigen::Index rows_up_to_d() const;
+  /// How many are shown: those, or of a sheet that deploys from nothing the ones that are folded
+  /// well, but for the rounding of angles near 180 degrees.
+  Eigen::Index rows_shown() const;
+  /// Those of them that become files, frames or lines of a table: multiples of `step_deg`, and the
+  /// last.
+  std::vector<Eigen::Index> rows_to_show(double step_deg) const;
+
+ private:
+  struct Outline;
+  PathExtremes extremes_of(const FoldingHistory& history) const;
+
+  SheetSolver& solver_;
+  const Eigen::Matrix2Xd shifts_mm_;
+  const FlatVertices vertices_mm_;
+  const std::string name_;
+  // What was found.
+  mutable std::optional<PathRecord> record_;
+  mutable std::optional<FoldingHistory> history_;
+  mutable std::vector<WayStation> states_;
+  mutable std::vector<Eigen::Matrix3Xd> shapes_mm_;
+  mutable std::vector<double> span_slope_mm_per_deg_;
+  mutable std::optional<std::optional<Metrics>> metrics_;
+  mutable std::shared_ptr<const Outline> outline_;
+  mutable std::map<int, std::optional<FoldingWay>> ways_;  // by their stations
+};
+
+/// How many rows from the first on have every crease on its side, and none folded past 180 degrees
+/// by more than the band: what can be shown of a sheet that deploys from nothing.
+Eigen::Index rows_folded_well(const Mechanism& mechanism, const FoldingHistory& history,
+                              double band_deg = kOverFoldBand_deg);
+
+}  // namespace misalign::solver
