@@ -268,9 +268,9 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
   const Json document = read_json_file(path);
   const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
   if (is_campaign(document)) {
-    throw UserError(kExitBadInput, path +
-                                       ": is a campaign, not a pattern; `misalign search` runs "
-                                       "it, and its \"pattern\" alone can be folded");
+    throw UserError(Cause::bad_input, path +
+                                          ": is a campaign, not a pattern; `misalign search` runs "
+                                          "it, and its \"pattern\" alone can be folded");
   }
   PatternFile read;
   if (has("vertices_coords") && has(kCarriedPattern)) {

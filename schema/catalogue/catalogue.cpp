@@ -71,13 +71,13 @@ void Catalogue::check_same_builds(const RunInfo& run) const {
                           "SELECT \"commit\" FROM run WHERE golden_verdicts != ? LIMIT 1");
   other.bind(1, run.golden_verdicts);
   if (!other.executeStep()) return;
-  throw UserError(kExitOtherCampaign,
+  throw UserError(Cause::foreign,
                   path_ + ": this build (commit " + run.commit +
                       ") gives other verdicts on the golden draws than the one that worked on this "
                       "catalogue (commit " +
-                      other.getColumn(0).getString() +
-                      "); use that build, another --catalogue, or --allow-mixed-builds if you "
-                      "know that the difference does no harm");
+                      other.getColumn(0).getString() + "); use that build, another " +
+                      parameter("catalogue") + ", or " + parameter("allow_mixed_builds") +
+                      " if you know that the difference does no harm");
 }
 
 void Catalogue::begin_run(const RunInfo& run, const Goal& goal, Builds builds) {
@@ -194,7 +194,7 @@ void Catalogue::take_over_levels(SQLite::Database& other) {
   if (ours.empty()) {
     write_levels(*database_, theirs, campaign_.sample_deg);
   } else if (!theirs.empty() && theirs != ours) {
-    throw UserError(kExitOtherCampaign,
+    throw UserError(Cause::foreign,
                     other.getFilename() +
                         ": its levels are others than those of the catalogues before it (another "
                         "build's pilot found them); join what one build has made, or name the "

@@ -154,10 +154,10 @@ UserError not_as_made(const std::string& path, const std::vector<std::string>& d
   if (differences.size() > kMost) {
     all += ", and " + std::to_string(differences.size() - kMost) + " more";
   }
-  return UserError(kExitBadInput, path + ": is not laid out as misalign lays out a catalogue (" +
-                                      all +
-                                      "); undo that with the sqlite3 shell if you did it, "
-                                      "otherwise put a backup in its place");
+  return UserError(Cause::bad_input, path + ": is not laid out as misalign lays out a catalogue (" +
+                                         all +
+                                         "); undo that with the sqlite3 shell if you did it, "
+                                         "otherwise put a backup in its place");
 }
 
 }  // namespace

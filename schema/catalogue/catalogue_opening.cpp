@@ -36,9 +36,10 @@ void Catalogue::check_same_campaign() const {
   if (held == identity_) return;
   const std::string different = differences(read_campaign_of(*database_, path_), campaign_);
   if (different.empty()) throw damaged(*database_, "its identity is not its configuration's");
-  throw UserError(kExitOtherCampaign, path_ + ": holds another campaign, " + held.substr(0, 8) +
-                                          " (they differ in " + different +
-                                          "); give this one a file of its own with --catalogue");
+  throw UserError(Cause::foreign, path_ + ": holds another campaign, " + held.substr(0, 8) +
+                                      " (they differ in " + different +
+                                      "); give this one a file of its own with " +
+                                      parameter("catalogue"));
 }
 
 // The file as it was is kept beside it; then all steps to the present schema, or none.

@@ -17,9 +17,9 @@ namespace {
 constexpr int kCheckpoint_pages = 8000;
 
 UserError not_a_catalogue(const std::string& path) {
-  return UserError(kExitBadInput, path +
-                                      ": is no catalogue of misalign (another kind of file); "
-                                      "name one that `misalign search` wrote");
+  return UserError(Cause::bad_input, path +
+                                         ": is no catalogue of misalign (another kind of file); "
+                                         "name one that `misalign search` wrote");
 }
 
 // Throws unless this is a catalogue that this program can read, laid out as one, which then may be
@@ -34,10 +34,10 @@ bool check_kind(SQLite::Database& database, const std::string& path) {
         database.execAndGet("SELECT count(*) FROM sqlite_schema WHERE name = 'campaign'").getInt();
     if (id != kApplicationId || campaigns == 0 || version < 1) throw not_a_catalogue(path);
     if (version > kSchemaVersion) {
-      throw UserError(kExitOtherCampaign, path + ": has schema version " + std::to_string(version) +
-                                              " (this program knows up to " +
-                                              std::to_string(kSchemaVersion) +
-                                              "); use the program that wrote it, or a newer one");
+      throw UserError(Cause::foreign, path + ": has schema version " + std::to_string(version) +
+                                          " (this program knows up to " +
+                                          std::to_string(kSchemaVersion) +
+                                          "); use the program that wrote it, or a newer one");
     }
     check_layout(database, version, path);
     trust_schema(database);
@@ -55,9 +55,10 @@ int version_of(SQLite::Database& database) {
 }
 
 UserError damaged(const SQLite::Database& database, const std::string& why) {
-  return UserError(kExitBadInput, database.getFilename() + ": is damaged (" + printable(utf8(why)) +
-                                      "); put a backup in its place, or see what "
-                                      "`misalign verify` says");
+  return UserError(Cause::bad_input, database.getFilename() + ": is damaged (" +
+                                         printable(utf8(why)) +
+                                         "); put a backup in its place, or see what "
+                                         "`misalign verify` says");
 }
 
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
@@ -65,7 +66,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
   check_is_file(path, kSuggestion);
   std::error_code ignored;  // what may not be looked at is not there
   if (!std::filesystem::is_regular_file(path, ignored)) {
-    throw UserError(kExitBadInput, path + ": there is no such file; " + kSuggestion);
+    throw UserError(Cause::bad_input, path + ": there is no such file; " + kSuggestion);
   }
   try {
     auto database = connect(path, Access::read);

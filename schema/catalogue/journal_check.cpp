@@ -25,14 +25,15 @@ void check_journals(const std::string& database_path) {
     const std::string path = database.string() + suffix;
     const fs::file_type type = fs::symlink_status(path, error).type();
     if (type == fs::file_type::regular || type == fs::file_type::not_found) continue;
-    throw UserError(kExitBadInput, path +
-                                       ": is no regular file (a catalogue's journals are); take it "
-                                       "away, or put a backup of the catalogue in another place");
+    throw UserError(Cause::bad_input,
+                    path +
+                        ": is no regular file (a catalogue's journals are); take it "
+                        "away, or put a backup of the catalogue in another place");
   }
   const std::string journal = database.string() + "-journal";
   const std::string end = end_of_file(journal, kLeast_bytes);
   if (end.size() < kLeast_bytes || !end.ends_with(kMagic)) return;
-  throw UserError(kExitBadInput,
+  throw UserError(Cause::bad_input,
                   journal +
                       ": is the journal of a transaction over several files (SQLite would "
                       "open and delete those that it names, and misalign never makes one); "

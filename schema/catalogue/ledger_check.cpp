@@ -97,7 +97,7 @@ class LedgerCheck {
     try {
       state_ = read_state(database_);
     } catch (const UserError& error) {
-      if (error.exit_code() != kExitBadInput) throw;  // the disk's fault, not the file's
+      if (error.cause() != Cause::bad_input) throw;  // the disk's fault, not the file's
       why_no_state_ = error.what();
     }
   }

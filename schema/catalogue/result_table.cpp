@@ -20,10 +20,10 @@ namespace {
 const std::string kQueryFolder = "schema/queries/";
 
 UserError bad_sql(const std::string& what) {
-  return UserError(kExitUsage, "the query was refused (" + what +
-                                   "); it must be one SELECT, or one "
-                                   "of the names " +
-                                   named_query_list());
+  return UserError(Cause::bad_request, "the query was refused (" + what +
+                                           "); it must be one SELECT, or one "
+                                           "of the names " +
+                                           named_query_list());
 }
 
 Json cell_json(const SQLite::Column& cell) {
@@ -205,7 +205,7 @@ auto ask(SQLite::Database& database, const std::string& sql, const Work& work) {
       case SQLITE_NOTADB:
         throw storage_failure(database.getFilename(), error);
       case SQLITE_ABORT:  // by a function that this build has not, and says so
-        throw UserError(kExitFailure, error.what());
+        throw UserError(Cause::failure, error.what());
       default:
         throw bad_sql(error.what());
     }

@@ -304,9 +304,9 @@ solver::StressHistory read_stresses(std::istream& file, const std::string& name,
   StressReader reader(sheet, mesh, options);
   for (std::string line; std::getline(file, line);) reader.see_line(line);
   if (!reader.has_places()) {
-    throw UserError(kExitFailure, name +
-                                      ": holds no elements (ccx ended before it wrote any); see "
-                                      "what it says in its log beside it");
+    throw UserError(Cause::failure, name +
+                                        ": holds no elements (ccx ended before it wrote any); see "
+                                        "what it says in its log beside it");
   }
   return reader.take();
 }

@@ -22,7 +22,7 @@ constexpr int kByLayer = 256;
 constexpr const char* kStyle = "STANDARD";
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw UserError(kExitFailure,
+  throw UserError(Cause::failure,
                   "the DXF file cannot be made (" + why + "); free some memory and try again");
 }
 

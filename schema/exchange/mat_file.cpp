@@ -30,8 +30,9 @@ matvar_t* doubles(const std::string& name, std::vector<std::size_t> dimensions,
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw UserError(kExitFailure, path + ": cannot be written (libmatio: " + why +
-                                    "); see to the system, or take --format csv");
+  throw UserError(Cause::failure, path + ": cannot be written (libmatio: " + why +
+                                      "); see to the system, or take " +
+                                      parameter("format", "csv"));
 }
 
 }  // namespace

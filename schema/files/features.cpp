@@ -25,7 +25,7 @@ std::string missing_text(std::string_view library) {
 }
 
 void need(std::string_view library) {
-  if (!feature_of(library).is_in) throw UserError(kExitFailure, missing_text(library));
+  if (!feature_of(library).is_in) throw UserError(Cause::failure, missing_text(library));
 }
 
 std::string libraries_text(bool in) {

@@ -41,7 +41,7 @@ class OpenFile {
         uninterrupted([&] { return ::read(descriptor_, bytes.data(), bytes.size()); });
     if (count < 0) {
       const bool is_directory = errno == EISDIR;
-      throw UserError(is_directory ? kExitBadInput : kExitFailure,
+      throw UserError(is_directory ? Cause::bad_input : Cause::failure,
                       printable(path_) + ": cannot be read (" + std::strerror(errno) + "); " +
                           (is_directory ? "check the path" : "see to the disk"));
     }
@@ -60,7 +60,7 @@ std::string read_file(const std::string& path, std::size_t most_bytes, FileKind 
   // A pipe that nobody writes to is not waited for, if a file names it.
   const OpenFile file(path, O_RDONLY | (kind == FileKind::regular ? O_NONBLOCK : 0));
   const auto refuse = [&](const std::string& why) {
-    throw UserError(kExitBadInput, printable(path) + ": " + why + "; check the path");
+    throw UserError(Cause::bad_input, printable(path) + ": " + why + "; check the path");
   };
   if (!file.is_open()) refuse("cannot be opened (no such file, or no permission)");
   if (kind == FileKind::regular && !S_ISREG(file.status().st_mode)) {

@@ -77,7 +77,7 @@ bool is_taken(const std::string& path) {
 
 void check_is_file(const std::string& path, const std::string& suggestion) {
   const auto refuse = [&](const std::string& what) {
-    throw UserError(kExitBadInput, path + ": " + what + "; " + suggestion);
+    throw UserError(Cause::bad_input, path + ": " + what + "; " + suggestion);
   };
   if (path.find('\0') != std::string::npos) {
     refuse("can be no file (a zero is among its letters, and names end there)");
@@ -98,9 +98,9 @@ std::string end_of_links(const std::string& path) {
   std::error_code error;
   for (int k = 0; std::filesystem::is_symlink(end, error); ++k) {
     if (k == kMostLinks) {
-      throw UserError(kExitFailure, path +
-                                        ": leads nowhere (links go round in a circle); name "
-                                        "another file");
+      throw UserError(Cause::failure, path +
+                                          ": leads nowhere (links go round in a circle); name "
+                                          "another file");
     }
     end = end.parent_path() / std::filesystem::read_symlink(end, error);
   }

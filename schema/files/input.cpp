@@ -21,8 +21,8 @@ struct StructureGuard {
 
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     if (depth > kDeepest) {
-      throw UserError(kExitBadInput, path + ": is nested more than " + std::to_string(kDeepest) +
-                                         " levels deep (no file of ours is); mend it there");
+      throw UserError(Cause::bad_input, path + ": is nested more than " + std::to_string(kDeepest) +
+                                            " levels deep (no file of ours is); mend it there");
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::object_start) {
@@ -31,41 +31,15 @@ struct StructureGuard {
     } else if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
       if (!keys.at(level).insert(key).second) {
-        throw UserError(kExitBadInput, path + ": " + printable(key) +
-                                           " is there twice (only one can count); take one out");
+        throw UserError(Cause::bad_input, path + ": " + printable(key) +
+                                              " is there twice (only one can count); take one out");
       }
     }
     return true;
   }
 };
 
-constexpr std::size_t kMostOfASentence = 3000;
-
-// Shortened first, too: a value can be as long as its file.
-std::string in_a_sentence(const std::string& text, std::size_t most) {
-  return shortened(printable(shortened(text, most)), most);
-}
-
-std::string listed(const std::vector<std::string>& list, std::size_t more) {
-  std::string lines;
-  const std::size_t shown = std::min(list.size(), kMostListed);
-  for (std::size_t k = 0; k < shown; ++k) {
-    lines += "\n  " + in_a_sentence(list[k], kMostOfASentence);
-  }
-  more += list.size() - shown;
-  if (more > 0) lines += "\n  and " + std::to_string(more) + " more";
-  return lines;
-}
-
 }  // namespace
-
-UserError::UserError(int exit_code, const std::string& sentence)
-    : std::runtime_error(in_a_sentence(sentence, kMostOfASentence)), exit_code_(exit_code) {}
-
-UserError::UserError(int exit_code, const std::string& sentence,
-                     const std::vector<std::string>& list, std::size_t more)
-    : std::runtime_error(in_a_sentence(sentence, kMostOfASentence) + listed(list, more)),
-      exit_code_(exit_code) {}
 
 void InputFaults::add(const std::string& problem, const std::string& why,
                       const std::string& suggestion) {
@@ -77,8 +51,8 @@ void InputFaults::add(const std::string& problem, const std::string& why,
 
 void InputFaults::refuse(const std::string& source) const {
   if (none()) return;
-  if (count_ == 1) throw UserError(kExitBadInput, source + ": " + sentences_.front());
-  throw UserError(kExitBadInput, source + ": " + std::to_string(count_) + " faults", sentences_,
+  if (count_ == 1) throw UserError(Cause::bad_input, source + ": " + sentences_.front());
+  throw UserError(Cause::bad_input, source + ": " + std::to_string(count_) + " faults", sentences_,
                   count_ - sentences_.size());
 }
 
@@ -160,9 +134,9 @@ std::string ObjectReader::shown(const std::string& key) const {
 Json read_json_file(const std::string& path, FileKind kind) {
   const std::string text = read_file(path, kLargest_bytes, kind);
   if (text.starts_with(kDatabaseHeader)) {
-    throw UserError(kExitBadInput, path +
-                                       ": is a catalogue, not JSON; `misalign status` and "
-                                       "`misalign replay` read those");
+    throw UserError(Cause::bad_input, path +
+                                          ": is a catalogue, not JSON; `misalign status` and "
+                                          "`misalign replay` read those");
   }
   return parse_json(text, path);
 }
@@ -173,7 +147,7 @@ Json parse_json(const std::string& text, const std::string& source) {
   } catch (const Json::exception& error) {
     std::string what = error.what();
     what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
-    throw UserError(kExitBadInput, source + ": is not JSON (" + what + "); mend it there");
+    throw UserError(Cause::bad_input, source + ": is not JSON (" + what + "); mend it there");
   }
 }
 

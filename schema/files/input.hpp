@@ -3,41 +3,16 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "schema/files/file_bytes.hpp"
 #include "schema/files/printable.hpp"
+#include "schema/files/user_error.hpp"
 
 namespace misalign::schema {
 
 using Json = nlohmann::json;
-
-/// A sentence for the person who called, and the exit code of the contract. Names and values in it
-/// may come from anywhere: it is printable, and shortened where it is longer than any of ours.
-class UserError : public std::runtime_error {
- public:
-  UserError(int exit_code, const std::string& sentence);
-  /// The same with a list, a line each: at most kMostListed, then how many more there are.
-  UserError(int exit_code, const std::string& sentence, const std::vector<std::string>& list,
-            std::size_t more);
-  int exit_code() const { return exit_code_; }
-
- private:
-  int exit_code_;
-};
-
-/// Of faults or findings that people are told at once.
-inline constexpr std::size_t kMostListed = 20;
-
-inline constexpr int kExitFailure = 1;
-inline constexpr int kExitUsage = 2;
-inline constexpr int kExitBadInput = 3;
-inline constexpr int kExitInUse = 4;
-inline constexpr int kExitOtherCampaign = 5;
-inline constexpr int kExitCheckFailed = 6;
-inline constexpr int kExitWorkRemains = 75;
 
 /// What is wrong with a file, collected while reading goes on.
 class InputFaults {

@@ -39,8 +39,8 @@ std::string MemoryFile::bytes() const {
 }
 
 void MemoryFile::refuse(int error) const {
-  throw UserError(kExitFailure, name_ + ": cannot be made in memory (" + std::strerror(error) +
-                                    "); see to the system");
+  throw UserError(Cause::failure, name_ + ": cannot be made in memory (" + std::strerror(error) +
+                                      "); see to the system");
 }
 
 }  // namespace misalign::schema

@@ -33,8 +33,8 @@ std::string stem_of(const std::string& output) {
 std::string unforeseen_name(const std::string& output) {
   std::array<unsigned char, kRandomDigits / 2> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw UserError(kExitFailure, output + ": cannot be written (no random numbers: " +
-                                      std::strerror(errno) + "); see to the system");
+    throw UserError(Cause::failure, output + ": cannot be written (no random numbers: " +
+                                        std::strerror(errno) + "); see to the system");
   }
   return stem_of(output) + hex(bytes) + kEnding;
 }
@@ -156,15 +156,15 @@ void refuse_database(const std::string& path, const std::string& output) {
   for (const std::string& one : paths) {
     const ExistingFile found = existing_file(one);
     if (found.is_database) {
-      throw UserError(kExitUsage, output +
-                                      ": is a database, or belongs to one; name another file with "
-                                      "--output");
+      throw UserError(Cause::bad_request,
+                      output + ": is a database, or belongs to one; name another file with " +
+                          parameter("output"));
     }
     if (found.error != 0) {
-      throw UserError(kExitFailure,
+      throw UserError(Cause::failure,
                       output + ": cannot be written (" + one +
                           " may be a database, and cannot be read: " + std::strerror(found.error) +
-                          "); name another file with --output");
+                          "); name another file with " + parameter("output"));
     }
   }
 }
@@ -207,15 +207,15 @@ OutputFile OutputFile::database(const std::string& output,
   if (is_taken(output)) file.refuse(EEXIST);
   for (const std::string& suffix : journal_suffixes()) {
     if (!is_taken(output + suffix)) continue;
-    throw UserError(kExitUsage, output + suffix +
-                                    ": is there already (SQLite would take it for a "
-                                    "part of " +
-                                    output + "); name a new file, or move that one away");
+    throw UserError(Cause::bad_request, output + suffix +
+                                            ": is there already (SQLite would take it for a "
+                                            "part of " +
+                                            output + "); name a new file, or move that one away");
   }
   if (!remove_leftovers(output, originals)) {
-    throw UserError(kExitInUse, output +
-                                    ": another process is writing it; wait for that one to "
-                                    "end, or name another file");
+    throw UserError(Cause::in_use, output +
+                                       ": another process is writing it; wait for that one to "
+                                       "end, or name another file");
   }
   file.make_named(common_mode(originals));
   return file;
@@ -226,9 +226,10 @@ OutputFile OutputFile::text(const std::string& output) {
   file.target_ = end_of_links(output);
   const auto found = stat_of(file.target_);
   if (found && !S_ISREG(found->st_mode)) {
-    throw UserError(kExitFailure, output +
-                                      ": cannot be written (it is there, and no file); choose "
-                                      "another --output");
+    throw UserError(Cause::failure, output +
+                                        ": cannot be written (it is there, and no file); choose "
+                                        "another " +
+                                        parameter("output"));
   }
   refuse_database(file.target_, output);
   file.make_unnamed();
@@ -285,9 +286,9 @@ void OutputFile::refuse_journals() const {
   for (const std::string& suffix : journal_suffixes()) {
     const auto found = stat_of(path_ + suffix);
     if (found && found->st_size > 0 && suffix != "-shm") {
-      throw UserError(kExitFailure, output_ +
-                                        ": could not be written to its end (a journal is left "
-                                        "of it); see to the disk, then the same again");
+      throw UserError(Cause::failure, output_ +
+                                          ": could not be written to its end (a journal is left "
+                                          "of it); see to the disk, then the same again");
     }
     if (found) ::unlink((path_ + suffix).c_str());
   }
@@ -309,10 +310,11 @@ void OutputFile::publish() {
 }
 
 void OutputFile::refuse(int error) const {
-  if (error == EEXIST) throw UserError(kExitUsage, output_ + ": exists already; name a new file");
-  throw UserError(kExitFailure, output_ + ": cannot be written (" + std::strerror(error) +
-                                    "); choose another " +
-                                    (existing_ == Existing::replaced ? "--output" : "place"));
+  if (error == EEXIST)
+    throw UserError(Cause::bad_request, output_ + ": exists already; name a new file");
+  throw UserError(Cause::failure,
+                  output_ + ": cannot be written (" + std::strerror(error) + "); choose another " +
+                      (existing_ == Existing::replaced ? parameter("output") : "place"));
 }
 
 }  // namespace misalign::schema

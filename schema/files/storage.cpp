@@ -77,51 +77,53 @@ UserError storage_failure(const std::string& written, const SQLite::Exception& e
   const std::string what = " (" + printable(utf8(error.what())) + number + ")";
   switch (error.getErrorCode()) {
     case SQLITE_FULL:
-      return {kExitFailure, path + ": the disk is full, or a quota is used up" + what + kept +
-                                "make room" + again};
+      return {Cause::failure, path + ": the disk is full, or a quota is used up" + what + kept +
+                                  "make room" + again};
     case SQLITE_IOERR:
       if (error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE) {
-        return {kExitFailure, path + ": no room for the index of its log" + what + kept +
-                                  "make room on the disk" + again};
+        return {Cause::failure, path + ": no room for the index of its log" + what + kept +
+                                    "make room on the disk" + again};
       }
-      return {kExitFailure, path + ": reading or writing failed" + what + kept +
-                                "see to the disk and to limits of a file's size (ulimit -f)" +
-                                again};
+      return {Cause::failure, path + ": reading or writing failed" + what + kept +
+                                  "see to the disk and to limits of a file's size (ulimit -f)" +
+                                  again};
     case SQLITE_NOMEM:
-      return {kExitFailure, path + ": there is too little memory" + what + kept +
-                                "ask for less at once, or give it more"};
+      return {Cause::failure, path + ": there is too little memory" + what + kept +
+                                  "ask for less at once, or give it more"};
     case SQLITE_READONLY:
       if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
-        return {kExitFailure, path +
-                                  ": a program that was killed has left a journal to roll back, "
-                                  "which a reader may not do" +
-                                  what + kept + "the same search again does it"};
+        return {Cause::failure, path +
+                                    ": a program that was killed has left a journal to roll back, "
+                                    "which a reader may not do" +
+                                    what + kept + "the same search again does it"};
       }
       [[fallthrough]];
     case SQLITE_PERM:
-      return {kExitFailure, path + ": cannot be written" + what + kept +
-                                "make file and directory writable" + again};
+      return {Cause::failure, path + ": cannot be written" + what + kept +
+                                  "make file and directory writable" + again};
     case SQLITE_CANTOPEN:
-      return {kExitFailure, path + ": it, or a journal beside it, cannot be opened" + what + kept +
-                                "see to the directory and its permissions" + again};
+      return {Cause::failure, path + ": it, or a journal beside it, cannot be opened" + what +
+                                  kept + "see to the directory and its permissions" + again};
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return {kExitInUse,
+      return {Cause::in_use,
               path + ": another program keeps it locked" + what + "; wait for that one to end"};
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return {kExitBadInput, path + ": is damaged" + what +
-                                 "; put a backup in its place, or save with the sqlite3 shell's "
-                                 ".recover what can be saved"};
+      return {Cause::bad_input, path + ": is damaged" + what +
+                                    "; put a backup in its place, or save with the sqlite3 shell's "
+                                    ".recover what can be saved"};
     case SQLITE_ERROR:  // our statements are right for a catalogue that is
-      return {kExitBadInput, path + ": does not hold what a catalogue must" + what +
-                                 "; put a backup in its place"};
+      return {Cause::bad_input, path + ": does not hold what a catalogue must" + what +
+                                    "; put a backup in its place"};
     case SQLITE_CONSTRAINT:  // nor do they write what others of ours have written
-      return {kExitBadInput, path + ": holds rows that contradict what is to be written" + what +
-                                 "; see what `misalign verify` says, or put a backup in its place"};
+      return {Cause::bad_input,
+              path + ": holds rows that contradict what is to be written" + what +
+                  "; see what `misalign verify` says, or put a backup in its place"};
     default:
-      return {kExitFailure, path + ": the database failed" + what + kept + "if it happens again, " +
-                                "`misalign verify` says what the file holds"};
+      return {Cause::failure, path + ": the database failed" + what + kept +
+                                  "if it happens again, " +
+                                  "`misalign verify` says what the file holds"};
   }
 }
 

@@ -11,6 +11,7 @@ namespace misalign::schema {
 namespace {
 
 using Eigen::Vector2d;
+using solver::OptionFault;
 
 constexpr double kTabSlot_mm = 1;  // as it is drawn, between a tab and the panels beside it
 
@@ -155,15 +156,16 @@ std::string misplaced(const KitSheet& sheet, const KitFittings& fittings, double
       continue;
     }
     return fmt::format(
-        "no room in panel {} at {} (between bores and edges {:g} mm are to be left, --bore-edge)",
-        sheet.panel_label(bore.facet), solver::vertex_label(bore.vertex), edge_mm);
+        "no room in panel {} at {} (between bores and edges {:g} mm are to be left, {})",
+        sheet.panel_label(bore.facet), solver::vertex_label(bore.vertex), edge_mm,
+        parameter("bore_edge_mm"));
   }
   for (const SpringTab& tab : fittings.tabs) {
     if (has_room(sheet, fittings, tab, edge_mm)) continue;
     return fmt::format(
         "no room for a tab at {} (the panels beside it would be cut away {:.4g} mm round it, "
-        "--bore-edge of {:g} mm among them)",
-        solver::vertex_label(tab.vertex), tab.clear_mm, edge_mm);
+        "{} of {:g} mm among them)",
+        solver::vertex_label(tab.vertex), tab.clear_mm, parameter("bore_edge_mm"), edge_mm);
   }
   return "";
 }
@@ -179,24 +181,25 @@ double fitting_scale(const KitSheet& sheet, const KitOptions& options) {
   return fits;
 }
 
-void refuse_within_kerf(const char* option, const std::optional<double>& bore_mm, double kerf_mm) {
+void refuse_within_kerf(const char* name, const std::optional<double>& bore_mm, double kerf_mm) {
   if (!bore_mm || *bore_mm > kerf_mm) return;
-  throw UserError(kExitUsage, fmt::format("{} {:g}: no larger than the kerf of {:g} mm (nothing "
-                                          "would be left to draw); take a larger bore",
-                                          option, *bore_mm, kerf_mm));
+  throw UserError(OptionFault{
+      name, fmt::format("{:g}", *bore_mm),
+      fmt::format("no larger than the kerf of {:g} mm (nothing would be left to draw)", kerf_mm),
+      "take a larger bore"});
 }
 
-// "--joint-bore 1.2 --spring-bore 0.8", rounded down.
+// "joint_bore_mm=1.2 spring_bore_mm=0.8", rounded down.
 std::string asked_for(const KitOptions& options, double scale) {
   constexpr double kStep = 100;
   std::string words;
-  const auto add = [&](const char* option, const std::optional<double>& bore_mm) {
+  const auto add = [&](const char* name, const std::optional<double>& bore_mm) {
     if (!bore_mm) return;
-    words += fmt::format("{}{} {:g}", words.empty() ? "" : " ", option,
-                         scale == 1 ? *bore_mm : std::floor(*bore_mm * scale * kStep) / kStep);
+    const double shown = scale == 1 ? *bore_mm : std::floor(*bore_mm * scale * kStep) / kStep;
+    words += (words.empty() ? "" : " ") + parameter(name, fmt::format("{:g}", shown));
   };
-  add("--joint-bore", options.joint_bore_mm);
-  add("--spring-bore", options.spring_bore_mm);
+  add("joint_bore_mm", options.joint_bore_mm);
+  add("spring_bore_mm", options.spring_bore_mm);
   return words;
 }
 
@@ -209,13 +212,14 @@ const SpringTab* KitFittings::tab_at(int vertex) const {
 }
 
 KitFittings kit_fittings(const KitSheet& sheet, const KitOptions& options) {
-  refuse_within_kerf("--joint-bore", options.joint_bore_mm, options.kerf_mm);
-  refuse_within_kerf("--spring-bore", options.spring_bore_mm, options.kerf_mm);
+  refuse_within_kerf("joint_bore_mm", options.joint_bore_mm, options.kerf_mm);
+  refuse_within_kerf("spring_bore_mm", options.spring_bore_mm, options.kerf_mm);
   if (options.spring_bore_mm && options.spring_at == SpringAt::vertex &&
       options.bore_edge_mm == 0) {
-    throw UserError(kExitUsage,
-                    "--bore-edge 0: nothing would be left of a tab round its bore (springs end on "
-                    "vertices); take more, or --spring-at panel");
+    throw UserError(
+        OptionFault{"bore_edge_mm", "0",
+                    "nothing would be left of a tab round its bore (springs end on vertices)",
+                    "take more, or " + parameter("spring_at", "panel")});
   }
   KitFittings fittings = FittingsMaker(sheet, options, 1).make();
   const std::string bad = misplaced(sheet, fittings, options.bore_edge_mm);
@@ -224,10 +228,11 @@ KitFittings kit_fittings(const KitSheet& sheet, const KitOptions& options) {
   const double scale = fitting_scale(sheet, options);
   const double largest_mm =
       scale * std::max(options.joint_bore_mm.value_or(0), options.spring_bore_mm.value_or(0));
-  throw UserError(kExitUsage, fmt::format("{}: {}; {}", asked_for(options, 1), bad,
-                                          largest_mm < kLeastBore_mm
-                                              ? "take a smaller --bore-edge"
-                                              : asked_for(options, scale) + " would fit"));
+  throw UserError(
+      Cause::bad_request,
+      fmt::format("{}: {}; {}", asked_for(options, 1), bad,
+                  largest_mm < kLeastBore_mm ? "take a smaller " + parameter("bore_edge_mm")
+                                             : asked_for(options, scale) + " would fit"));
 }
 
 }  // namespace misalign::schema

@@ -13,18 +13,19 @@ namespace misalign::schema {
 namespace {
 
 using Eigen::Vector2d;
+using solver::OptionFault;
 
 void refuse_options(const KitOptions& options) {
+  const std::string kerf = fmt::format("the kerf of {:g} mm", options.kerf_mm);
   if (options.gap_mm < options.kerf_mm) {
-    throw UserError(kExitUsage, fmt::format("--gap {:g}: less than the kerf of {:g} mm (parts "
-                                            "would be cut into one another); take a larger gap",
-                                            options.gap_mm, options.kerf_mm));
+    throw UserError(OptionFault{"gap_mm", fmt::format("{:g}", options.gap_mm),
+                                "less than " + kerf + " (parts would be cut into one another)",
+                                "take a larger gap"});
   }
   if (options.crease == CreaseCut::dash && options.dash_mm <= options.kerf_mm) {
-    throw UserError(kExitUsage, fmt::format("--dash-mm {:g},{:g}: a cut no longer than the kerf of "
-                                            "{:g} mm (nothing would be left to draw); take longer "
-                                            "ones",
-                                            options.dash_mm, options.bridge_mm, options.kerf_mm));
+    throw UserError(OptionFault{
+        "dash_mm", fmt::format("{:g},{:g}", options.dash_mm, options.bridge_mm),
+        "a cut no longer than " + kerf + " (nothing would be left to draw)", "take longer ones"});
   }
 }
 
@@ -100,7 +101,7 @@ class Kit {
 
   // Parts that are too large for the bed cut along creases.
   std::vector<KitPart> fitted(const std::vector<KitPart>& parts) {
-    refuse_bed();
+    check_bed();
     std::vector<KitPart> smaller;
     for (const KitPart& part : parts) {
       std::vector<KitPart> cut = divided_to_fit(part, room_mm());
@@ -110,15 +111,20 @@ class Kit {
     return smaller;
   }
 
-  void refuse_bed() const {
+  [[noreturn]] void refuse_bed(const std::string& why) const {
+    throw UserError(
+        OptionFault{"bed", fmt::format("{:g}x{:g}", options_.bed_mm->x(), options_.bed_mm->y()),
+                    why, "take a larger bed"});
+  }
+
+  void check_bed() const {
     const Vector2d inside = *options_.bed_mm - Vector2d::Constant(2 * options_.margin_mm);
     if (inside.x() >= kLeastHeading_mm && room_mm().y() > 0) return;
-    throw UserError(kExitUsage,
-                    fmt::format("--bed {:g}x{:g}: too small for the title and a gauge of 100 mm "
-                                "(they take {:g} x {:g} mm, and --margin {:g} round it); take a "
-                                "larger bed",
-                                options_.bed_mm->x(), options_.bed_mm->y(), kLeastHeading_mm,
-                                inside.y() - room_mm().y(), options_.margin_mm));
+    refuse_bed(
+        fmt::format("too small for the title and a gauge of 100 mm (they take {:g} x {:g} mm, "
+                    "and {} round it)",
+                    kLeastHeading_mm, inside.y() - room_mm().y(),
+                    parameter("margin_mm", fmt::format("{:g}", options_.margin_mm))));
   }
 
   // In the fewest cells of a grid in which everything fits.
@@ -134,11 +140,10 @@ class Kit {
     for (const KitPart& panel : divided(sheet_, part, rows, columns)) {
       const LayoutBox box = box_of(panel);
       if (fits_bed(box, room_mm)) continue;
-      throw UserError(
-          kExitUsage,
-          fmt::format("--bed {:g}x{:g}: panel {} does not fit, turned neither (it has {:.1f} x "
-                      "{:.1f} mm, and margin and heading leave {:.1f} x {:.1f}); take a larger bed",
-                      options_.bed_mm->x(), options_.bed_mm->y(),
+      refuse_bed(
+          fmt::format("panel {} does not fit, turned neither (it has {:.1f} x {:.1f} mm, and "
+                      "margin and heading "
+                      "leave {:.1f} x {:.1f})",
                       sheet_.panel_label(panel.facets[0]), box.size_mm.x(), box.size_mm.y(),
                       room_mm.x(), room_mm.y()));
     }

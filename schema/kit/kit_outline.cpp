@@ -222,12 +222,12 @@ PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFi
   for (std::size_t r = 0; r < drawn.size(); ++r) {
     const std::optional<Ring> moved = offset_ring(drawn[r], 0.5 * kerf_mm);
     if (!moved) {
-      throw UserError(
-          kExitUsage,
-          fmt::format("--kerf {:g}: too wide for the contours of the part with panel {} "
-                      "(one of their edges would vanish); at most {:.4g} mm fit",
-                      kerf_mm, sheet.panel_label(part.facets[0]),
-                      0.999 * widest_kerf_mm(drawn, kerf_mm)));
+      throw UserError(solver::OptionFault{
+          "kerf_mm", fmt::format("{:g}", kerf_mm),
+          fmt::format("too wide for the contours of the part with panel {} (one of their edges "
+                      "would vanish)",
+                      sheet.panel_label(part.facets[0])),
+          fmt::format("at most {:.4g} mm fit", 0.999 * widest_kerf_mm(drawn, kerf_mm))});
     }
     outline.rings.push_back(*moved);
     if (kerf_mm == 0) continue;

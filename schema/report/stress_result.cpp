@@ -138,7 +138,7 @@ StressResult read_stress_result(const std::string& path) {
   StressResult result{path, whose(top), panels(top), run(top)};
   if (faults.none()) return result;
   // Of a file of another kind nearly every key is missing: one sentence is enough.
-  throw UserError(kExitBadInput,
+  throw UserError(Cause::bad_input,
                   path + ": is no result of `misalign stress`: " + faults.sentences().front());
 }
 
@@ -152,9 +152,10 @@ Json stress_shown_json(const StressResult& result, const Pattern& base) {
     if (at != result.panels_mpa.end()) panels_mpa.push_back(at->second);
   }
   if (panels_mpa.size() != kept.size() || result.panels_mpa.size() != kept.size()) {
-    throw UserError(kExitBadInput, result.path +
-                                       ": has other panels than the sheet that it is said to be of "
-                                       "(it was altered); run `misalign stress` again");
+    throw UserError(Cause::bad_input,
+                    result.path +
+                        ": has other panels than the sheet that it is said to be of "
+                        "(it was altered); run `misalign stress` again");
   }
   Json json = result.shown;
   json["panels_mpa"] = panels_mpa;

@@ -80,7 +80,7 @@ class Merge {
       if (campaign.splitting) campaign.stop.accepted = least_kept();
       evaluator_.emplace(std::move(campaign));
     } else if (input.state.identity != inputs_.front().state.identity) {
-      throw schema::UserError(schema::kExitOtherCampaign,
+      throw schema::UserError(schema::Cause::foreign,
                               path + ": holds another campaign than " + inputs_.front().path +
                                   " (they differ in " +
                                   schema::differences(evaluator_->campaign(), campaign) +

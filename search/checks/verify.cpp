@@ -46,7 +46,7 @@ class Verifier {
   void look() {
     schema::CheckedLedger checked = schema::read_checked(database_, campaign_);
     v_.findings = std::move(checked.findings);
-    if (!checked.state) throw schema::UserError(schema::kExitBadInput, checked.why_no_state);
+    if (!checked.state) throw schema::UserError(schema::Cause::bad_input, checked.why_no_state);
     v_.digest = checked.state->digest;
     constexpr schema::DrawRange kAll{0, schema::kEndOfDraws};
     const auto draws = schema::draws_of(database_, "candidate", kAll);
@@ -195,8 +195,8 @@ Verification verify(SQLite::Database& database, const std::string& path,
     verifier.look();
     moment.reset();  // a writer's log would grow as long as it is held
     verifier.compute();
-  } catch (const schema::UserError& error) {                // it cannot be read any further
-    if (error.exit_code() != schema::kExitBadInput) throw;  // the disk's fault, not the file's
+  } catch (const schema::UserError& error) {               // it cannot be read any further
+    if (error.cause() != schema::Cause::bad_input) throw;  // the disk's fault, not the file's
     verification.findings.push_back({error.what(), {{"where", "file"}}});
   }
   return verification;

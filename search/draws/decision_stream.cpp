@@ -16,7 +16,7 @@ int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
   const auto refuse = [&](const std::string& why) {
     const double whole = std::isfinite(samples) ? std::max(1.0, std::round(samples)) : 1;
     throw schema::UserError(
-        schema::kExitUsage,
+        schema::Cause::bad_request,
         fmt::format("{} = {}: {}; try {}", name, schema::shown_number(threshold_deg), why,
                     schema::shown_number(
                         std::min(whole * sampling.sample_deg,

@@ -28,7 +28,7 @@ inline bool is_masked(const pybind11::handle& given) {
 inline pybind11::array array_of_given(const pybind11::object& given, const char* name,
                                       const char* maker = "asarray") {
   if (is_masked(given)) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             std::string(name) +
                                 ": has masked entries (there is no number there); fill them, or "
                                 "leave those rows out");

@@ -59,7 +59,6 @@ class Catalogue {
     choice.where = where;
     choice.by = by;
     choice.best = limit;
-    choice.dashes = "";
     const auto database = unlocked([&] { return open(); });
     return table_of_query(*database, unlocked([&] { return best_sql(*database, "*", choice); }));
   }
@@ -113,7 +112,7 @@ class Catalogue {
                         int jobs) const {
     const std::uint64_t draw = draw_number(number);
     const auto refuse = [](const std::string& sentence) {
-      return schema::UserError(schema::kExitUsage, sentence);
+      return schema::UserError(schema::Cause::bad_request, sentence);
     };
     if (!(amplitude_mm >= 0)) throw refuse("amplitude_mm: must not be negative; try 0.05");
     if (trials == 0) throw refuse("trials: must be positive; try 1000");
@@ -129,7 +128,7 @@ class Catalogue {
     };
     return unlocked([&] {
       const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});
-      check_miscut("amplitude_mm", amplitude_mm, source_->pattern(), shifts_mm.front(),
+      check_miscut(amplitude_mm, source_->pattern(), shifts_mm.front(),
                    "draw " + std::to_string(draw));
       schema::Json json =
           schema::tolerance_json(study_tolerance(*source_->campaign, shifts_mm, options).front());
@@ -148,7 +147,7 @@ class Catalogue {
   std::unique_ptr<SQLite::Database> open() const {
     auto database = schema::open_for_reading(path_);
     const auto refuse = [&](const std::string& what) {
-      return schema::UserError(schema::kExitOtherCampaign,
+      return schema::UserError(schema::Cause::foreign,
                                path_ + ": " + what +
                                    " was opened (it was replaced); open it again with "
                                    "misalign.Catalogue");

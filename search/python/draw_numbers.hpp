@@ -14,7 +14,7 @@ namespace misalign::search::python {
 inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
   namespace py = pybind11;
   const auto refuse = [](const std::string& why) {
-    return schema::UserError(schema::kExitUsage,
+    return schema::UserError(schema::Cause::bad_request,
                              "draws: " + why + "; give whole numbers from 0 to 2^63 - 1");
   };
   const py::array all = array_of_given(draws, "draws", "atleast_1d");
@@ -45,8 +45,9 @@ inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
 inline std::uint64_t draw_number(const pybind11::object& draw) {
   const std::vector<std::uint64_t> numbers = draw_numbers(draw);
   if (numbers.size() == 1) return numbers.front();
-  throw schema::UserError(schema::kExitUsage, "draw: holds " + std::to_string(numbers.size()) +
-                                                  " numbers; give one, from 0 to 2^63 - 1");
+  throw schema::UserError(
+      schema::Cause::bad_request,
+      "draw: holds " + std::to_string(numbers.size()) + " numbers; give one, from 0 to 2^63 - 1");
 }
 
 }  // namespace misalign::search::python

@@ -1,9 +1,9 @@
-// Translates this program's exceptions into Python's `misalign.Error`: the same sentences and exit
-// codes.
+// Translates this program's exceptions into Python's `misalign.Error`: the same exit codes and
+// sentences, in which parameters have their Python names.
 #include <exception>
 
 #include "search/python/bindings.hpp"
-#include "search/terminal/failure.hpp"
+#include "search/verbs/border.hpp"
 
 namespace misalign::search::python {
 
@@ -27,9 +27,9 @@ void bind_errors(py::module_& module) {
           } catch (const py::error_already_set&) {
             throw;
           } catch (const std::exception& error) {
-            const Failure failure = failure_of(error);
+            const schema::UserError failure = failure_of(error);
             const auto error_class = py::reinterpret_borrow<py::object>(error_type);
-            const py::object made = error_class(failure.sentence, failure.exit_code);
+            const py::object made = error_class(failure.what(), exit_code_of(failure.cause()));
             PyErr_SetObject(error_type, made.ptr());
           }
         });

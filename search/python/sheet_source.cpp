@@ -52,7 +52,7 @@ std::shared_ptr<SheetSource> source_of(schema::Campaign campaign) {
 
 std::shared_ptr<SheetSource> read_source(const std::string& path) {
   if (is_database(path)) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             path +
                                 ": is a catalogue, which holds many sheets; open it with "
                                 "misalign.Catalogue");

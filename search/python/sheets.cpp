@@ -80,7 +80,7 @@ py::array_t<double> shifts(const SheetSource& source, const py::object& draws) {
   const std::vector<std::uint64_t> numbers = draw_numbers(draws);
   const schema::Campaign& campaign = *source.campaign;
   if (campaign.splitting) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             campaign.name +
                                 ": is a splitting campaign, whose numbers are no draws (each is a "
                                 "place in a population); take Catalogue.shifts of its catalogue");

@@ -13,7 +13,7 @@ namespace {
 namespace py = pybind11;
 
 schema::UserError no_shifts(const std::string& why, const std::string& form) {
-  return schema::UserError(schema::kExitUsage, "shifts_mm: " + why + "; give " + form);
+  return schema::UserError(schema::Cause::bad_request, "shifts_mm: " + why + "; give " + form);
 }
 
 std::string shape_of(const py::array& array) {
@@ -45,7 +45,7 @@ void check(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm, const s
   for (Eigen::Index v = 0; v < shifts_mm.cols(); ++v) {
     if (shifts_mm.col(v).allFinite()) continue;
     throw schema::UserError(
-        schema::kExitUsage,
+        schema::Cause::bad_request,
         fmt::format("shifts_mm: {}vertex {} is shifted by [{}, {}], which are not both numbers; "
                     "give finite ones, in mm",
                     whose, solver::vertex_label(static_cast<int>(v)), shifts_mm(0, v),
@@ -55,7 +55,7 @@ void check(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm, const s
       solver::nonconvex_facets(source.pattern(), source.pattern().vertices_mm + shifts_mm);
   if (bad.empty()) return;
   throw schema::UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       fmt::format("shifts_mm: {}the shifts turn the facet {} into no convex quadrilateral; shift "
                   "vertices by a small part of a panel",
                   whose, schema::facet_json(source.sheet.base, bad.front()).dump()));

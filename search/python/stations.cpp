@@ -15,7 +15,7 @@ std::optional<std::vector<double>> stations_of(const py::object& stations) {
   if (stations.is_none()) return std::nullopt;
   const auto refuse = [](const std::string& why) {
     return schema::UserError(
-        schema::kExitUsage,
+        schema::Cause::bad_request,
         "stations: " + why + "; give pilot angles in degrees, ascending, from 0 to 180");
   };
   const py::array all = array_of_given(stations, "stations", "atleast_1d");

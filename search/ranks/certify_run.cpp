@@ -85,7 +85,7 @@ class CertifyZero {
   void begin(const std::vector<std::string>& layouts) {
     for (std::size_t k = 0; k < layouts.size(); ++k) {
       if (layouts[k] == layouts[0]) continue;
-      throw UserError(schema::kExitOtherCampaign,
+      throw UserError(schema::Cause::foreign,
                       fmt::format("rank {} sends its certificates in another layout than rank 0 "
                                   "(another build); put the same program on every host",
                                   k));
@@ -105,7 +105,7 @@ class CertifyZero {
     settings.progress = progress_style();
     const RunEnd end = run_coordinator(mpi, heartbeat, task, settings);
     if (catalogue_) catalogue_->close();
-    if (end == RunEnd::lost) return schema::kExitFailure;
+    if (end == RunEnd::lost) return options_.border.exit_code(schema::Cause::failure);
     if (!gone_.empty()) say_what_is_gone();
     return 0;
   }
@@ -126,7 +126,7 @@ class CertifyZero {
 
  private:
   UserError nothing_to_check() const {
-    return {schema::kExitBadInput,
+    return {schema::Cause::bad_input,
             fmt::format("{}: of {} none has a certificate, so that there is nothing to check; make "
                         "them: misalign certify {} --all",
                         options_.path, count_text(sheets_.size(), "candidate"),
@@ -230,18 +230,20 @@ int run_rank_zero(const CertifyOptions& options, MpiSession& mpi,
                   const std::function<void(const CertifyReport&)>& show) {
   std::optional<CertifyZero> zero;
   Heartbeat heartbeat(mpi);
-  if (const int code = mpi.broadcast(exit_code_of([&] { zero.emplace(options); }))) return code;
+  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero.emplace(options); })))
+    return code;
   mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
   const auto layouts = mpi.gather(certify_layout());
-  if (const int code = mpi.broadcast(exit_code_of([&] { zero->begin(layouts); }))) return code;
+  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero->begin(layouts); })))
+    return code;
   int exit_code = 0;
-  const int failure = exit_code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  const int failure = exit_code_of(options.border, [&] { exit_code = zero->run(mpi, heartbeat); });
   if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
   mpi.meet();
   if (failure || exit_code) return failure ? failure : exit_code;
   const CertifyReport report = zero->report();
   show(report);
-  return report.check.findings.empty() ? 0 : schema::kExitCheckFailed;
+  return report.check.findings.empty() ? 0 : options.border.exit_code(schema::Cause::check_failed);
 }
 
 int run_other_rank(const CertifyOptions& options, MpiSession& mpi) {
@@ -249,7 +251,7 @@ int run_other_rank(const CertifyOptions& options, MpiSession& mpi) {
   if (const int code = mpi.broadcast(0)) return code;
   const std::string resolved = mpi.broadcast(std::string());
   int refused = 0;
-  const int failure = exit_code_of([&] {
+  const int failure = exit_code_of(options.border, [&] {
     Ready ready(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
                 options.contact);
     mpi.gather(certify_layout());
@@ -275,7 +277,7 @@ int run_certify(const CertifyOptions& options,
   hold_signals();
   MpiSession mpi;
   // As in a search; alone it may finish the sheet that it is at.
-  const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
+  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
   watch_for_signals(mpi.rank() == 0 && mpi.ranks() > 1 ? kLeave_s : kRelease_s,
                     mpi.ranks() > 1 ? leave_code : 0);
   if (mpi.rank() == 0) tell_starter();

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "schema/records/certificate_record.hpp"
+#include "search/terminal/failure.hpp"
 
 namespace misalign::search {
 
 struct CertifyOptions {
+  Border border;
   std::string path;
   std::function<std::vector<std::uint64_t>(SQLite::Database&)> choose;  ///< the draws
   std::optional<double> to_deg;  ///< instead of each candidate's D

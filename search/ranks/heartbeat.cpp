@@ -45,7 +45,7 @@ void Heartbeat::beat() {
       lost_ = true;
     }
     // Rank 0 commits what it has, but it may hang in MPI.
-    if (lost_ && (mpi_.rank() > 0 || now_s - lost_s > kGrace_s)) _exit(schema::kExitFailure);
+    if (lost_ && (mpi_.rank() > 0 || now_s - lost_s > kGrace_s)) _exit(EXIT_FAILURE);
     std::this_thread::sleep_for(kLook);
   }
 }

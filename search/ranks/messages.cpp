@@ -80,10 +80,10 @@ SentUnit unpack_unit(const Bytes& bytes) {
 
 int message_length(std::size_t bytes, std::size_t most) {
   if (bytes <= most) return static_cast<int>(bytes);
-  throw schema::UserError(schema::kExitFailure,
+  throw schema::UserError(schema::Cause::failure,
                           "the results of one unit take " + std::to_string(bytes) +
                               " bytes (one message may have " + std::to_string(most) +
-                              "); give smaller units with --unit-draws");
+                              "); give smaller units with " + schema::parameter("unit_draws"));
 }
 
 }  // namespace misalign::search

@@ -25,25 +25,7 @@ constexpr int kHereIAm = SIGURG;
 
 using schema::UserError;
 
-// Without --ranks and its value.
-std::vector<std::string> words_of_a_rank(const std::vector<std::string>& words, bool with_bar) {
-  std::vector<std::string> kept;
-  bool only_arguments = false;
-  for (std::size_t k = 1; k < words.size(); ++k) {
-    only_arguments = only_arguments || words[k] == "--";
-    const bool alone = words[k] == "--ranks";
-    if (only_arguments || (!alone && words[k].rfind("--ranks=", 0) != 0)) {
-      kept.push_back(words[k]);
-      continue;
-    }
-    if (alone) ++k;
-    if (with_bar) kept.insert(kept.end(), {"--progress", "bar"});
-  }
-  return kept;
-}
-
-std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>& words,
-                                      bool with_bar) {
+std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>& words) {
   const std::string count = std::to_string(ranks);
   // As many slots as ranks, also where there are fewer cores.
   std::vector<std::string> command = {"mpirun",
@@ -54,8 +36,7 @@ std::vector<std::string> mpirun_words(int ranks, const std::vector<std::string>&
                                       "-n",
                                       count,
                                       std::filesystem::read_symlink("/proc/self/exe").string()};
-  const std::vector<std::string> own = words_of_a_rank(words, with_bar);
-  command.insert(command.end(), own.begin(), own.end());
+  command.insert(command.end(), words.begin(), words.end());
   return command;
 }
 
@@ -80,12 +61,14 @@ bool prepare_mpirun(const sigset_t& mask, pid_t starter, int printed) {
 // UserError if there is no such program.
 void expect_started(const ChildProcess& launcher) {
   if (launcher.error() == 0) return;
-  throw UserError(schema::kExitFailure,
-                  launcher.error() == ENOENT
-                      ? "--ranks: there is no mpirun in PATH (it starts the ranks); install Open "
-                        "MPI's programs (Debian: openmpi-bin), or leave --ranks out: one core"
-                      : std::string("--ranks: mpirun cannot be started (") +
-                            std::strerror(launcher.error()) + "); leave --ranks out: one core");
+  const std::string option = schema::parameter("ranks"),
+                    without = "leave " + option + " out: one core";
+  const std::string why =
+      launcher.error() == ENOENT
+          ? ": there is no mpirun in PATH (it starts the ranks); install Open MPI's programs "
+            "(Debian: openmpi-bin), or "
+          : std::string(": mpirun cannot be started (") + std::strerror(launcher.error()) + "); ";
+  throw UserError(schema::Cause::failure, option + why + without);
 }
 
 // Passes on what the ranks print: mpirun says nothing of what it could not write, and whoever asked
@@ -186,12 +169,13 @@ int exit_code(int code, const Starter& starter, int ranks) {
   if (starter.asked_by() && (code == 0 || code == kLeftWithStarter)) return 0;
   if (!starter.ranks_began() && !starter.asked_by()) {
     const std::string count = std::to_string(ranks);
-    throw UserError(schema::kExitFailure, "mpirun could not start " + count + " ranks (exit code " +
-                                              std::to_string(code) + "); mpirun --host localhost:" +
-                                              count + " -n " + count + " true says why");
+    throw UserError(schema::Cause::failure, "mpirun could not start " + count +
+                                                " ranks (exit code " + std::to_string(code) +
+                                                "); mpirun --host localhost:" + count + " -n " +
+                                                count + " true says why");
   }
   if (code <= 128) return code;  // a rank has said why
-  throw UserError(schema::kExitFailure,
+  throw UserError(schema::Cause::failure,
                   std::string("a rank was ended from outside (") + strsignal(code - 128) +
                       "; memory may have run out); what was committed is good, and the same "
                       "command goes on");
@@ -199,7 +183,7 @@ int exit_code(int code, const Starter& starter, int ranks) {
 
 }  // namespace
 
-int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with_bar) {
+int run_under_mpirun(int ranks, const std::vector<std::string>& words) {
   sigset_t watched, before;
   sigemptyset(&watched);
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGUSR2, SIGCHLD, SIGTSTP, int{kHereIAm}}) {
@@ -207,7 +191,7 @@ int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with
   }
   pthread_sigmask(SIG_BLOCK, &watched, &before);
   Pipe pipe;
-  ChildProcess launcher(mpirun_words(ranks, words, with_bar), [&, starter = getpid()] {
+  ChildProcess launcher(mpirun_words(ranks, words), [&, starter = getpid()] {
     return prepare_mpirun(before, starter, pipe.write_end());
   });
   pipe.close_write_end();

@@ -10,12 +10,11 @@ namespace misalign::search {
 /// it: mpirun takes 0 for a rank that is done, and the others would wait for it.
 inline constexpr int kLeftWithStarter = 143;
 
-/// Runs the same command under mpirun, on this machine alone, and returns its exit code. `words`
-/// are those that were typed, the program's name first; --ranks among them is left out, or is
-/// --progress bar instead where `with_bar`. SIGINT and SIGTERM go to rank 0, SIGUSR1 and SIGUSR2 to
+/// Runs this program with these words under mpirun, on this machine alone, and returns its exit
+/// code. SIGINT and SIGTERM go to rank 0, SIGUSR1 and SIGUSR2 to
 /// all, SIGTSTP (Ctrl-Z) to nobody, and if this process is killed, mpirun is asked to end.
 /// @throws UserError  there is no mpirun, or it could start nothing
-int run_under_mpirun(int ranks, const std::vector<std::string>& words, bool with_bar);
+int run_under_mpirun(int ranks, const std::vector<std::string>& words);
 
 /// Whether a process as above waits for this one.
 bool has_starter();

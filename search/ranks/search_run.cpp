@@ -30,26 +30,28 @@ namespace {
 
 // UserError (2) where what was typed counts something else than the campaign is made of.
 void check_counts(const SearchOptions& options, const schema::Campaign& campaign) {
-  const auto refuse = [](const std::string& option, const char* why, const char* instead) {
-    throw schema::UserError(schema::kExitUsage, option + ": " + why + "; " + instead);
+  const auto refuse = [](const char* name, const char* why, const std::string& instead) {
+    throw schema::UserError(solver::OptionFault{name, {}, why, instead});
   };
   if (campaign.splitting && options.draws) {
-    refuse("--draws", "this campaign splits, and is made of populations", "give --populations N");
+    refuse("draws", "this campaign splits, and is made of populations",
+           "give " + schema::parameter("populations", "N"));
   }
   if (campaign.splitting && options.unit_draws) {
-    refuse("--unit-draws", "this campaign splits, and cuts its work by time", "take it out");
+    refuse("unit_draws", "this campaign splits, and cuts its work by time", "take it out");
   }
   if (!campaign.splitting && options.populations) {
-    refuse("--populations", "this campaign is one of plain draws", "give --draws N");
+    refuse("populations", "this campaign is one of plain draws",
+           "give " + schema::parameter("draws", "N"));
   }
   if (campaign.splitting && options.range && options.range->hi > schema::kEndOfPopulations) {
-    refuse("--range", "populations are numbered below 922337203", "try 0:100");
+    refuse("range", "populations are numbered below 922337203", "try 0:100");
   }
 }
 
 schema::Campaign resolved_campaign(const SearchOptions& options) {
   if (!random_numbers_as_published()) {
-    throw schema::UserError(schema::kExitFailure,
+    throw schema::UserError(schema::Cause::failure,
                             "the random-number generator does not give its published numbers (this "
                             "build is broken); build it again and run the tests");
   }
@@ -103,7 +105,7 @@ void expect_one_layout(const std::vector<RankInfo>& ranks) {
   for (std::size_t k = 0; k < ranks.size(); ++k) {
     if (ranks[k].message_layout == ranks[0].message_layout) continue;
     throw schema::UserError(
-        schema::kExitOtherCampaign,
+        schema::Cause::foreign,
         fmt::format("rank {} on {} sends its results in another layout than rank 0 on {} (another "
                     "build); put the same program on every host",
                     k, ranks[k].host, ranks[0].host));
@@ -116,12 +118,14 @@ std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds b
   for (std::size_t k = 0; k < ranks.size(); ++k) {
     different.insert(ranks[k].golden_verdicts);
     if (different.size() > 1 && builds == schema::Builds::same) {
-      throw schema::UserError(schema::kExitOtherCampaign,
+      throw schema::UserError(schema::Cause::foreign,
                               "rank " + std::to_string(k) + " on " + ranks[k].host +
                                   " gives other verdicts on the golden draws than rank 0 on " +
                                   ranks[0].host +
                                   " (another build, or a broken machine); put the same program on "
-                                  "every host, or use --allow-mixed-builds if you know that the "
+                                  "every host, or use " +
+                                  schema::parameter("allow_mixed_builds") +
+                                  " if you know that the "
                                   "difference does no harm");
     }
   }
@@ -198,7 +202,7 @@ class RankZero {
     spdlog::debug("{} commits in {:.3f} s, the longest {:.3f} s", cost.commits, cost.seconds,
                   cost.longest_s);
     print_summary(end);
-    return end == RunEnd::lost ? schema::kExitFailure : 0;
+    return end == RunEnd::lost ? options_.border.exit_code(schema::Cause::failure) : 0;
   }
 
  private:
@@ -255,12 +259,14 @@ class RankZero {
 int run_rank_zero(const SearchOptions& options, MpiSession& mpi) {
   std::optional<RankZero> zero;
   Heartbeat heartbeat(mpi);
-  if (const int code = mpi.broadcast(exit_code_of([&] { zero.emplace(options); }))) return code;
+  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero.emplace(options); })))
+    return code;
   mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
   const std::vector<RankInfo> ranks = gather_ranks(mpi, options.instruction_set);
-  if (const int code = mpi.broadcast(exit_code_of([&] { zero->begin(ranks); }))) return code;
+  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero->begin(ranks); })))
+    return code;
   int exit_code = 0;
-  const int failure = exit_code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  const int failure = exit_code_of(options.border, [&] { exit_code = zero->run(mpi, heartbeat); });
   if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
   mpi.meet();
   return failure ? failure : exit_code;
@@ -290,7 +296,7 @@ int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
   if (const int code = mpi.broadcast(0)) return code;
   const std::string resolved = mpi.broadcast(std::string());
   int refused = 0;
-  const int failure = exit_code_of([&] {
+  const int failure = exit_code_of(options.border, [&] {
     DrawEvaluator evaluator(
         schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
         options.instruction_set);
@@ -323,7 +329,7 @@ int run_search(const SearchOptions& given) {
   hold_signals();
   MpiSession mpi;
   // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
-  const int leave_code = has_starter() ? kLeftWithStarter : schema::kExitFailure;
+  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
   watch_for_signals(mpi.rank() == 0 ? kLeave_s : kRelease_s, mpi.ranks() > 1 ? leave_code : 0);
   if (mpi.rank() == 0) tell_starter();
   return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);

@@ -6,10 +6,12 @@
 
 #include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/coordinator.hpp"
+#include "search/terminal/failure.hpp"
 
 namespace misalign::search {
 
 struct SearchOptions {
+  Border border;
   std::string campaign_path;
   std::string catalogue_path;  ///< empty: results/NAME-<8 hex digits>.db
   std::optional<std::uint64_t> draws, populations, accepted, seed;

@@ -51,7 +51,7 @@ void end_for_lost_page(int signal, siginfo_t* info, void*) {
       "and the same command goes on from there\n";
   leave_live_line();
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kWhy, sizeof kWhy - 1);
-  _exit(schema::kExitFailure);
+  _exit(EXIT_FAILURE);
 }
 
 }  // extern "C"

@@ -189,11 +189,12 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
     const auto at = std::find(detailed.draws.begin(), detailed.draws.end(), stressed[k]);
     if (at == detailed.draws.end()) {
       throw schema::UserError(
-          schema::kExitBadInput,
+          schema::Cause::bad_input,
           fmt::format(
               "{}: is of draw {}, which is not among those that can be looked at closely on "
-              "this page; add --draw {}",
-              call.detail.stress_files[k], stressed[k], stressed[k]));
+              "this page; add {}",
+              call.detail.stress_files[k], stressed[k],
+              schema::parameter("draw", std::to_string(stressed[k]))));
     }
     detailed.asked_for =
         std::max(detailed.asked_for, static_cast<std::size_t>(at - detailed.draws.begin()) + 1);

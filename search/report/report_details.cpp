@@ -21,9 +21,9 @@ std::string owner(const schema::StressResult& result) {
 }
 
 UserError of_another(const schema::StressResult& result, const std::string& shown) {
-  return UserError(schema::kExitBadInput, result.path + ": is of " + owner(result) +
-                                              ", and what is reported is " + shown +
-                                              "; name a result of `misalign stress` on that");
+  return UserError(schema::Cause::bad_input, result.path + ": is of " + owner(result) +
+                                                 ", and what is reported is " + shown +
+                                                 "; name a result of `misalign stress` on that");
 }
 
 }  // namespace
@@ -46,8 +46,9 @@ std::vector<std::uint64_t> ReportDetails::draws_with_stress(
     }
     const auto draw = result.whose["draw"].get<std::uint64_t>();
     if (std::find(draws.begin(), draws.end(), draw) != draws.end()) {
-      throw UserError(schema::kExitUsage, result.path + ": is of draw " + std::to_string(draw) +
-                                              ", as another --stress is; name one of the two");
+      throw UserError(schema::Cause::bad_request,
+                      result.path + ": is of draw " + std::to_string(draw) +
+                          ", as another --stress is; name one of the two");
     }
     draws.push_back(draw);
   }
@@ -56,8 +57,9 @@ std::vector<std::uint64_t> ReportDetails::draws_with_stress(
 
 void ReportDetails::check_stress(const std::string& path, const std::string& fingerprint) const {
   if (stress_.size() > 1) {
-    throw UserError(schema::kExitUsage, "--stress: is given " + std::to_string(stress_.size()) +
-                                            " times, and " + path + " is one sheet; give it once");
+    throw UserError(schema::Cause::bad_request,
+                    "--stress: is given " + std::to_string(stress_.size()) + " times, and " + path +
+                        " is one sheet; give it once");
   }
   for (const schema::StressResult& result : stress_) {
     if (result.whose.value("sheet", "") != fingerprint) {
@@ -111,7 +113,7 @@ Json ReportDetails::contact(const FoldedSheet& folded) {
       json.erase("clearance");
       return json;
     } catch (const UserError& error) {
-      if (error.exit_code() != schema::kExitUsage) return nullptr;
+      if (error.cause() != schema::Cause::bad_request) return nullptr;
     }
   }
   return nullptr;

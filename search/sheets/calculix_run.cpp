@@ -27,7 +27,7 @@ std::string find_calculix() {
       return ccx.string();
     }
   }
-  throw schema::UserError(schema::kExitFailure,
+  throw schema::UserError(schema::Cause::failure,
                           "there is no ccx in PATH (CalculiX, which bends the panels; directories "
                           "that do not begin with / are not looked at); install it (Debian: "
                           "calculix-ccx)");
@@ -36,9 +36,9 @@ std::string find_calculix() {
 RunDirectory::RunDirectory(const std::string& parent, const std::string& job)
     : parent_(parent), job_(job), path_(job_file(parent, job, ".run-XXXXXX")) {
   if (mkdtemp(path_.data())) return;
-  throw schema::UserError(schema::kExitFailure, parent + ": no directory can be made in it (" +
-                                                    std::strerror(errno) +
-                                                    "); choose another --output");
+  throw schema::UserError(schema::Cause::failure, parent + ": no directory can be made in it (" +
+                                                      std::strerror(errno) + "); choose another " +
+                                                      schema::parameter("output"));
 }
 
 RunDirectory::~RunDirectory() {
@@ -54,9 +54,9 @@ void RunDirectory::publish() const {
     fs::remove(to, error);
     if (!error && fs::is_regular_file(fs::symlink_status(from))) fs::rename(from, to, error);
     if (!error) continue;
-    throw schema::UserError(schema::kExitFailure, to.string() + ": cannot be replaced (" +
-                                                      error.message() + "); what ccx wrote is in " +
-                                                      path_);
+    throw schema::UserError(schema::Cause::failure, to.string() + ": cannot be replaced (" +
+                                                        error.message() +
+                                                        "); what ccx wrote is in " + path_);
   }
   std::error_code ignored;
   fs::remove_all(path_, ignored);  // such as spooles.out, of all jobs
@@ -77,9 +77,9 @@ CalculixEnd run_calculix(const std::string& ccx, const std::string& directory,
            chdir(directory.c_str()) == 0;
   });
   if (child.error() != 0) {
-    throw schema::UserError(schema::kExitFailure, ccx + ": cannot be started (" +
-                                                      std::strerror(child.error()) +
-                                                      "); try it by hand, with -i " + job);
+    throw schema::UserError(schema::Cause::failure, ccx + ": cannot be started (" +
+                                                        std::strerror(child.error()) +
+                                                        "); try it by hand, with -i " + job);
   }
   CalculixEnd end;
   for (int looks = 0; !child.has_ended();) {

@@ -14,7 +14,7 @@ Eigen::Matrix2Xd shifts_of_number(SQLite::Database& database, const schema::Camp
   const schema::Json row = schema::read_candidate(database, number);
   if (!row.is_object()) {
     throw schema::UserError(
-        schema::kExitUsage,
+        schema::Cause::bad_request,
         fmt::format("{} is no candidate of this catalogue (of a splitting campaign only those are "
                     "kept); take one that `misalign query` shows, or make its population again "
                     "with `misalign replay --again`",

@@ -167,10 +167,10 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
   const std::string& where = choice.where;
   const auto refuse = [&](const std::string& why) {
     throw schema::UserError(
-        schema::kExitUsage,
-        fmt::format("{}where {}: is no condition on the columns {}{}; try \"stroke_max < 0.08\"",
-                    choice.dashes, schema::printable(where),
-                    fmt::join(columns_of_candidates(database), ", "), why));
+        solver::OptionFault{"where", where,
+                            fmt::format("is no condition on the columns {}{}",
+                                        fmt::join(columns_of_candidates(database), ", "), why),
+                            "try \"stroke_max < 0.08\""});
   };
   const std::string reason = schema::reason_not_to_enclose(where);
   if (!reason.empty()) refuse(" (" + reason + ")");
@@ -180,7 +180,7 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
       draws_of(database, "SELECT draw FROM candidates WHERE " + condition + " LIMIT 0");
     }
   } catch (const schema::UserError& error) {
-    if (error.exit_code() != schema::kExitUsage) throw;
+    if (error.cause() != schema::Cause::bad_request) throw;
     refuse(unknown_column(error.what(), columns_of_candidates(database)));
   }
 }
@@ -190,9 +190,8 @@ void check_column(SQLite::Database& database, const Choice& choice) {
   const std::vector<std::string> columns = columns_of_candidates(database);
   if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
   throw schema::UserError(
-      schema::kExitUsage,
-      fmt::format("{}by {}: is no column of a candidate{}; choose one of {}", choice.dashes,
-                  schema::printable(by), column_meant(by, columns), fmt::join(columns, ", ")));
+      solver::OptionFault{"by", by, "is no column of a candidate" + column_meant(by, columns),
+                          fmt::format("choose one of {}", fmt::join(columns, ", "))});
 }
 
 // In the order that "best" means, or by a column, the largest first, and the best first among
@@ -249,7 +248,7 @@ std::string best_sql(SQLite::Database& database, const std::string& columns, con
 std::vector<std::uint64_t> chosen_draws(SQLite::Database& database, const Choice& choice) {
   const std::vector<std::uint64_t> draws = chosen(database, choice);
   if (draws.empty() || (!choice.draws.empty() && draws.size() < choice.draws.size())) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             database.getFilename() + ": holds no such candidate; `misalign query " +
                                 database.getFilename() +
                                 " best` shows those that it holds, `misalign replay` any draw");

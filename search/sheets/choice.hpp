@@ -15,7 +15,6 @@ struct Choice {
   std::optional<std::uint64_t> diverse;
   std::optional<std::string> by;  ///< column that says what is best, before the order of `best`
   std::string where;              ///< SQL condition on the candidates view
-  const char* dashes = "--";      ///< before these names, where a sentence has them
 
   /// Whether anything but --by was said.
   bool chooses() const { return !draws.empty() || best || diverse || !where.empty(); }

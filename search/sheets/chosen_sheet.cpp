@@ -59,7 +59,7 @@ ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> d
   }
   const auto database = schema::open_for_reading(path);
   if (!draw) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             path +
                                 ": no DRAW is given (a catalogue holds many); name one, such as a "
                                 "candidate that `misalign query` shows");
@@ -77,7 +77,7 @@ ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> d
 
 schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what) {
   return schema::UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       path + ": is a pattern, which is one sheet (" + what +
           " can only be chosen from a catalogue); take that out, or name a catalogue");
 }

@@ -26,7 +26,7 @@ double ContactStudier::checked_trim_mm(std::optional<double> trim_mm,
   const double wanted_mm = trim_mm.value_or(solver::kTrimPart * model_.mechanism().panel_width_mm);
   if (wanted_mm < largest_mm) return wanted_mm;
   throw UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       fmt::format("--trim {:g}: leaves nothing of an edge of {} (that takes {:.4g} mm); "
                   "trim less",
                   wanted_mm, name, largest_mm));
@@ -41,7 +41,7 @@ solver::ContactStudy ContactStudier::study(const Eigen::Matrix2Xd& shifts_mm,
       solver::record_path(model_, vertices_mm).verdict.deploys_from_sample * sample_deg_;
   const solver::PanelMotion* motion = ways_.follow(vertices_mm);
   if (!motion) {
-    throw UserError(schema::kExitFailure,
+    throw UserError(schema::Cause::failure,
                     name +
                         ": its folding path is lost (a numerical failure), so it is not known "
                         "where panels meet; `misalign fold` says how far the path is known");

@@ -37,7 +37,7 @@ std::pair<int, double> other_rest(const solver::Mechanism& mechanism, const std:
                          read_number(std::string_view(text).substr(equals + 1), rest_deg);
   if (diagonal >= 0 && has_angle && rest_deg >= 0) return {diagonal, rest_deg};
   throw UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       fmt::format("--rest {}: is no diagonal with an angle (a diagonal of this sheet is "
                   "named {}); write it as {}=60",
                   schema::printable(text), schema::diagonal_label(mechanism, 0),
@@ -58,7 +58,7 @@ solver::HeldPanel held_panel(const schema::Pattern& base, const solver::Mechanis
     }
   }
   if (panel < 0) {
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     fmt::format("--hold {}: is no panel of this sheet (rows and columns count from "
                                 "0, and holes cannot be held); name one as ROW,COLUMN, such as 0,0",
                                 schema::printable(place)));
@@ -102,7 +102,7 @@ void Deployer::check_angles(const solver::FoldingWay& way, double from_deg,
   }
   const auto check = [&](const std::string& option, double wished_deg) {
     if (wished_deg < end_deg) return;
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     fmt::format("{} {:g}: {} {} at {:.4f} deg; name a smaller angle", option,
                                 wished_deg, name, reason, end_deg));
   };
@@ -133,7 +133,7 @@ solver::DeploymentStudy Deployer::study(const Eigen::Matrix2Xd& shifts_mm, doubl
   schema::need("SUNDIALS");
   const auto way = ways_.follow(base_.base.sheet.vertices_mm + shifts_mm);
   if (!way) {
-    throw UserError(schema::kExitFailure,
+    throw UserError(schema::Cause::failure,
                     name +
                         ": its folding path is lost (a numerical failure), so it cannot be let "
                         "go; `misalign fold` says how far it is known");

@@ -81,7 +81,7 @@ void SheetFolder::check_shapes(const FoldedSheet& folded, const std::vector<Eige
     return;
   }
   throw schema::UserError(
-      schema::kExitCheckFailed,
+      schema::Cause::check_failed,
       name + ": its folded shape is not that of rigid panels (" +
           schema::shown_number(worst.length_mm) + " mm, " + schema::shown_number(worst.angle_deg) +
           " deg off), so nothing is written of it; `misalign verify` says more");

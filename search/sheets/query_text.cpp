@@ -20,7 +20,7 @@ schema::UserError no_such_query(const std::string& name) {
   // It went by the least slope, and foretold less than it said.
   const bool is_former = name == "robust";
   const std::string meant = is_former ? "tolerant" : nearest_word(name, schema::named_queries());
-  return schema::UserError(schema::kExitUsage,
+  return schema::UserError(schema::Cause::bad_request,
                            "the query was refused (" + name + " is the name of none" +
                                (meant.empty() ? "" : "; did you mean " + meant + "?") +
                                "); it must be one SELECT, or one of the names " +

@@ -15,7 +15,7 @@ double start_deg(const SheetFolder& folder, const FoldedSheet& folded,
   const double deploys_from_deg =
       folded.path.history.verdict.deploys_from_sample * folder.sampling().sample_deg;
   if (!options.from_deg && deploys_from_deg <= 0) {
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     name +
                         " deploys from no angle, so none is where it would be let go by itself; "
                         "name one with --from");
@@ -25,8 +25,8 @@ double start_deg(const SheetFolder& folder, const FoldedSheet& folded,
 
 [[noreturn]] void refuse(const std::string& option, double pilot_deg, const std::string& name,
                          const std::string& why) {
-  throw UserError(schema::kExitUsage, option + " " + shown_number(pilot_deg) + ": " + name + " " +
-                                          why + "; name a smaller angle");
+  throw UserError(schema::Cause::bad_request, option + " " + shown_number(pilot_deg) + ": " + name +
+                                                  " " + why + "; name a smaller angle");
 }
 
 // The pattern, if its unshifted sheet folds that far.

@@ -59,7 +59,7 @@ std::string path_of(const SheetFilesOptions& options, const std::string& stem) {
   const auto path = std::filesystem::path(options.directory) / (stem + ending(options.format));
   std::error_code error;
   if (std::filesystem::equivalent(path, options.read_from, error)) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             "--output " + options.directory +
                                 ": the file would replace the one that is read (it has the same "
                                 "name); name another directory");
@@ -73,8 +73,8 @@ void make_directory(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (!error) return;
-  throw schema::UserError(schema::kExitFailure, path + ": cannot be made (" + error.message() +
-                                                    "); choose another --output");
+  throw schema::UserError(schema::Cause::failure, path + ": cannot be made (" + error.message() +
+                                                      "); choose another --output");
 }
 
 SheetFiles::SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
@@ -171,7 +171,7 @@ std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
                                          folded.vertices_mm, shapes_mm);
   if (fillers) return std::move(*fillers);
   throw schema::UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       "--joined: no fillers can join the panels of " + name +
           " (corners of its holes get wider on the way); take it out, and use the frames");
 }
@@ -226,7 +226,7 @@ void SheetFiles::write_plates(const FoldedSheet& folded, const SheetLabel& label
   const double largest_mm = study.thickness ? study.thickness->thickness_mm : 0;
   if (!(options_.release.plates.thickness_mm <= largest_mm)) {
     throw schema::UserError(
-        schema::kExitUsage,
+        schema::Cause::bad_request,
         fmt::format("--thickness {:g}: too thick (plates of {} reach D if they have at most {:.4g} "
                     "mm, trimmed by {:g} mm); take less, or say more by --trim",
                     options_.release.plates.thickness_mm, label.name, largest_mm, study.trim_mm));

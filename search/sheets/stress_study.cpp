@@ -39,7 +39,7 @@ void check_begun(const StressStudy& study, const CalculixEnd& end,
                            : motion.is_sound() ? "ended with " + std::to_string(end.exit_code)
                                                : "wrote what is no number, or none that can be,";
   throw schema::UserError(
-      schema::kExitFailure,
+      schema::Cause::failure,
       "ccx " + what + " before the end of its first increment; " + log + " is what it said");
 }
 

@@ -33,7 +33,7 @@ struct ToleranceOptions {
 inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
 
 /// UserError (2) unless an amplitude, `name` in the sentence, is below that of this sheet.
-void check_miscut(const std::string& name, double amplitude_mm, const solver::CreasePattern& base,
+void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet);
 
 /// One answer for each sheet of the campaign with these shifts; the amplitude is below the largest

@@ -38,7 +38,7 @@ Ladder stored_ladder(const schema::Campaign& campaign, const std::vector<int>& s
                            stored.front() > 0 && stored.back() == last_level(campaign) &&
                            std::ranges::is_sorted(stored, std::less_equal());
   if (!is_possible) {
-    throw schema::UserError(schema::kExitBadInput,
+    throw schema::UserError(schema::Cause::bad_input,
                             "the levels in the catalogue of " + campaign.name +
                                 " are not those of its campaign (the file is damaged, or another "
                                 "program changed it); put a backup in its place");

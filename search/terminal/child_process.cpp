@@ -40,7 +40,7 @@ Pipe::Pipe() {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw schema::UserError(
-        schema::kExitFailure,
+        schema::Cause::failure,
         std::string("no pipe can be made (") + std::strerror(errno) + "); close some programs");
   }
   read_end_ = ends[0];

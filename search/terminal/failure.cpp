@@ -18,33 +18,30 @@ std::string words_of(const std::exception& error) {
 
 }  // namespace
 
-Failure failure_of(const std::exception& error) {
-  using schema::UserError;
-  if (const auto* user = dynamic_cast<const UserError*>(&error)) {
-    return {user->exit_code(), user->what()};
-  }
+schema::UserError failure_of(const std::exception& error) {
+  using schema::Cause;
+  if (const auto* user = dynamic_cast<const schema::UserError*>(&error)) return *user;
   if (dynamic_cast<const std::bad_alloc*>(&error) ||
       dynamic_cast<const std::length_error*>(&error)) {
-    return {schema::kExitFailure,
+    return {Cause::failure,
             "there is too little memory for this (the machine has no more, or a limit such as "
             "ulimit -v is set); ask for less at once, or give it more"};
   }
   if (dynamic_cast<const schema::Json::exception*>(&error)) {
-    return {schema::kExitBadInput, "what was read has not the form that this program writes (" +
-                                       words_of(error) +
-                                       "); make it again, or see what `misalign verify` says"};
+    return {Cause::bad_input, "what was read has not the form that this program writes (" +
+                                  words_of(error) +
+                                  "); make it again, or see what `misalign verify` says"};
   }
   if (const auto* database = dynamic_cast<const SQLite::Exception*>(&error)) {
-    const UserError sentence = schema::storage_failure("the catalogue", *database);
-    return {sentence.exit_code(), sentence.what()};
+    return schema::storage_failure("the catalogue", *database);
   }
   if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
-    return {schema::kExitFailure, schema::printable(file->path1().string()) + ": cannot be used (" +
-                                      file->code().message() +
-                                      "); see to the path and its permissions"};
+    return {Cause::failure, schema::printable(file->path1().string()) + ": cannot be used (" +
+                                file->code().message() + "); see to the path and its permissions"};
   }
-  return {schema::kExitFailure, "something failed that should not (" + words_of(error) +
-                                    "); the same command with --log-level debug may say more"};
+  return {Cause::failure, "something failed that should not (" + words_of(error) +
+                              "); the same command with " +
+                              schema::parameter("log_level", "debug") + " may say more"};
 }
 
 }  // namespace misalign::search

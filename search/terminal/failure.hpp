@@ -2,17 +2,19 @@
 #pragma once
 
 #include <exception>
-#include <string>
+
+#include "schema/files/user_error.hpp"
 
 namespace misalign::search {
 
-struct Failure {
-  int exit_code;  ///< of the contract
-  std::string sentence;
-};
-
 /// A UserError as it is; too little memory, JSON of another shape, the database and the file system
 /// by what they mean for who called.
-Failure failure_of(const std::exception& error);
+schema::UserError failure_of(const std::exception& error);
+
+/// How the program that is run says failures, of which only it knows options and exit codes.
+struct Border {
+  schema::NameParameter name_parameter;
+  int (*exit_code)(schema::Cause cause);
+};
 
 }  // namespace misalign::search

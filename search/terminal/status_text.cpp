@@ -134,11 +134,11 @@ schema::DeployingFrom deploying_from(SQLite::Database& database,
                                      const schema::CatalogueState& state,
                                      const schema::Campaign& campaign, double at_deg) {
   if (!(at_deg >= campaign.threshold_deg && at_deg <= campaign.end_deg)) {
-    throw schema::UserError(
-        schema::kExitUsage,
-        "--at " + schema::shown_number(at_deg) + ": this catalogue knows what deploys from " +
-            schema::shown_number(campaign.threshold_deg) + " to " +
-            schema::shown_number(campaign.end_deg) + " degrees; ask within that");
+    throw schema::UserError(solver::OptionFault{
+        "at_deg", schema::shown_number(at_deg),
+        "this catalogue knows what deploys from " + schema::shown_number(campaign.threshold_deg) +
+            " to " + schema::shown_number(campaign.end_deg) + " degrees",
+        "ask within that"});
   }
   const int sample = static_cast<int>(std::ceil(at_deg / campaign.sample_deg - 1e-9));
   return {at_deg, std::min(schema::count_deploying_from(database, sample), state.accepted)};

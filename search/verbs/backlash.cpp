@@ -19,7 +19,7 @@ void refuse_backlash(const ToleranceCall& call, const ChosenSheets& sheets,
     const std::string name = sheets.key(k).name();
     if (call.backlash.from_deg >= study.sheets()[k].own_deg) {
       throw UserError(
-          schema::kExitUsage,
+          schema::Cause::bad_request,
           fmt::format("--backlash-from {}: must be below {} deg (from which {} deploys: "
                       "the range is from the one to the other); try {}",
                       schema::shown_number(call.backlash.from_deg),
@@ -28,7 +28,7 @@ void refuse_backlash(const ToleranceCall& call, const ChosenSheets& sheets,
     }
     if (*call.backlash_mm >= study.most_mm(k)) {
       throw UserError(
-          schema::kExitUsage,
+          schema::Cause::bad_request,
           fmt::format(
               "--backlash {}: must be below {:.4g} mm (a tenth of the shortest crease of {}: "
               "hinges looser than that have no direction); try {:.1g}",
@@ -42,7 +42,7 @@ void refuse_backlash(const ToleranceCall& call, const ChosenSheets& sheets,
 
 void check_backlash(const ToleranceCall& call) {
   if (call.study.trials > kMostBacklashTrials) {
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     fmt::format("--trials {}: at most {} with --backlash (each is kept until all "
                                 "are counted); 1000 tell the share to 1.4 %",
                                 call.study.trials, kMostBacklashTrials));

@@ -9,6 +9,7 @@
 #include "search/terminal/stopwatch.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/agreement.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/reference_run.hpp"
 #include "search/verbs/verbs.hpp"
@@ -227,7 +228,7 @@ Action bench_verb(CLI::App& verb) {
       ->check(counted(1, 100000000))
       ->type_name("N");
   verb.add_flag("--json", call->json, "as JSON");
-  return [call] { return bench(*call) ? 0 : schema::kExitCheckFailed; };
+  return [call] { return bench(*call) ? 0 : exit_code_of(schema::Cause::check_failed); };
 }
 
 }  // namespace misalign::search

@@ -8,12 +8,12 @@
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_run.hpp"
 #include "search/ranks/mpi_session.hpp"
-#include "search/ranks/rank_starter.hpp"
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/sheet_certifier.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/choice_options.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/rank_options.hpp"
@@ -57,14 +57,15 @@ void show(const CertifyCall& call, const CertifyReport& report) {
 
 int run_on_catalogue(CertifyCall& call, const Words& typed) {
   CertifyOptions& options = call.options;
+  options.border = kCommandLine;
   if (!call.choice.chooses() && !call.all && !options.check) {
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     "certify: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K, --where SQL or --all");
   }
   if (options.check) schema::need("FLINT");  // before other ranks are started
   if (const int count = ranks_wanted(call.ranks); count > 1) {
-    return run_under_mpirun(count, typed, false);
+    return run_on_ranks(count, typed, false);
   }
   options.choose = [&call](SQLite::Database& database) {
     return chosen_draws(database, call.choice);
@@ -94,7 +95,7 @@ double deploys_from_deg(const CertifyCall& call, const ChosenSheet& sheet,
     return verdict.deploys_from_sample * sheet.sampling.sample_deg;
   }
   throw UserError(
-      schema::kExitBadInput,
+      schema::Cause::bad_input,
       call.options.path +
           ": the sheet deploys from nothing (its D is 0), so that there is nothing to "
           "certify; give an angle with --to, or see what is in the way: misalign fold " +
@@ -109,7 +110,7 @@ int run_on_pattern(const CertifyCall& call) {
     const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
     if (!row) {
       const std::string file = shell_word(call.options.path);
-      throw UserError(schema::kExitBadInput,
+      throw UserError(schema::Cause::bad_input,
                       call.options.path +
                           ": it holds no certificate, so that there is nothing to check; make "
                           "one: misalign certify " +
@@ -122,8 +123,7 @@ int run_on_pattern(const CertifyCall& call) {
     } else {
       check.ends = {{row->end, 1}};
     }
-    call.json ? put_json(schema::check_json(check)) : put(check_text(check));
-    return check.findings.empty() ? 0 : schema::kExitCheckFailed;
+#include "search/sheets/certify_text.hpp"
   }
   const double asked_deg =
       call.options.to_deg ? *call.options.to_deg : deploys_from_deg(call, sheet, model);
@@ -157,15 +157,18 @@ constexpr const char* kCertifyFooter =
     "  contact        panels meet, or nearly (--contact)\n"
     "  fold_limit     the path comes to a fold limit, or nearly\n"
     "  unclear_slope  a diagonal or a crease stands still, or nearly\n"
-    "  flat_branch    the branch cannot be proven: nothing is certified, not even next to flat\n\n"
+    "  flat_branch    the branch cannot be proven: nothing is certified, not even next to "
+    "flat\n\n"
     "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
     "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
     "the\n"
-    "same command resumes. Of a pattern file nothing is kept: --json prints the pattern with its\n"
+    "same command resumes. Of a pattern file nothing is kept: --json prints the pattern with "
+    "its\n"
     "certificate, which --check takes.\n"
     "--check makes none: hash and columns, then every claim in arithmetic of many bits that "
     "shares\n"
-    "nothing with what made it. Slow: seconds for 6 x 6. Of all candidates unless some are chosen. "
+    "nothing with what made it. Slow: seconds for 6 x 6. Of all candidates unless some are "
+    "chosen. "
     "It\n"
     "says of how many certificates it is proven too what ends them, and of how many the proof "
     "only\n"

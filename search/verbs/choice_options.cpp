@@ -45,7 +45,7 @@ ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
 void check_by(const Choice& choice) {
   if (!choice.by || choice.best || choice.diverse) return;
   throw schema::UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       "--by has no meaning without --best or --diverse; take it out, or add one "
       "of them");
 }

@@ -16,9 +16,9 @@
 #include "schema/files/input.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/terminal/build_info.hpp"
-#include "search/terminal/failure.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
 #include "search/verbs/log.hpp"
 #include "search/verbs/options.hpp"
@@ -66,13 +66,13 @@ int exit_code_once_written(int exit_code) {
       "misalign: the results could not be written to standard output (is the disk full, or was it "
       "closed?); see to where it goes, and give the same command again\n",
       stderr);
-  return schema::kExitFailure;
+  return exit_code_of(schema::Cause::failure);
 }
 
 // The contract's exit code, and where to read on.
 int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& words) {
   if (error.get_exit_code() == 0) return exit_code_once_written(app.exit(error));  // --help
-  if (rank_zero_speaks(app)) return leave_it_to_rank_zero(schema::kExitUsage);
+  if (rank_zero_speaks(app)) return leave_it_to_rank_zero(exit_code_of(schema::Cause::bad_request));
   if (words.empty()) {
     std::fputs(app.help().c_str(), stderr);
   } else {
@@ -83,7 +83,7 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, const Words& 
     std::fprintf(stderr, "misalign: %s; see misalign %s--help\n", sentence.c_str(),
                  verb ? (verb->get_name() + " ").c_str() : "");
   }
-  return schema::kExitUsage;
+  return exit_code_of(schema::Cause::bad_request);
 }
 
 // Verbs with a progress of their own, or without an end.
@@ -133,7 +133,8 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     const std::string sentence = too_many_files(*chosen_verb(app), words);
-    if (!sentence.empty()) throw CLI::ParseError(sentence, schema::kExitUsage);
+    if (!sentence.empty())
+      throw CLI::ParseError(sentence, exit_code_of(schema::Cause::bad_request));
   } catch (const CLI::ParseError& error) {
     return usage_error(app, error, words);
   }
@@ -147,10 +148,11 @@ int run_command_line(int argc, char** argv) {
     work.reset();
     return exit_code_once_written(exit_code);
   } catch (const std::exception& error) {
-    const Failure failure = failure_of(error);
-    if (rank_zero_speaks(app)) return leave_it_to_rank_zero(failure.exit_code);
-    spdlog::error("{}", failure.sentence);
-    return failure.exit_code;
+    const schema::UserError failure = failure_of(error);
+    const int exit_code = exit_code_of(failure.cause());
+    if (rank_zero_speaks(app)) return leave_it_to_rank_zero(exit_code);
+    spdlog::error("{}", failure.sentence(option_of));
+    return exit_code;
   }
 }
 

@@ -4,6 +4,7 @@
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -30,7 +31,7 @@ int run_doctor(const DoctorCall& call) {
       checks.insert(checks.end(), more.begin(), more.end());
     }
     call.json ? put_json(checks_json(checks)) : put(checks_text(checks));
-    exit_code = any_bad(checks) ? schema::kExitFailure : 0;
+    exit_code = any_bad(checks) ? exit_code_of(schema::Cause::failure) : 0;
   }
   return mpi.broadcast(exit_code);
 }

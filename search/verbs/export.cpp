@@ -41,7 +41,7 @@ void add_certificate(SQLite::Database& database, const SheetFolder& folder,
       schema::certificate_fault(folder.base(), folder.mechanism(), folded.shifts_mm, *row);
   if (fault) {
     throw schema::UserError(
-        schema::kExitBadInput,
+        schema::Cause::bad_input,
         fmt::format("{}: the certificate of draw {} is not as it was made ({}); `misalign certify` "
                     "makes it anew",
                     database.getFilename(), draw, *fault));
@@ -116,8 +116,9 @@ void export_pattern(const ExportCall& call) {
 void refuse_idle_options(const SheetFilesOptions& files, const KitCall& kit, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
     if (verb.count(option) == 0 || has_sense) return;
-    throw schema::UserError(schema::kExitUsage, std::string(option) + " has no meaning without " +
-                                                    with + "; take it out, or add that");
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        std::string(option) + " has no meaning without " + with + "; take it out, or add that");
   };
   only_with("--step", files.in_states(), "--format fold, obj or stl");
   only_with("--joined", files.format == SheetFormat::fold, "--format fold");
@@ -155,7 +156,7 @@ void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) 
     if (!chosen_by.empty()) throw only_of_a_catalogue(path, chosen_by);
     export_pattern(call);
   } else if (chosen_by.empty()) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             path +
                                 ": nothing is chosen of it (a catalogue holds many); say --best, "
                                 "--draw, --where, --diverse or --sqlite-compat");

@@ -10,6 +10,7 @@
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -23,7 +24,7 @@ int merge_catalogues(MergeOptions options) {
   }
   if (!report.findings.empty()) {
     spdlog::error("{} findings; {} was not written", report.findings.size(), options.output);
-    return schema::kExitCheckFailed;
+    return exit_code_of(schema::Cause::check_failed);
   }
   if (report.faulty_certificates > 0) {
     spdlog::warn(

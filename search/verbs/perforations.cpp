@@ -32,7 +32,7 @@ std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const s
   const auto sets =
       solver::separate_facets(sheet, solver::holes_that_count_to_one(sheet), kMostPerforations);
   if (!sets) {
-    throw schema::UserError(schema::kExitBadInput,
+    throw schema::UserError(schema::Cause::bad_input,
                             path + ": more than " + std::to_string(kMostPerforations) +
                                 " perforations, or too many to look for, count to one degree of "
                                 "freedom (the mesh is too large to list them); take a part of it");

@@ -1,6 +1,7 @@
 #include "search/verbs/rank_options.hpp"
 
 #include "search/ranks/mpi_session.hpp"
+#include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/verbs/options.hpp"
 
@@ -22,6 +23,23 @@ CLI::Validator rank_count() {
       "");
 }
 
+// Without the program's name, and --ranks and its value.
+Words words_of_a_rank(const Words& words, bool with_bar) {
+  Words kept;
+  bool only_arguments = false;
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    only_arguments = only_arguments || words[k] == "--";
+    const bool alone = words[k] == "--ranks";
+    if (only_arguments || (!alone && words[k].rfind("--ranks=", 0) != 0)) {
+      kept.push_back(words[k]);
+      continue;
+    }
+    if (alone) ++k;
+    if (with_bar) kept.insert(kept.end(), {"--progress", "bar"});
+  }
+  return kept;
+}
+
 }  // namespace
 
 void add_ranks(CLI::App& verb, std::string& ranks) {
@@ -34,12 +52,16 @@ void add_ranks(CLI::App& verb, std::string& ranks) {
 int ranks_wanted(const std::string& ranks) {
   if (ranks.empty()) return 1;
   if (launched_by_mpi()) {
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             "--ranks " + ranks +
                                 " has no meaning under mpirun (which has started the ranks); take "
                                 "it out, and give mpirun -n");
   }
   return ranks == "all" ? usable_threads() : std::stoi(ranks);
+}
+
+int run_on_ranks(int ranks, const Words& typed, bool with_bar) {
+  return run_under_mpirun(ranks, words_of_a_rank(typed, with_bar));
 }
 
 }  // namespace misalign::search

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "search/verbs/verbs.hpp"
+
 namespace misalign::search {
 
 /// "all", or how many; empty where nothing was typed.
@@ -11,5 +13,9 @@ void add_ranks(CLI::App& verb, std::string& ranks);
 
 /// How many ranks are to be started; 1 where nobody asked. UserError (2) under mpirun.
 int ranks_wanted(const std::string& ranks);
+
+/// Runs the command that was typed on so many ranks of this machine, with a bar of progress where
+/// `with_bar`, and returns its exit code.
+int run_on_ranks(int ranks, const Words& typed, bool with_bar);
 
 }  // namespace misalign::search

@@ -32,7 +32,7 @@ Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& c
     if (found.origin == origin) return found.candidate.shifts_mm;
   }
   throw schema::UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       fmt::format("population {} meets no candidate for the first time at level {}, step {}, by "
                   "particle {}, which is what the number {} means; take one that `misalign query` "
                   "shows",

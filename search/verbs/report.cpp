@@ -47,7 +47,7 @@ void refuse_own_input(const ReportCall& call) {
     std::error_code error;
     if (!std::filesystem::equivalent(call.output, path, error)) continue;
     throw schema::UserError(
-        schema::kExitUsage,
+        schema::Cause::bad_request,
         "--output " + call.output + ": is the file itself that is shown; name another file");
   }
 }

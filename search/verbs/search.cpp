@@ -4,11 +4,11 @@
 #include <charconv>
 
 #include "search/ranks/mpi_session.hpp"
-#include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/search_run.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/rank_options.hpp"
@@ -44,7 +44,7 @@ schema::DrawRange parse_range(const std::string& text) {
       return range;
     }
   }
-  throw UserError(schema::kExitUsage,
+  throw UserError(schema::Cause::bad_request,
                   "--range " + text + ": must be LO:HI with LO < HI, half-open; try 0:100000");
 }
 
@@ -89,11 +89,12 @@ std::string command_for_all(const Words& typed) {
 
 int start_search(const SearchCall& call, const Words& typed) {
   SearchOptions options = call.options;
+  options.border = kCommandLine;
   if (!call.range.empty()) options.range = parse_range(call.range);
   if (const int count = ranks_wanted(call.ranks); count > 1) {
     const bool with_bar = options.progress == ProgressStyle::automatic &&
                           is_terminal(STDERR_FILENO) && terminal_is_able();
-    return run_under_mpirun(count, typed, with_bar);
+    return run_on_ranks(count, typed, with_bar);
   }
   if (call.ranks.empty()) options.command_for_all = command_for_all(typed);
   return run_search(options);

@@ -6,6 +6,7 @@
 #include "search/terminal/nothing_found.hpp"
 #include "search/terminal/status_text.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
@@ -50,8 +51,8 @@ int show_status(const StatusCall& call) {
         call.path, goal_fault->sentence);
   }
   if (!call.check) return 0;
-  if (goal_fault) return schema::kExitCheckFailed;
-  return state.gaps.empty() ? 0 : schema::kExitWorkRemains;
+  if (goal_fault) return exit_code_of(schema::Cause::check_failed);
+  return state.gaps.empty() ? 0 : kExitWorkRemains;
 }
 
 }  // namespace

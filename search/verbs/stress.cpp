@@ -19,6 +19,7 @@
 #include "search/terminal/duration.hpp"
 #include "search/terminal/progress.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -58,7 +59,7 @@ void keep_input(const StressCall& call, const std::string& job) {
     if (!std::filesystem::equivalent(job_file(call.directory, job, ending), call.path, error)) {
       return;
     }
-    throw schema::UserError(schema::kExitUsage,
+    throw schema::UserError(schema::Cause::bad_request,
                             "--output " + call.directory +
                                 ": a file would replace the one that is read (it has the same "
                                 "name); name another directory");
@@ -134,7 +135,7 @@ void show_stress(StressCall& call) {
   {
     // What was reached is read and written within that time, or the program ends anyway.
     constexpr double kToReadAndWrite_s = 120;
-    watch_for_signals(kToReadAndWrite_s, schema::kExitFailure);
+    watch_for_signals(kToReadAndWrite_s, exit_code_of(schema::Cause::failure));
     StressProgress progress(call.options.deck.end_s);
     study = study_stress(released, call.options, call.directory, job, [&](const ElasticRow& row) {
       progress.show(row);

@@ -10,6 +10,7 @@
 #include "search/sheets/tolerance_text.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/tolerance_call.hpp"
 #include "search/verbs/verbs.hpp"
@@ -36,7 +37,7 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
            " among them (another catalogue took its place); put the former one back, then the "
            "same command again";
   } catch (const UserError& error) {
-    return error.what();
+    return error.sentence(option_of);
   }
 }
 
@@ -72,8 +73,8 @@ void print(const ToleranceCall& call, const ChosenSheets& sheets,
 void run_miscuts(ToleranceCall& call, const ChosenSheets& sheets) {
   call.study.amplitude_mm = *call.amplitude_mm;
   for (std::size_t k = 0; k < sheets.shifts_mm.size(); ++k) {
-    check_miscut("--amplitude", call.study.amplitude_mm, sheets.campaign.pattern.base.sheet,
-                 sheets.shifts_mm[k], sheets.key(k).name());
+    check_miscut(call.study.amplitude_mm, sheets.campaign.pattern.base.sheet, sheets.shifts_mm[k],
+                 sheets.key(k).name());
   }
   call.study.progress = show_copies;
   const std::vector<solver::Tolerance> tolerances =
@@ -104,7 +105,7 @@ int run(ToleranceCall call) {
 
 void check_subject(const ToleranceCall& call) {
   if (!call.amplitude_mm && !call.backlash_mm) {
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     "tolerance: against what? (neither is named); add --amplitude MM for vertices "
                     "off their places, or --backlash MM for joints with play");
   }

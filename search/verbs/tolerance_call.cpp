@@ -13,7 +13,7 @@ using schema::UserError;
 ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
   const auto database = schema::open_for_reading(call.path);
   if (!call.choice.chooses()) {
-    throw UserError(schema::kExitUsage,
+    throw UserError(schema::Cause::bad_request,
                     "tolerance: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K or --where SQL");
   }
@@ -41,7 +41,7 @@ ChosenSheets sheet_of_file(const ToleranceCall& call) {
   itself.vertices = false;
   const int own_sample = study_tolerance(campaign, sheets.shifts_mm, itself).front().own_sample;
   if (own_sample == 0) {
-    throw UserError(schema::kExitBadInput,
+    throw UserError(schema::Cause::bad_input,
                     call.path +
                         ": the sheet deploys from nothing (its D is 0), so that there is nothing "
                         "that miscut copies could lose; shift its vertices by displacements_mm, "

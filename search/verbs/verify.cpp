@@ -6,6 +6,7 @@
 #include "search/checks/pattern_check.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
@@ -86,7 +87,7 @@ Action verify_verb(CLI::App& verb) {
       }
     }
     const bool good = is_pattern ? is_good_pattern(*call) : is_good_catalogue(*call);
-    return good ? 0 : schema::kExitCheckFailed;
+    return good ? 0 : exit_code_of(schema::Cause::check_failed);
   };
 }
 

@@ -9,6 +9,7 @@
 
 #include "schema/files/features.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/border.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 #include "search/watch/loopback.hpp"
@@ -58,10 +59,10 @@ void serve(PageServer& server, const PageHandler& handler) {
 
 void watch(const WatchCall& call) {
   const std::string address = loopback_address(call.address, call.port.value_or(kUsualPort));
-  WatchedCatalogue catalogue(call.path);
+  WatchedCatalogue catalogue(call.path, option_of);
   const sigset_t signals = end_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before there are threads, which inherit it
-  PageServer server(address, call.port);
+  PageServer server(address, call.port, option_of);
   put(url_of(address, server.place().port) + "\n");
   std::fflush(stdout);
   if (!catalogue.exists()) {

@@ -42,12 +42,12 @@ std::string loopback_address(const std::string& asked, int port) {
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> found(failed ? nullptr : list,
                                                                  freeaddrinfo);
   if (found && is_loopback(found->ai_addr)) return numbers_of(*found);
-  throw schema::UserError(
-      schema::kExitUsage,
-      fmt::format("--address {}: is no loopback address (whoever reaches another one could read "
-                  "the catalogue); leave it out, and look from another machine through ssh -L "
-                  "{}:127.0.0.1:{} THIS_MACHINE",
-                  schema::printable(asked), port, port));
+  throw schema::UserError(solver::OptionFault{
+      "address", asked,
+      "is no loopback address (whoever reaches another one could read the catalogue)",
+      fmt::format("leave it out, and look from another machine through ssh -L {}:127.0.0.1:{} "
+                  "THIS_MACHINE",
+                  port, port)});
 }
 
 std::string url_of(const std::string& address, int port) {

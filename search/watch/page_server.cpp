@@ -57,7 +57,8 @@ void give(const PageResponse& page, httplib::Response& response) {
 
 class PageServer::Impl {
  public:
-  Impl(const std::string& address, std::optional<int> port) {
+  Impl(const std::string& address, std::optional<int> port, schema::NameParameter name_parameter)
+      : name_parameter_(name_parameter) {
     // Not the library's own options, with which two programs may have one port.
     server_.set_socket_options([](socket_t socket) {
       const int yes = 1;
@@ -81,9 +82,10 @@ class PageServer::Impl {
       if (free > 0) return free;
     }
     throw schema::UserError(
-        schema::kExitFailure,
-        fmt::format("{}: cannot listen on {} (is it taken, or below 1024?); choose another --port",
-                    address, wanted > 0 ? fmt::format("port {}", wanted) : "any port"));
+        schema::Cause::failure,
+        fmt::format("{}: cannot listen on {} (is it taken, or below 1024?); choose another {}",
+                    address, wanted > 0 ? fmt::format("port {}", wanted) : "any port",
+                    schema::parameter("port")));
   }
 
   void serve(const PageHandler& handler) {
@@ -98,7 +100,7 @@ class PageServer::Impl {
     const bool served = server_.listen_after_bind();
     has_ended_ = true;
     if (!served) {
-      throw schema::UserError(schema::kExitFailure,
+      throw schema::UserError(schema::Cause::failure,
                               "connections cannot be taken any more; start it again");
     }
   }
@@ -108,7 +110,7 @@ class PageServer::Impl {
       const std::optional<Refusal> refused = refusal(request, place_);
       return refused ? problem_response(refused->status, refused->sentence) : handler(request);
     } catch (const std::exception& error) {
-      return problem_response(500, failure_of(error).sentence);
+      return problem_response(500, failure_of(error).sentence(name_parameter_));
     }
   }
 
@@ -122,13 +124,15 @@ class PageServer::Impl {
   const PagePlace& place() const { return place_; }
 
  private:
+  const schema::NameParameter name_parameter_;
   httplib::Server server_;
   PagePlace place_;
   std::atomic<bool> has_ended_ = false;
 };
 
-PageServer::PageServer(const std::string& address, std::optional<int> port)
-    : impl_(std::make_unique<Impl>(address, port)) {}
+PageServer::PageServer(const std::string& address, std::optional<int> port,
+                       schema::NameParameter name_parameter)
+    : impl_(std::make_unique<Impl>(address, port, name_parameter)) {}
 PageServer::~PageServer() = default;
 PagePlace PageServer::place() const { return impl_->place(); }
 void PageServer::serve(const PageHandler& handler) { impl_->serve(handler); }

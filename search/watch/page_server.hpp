@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "schema/files/user_error.hpp"
 #include "search/watch/page_response.hpp"
 
 namespace misalign::search {
@@ -16,7 +17,8 @@ class PageServer {
  public:
   /// Binds to this port of a loopback address, in numbers; 0: to any that is free. Without one, to
   /// kUsualPort, or to any if that is taken. UserError (1) if it cannot.
-  PageServer(const std::string& address, std::optional<int> port);
+  PageServer(const std::string& address, std::optional<int> port,
+             schema::NameParameter name_parameter);
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;

@@ -55,7 +55,7 @@ void check_storage(const std::string& path) {
   const schema::FileSystem system = schema::file_system_of(schema::end_of_links(path));
   if (system.storage != schema::Storage::network) return;
   throw schema::UserError(
-      schema::kExitUsage,
+      schema::Cause::bad_request,
       path + ": lies on storage that machines share (" + system.name +
           "; there a reader would keep the search from writing); watch a catalogue on a local "
           "disk, or ask for `misalign status` now and then");
@@ -67,7 +67,8 @@ PageResponse html_response(int status, const schema::ServedPage& page) {
 
 }  // namespace
 
-WatchedCatalogue::WatchedCatalogue(const std::string& path) : call_(call_for(path)) {
+WatchedCatalogue::WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter)
+    : call_(call_for(path)), name_parameter_(name_parameter) {
   page_.waits = true;
   page_about("");
   check_kind(path);
@@ -82,9 +83,9 @@ WatchedCatalogue::WatchedCatalogue(const std::string& path) : call_(call_for(pat
   const auto directory = std::filesystem::absolute(path).parent_path();
   std::error_code ignored;
   if (!std::filesystem::is_directory(directory, ignored)) {
-    throw schema::UserError(schema::kExitBadInput, path +
-                                                       ": there is no such directory; name a "
-                                                       "catalogue that is, or will be, there");
+    throw schema::UserError(schema::Cause::bad_input, path +
+                                                          ": there is no such directory; name a "
+                                                          "catalogue that is, or will be, there");
   }
 }
 
@@ -96,7 +97,7 @@ PageResponse WatchedCatalogue::page() {
       data["watch"] = {{"live", kLivePath}};
       return html_response(200, schema::served_page(data));
     } catch (const std::exception& error) {
-      return page_about(failure_of(error).sentence);
+      return page_about(failure_of(error).sentence(name_parameter_));
     }
   });
 }
@@ -111,7 +112,7 @@ PageResponse WatchedCatalogue::live() {
       live["read_at_s"] = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
       return json_response(200, live.dump(-1, ' ', false, Json::error_handler_t::replace));
     } catch (const std::exception& error) {
-      return problem_response(503, failure_of(error).sentence);
+      return problem_response(503, failure_of(error).sentence(name_parameter_));
     }
   });
 }
@@ -159,16 +160,16 @@ void WatchedCatalogue::check_readable(const FileMark& mark) const {
   check_kind(path);
   check_storage(path);
   if (!mark.exists()) {
-    throw schema::UserError(
-        schema::kExitBadInput,
-        path + ": there is no such file yet; `misalign search` with --catalogue makes it");
+    throw schema::UserError(schema::Cause::bad_input,
+                            path + ": there is no such file yet; `misalign search` with " +
+                                schema::parameter("catalogue") + " makes it");
   }
   if (mark.is_written() && !has_write_ahead_log(path)) {
     throw schema::UserError(
-        schema::kExitInUse,
-        path +
-            ": is being written without a log (a search that begins, or one with --storage "
-            "network, while which nobody reads); wait for it, or watch one on a local disk");
+        schema::Cause::in_use,
+        path + ": is being written without a log (a search that begins, or one with " +
+            schema::parameter("storage", "network") +
+            ", while which nobody reads); wait for it, or watch one on a local disk");
   }
 }
 

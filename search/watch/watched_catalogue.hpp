@@ -23,7 +23,7 @@ class WatchedCatalogue {
   /// UserError: 1 the program carries no page; 2 the file system is shared; 3 it is no catalogue,
   /// is damaged, or not even its directory is there; 4 it is being written where nobody may read
   /// meanwhile; 5 a newer schema. A file that is not there yet is waited for.
-  explicit WatchedCatalogue(const std::string& path);
+  explicit WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter);
 
   bool exists() const { return FileMark::of(call_.path).exists(); }
   /// The report's page, which asks for live() every second.
@@ -47,6 +47,7 @@ class WatchedCatalogue {
   void check_readable(const FileMark& mark) const;
 
   const ReportCall call_;
+  const schema::NameParameter name_parameter_;
   std::mutex reading_;  // the file is open
   Kept page_, live_;
 };

@@ -65,14 +65,14 @@ int run(std::vector<std::string> words) {
   const bool is_short = std::erase(words, "--short") > 0;
   if (words.empty()) {
     std::fputs("mujoco_deploy [--short] FILE DRAW... | PATTERN\n", stderr);
-    return schema::kExitUsage;
+    return 2;
   }
   bool all_agree = true;
   if (words.size() == 1) all_agree = agree(choose_sheet(words[0], {}), is_short);
   for (std::size_t k = 1; k < words.size(); ++k) {
     all_agree = agree(choose_sheet(words[0], std::stoull(words[k])), is_short) && all_agree;
   }
-  return all_agree ? 0 : schema::kExitCheckFailed;
+  return all_agree ? 0 : 1;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ inline std::vector<std::string> faults_of(const Json& value) {
     read(value);
     return {};
   } catch (const UserError& error) {
-    EXPECT_EQ(error.exit_code(), kExitBadInput);
+    EXPECT_EQ(error.cause(), Cause::bad_input);
     std::string text = error.what();
     EXPECT_EQ(text.find("test: "), 0u) << text;
     text = text.substr(6);

@@ -260,7 +260,7 @@ TEST(Faults, OfFiles) {
       read_campaign_file(path);
       ADD_FAILURE() << path;
     } catch (const UserError& error) {
-      EXPECT_EQ(error.exit_code(), kExitBadInput);
+      EXPECT_EQ(error.cause(), Cause::bad_input);
       EXPECT_EQ(std::string(error.what()).find(path), 0u) << error.what();
     }
   }

@@ -19,7 +19,7 @@ TEST_F(CatalogueFile, AnotherCampaignIsRefusedAndNamed) {
     const Campaign other = changed(patch);
     const auto mechanism = mechanism_of(other);
     const Refusal r = refusal([&] { Catalogue(path(), other, mechanism); });
-    EXPECT_EQ(r.exit_code, kExitOtherCampaign) << patch;
+    EXPECT_EQ(r.cause, Cause::foreign) << patch;
     EXPECT_NE(r.sentence.find(named), std::string::npos) << r.sentence;
     EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
   }
@@ -44,17 +44,18 @@ TEST_F(CatalogueFile, OtherFilesAreRefusedAndLeftAlone) {
       .exec("CREATE TABLE mine (x)");
   for (const char* name : {"short", "long", "foreign"}) {
     const std::string before = read_all(path(name));
-    EXPECT_EQ(refusal([&] { open(name); }).exit_code, kExitBadInput) << name;
-    EXPECT_EQ(refusal([&] { open_for_reading(path(name)); }).exit_code, kExitBadInput) << name;
+    EXPECT_EQ(refusal([&] { open(name); }).cause, Cause::bad_input) << name;
+    EXPECT_EQ(refusal([&] { open_for_reading(path(name)); }).cause, Cause::bad_input) << name;
     EXPECT_EQ(read_all(path(name)), before) << name;
   }
   std::ofstream(path("empty"));
   for (const char* name : {"absent", "empty", "."}) {
-    EXPECT_EQ(refusal([&] { open_for_reading(path(name)); }).exit_code, kExitBadInput) << name;
+    EXPECT_EQ(refusal([&] { open_for_reading(path(name)); }).cause, Cause::bad_input) << name;
   }
   EXPECT_FALSE(std::filesystem::exists(path("absent")));
-  EXPECT_EQ(refusal([&] { open("empty"); }).exit_code, 0);  // as a killed search may leave it
-  EXPECT_EQ(refusal([&] { open("no/folder.db"); }).exit_code, kExitFailure);
+  EXPECT_EQ(refusal([&] { open("empty"); }).cause,
+            std::nullopt);  // as a killed search may leave it
+  EXPECT_EQ(refusal([&] { open("no/folder.db"); }).cause, Cause::failure);
 }
 
 TEST_F(CatalogueFile, NewerSchemaIsRefused) {
@@ -62,7 +63,7 @@ TEST_F(CatalogueFile, NewerSchemaIsRefused) {
   SQLite::Database(path(), SQLite::OPEN_READWRITE)
       .exec("PRAGMA user_version = " + std::to_string(kSchemaVersion + 1));
   for (const Refusal& r : {refusal([&] { open(); }), refusal([&] { open_for_reading(path()); })}) {
-    EXPECT_EQ(r.exit_code, kExitOtherCampaign);
+    EXPECT_EQ(r.cause, Cause::foreign);
     EXPECT_NE(r.sentence.find("schema version"), std::string::npos) << r.sentence;
   }
 }
@@ -79,12 +80,12 @@ TEST_F(CatalogueFile, OneWriterAtATime) {
     Catalogue first = open();
     first.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
     const Refusal r = refusal([&] { open(); });
-    EXPECT_EQ(r.exit_code, kExitInUse);
+    EXPECT_EQ(r.cause, Cause::in_use);
     EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
     first.commit({unit(0, 4096)});    // the attempt did it no harm
     EXPECT_EQ(state().draws, 4096u);  // and readers never wait
   }
-  EXPECT_EQ(refusal([&] { open(); }).exit_code, 0);
+  EXPECT_EQ(refusal([&] { open(); }).cause, std::nullopt);
 }
 
 // A link to a link to a file that is not there yet: what belongs to the file lies beside it, and
@@ -106,13 +107,13 @@ TEST_F(CatalogueFile, LinksAreFollowedToTheirEnd) {
   {
     Catalogue first = open("one.db");
     first.begin_run(kRun, {{0, kEndOfDraws}, 300, {}});
-    EXPECT_EQ(refusal([&] { open("two.db"); }).exit_code, kExitInUse);
+    EXPECT_EQ(refusal([&] { open("two.db"); }).cause, Cause::in_use);
     first.commit({unit(0, 300)});
     EXPECT_TRUE(fs::exists(path("far/away/real.db-wal")));
     EXPECT_EQ(names_in(path(".")), links);
     EXPECT_EQ(state("two.db").draws, 300u);
   }
-  EXPECT_EQ(refusal([&] { open("two.db"); }).exit_code, 0);
+  EXPECT_EQ(refusal([&] { open("two.db"); }).cause, std::nullopt);
   // A catalogue that could not be made leaves no file behind, and the links alone.
   fs::create_symlink("far/away/other.db", path("third.db"));
   fs::create_symlink("third.db", path("fourth.db"));
@@ -125,7 +126,7 @@ TEST_F(CatalogueFile, LinksAreFollowedToTheirEnd) {
   fs::create_symlink("right.db", path("left.db"));
   fs::create_symlink("left.db", path("right.db"));
   const Refusal circle = refusal([&] { open("left.db"); });
-  EXPECT_EQ(circle.exit_code, kExitFailure);
+  EXPECT_EQ(circle.cause, Cause::failure);
   EXPECT_NE(circle.sentence.find("link"), std::string::npos) << circle.sentence;
 }
 

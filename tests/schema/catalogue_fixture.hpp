@@ -180,17 +180,17 @@ class CatalogueTest : public testing::Test {
     return read_campaign(json, "test");
   }
 
-  /// The UserError of a call: its exit code (0 if there was none) and its sentence.
+  /// The UserError of a call: its cause (none if there was none) and its sentence.
   struct Refusal {
-    int exit_code;
+    std::optional<Cause> cause;
     std::string sentence;
   };
   static Refusal refusal(const std::function<void()>& call) {
     try {
       call();
-      return {0, ""};
+      return {};
     } catch (const UserError& error) {
-      return {error.exit_code(), error.what()};
+      return {error.cause(), error.what()};
     }
   }
 

@@ -137,7 +137,7 @@ TEST_F(CertificateTest, PatternFilesThatAreNotWrittenSoAreRefused) {
   const Json whole = {{"draw", 5}, {"certificate", certificate_json(row())}};
   const auto sentence_of = [&](const Json& exported) {
     const Refusal r = refusal([&] { certificate_of_json(exported, "p.json"); });
-    EXPECT_EQ(r.exit_code, kExitBadInput) << exported.dump().substr(0, 300);
+    EXPECT_EQ(r.cause, Cause::bad_input) << exported.dump().substr(0, 300);
     EXPECT_EQ(r.sentence.find("p.json"), 0u) << r.sentence;
     return r.sentence;
   };

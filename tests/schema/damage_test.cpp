@@ -24,7 +24,7 @@ class DamageTest : public CatalogueTest {
   }
   /// Refused as a bad file, in a sentence that names it and has this word.
   void expect_bad_file(const Refusal& refused, const std::string& word, const std::string& sql) {
-    EXPECT_EQ(refused.exit_code, kExitBadInput) << sql << ": " << refused.sentence;
+    EXPECT_EQ(refused.cause, Cause::bad_input) << sql << ": " << refused.sentence;
     EXPECT_EQ(refused.sentence.find(path()), 0u) << sql << ": " << refused.sentence;
     EXPECT_NE(refused.sentence.find(word), std::string::npos) << sql << ": " << refused.sentence;
   }
@@ -129,7 +129,7 @@ TEST_F(DamageTest, WritersStop) {
     catalogue.end_run("stopped");
   };
   damage("SELECT 1");
-  EXPECT_EQ(refusal(write_on).exit_code, 0);
+  EXPECT_EQ(refusal(write_on).cause, std::nullopt);
   const std::pair<const char*, const char*> kDamages[] = {
       {"UPDATE unit SET hi = 1 WHERE lo = 2000", "unit 2000 is no range"},
       {"UPDATE undecided SET unit = 17", "is undecided in no unit"},

@@ -174,7 +174,7 @@ TEST(FoldEntryFaults, NumbersThatAreNone) {
       parse_json(text, "sheet.fold");
       ADD_FAILURE() << number;
     } catch (const UserError& error) {
-      EXPECT_EQ(error.exit_code(), kExitBadInput);
+      EXPECT_EQ(error.cause(), Cause::bad_input);
       EXPECT_EQ(std::string(error.what()).find("sheet.fold: is not JSON ("), 0u) << error.what();
     }
   }

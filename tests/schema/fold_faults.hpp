@@ -19,7 +19,7 @@ inline std::vector<std::string> pattern_faults(const Json& pattern) {
       faults.refuse("test");
       ADD_FAILURE() << "faults are no refusal";
     } catch (const UserError& error) {
-      EXPECT_EQ(error.exit_code(), kExitBadInput);
+      EXPECT_EQ(error.cause(), Cause::bad_input);
     }
   }
   return faults.sentences();

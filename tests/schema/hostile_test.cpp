@@ -32,7 +32,7 @@ class HostileTest : public CatalogueTest {
   void expect_refused(const std::string& word, const std::string& attack) {
     for (const Refusal& r :
          {refusal([&] { open_for_reading(path()); }), refusal([&] { open(); })}) {
-      EXPECT_EQ(r.exit_code, kExitBadInput) << attack << ": " << r.sentence;
+      EXPECT_EQ(r.cause, Cause::bad_input) << attack << ": " << r.sentence;
       EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
       EXPECT_NE(r.sentence.find(word), std::string::npos) << attack << ": " << r.sentence;
     }
@@ -99,7 +99,7 @@ TEST_F(HostileTest, RowsThatAreThereTwiceCostNothing) {
   const double begin_s = bench::cpu_seconds();
   const Refusal r = refusal([&] { open_for_reading(path()); });
   const double cpu_s = bench::cpu_seconds() - begin_s;
-  EXPECT_EQ(r.exit_code, kExitBadInput);
+  EXPECT_EQ(r.cause, Cause::bad_input);
   EXPECT_NE(r.sentence.find("index candidate_best is there twice"), std::string::npos)
       << r.sentence;
   EXPECT_LT(r.sentence.size(), 1000u);
@@ -133,7 +133,8 @@ TEST_F(HostileTest, StatementsCallKnownFunctionsOnly) {
         "SELECT * FROM pragma_database_list", "SELECT length(zeroblob(1000000000))",
         "SELECT length(randomblob(1000000000))", "UPDATE sqlite_schema SET type = 'x'",
         "PRAGMA trusted_schema = ON", "PRAGMA user_version = 2"}) {
-    EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::csv); }).exit_code, kExitUsage)
+    EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::csv); }).cause,
+              Cause::bad_request)
         << sql;
   }
   for (const char* sql :
@@ -227,13 +228,13 @@ TEST_F(HostileTest, FilesOfTwoNamesAreNotWritten) {
   write_good();
   std::filesystem::create_hard_link(path(), path("twin.db"));
   const Refusal twin = refusal([&] { open("twin.db"); });
-  EXPECT_EQ(twin.exit_code, kExitFailure);
+  EXPECT_EQ(twin.cause, Cause::failure);
   EXPECT_NE(twin.sentence.find("has 2 names"), std::string::npos) << twin.sentence;
   EXPECT_EQ(state("twin.db").draws, 2000u);  // a backup made of links is read
   std::filesystem::remove(path("twin.db"));
   EXPECT_EQ(refusal([&] { open(); }).sentence, "");
   ASSERT_EQ(::mkfifo(path("pipe.db").c_str(), 0600), 0);
-  EXPECT_EQ(refusal([&] { open("pipe.db"); }).exit_code, kExitBadInput);
+  EXPECT_EQ(refusal([&] { open("pipe.db"); }).cause, Cause::bad_input);
 }
 
 // The end of a journal as SQLite's pager.c writes it: the number of a page, the name, its length,
@@ -264,7 +265,7 @@ TEST_F(HostileTest, JournalsThatNameFilesAreRefused) {
     if (through_link) std::filesystem::create_symlink(path(), path(name));
     for (const Refusal& r :
          {refusal([&] { open_for_reading(path(name)); }), refusal([&] { open(name); })}) {
-      EXPECT_EQ(r.exit_code, kExitBadInput) << r.sentence;
+      EXPECT_EQ(r.cause, Cause::bad_input) << r.sentence;
       EXPECT_NE(r.sentence.find("a.db-journal"), std::string::npos) << r.sentence;
     }
     EXPECT_TRUE(std::filesystem::exists(victim));
@@ -294,7 +295,7 @@ TEST_F(HostileTest, StoredConfigurationsNameNoFiles) {
     write_good();
     change_rows(path(), "UPDATE campaign SET configuration = '" + configuration.dump() + "'");
     const Refusal kept = refusal([&] { read_campaign_of(*open_for_reading(path()), path()); });
-    EXPECT_EQ(kept.exit_code, kExitBadInput) << kept.sentence;
+    EXPECT_EQ(kept.cause, Cause::bad_input) << kept.sentence;
     EXPECT_NE(kept.sentence.find("no other file is opened"), std::string::npos) << kept.sentence;
     const std::string exported = path("draw-1.json");
     std::ofstream(exported) << Json{{"draw", 1}, {"pattern", configuration["pattern"]}};
@@ -306,7 +307,7 @@ TEST_F(HostileTest, StoredConfigurationsNameNoFiles) {
   for (const std::string& name : {path("pipe"), std::string("/dev/zero"), folder_.string()}) {
     std::ofstream(path("own.json")) << Json{{"pattern", {{"family", "fold"}, {"file", name}}}};
     const Refusal own = refusal([&] { read_campaign_file(path("own.json")); });
-    EXPECT_EQ(own.exit_code, kExitBadInput) << own.sentence;
+    EXPECT_EQ(own.cause, Cause::bad_input) << own.sentence;
     EXPECT_NE(own.sentence.find("no regular file"), std::string::npos) << own.sentence;
   }
   std::ofstream(path("large.json")) << std::string((64 << 20) + 1, ' ');

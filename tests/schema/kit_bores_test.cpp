@@ -134,7 +134,7 @@ TEST(KitBores, WhatDoesNotFitIsRefusedWithWhatWould) {
       kit_fittings(kit.sheet, sized(joint, spring));
       FAIL() << "bores as large as panels";
     } catch (const UserError& error) {
-      EXPECT_EQ(error.exit_code(), kExitUsage);
+      EXPECT_EQ(error.cause(), Cause::bad_request);
       const std::string words = error.what();
       const auto fits = [&](const std::string& option) -> std::optional<double> {
         const std::size_t at = words.rfind(option);

@@ -220,7 +220,7 @@ TEST(KitOutline, AKerfThatClosesAnOpeningIsRefusedWithOneThatFits) {
     part_outline(kit.sheet, part, {}, 90);
     FAIL() << "a kerf wider than a panel";
   } catch (const UserError& error) {
-    EXPECT_EQ(error.exit_code(), kExitUsage);
+    EXPECT_EQ(error.cause(), Cause::bad_request);
     const std::string words = error.what();
     const double fits = std::stod(words.substr(words.find("at most ") + 8));
     EXPECT_GT(fits, 60);

@@ -20,7 +20,7 @@ std::string material_refusal(const Json& value) {
     material_of(value);
     return "";
   } catch (const UserError& error) {
-    EXPECT_EQ(error.exit_code(), kExitBadInput) << value;
+    EXPECT_EQ(error.cause(), Cause::bad_input) << value;
     return error.what();
   }
 }

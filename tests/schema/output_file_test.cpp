@@ -14,6 +14,8 @@
 namespace misalign::schema {
 namespace {
 
+constexpr int kRefused = 1;  // exit code of a child
+
 class OutputFileTest : public CatalogueTest {
  protected:
   static constexpr const char* kName = "all.db.0123456789abcdef0123456789abcdef.partial";
@@ -77,7 +79,7 @@ TEST_F(OutputFileTest, AppearsWholeOrNotAtAll) {
   }
   EXPECT_EQ(names(), "all.db");
   EXPECT_EQ(held("all.db"), "whole");
-  EXPECT_EQ(refusal([&] { database(); }).exit_code, kExitUsage);
+  EXPECT_EQ(refusal([&] { database(); }).cause, Cause::bad_request);
   EXPECT_EQ(held("all.db"), "whole");
 }
 
@@ -85,7 +87,7 @@ TEST_F(OutputFileTest, WhatCameMeanwhileStays) {
   {
     OutputFile file = database();
     put("all.db", "another's");
-    EXPECT_EQ(refusal([&] { file.publish(); }).exit_code, kExitUsage);
+    EXPECT_EQ(refusal([&] { file.publish(); }).cause, Cause::bad_request);
   }
   EXPECT_EQ(names(), "all.db");
   EXPECT_EQ(held("all.db"), "another's");
@@ -105,7 +107,7 @@ TEST_F(OutputFileTest, WhatIsPartlyInAJournalIsNotPublished) {
       OutputFile file = database();
       std::ofstream(file.path()) << "half";
       std::ofstream(file.path() + suffix) << "the other half";
-      EXPECT_EQ(refusal([&] { file.publish(); }).exit_code, kExitFailure);
+      EXPECT_EQ(refusal([&] { file.publish(); }).cause, Cause::failure);
     }
     EXPECT_EQ(names(), "");
   }
@@ -119,7 +121,7 @@ TEST_F(OutputFileTest, JournalsBesideTheOutputAreNotTaken) {
   for (const char* name : {"all.db-wal", "all.db-journal", "all.db-shm"}) {
     put(name, "mine");
     const Refusal r = refusal([&] { database(); });
-    EXPECT_EQ(r.exit_code, kExitUsage);
+    EXPECT_EQ(r.cause, Cause::bad_request);
     EXPECT_EQ(r.sentence.find(path(name)), 0u) << r.sentence;
     EXPECT_EQ(names(), name);
     std::filesystem::remove(path(name));
@@ -166,7 +168,7 @@ TEST_F(OutputFileTest, NothingElseOfThatNameIsRemoved) {
 TEST_F(OutputFileTest, OneProcessAtATime) {
   OutputFile first = database();
   const Refusal r = refusal([&] { database(); });
-  EXPECT_EQ(r.exit_code, kExitInUse);
+  EXPECT_EQ(r.cause, Cause::in_use);
   EXPECT_EQ(r.sentence.find(path("all.db")), 0u) << r.sentence;
   std::ofstream(first.path()) << "whole";
   first.publish();
@@ -219,7 +221,7 @@ TEST_F(OutputFileTest, ATextThatCannotBeWrittenLeavesTheOlderOne) {
   const Refusal r = refusal([&] { write_text_file(path("page"), std::string(5000, 'x')); });
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(r.exit_code, kExitFailure);
+  EXPECT_EQ(r.cause, Cause::failure);
   EXPECT_EQ(r.sentence.find(path("page")), 0u) << r.sentence;
   EXPECT_EQ(held("page"), "old");
   EXPECT_EQ(names(), "page");
@@ -233,7 +235,7 @@ TEST_F(OutputFileTest, LinksAreFollowedToTheirEndAndCirclesRefused) {
   EXPECT_EQ(held("two"), "text");
   EXPECT_TRUE(std::filesystem::is_symlink(path("deep/one")));
   std::filesystem::create_symlink("circle", path("circle"));
-  EXPECT_EQ(refusal([&] { write_text_file(path("circle"), "text"); }).exit_code, kExitFailure);
+  EXPECT_EQ(refusal([&] { write_text_file(path("circle"), "text"); }).cause, Cause::failure);
 }
 
 TEST_F(OutputFileTest, NoTextReplacesADatabase) {
@@ -241,7 +243,8 @@ TEST_F(OutputFileTest, NoTextReplacesADatabase) {
   const std::string before = held("a.db");
   put("a.db-wal", "");
   for (const char* name : {"a.db", "a.db-wal", "a.db-shm"}) {
-    EXPECT_EQ(refusal([&] { write_text_file(path(name), "text"); }).exit_code, kExitUsage) << name;
+    EXPECT_EQ(refusal([&] { write_text_file(path(name), "text"); }).cause, Cause::bad_request)
+        << name;
   }
   EXPECT_EQ(held("a.db"), before);
   EXPECT_EQ(names(), "a.db a.db-wal");
@@ -264,10 +267,10 @@ TEST_F(OutputFileTest, NoTextReplacesWhatCannotBeRead) {
         const bool is_said = r.sentence.find(path(name)) == 0u &&
                              r.sentence.find("cannot be read") != std::string::npos &&
                              r.sentence.find(why) != std::string::npos;
-        return is_said ? r.exit_code : 50;
+        return is_said && r.cause == Cause::failure ? kRefused : 50;
       });
       if (code == -2) GTEST_SKIP() << "no seccomp here";
-      EXPECT_EQ(code, kExitFailure) << name << ", " << why;
+      EXPECT_EQ(code, kRefused) << name << ", " << why;
       EXPECT_TRUE(held("a.db") == before) << why;
       EXPECT_EQ(names(), "a.db") << why;
     }
@@ -282,10 +285,11 @@ TEST_F(OutputFileTest, InterruptionsEnd) {
   const std::string text(7777, 'x');
   put("page", "old");
   const int code = where_fails({SYS_write, static_cast<unsigned>(text.size()), EINTR}, [&] {
-    return refusal([&] { write_text_file(path("page"), text); }).exit_code;
+    const Refusal r = refusal([&] { write_text_file(path("page"), text); });
+    return r.cause == Cause::failure ? kRefused : 50;
   });
   if (code == -2) GTEST_SKIP() << "no seccomp here";
-  EXPECT_EQ(code, kExitFailure);
+  EXPECT_EQ(code, kRefused);
   EXPECT_EQ(held("page"), "old");
   EXPECT_EQ(names(), "page");
 }

@@ -39,7 +39,8 @@ TEST_F(CatalogueTest, ReadersCannotWrite) {
         },
         SQLite::Exception)
         << sql;
-    EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::json); }).exit_code, kExitUsage)
+    EXPECT_EQ(refusal([&] { query_table(*database, sql, TableStyle::json); }).cause,
+              Cause::bad_request)
         << sql;
   }
   EXPECT_FALSE(std::filesystem::exists(elsewhere));
@@ -55,7 +56,7 @@ TEST_F(CatalogueTest, QueriesThatAreNoneAreRefused) {
         "SELECT 1; nonsense", "SELECT 1; DROP TABLE unit", "BEGIN", "SELECT abs('x', 1)"}) {
     for (const TableStyle style : {TableStyle::aligned, TableStyle::json, TableStyle::csv}) {
       const Refusal r = refusal([&] { query_table(*database, sql, style); });
-      EXPECT_EQ(r.exit_code, kExitUsage) << sql;
+      EXPECT_EQ(r.cause, Cause::bad_request) << sql;
       EXPECT_NE(r.sentence.find(named_query_list()), std::string::npos) << r.sentence;
     }
   }

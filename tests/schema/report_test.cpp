@@ -142,7 +142,7 @@ TEST(ReportStress, OfAnotherSheetIsRefused) {
     stress_shown_json(result, campaign.pattern);
     FAIL() << "a panel that is there twice";
   } catch (const UserError& error) {
-    EXPECT_EQ(error.exit_code(), kExitBadInput);
+    EXPECT_EQ(error.cause(), Cause::bad_input);
     EXPECT_NE(std::string(error.what()).find("has other panels"), std::string::npos);
   }
 }

@@ -51,7 +51,7 @@ inline std::string refusal(const Json& value) {
     read_campaign(value, "mutation");
     return "";
   } catch (const UserError& error) {
-    EXPECT_EQ(error.exit_code(), kExitBadInput) << value;
+    EXPECT_EQ(error.cause(), Cause::bad_input) << value;
     return error.what();
   }
 }

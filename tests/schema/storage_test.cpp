@@ -71,7 +71,7 @@ class StorageTest : public CatalogueTest {
     std::uint64_t committed = 0;
     const Refusal stop = refusal([&] { run(storage, committed); });
     vfs.disarm();
-    if (stop.exit_code != 0) {
+    if (stop.cause) {
       ++stopped_;
       EXPECT_EQ(stop.sentence.find(path()), 0u) << stop.sentence;
       EXPECT_NE(stop.sentence.find(';'), std::string::npos) << "what to do? " << stop.sentence;
@@ -148,7 +148,7 @@ TEST_F(StorageTest, MigrationsMayFail) {
     const Refusal stop = refusal([&] { Catalogue(path(), campaign, mechanism); });
     const int count = vfs.count();
     vfs.disarm();
-    if (stop.exit_code != 0) {
+    if (stop.cause) {
       EXPECT_EQ(stop.sentence.find(path()), 0u) << stop.sentence;
     }
     { Catalogue again(path(), campaign, mechanism); }
@@ -173,13 +173,13 @@ TEST_F(StorageTest, AFileThatIsRemovedOrReplacedStopsTheRun) {
     catalogue.commit({unit(0, 1024)});
     std::filesystem::remove(path());
     const Refusal gone = refusal([&] { catalogue.commit({unit(1024, 2048)}); });
-    EXPECT_EQ(gone.exit_code, kExitFailure);
+    EXPECT_EQ(gone.cause, Cause::failure);
     EXPECT_NE(gone.sentence.find("removed or replaced"), std::string::npos) << gone.sentence;
     std::ofstream(path()) << "another file";
-    EXPECT_EQ(refusal([&] { catalogue.commit({unit(1024, 2048)}); }).exit_code, kExitFailure);
+    EXPECT_EQ(refusal([&] { catalogue.commit({unit(1024, 2048)}); }).cause, Cause::failure);
   }
   std::filesystem::remove_all(folder_);
-  EXPECT_EQ(refusal([&] { open(); }).exit_code, kExitFailure);
+  EXPECT_EQ(refusal([&] { open(); }).cause, Cause::failure);
 }
 
 TEST_F(StorageTest, OnSharedStorageTheWriterIsAlone) {
@@ -216,7 +216,7 @@ TEST_F(StorageTest, ReadErrorsAreNoDamage) {
     for (int nth = 1; nth <= reads; nth += 1 + nth / 10) {
       calls.arm(FaultyCalls::Kind::read, nth, error);
       const Refusal r = refusal(look);
-      EXPECT_EQ(r.exit_code, kExitFailure) << nth << ": " << r.sentence;
+      EXPECT_EQ(r.cause, Cause::failure) << nth << ": " << r.sentence;
       EXPECT_EQ(r.sentence.find("damaged"), std::string::npos) << nth << ": " << r.sentence;
       EXPECT_NE(r.sentence.find("see to the disk"), std::string::npos) << nth << ": " << r.sentence;
     }
@@ -231,13 +231,13 @@ TEST_F(StorageTest, InterruptionsEnd) {
   run(Storage::local, committed);
   FaultyCalls calls;
   calls.arm(FaultyCalls::Kind::read, 3, EINTR);
-  EXPECT_EQ(refusal([&] { read_state(*open_for_reading(path())); }).exit_code, kExitFailure);
+  EXPECT_EQ(refusal([&] { read_state(*open_for_reading(path())); }).cause, Cause::failure);
   calls.arm(FaultyCalls::Kind::write, 1, EINTR);
   const Refusal r = refusal([&] {
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {});
   });
-  EXPECT_EQ(r.exit_code, kExitFailure) << r.sentence;
+  EXPECT_EQ(r.cause, Cause::failure) << r.sentence;
   calls.arm(FaultyCalls::Kind::write, 0, 0);
   EXPECT_EQ(state().draws, kUnits * kUnitDraws);
 }
@@ -260,13 +260,14 @@ TEST_F(StorageTest, ALittleMoreRoomEachTimeIsProgress) {
   { Catalogue catalogue(path(), campaign_, mechanism_, Storage::local); }
   std::uint64_t room = FaultyVfs::used(folder_), starts = 0;
   // Twice the whole and a log of the least that a start needs is room enough.
-  for (int code = kExitFailure; code != 0 && room < 2 * whole + (200 << 10); ++starts) {
+  for (std::optional<Cause> cause = Cause::failure; cause && room < 2 * whole + (200 << 10);
+       ++starts) {
     room += 8 << 10;
     vfs.limit_room(folder_, room);
     const Refusal r = refusal(go_on);
-    code = r.exit_code;
-    if (code != 0) {
-      EXPECT_EQ(r.exit_code, kExitFailure) << r.sentence;
+    cause = r.cause;
+    if (cause) {
+      EXPECT_EQ(r.cause, Cause::failure) << r.sentence;
       EXPECT_NE(r.sentence.find("full"), std::string::npos) << r.sentence;
     }
   }

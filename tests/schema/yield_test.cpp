@@ -67,10 +67,10 @@ TEST_F(YieldTest, WhatIsGoneIsSaid) {
   };
   EXPECT_EQ(open_again().sentence, "");
   std::filesystem::remove(path());
-  EXPECT_EQ(open_again().exit_code, kExitBadInput);
+  EXPECT_EQ(open_again().cause, Cause::bad_input);
   EXPECT_FALSE(std::filesystem::exists(path()));
   std::ofstream(path()).close();
-  EXPECT_EQ(open_again().exit_code, kExitBadInput);
+  EXPECT_EQ(open_again().cause, Cause::bad_input);
   EXPECT_EQ(std::filesystem::file_size(path()), 0u);
 }
 
@@ -183,7 +183,7 @@ TEST_F(YieldTest, WhatDoesNotAddUpIsNotRead) {
     alter("UPDATE yield SET trials = 100, survivors = 90, undecided = 0; UPDATE yield SET " +
           std::string(parts));
     const Refusal r = refusal([&] { kept(5); });
-    EXPECT_EQ(r.exit_code, kExitBadInput) << parts;
+    EXPECT_EQ(r.cause, Cause::bad_input) << parts;
     EXPECT_EQ(r.sentence.find(path()), 0u) << r.sentence;
     EXPECT_NE(r.sentence.find("draw 5"), std::string::npos) << r.sentence;
     alter("DELETE FROM yield");

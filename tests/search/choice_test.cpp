@@ -174,7 +174,7 @@ TEST_F(CostlyChoice, SaysWhichColumnMayBeMeant) {
     try {
       chosen_draws(database_, choice);
     } catch (const schema::UserError& error) {
-      EXPECT_EQ(error.exit_code(), schema::kExitUsage);
+      EXPECT_EQ(error.cause(), schema::Cause::bad_request);
       return error.what();
     }
     return "";

@@ -52,14 +52,14 @@ class HostileLadder : public testing::Test {
     return path;
   }
 
-  // The sentence with which `work` ends, which has this exit code; empty if it comes to its end.
+  // The sentence with which `work` ends, which has this cause; empty if it comes to its end.
   template <class Work>
-  static std::string refused(const Work& work, int exit_code = schema::kExitBadInput) {
+  static std::string refused(const Work& work, schema::Cause cause = schema::Cause::bad_input) {
     try {
       work();
       return "";
     } catch (const schema::UserError& error) {
-      EXPECT_EQ(error.exit_code(), exit_code) << error.what();
+      EXPECT_EQ(error.cause(), cause) << error.what();
       return error.what();
     }
   }

@@ -202,15 +202,16 @@ TEST_F(MergeTest, UndecidedDrawsAreDecidedWhereOthersAreSlow) {
 }
 
 TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
-  const auto code = [&](const std::vector<std::string>& inputs) {
+  const auto cause = [&](const std::vector<std::string>& inputs) -> std::optional<schema::Cause> {
     try {
-      return join(inputs).findings.empty() ? 0 : schema::kExitCheckFailed;
+      join(inputs);
+      return std::nullopt;
     } catch (const schema::UserError& error) {
-      return error.exit_code();
+      return error.cause();
     }
   };
   const auto a = make("a.db", {{0, 100}});
-  EXPECT_EQ(code({a, path("none.db")}), schema::kExitBadInput);
+  EXPECT_EQ(cause({a, path("none.db")}), schema::Cause::bad_input);
   {
     const DrawEvaluator other(schema::read_campaign(
         Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "seed": 2})"),
@@ -219,10 +220,10 @@ TEST_F(MergeTest, WhatCannotBeJoinedIsRefused) {
     catalogue.begin_run(run_, {});
     catalogue.end_run("stopped");
   }
-  EXPECT_EQ(code({a, path("other.db")}), schema::kExitOtherCampaign);
+  EXPECT_EQ(cause({a, path("other.db")}), schema::Cause::foreign);
   make("mixed.db", {{100, 200}});
   change("mixed.db", "UPDATE run SET golden_verdicts = 'others'");
-  EXPECT_EQ(code({a, path("mixed.db")}), schema::kExitOtherCampaign);
+  EXPECT_EQ(cause({a, path("mixed.db")}), schema::Cause::foreign);
   EXPECT_FALSE(std::filesystem::exists(path("all.db")));
   EXPECT_TRUE(
       merge({path("all.db"), {a, path("mixed.db")}, run_, schema::Builds::mixed}).findings.empty());
@@ -242,7 +243,7 @@ TEST_F(MergeTest, RowsThatNoCatalogueMayHoldAreRefused) {
       join({path("a.db")});
       ADD_FAILURE() << sql;
     } catch (const schema::UserError& error) {
-      EXPECT_EQ(error.exit_code(), schema::kExitBadInput);
+      EXPECT_EQ(error.cause(), schema::Cause::bad_input);
       EXPECT_EQ(std::string(error.what()).find(path("a.db") + ": is damaged"), 0u) << error.what();
     }
     EXPECT_FALSE(something_written());

@@ -84,7 +84,7 @@ TEST(Messages, ALengthThatMpiCannotCountIsRefused) {
       message_length(bytes, most);
       ADD_FAILURE() << bytes << " were sent";
     } catch (const schema::UserError& error) {
-      EXPECT_EQ(error.exit_code(), schema::kExitFailure);
+      EXPECT_EQ(error.cause(), schema::Cause::failure);
       EXPECT_NE(std::string(error.what()).find("--unit-draws"), std::string::npos) << error.what();
     }
   }

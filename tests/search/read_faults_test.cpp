@@ -91,9 +91,9 @@ class ReadFaults : public testing::Test {
         } catch (const schema::UserError& stop) {
           ++stopped_;
           const std::string sentence = stop.what();
-          EXPECT_TRUE(stop.exit_code() == schema::kExitFailure ||
-                      stop.exit_code() == schema::kExitInUse)
-              << stop.exit_code() << ": " << sentence;
+          EXPECT_TRUE(stop.cause() == schema::Cause::failure ||
+                      stop.cause() == schema::Cause::in_use)
+              << sentence;
           EXPECT_EQ(sentence.find(folder_), 0u) << sentence;
           EXPECT_EQ(sentence.find("damaged"), std::string::npos) << sentence;
         }

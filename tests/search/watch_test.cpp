@@ -104,7 +104,7 @@ TEST(Loopback, IsTheOnlyAddress) {
       const std::string address = loopback_address(other, kPort);
       ADD_FAILURE() << other << " is taken for " << address;
     } catch (const schema::UserError& error) {
-      EXPECT_EQ(error.exit_code(), schema::kExitUsage) << other;
+      EXPECT_EQ(error.cause(), schema::Cause::bad_request) << other;
       EXPECT_NE(std::string(error.what()).find("ssh -L 8617:127.0.0.1:8617"), std::string::npos);
     }
   }

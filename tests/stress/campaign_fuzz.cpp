@@ -24,8 +24,8 @@ enum Outcome { not_json, refused, pattern_accepted, campaign_accepted };
 
 // One sentence, or one for each fault on lines of their own.
 void check_refusal(const UserError& error, const std::string& bytes) {
-  if (error.exit_code() != kExitBadInput) {
-    found("exit code " + std::to_string(error.exit_code()) + ": " + error.what());
+  if (error.cause() != Cause::bad_input) {
+    found(std::string("another cause than bad input: ") + error.what());
   }
   const std::string text = error.what();
   const std::size_t first = text.find(" faults\n  ");

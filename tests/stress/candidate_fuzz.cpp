@@ -105,8 +105,8 @@ class Reader {
       return verification.good() ? good : findings;
     } catch (const UserError& error) {
       check_shown(error.what());
-      if (error.exit_code() != kExitBadInput) {
-        found("exit code " + std::to_string(error.exit_code()) + ": " + error.what());
+      if (error.cause() != Cause::bad_input) {
+        found(std::string("another cause than bad input: ") + error.what());
       }
       return refused;
     }

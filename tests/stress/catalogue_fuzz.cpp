@@ -193,7 +193,6 @@ class Reader {
     } catch (const UserError& error) {
       const std::string text = error.what();
       check_shown(text);
-      if (error.exit_code() < 1 || error.exit_code() > 6) found("an exit code of its own: " + text);
       if (text.find(" (") == std::string::npos && text.find(": ") == std::string::npos) {
         found("no sentence: " + text);
       }
