@@ -12,17 +12,21 @@ namespace {
 // A mesh of 40 x 40 panels has 0.2 MB; a device that never ends is refused, too.
 constexpr std::size_t kLargest_bytes = 64 << 20;
 
+// What leaves the library's parser: why a text is not read.
+struct Unread {
+  std::string why;
+};
+
 // Looks on while JSON is parsed: refuses what is nested too deeply to be meant (and would exhaust
 // the stack later), and keys that are there twice, of which one would be ignored in silence.
 struct StructureGuard {
   static constexpr int kDeepest = 32;
-  std::string path;
   std::vector<std::set<std::string>> keys = {};  // of the objects that are open, by depth
 
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     if (depth > kDeepest) {
-      throw UserError(Cause::bad_input, path + ": is nested more than " + std::to_string(kDeepest) +
-                                            " levels deep (no file of ours is); mend it there");
+      throw Unread{"is nested more than " + std::to_string(kDeepest) +
+                   " levels deep (no file of ours is); mend it there"};
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::object_start) {
@@ -31,13 +35,29 @@ struct StructureGuard {
     } else if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
       if (!keys.at(level).insert(key).second) {
-        throw UserError(Cause::bad_input, path + ": " + printable(key) +
-                                              " is there twice (only one can count); take one out");
+        throw Unread{printable(key) + " is there twice (only one can count); take one out"};
       }
     }
     return true;
   }
 };
+
+struct ParsedText {
+  Json json;
+  std::string why_not;  // empty: `json` is what it holds
+};
+
+ParsedText parsed(const std::string& text) {
+  try {
+    return {Json::parse(text, StructureGuard{}), ""};
+  } catch (const Unread& unread) {
+    return {{}, unread.why};
+  } catch (const Json::exception& error) {
+    std::string what = error.what();
+    what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
+    return {{}, "is not JSON (" + what + "); mend it there"};
+  }
+}
 
 }  // namespace
 
@@ -142,21 +162,13 @@ Json read_json_file(const std::string& path, FileKind kind) {
 }
 
 Json parse_json(const std::string& text, const std::string& source) {
-  try {
-    return Json::parse(text, StructureGuard{source});
-  } catch (const Json::exception& error) {
-    std::string what = error.what();
-    what = what.substr(what.find(']') + 2);  // without "[json.exception...] "
-    throw UserError(Cause::bad_input, source + ": is not JSON (" + what + "); mend it there");
-  }
+  ParsedText read = parsed(text);
+  if (!read.why_not.empty()) throw UserError(Cause::bad_input, source + ": " + read.why_not);
+  return std::move(read.json);
 }
 
 Json json_of(const Json& text) {
-  try {
-    return text.is_string() ? parse_json(text.get_ref<const std::string&>(), "") : Json();
-  } catch (const UserError&) {
-    return {};
-  }
+  return text.is_string() ? parsed(text.get_ref<const std::string&>()).json : Json();
 }
 
 std::string shown_number(double value) { return fmt::format("{:.10g}", value); }
