@@ -62,8 +62,8 @@ struct Campaign {
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
 
-/// Reads and checks a campaign; UserError (3) naming `source` with every fault. A FOLD file that
-/// its pattern names is looked for in `directory`; without one none may be named.
+/// Reads and checks a campaign; UserError (bad_input) naming `source` with every fault. A FOLD file
+/// that its pattern names is looked for in `directory`; without one none may be named.
 Campaign read_campaign(const Json& value, const std::string& source,
                        const std::optional<std::filesystem::path>& directory = {});
 Campaign read_campaign_file(const std::string& path);

@@ -39,8 +39,8 @@ class Catalogue {
  public:
   /// Opens, or creates if that is wanted. An older schema is brought up to date, after a copy of
   /// the file. `storage` overrides what the file system says. If creating fails, nothing is left
-  /// behind. UserError: see WriterLock, open_for_writing and storage_failure; 5 if another campaign
-  /// is in it; 3 if it is empty and should be there.
+  /// behind. UserError: see WriterLock, open_for_writing and storage_failure; foreign if another
+  /// campaign is in it; bad_input if it is empty and should be there.
   Catalogue(const std::string& path, const Campaign& campaign, const solver::Mechanism& mechanism,
             std::optional<Storage> storage = {}, Missing missing = Missing::created);
   ~Catalogue();
@@ -52,10 +52,10 @@ class Catalogue {
   Standing standing() const;
   /// Draws that no run could decide, ascending.
   std::vector<std::uint64_t> undecided() const;
-  /// UserError: 5 if a build with other golden verdicts worked on this catalogue.
+  /// UserError: foreign if a build with other golden verdicts worked on this catalogue.
   void begin_run(const RunInfo& run, const Goal& goal, Builds builds = Builds::same);
   /// One transaction: the units, their candidates and what else belongs to them, and the goal's
-  /// end. UserError: 1 if the file was removed meanwhile; see storage_failure.
+  /// end. UserError: failure if the file was removed meanwhile; see storage_failure.
   void commit(const std::vector<UnitRecord>& units);
   /// Of a splitting search: the scores of its levels, none where they are not known yet; what is
   /// done of populations under way, of a layout, without the results; and the result of one.
@@ -67,7 +67,7 @@ class Catalogue {
   void keep_levels(const std::vector<int>& scores, std::uint32_t pilot);
   void keep_pieces(const std::vector<PieceRow>& pieces);
   /// One transaction: whole units of another catalogue of this campaign, with its runs. Before
-  /// begin_run. UserError (3) if the other one holds rows that no catalogue may.
+  /// begin_run. UserError (bad_input) if the other one holds rows that no catalogue may.
   void take_over(SQLite::Database& other, const std::vector<DrawRange>& units);
   /// One transaction: a draw that was undecided, judged again; see UnitWriter.
   void settle(const UnitRecord& decided);

@@ -10,8 +10,8 @@ namespace misalign::schema {
 
 /// Compares the file's schema with what the program writes in that version, in a new catalogue or
 /// one that was brought up from an older version; comments and blanks do not count, and statistics
-/// that ANALYZE left may be there. Nothing of the file's schema is run. UserError (3) that names
-/// what is foreign, other or missing; 5 is the caller's, who knows the version.
+/// that ANALYZE left may be there. Nothing of the file's schema is run. UserError (bad_input) that
+/// names what is foreign, other or missing; foreign is the caller's, who knows the version.
 void check_layout(SQLite::Database& database, int version, const std::string& path);
 
 }  // namespace misalign::schema

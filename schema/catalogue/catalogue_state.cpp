@@ -24,7 +24,7 @@ struct UnitRow {
 };
 
 // Calls `see` with the ledger's units in turn. SQLite looks at a table's checks only when it
-// writes: UserError (3) at the first unit that breaks them.
+// writes: UserError (bad_input) at the first unit that breaks them.
 template <class See>
 void each_unit(SQLite::Database& database, const See& see) {
   SQLite::Statement units(

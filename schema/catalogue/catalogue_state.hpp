@@ -37,7 +37,7 @@ struct CatalogueState {
   std::uint64_t missing_populations() const;
 };
 
-/// UserError (3) if the ledger contradicts itself, here and below.
+/// UserError (bad_input) if the ledger contradicts itself, here and below.
 CatalogueState read_state(SQLite::Database& database);
 
 /// The campaign that a catalogue belongs to.
@@ -50,8 +50,8 @@ std::vector<DrawRange> units_done(SQLite::Database& database);
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& table,
                                     const DrawRange& range);
 
-/// So many rows of fault_sample with one weight. UserError (3) if no row has that weight: SQLite
-/// looks at no CHECK while it reads.
+/// So many rows of fault_sample with one weight. UserError (bad_input) if no row has that weight:
+/// SQLite looks at no CHECK while it reads.
 WeightedCount sampled_rows(const SQLite::Database& database, const SQLite::Column& rows,
                            const SQLite::Column& weight);
 
@@ -61,8 +61,8 @@ Json read_candidate(SQLite::Database& database, std::uint64_t draw);
 /// The version of the metrics (see solver::kMetricsVersion) that a candidate was measured by.
 int metrics_version_of(SQLite::Database& database, std::uint64_t draw);
 
-/// Where a goal ends by what the rows say, see GoalEnd. UserError (3) if populations contradict
-/// themselves.
+/// Where a goal ends by what the rows say, see GoalEnd. UserError (bad_input) if populations
+/// contradict themselves.
 GoalEnd goal_end_of_rows(SQLite::Database& database, const Goal& goal);
 
 /// Accepted draws below the goal's end that deploy from `sample` or more.

@@ -48,8 +48,8 @@ inline std::optional<std::string> certificate_fault(const Campaign& campaign,
 /// "proof"}: the place, null where there is none, and the proof in base64.
 Json certificate_json(const CertificateRecord& row);
 
-/// That of a pattern file (PatternFile::exported); none where it has none. UserError (3) naming
-/// `source` if it is not written as one.
+/// That of a pattern file (PatternFile::exported); none where it has none. UserError (bad_input)
+/// naming `source` if it is not written as one.
 std::optional<CertificateRecord> certificate_of_json(const Json& exported,
                                                      const std::string& source);
 
@@ -57,7 +57,7 @@ std::optional<CertificateRecord> certificate_of_json(const Json& exported,
 bool has_certificates(SQLite::Database& database);
 
 /// A candidate's, if it has one. Where a column holds what no certificate's can, the hash is empty,
-/// so that certificate_fault finds it. UserError (3) if the file cannot be read.
+/// so that certificate_fault finds it. UserError (bad_input) if the file cannot be read.
 std::optional<CertificateRecord> read_certificate(SQLite::Database& database, std::uint64_t draw);
 
 /// Within its caller's transaction; each takes the place of the one that was there. Of draws that

@@ -13,15 +13,15 @@ struct CheckedCertificates {
 };
 
 /// Every certificate is a candidate's, keeps its hash, and its columns say what its proof says (see
-/// certificate_fault). UserError (3) if the file cannot be read.
+/// certificate_fault). UserError (bad_input) if the file cannot be read.
 CheckedCertificates check_certificates(SQLite::Database& database, const Campaign& campaign);
 
 /// Takes over those of another catalogue of this campaign whose candidates are in this one, of a
 /// splitting search under whatever number, within its caller's transaction. Of two of one candidate
 /// that stays which also proves that no panels meet; of two that both do, or both do not, that
 /// which goes farther; of equals the one that is there. None with a certificate_fault is taken, and
-/// none stays if the other has one without; how many were not taken for that. UserError (3) if
-/// `from` cannot be read.
+/// none stays if the other has one without; how many were not taken for that. UserError (bad_input)
+/// if `from` cannot be read.
 std::uint64_t copy_certificates(SQLite::Database& from, SQLite::Database& into,
                                 const Campaign& campaign, const solver::Mechanism& mechanism);
 

@@ -26,7 +26,7 @@ inline std::string text_of(const SQLite::Column& column) { return utf8(column.ge
 /// The schema that a catalogue was written with, or brought up to.
 int version_of(SQLite::Database& database);
 
-/// A damaged file, or one that another program changed: exit code 3.
+/// A damaged file, or one that another program changed: a bad input.
 UserError damaged(const SQLite::Database& database, const std::string& why);
 
 /// Calls `work`, which reads; what SQLite throws becomes a UserError about the database's file.
@@ -36,8 +36,8 @@ auto reading(const SQLite::Database& database, const Work& work) {
 }
 
 /// A catalogue opened for reading: it cannot write or touch other files, see connect().
-/// UserError: 3 no such file, no catalogue, or not laid out as one (check_layout); 5 a newer
-/// schema; see storage_failure.
+/// UserError: bad_input no such file, no catalogue, or not laid out as one (check_layout); foreign
+/// a newer schema; see storage_failure.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 
 /// Of pages that stay in memory. Indexes of candidates are touched everywhere at once; pieces of
@@ -46,7 +46,8 @@ inline constexpr int kCache_kb = 64 << 10, kSplittingCache_kb = 8 << 10;
 
 /// The one writer's connection: synchronous FULL, foreign keys, on network storage alone with the
 /// file until it is closed. Changes nothing in the file yet. Creates the file if there is none.
-/// UserError: 3 no catalogue, or not laid out as one; 5 a newer schema; see storage_failure.
+/// UserError: bad_input no catalogue, or not laid out as one; foreign a newer schema; see
+/// storage_failure.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path, Storage storage,
                                                    int cache_kb = kCache_kb);
 
@@ -56,8 +57,8 @@ SQLite::Statement prepared(SQLite::Database& from, const std::string& sql);
 /// Binds whatever a column of another statement holds.
 void bind_value(SQLite::Statement& statement, int index, const SQLite::Column& value);
 
-/// Runs `insert` for every row of `select`, once `bind_row` has bound it. UserError (3) about
-/// `from` if it cannot be read, or holds rows that checks and keys of the target forbid.
+/// Runs `insert` for every row of `select`, once `bind_row` has bound it. UserError (bad_input)
+/// about `from` if it cannot be read, or holds rows that checks and keys of the target forbid.
 void copy_rows(SQLite::Database& from, SQLite::Statement& select, SQLite::Statement& insert,
                const std::function<void()>& bind_row);
 

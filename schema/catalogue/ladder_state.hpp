@@ -28,7 +28,7 @@ struct LadderState {
   const SplitRate* rate() const { return levels.empty() ? nullptr : &levels.back().rate; }
 };
 
-/// Of the populations whose numbers lie below `end`. UserError (3).
+/// Of the populations whose numbers lie below `end`. UserError (bad_input).
 LadderState read_ladder(SQLite::Database& database, std::uint64_t end);
 
 /// A SELECT of a row for each level, in numbers.

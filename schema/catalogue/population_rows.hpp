@@ -22,16 +22,16 @@ struct PieceRow {
   std::string result;
 };
 
-/// The scores of levels 1, 2, ..., as stored; none where they are not known yet. UserError (3) if
-/// they can be none of the catalogue's campaign.
+/// The scores of levels 1, 2, ..., as stored; none where they are not known yet. UserError
+/// (bad_input) if they can be none of the catalogue's campaign.
 std::vector<int> read_levels(SQLite::Database& database);
 void write_levels(SQLite::Database& database, const std::vector<int>& scores, double sample_deg);
-/// What became of a population, from level 0 on, at most so many levels above. UserError (3) if
-/// nothing did, or it does not add up.
+/// What became of a population, from level 0 on, at most so many levels above. UserError
+/// (bad_input) if nothing did, or it does not add up.
 std::vector<LevelCount> read_population(SQLite::Database& database, std::uint64_t unit,
                                         std::size_t most_levels = kMostLevels);
-/// Calls `see` for each population of the ledger, in turn. UserError (3) if a unit is none, or a
-/// population is in no unit.
+/// Calls `see` for each population of the ledger, in turn. UserError (bad_input) if a unit is none,
+/// or a population is in no unit.
 void each_population(
     SQLite::Database& database,
     const std::function<void(const DrawRange& numbers, const std::vector<LevelCount>&)>& see);

@@ -20,9 +20,9 @@ using TextSink = std::function<bool(const std::string& part)>;
 /// Runs one read-only statement and gives its rows on as they come, with bounded memory; how many
 /// there were. The first line of an aligned table, and of CSV, names the columns, and is a piece of
 /// its own. The columns of an aligned table are as wide as its first rows need (1,000, or what
-/// comes within a second): wider cells behind them widen their columns from there on. UserError (2)
-/// if it is no SQL, not a single statement, or more than a query; see storage_failure for what can
-/// happen to the file.
+/// comes within a second): wider cells behind them widen their columns from there on. UserError
+/// (bad_request) if it is no SQL, not a single statement, or more than a query; see storage_failure
+/// for what can happen to the file.
 std::uint64_t write_query(SQLite::Database& database, const std::string& sql, TableStyle style,
                           const TextSink& sink);
 
@@ -39,7 +39,7 @@ std::vector<std::string> query_columns(SQLite::Database& database, const std::st
 /// The whole of a small table.
 std::string query_table(SQLite::Database& database, const std::string& sql, TableStyle style);
 
-/// The rows of one of this program's own queries: a list of {column: value}. UserError (3).
+/// The rows of one of this program's own queries: a list of {column: value}. UserError (bad_input).
 Json query_rows(SQLite::Database& database, const std::string& sql);
 /// The row that a statement stands at, every column under its name; a text that is no UTF-8 is made
 /// such.

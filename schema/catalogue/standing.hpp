@@ -18,7 +18,7 @@ struct Standing {
   void add(const UnitRecord& unit);
 };
 
-/// Of a catalogue. UserError (3) if it is damaged.
+/// Of a catalogue. UserError (bad_input) if it is damaged.
 Standing read_standing(SQLite::Database& database);
 
 }  // namespace misalign::schema

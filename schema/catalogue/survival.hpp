@@ -73,7 +73,7 @@ class Survival {
 };
 
 /// Of all rows of the catalogue's fault sample, undecided draws as far as their paths were
-/// followed. UserError (3) if the catalogue does not say where its paths are sampled.
+/// followed. UserError (bad_input) if the catalogue does not say where its paths are sampled.
 Survival read_survival(SQLite::Database& database);
 
 }  // namespace misalign::schema

@@ -28,7 +28,7 @@ class UnitWriter {
   void write(const std::vector<UnitRecord>& units, std::int64_t run);
   /// A draw of a unit that is there, undecided so far: `decided` is that draw alone, judged again.
   /// A row of the fault sample takes the place of the one that there was, if there was one, with
-  /// its weight. UserError (3) if it is in no unit.
+  /// its weight. UserError (bad_input) if it is in no unit.
   void settle(const UnitRecord& decided);
 
  private:

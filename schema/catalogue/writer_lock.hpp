@@ -14,9 +14,9 @@ enum class Missing {
 /// of one byte far behind those that SQLite locks.
 class WriterLock {
  public:
-  /// UserError: 1 cannot be opened, or has a second name (a hard link: SQLite's journals go by the
-  /// name, and whoever opens the other name would not find them); 3 is no regular file, or is
-  /// missing and may not be created; 4 held by another process.
+  /// UserError: failure cannot be opened, or has a second name (a hard link: SQLite's journals go
+  /// by the name, and whoever opens the other name would not find them); bad_input is no regular
+  /// file, or is missing and may not be created; in_use held by another process.
   explicit WriterLock(const std::string& path, Missing missing = Missing::created);
   /// Closing any descriptor of the file drops SQLite's own locks in this process: so this object
   /// must outlive the connection.
@@ -26,8 +26,8 @@ class WriterLock {
 
   /// Whether there was no file before.
   bool made_the_file() const { return made_the_file_; }
-  /// UserError (1) if the path leads to another file now, or to none: SQLite would go on writing to
-  /// a file that nobody can find.
+  /// UserError (failure) if the path leads to another file now, or to none: SQLite would go on
+  /// writing to a file that nobody can find.
   void check_file_is_there() const;
 
  private:

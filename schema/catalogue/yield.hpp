@@ -39,13 +39,13 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
                                         const std::vector<Yield>& yields,
                                         const std::string& commit);
 
-/// Of one candidate, by amplitude; none in catalogues from before version 4. UserError (3) if one
-/// of them does not add up: SQLite looks at no CHECK while it reads.
+/// Of one candidate, by amplitude; none in catalogues from before version 4. UserError (bad_input)
+/// if one of them does not add up: SQLite looks at no CHECK while it reads.
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 
 /// Takes over those of another catalogue whose candidates are in this one, of a splitting search
-/// under whatever number, as write_yields does. UserError (3) if `from` cannot be read, or holds
-/// rows that no catalogue may.
+/// under whatever number, as write_yields does. UserError (bad_input) if `from` cannot be read, or
+/// holds rows that no catalogue may.
 void copy_yields(SQLite::Database& from, SQLite::Database& into);
 /// The same within one catalogue: from one candidate to another that is the same sheet.
 void hand_on_yields(SQLite::Database& database, std::uint64_t from, std::uint64_t to);

@@ -17,7 +17,7 @@ extern const char* const kMatReadme;
 /// The bytes of a MAT-file (see mat_file). With S rows, flat first; V vertices, C creases, D
 /// diagonals; vertices, panels and diagonals counted from 1. Every number is the one that
 /// folding_json, folded_pattern_json and actuation_history_json write. `origin` as in origin_json,
-/// empty for a pattern file; `path` is the file's name in sentences. UserError (1).
+/// empty for a pattern file; `path` is the file's name in sentences. UserError (failure).
 std::string folded_mat(const std::string& path, const FoldingView& view,
                        const solver::ShapedPath& shaped, const solver::Actuation& actuation,
                        const std::optional<solver::Metrics>& metrics, const Sampling& sampling,

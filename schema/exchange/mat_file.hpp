@@ -45,7 +45,8 @@ class MatValue {
 };
 
 /// The whole file: compressed where matio can do that, and the same bytes from the same values.
-/// `path` is the name that it is to have, in sentences. UserError (1) where it cannot be made.
+/// `path` is the name that it is to have, in sentences. UserError (failure) where it cannot be
+/// made.
 std::string mat_file(const std::string& path, const std::vector<MatValue>& variables);
 
 }  // namespace misalign::schema

@@ -16,7 +16,7 @@ struct Material {
 };
 
 /// A material file (material.schema.json); what is absent is as above, but for the name, which is
-/// then the file's. UserError (3) with every fault.
+/// then the file's. UserError (bad_input) with every fault.
 Material read_material_file(const std::string& path);
 
 Json material_json(const Material& material);

@@ -35,11 +35,12 @@ enum class FileKind {
   regular  ///< what a file has named
 };
 
-/// All of it. UserError (3) if it cannot be opened or read, is not of that kind, or is larger.
+/// All of it. UserError (bad_input) if it cannot be opened or read, is not of that kind, or is
+/// larger.
 std::string read_file(const std::string& path, std::size_t most_bytes, FileKind kind);
 
-/// Its last bytes, all of a shorter one, none of one that is not there. UserError (1) if it cannot
-/// be read.
+/// Its last bytes, all of a shorter one, none of one that is not there. UserError (failure) if it
+/// cannot be read.
 std::string end_of_file(const std::string& path, std::size_t bytes);
 
 }  // namespace misalign::schema

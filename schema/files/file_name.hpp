@@ -24,12 +24,12 @@ int rename_over_empty(const std::string& from, const std::string& to);
 /// Whether a name is taken, be it by a link that leads nowhere.
 bool is_taken(const std::string& path);
 
-/// UserError (3) that says what is there instead of a file, also where links lead; not where
-/// nothing is. `suggestion` ends the sentence.
+/// UserError (bad_input) that says what is there instead of a file, also where links lead; not
+/// where nothing is. `suggestion` ends the sentence.
 void check_is_file(const std::string& path, const std::string& suggestion);
 
-/// Where the links at `path` lead, one after the other; `path` itself if it is none. UserError (1)
-/// if they lead in a circle.
+/// Where the links at `path` lead, one after the other; `path` itself if it is none. UserError
+/// (failure) if they lead in a circle.
 std::string end_of_links(const std::string& path);
 
 }  // namespace misalign::schema

@@ -22,7 +22,7 @@ class InputFaults {
   std::size_t count() const { return count_; }
   /// The first kMostListed of them: a file can have millions.
   const std::vector<std::string>& sentences() const { return sentences_; }
-  /// Throws a UserError (3) naming `source` and every fault, unless there is none.
+  /// Throws a UserError (bad_input) naming `source` and every fault, unless there is none.
   void refuse(const std::string& source) const;
 
  private:
@@ -61,11 +61,11 @@ class ObjectReader {
   std::vector<std::string> known_;
 };
 
-/// The JSON in a file; UserError (3) if it is missing, unreadable, of another kind, too large or
-/// not JSON, (1) if the disk fails.
+/// The JSON in a file; UserError (bad_input) if it is missing, unreadable, of another kind, too
+/// large or not JSON, (failure) if the disk fails.
 Json read_json_file(const std::string& path, FileKind kind = FileKind::any);
 
-/// The JSON in a text that came from `source`; UserError (3) if it is none.
+/// The JSON in a text that came from `source`; UserError (bad_input) if it is none.
 Json parse_json(const std::string& text, const std::string& source);
 
 /// The JSON in a text of a database, null if there is none: also where it is nested more deeply

@@ -7,8 +7,8 @@ namespace misalign::schema {
 
 class MemoryFile {
  public:
-  /// An empty one. `name` is that of the file that it is to become, for sentences. UserError (1) if
-  /// the system gives none.
+  /// An empty one. `name` is that of the file that it is to become, for sentences. UserError
+  /// (failure) if the system gives none.
   explicit MemoryFile(const std::string& name);
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
@@ -16,7 +16,7 @@ class MemoryFile {
 
   /// Where to open it, in this process, while this object lives.
   std::string path() const;
-  /// All that was written to it by now. UserError (1).
+  /// All that was written to it by now. UserError (failure).
   std::string bytes() const;
 
  private:

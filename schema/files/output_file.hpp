@@ -22,12 +22,13 @@ namespace misalign::schema {
 class OutputFile {
  public:
   /// A new database, readable by those who may read all of `originals`, which it is made of.
-  /// UserError: 2 the output, or a journal beside it, is there already; 4 another process is
-  /// writing it; 1 it cannot be written.
+  /// UserError: bad_request the output, or a journal beside it, is there already; in_use another
+  /// process is writing it; failure it cannot be written.
   static OutputFile database(const std::string& output, const std::vector<std::string>& originals);
   /// A file of bytes, in place of an older one, whose permissions it keeps, and its owner where the
-  /// system lets it; what a link points to is replaced instead of the link. UserError: 2 that is a
-  /// database, or belongs to one; 1 it cannot be read, so that it may be one, or not be written.
+  /// system lets it; what a link points to is replaced instead of the link. UserError: bad_request
+  /// that is a database, or belongs to one; failure it cannot be read, so that it may be one, or
+  /// not be written.
   static OutputFile text(const std::string& output);
 
   OutputFile(OutputFile&& other) noexcept;
@@ -41,11 +42,11 @@ class OutputFile {
 
   /// Where to write a database. Its connections must be closed before this object ends.
   const std::string& path() const { return path_; }
-  /// Adds to a text. UserError (1).
+  /// Adds to a text. UserError (failure).
   void write(std::string_view bytes);
   /// Gives it its name, when disk and directory have it. Every connection to it must be closed.
-  /// UserError: 2 the output has come to be meanwhile; 1 it cannot be written, or SQLite has left a
-  /// part of it in a journal.
+  /// UserError: bad_request the output has come to be meanwhile; failure it cannot be written, or
+  /// SQLite has left a part of it in a journal.
   void publish();
 
  private:

@@ -30,10 +30,10 @@ FileSystem file_system_of_type(std::uint64_t type);
 /// Makes the name of a new file outlast a power cut.
 void sync_directory_of(const std::string& path);
 
-/// What SQLite says of a file, as a sentence that says what was kept and what to do: 1 in most
-/// cases, 3 for a damaged file (also one in which a table or column is missing), 4 for one that
-/// another program keeps locked. Of an OutputFile's database it names the output, of which nothing
-/// is kept.
+/// What SQLite says of a file, as a sentence that says what was kept and what to do: a failure in
+/// most cases, a bad input of a damaged file (also one in which a table or column is missing), in
+/// use where another program keeps it locked. Of an OutputFile's database it names the output, of
+/// which nothing is kept.
 UserError storage_failure(const std::string& path, const SQLite::Exception& error);
 
 /// Calls `work`; what SQLite throws becomes a UserError about `path`.

@@ -54,9 +54,9 @@ struct KitFittings {
   const SpringTab* tab_at(int vertex) const;  ///< null if there is none
 };
 
-/// What is asked for. UserError (2), with what would fit, if a bore leaves its panel, a tab has no
-/// room in its corner, one of them comes too close to another, or a bore is no larger than the
-/// kerf.
+/// What is asked for. UserError (bad_request), with what would fit, if a bore leaves its panel, a
+/// tab has no room in its corner, one of them comes too close to another, or a bore is no larger
+/// than the kerf.
 KitFittings kit_fittings(const KitSheet& sheet, const KitOptions& options);
 
 }  // namespace misalign::schema

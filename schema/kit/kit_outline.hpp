@@ -37,7 +37,7 @@ struct PartOutline {
 
 inline constexpr double kChordOff_mm = 0.005;
 
-/// UserError (2) if the kerf is too wide for it.
+/// UserError (bad_request) if the kerf is too wide for it.
 PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
                          double kerf_mm);
 

@@ -48,7 +48,7 @@ Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
 /// pilot had which angle.
 Json page_deployment_json(const solver::DeploymentStudy& study);
 
-/// The page with this data. UserError (1) if the program was built without the page.
+/// The page with this data. UserError (failure) if the program was built without the page.
 std::string report_page(const Json& data);
 
 /// A page that is given to a browser by a server, and may ask that server for data.

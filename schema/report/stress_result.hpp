@@ -19,11 +19,12 @@ struct StressResult {
   Json shown;  ///< the rest, as the page has it: curves in base64
 };
 
-/// NAME-stress.json of `misalign stress`. UserError (3), one sentence, where it is no such file.
+/// NAME-stress.json of `misalign stress`. UserError (bad_input), one sentence, where it is no such
+/// file.
 StressResult read_stress_result(const std::string& path);
 
-/// For the page: "panels_mpa" in the order of sheet_json's panels, and the rest. UserError (3)
-/// where the sheet has other panels.
+/// For the page: "panels_mpa" in the order of sheet_json's panels, and the rest. UserError
+/// (bad_input) where the sheet has other panels.
 Json stress_shown_json(const StressResult& result, const Pattern& base);
 
 }  // namespace misalign::schema

@@ -19,7 +19,7 @@ struct StoredVerdict {
 /// The same row, as it is read in this range, ascending: draw, deploys_from_sample, first_fault,
 /// fault_deg, where.
 SQLite::Statement fault_sample_rows(SQLite::Database& database, const schema::DrawRange& range);
-/// All of those rows. UserError (3).
+/// All of those rows. UserError (bad_input).
 std::vector<StoredVerdict> stored_verdicts(SQLite::Database& database,
                                            const schema::DrawRange& range);
 
@@ -31,13 +31,14 @@ void compare_verdict(const StoredVerdict& stored, const CandidateCheck& check,
 /// Makes every draw of a unit again, as the search does, and compares which are accepted, from
 /// where they deploy, and their fault samples: it finds a candidate that was removed, or invented,
 /// together with all sums. Returns how many draws are undecided in the catalogue or here, and
-/// decided in the other: another build may know, so that is no finding. UserError (3).
+/// decided in the other: another build may know, so that is no finding. UserError (bad_input).
 std::uint64_t make_unit_again(SQLite::Database& database, DrawEvaluator& evaluator,
                               const schema::DrawRange& unit,
                               std::vector<schema::Finding>& findings);
 
 /// The same of a population: all counts of its levels but the time, and that every sheet it meets
-/// is kept, under its number or a lesser one, or lies beyond the last that is. UserError (3).
+/// is kept, under its number or a lesser one, or lies beyond the last that is. UserError
+/// (bad_input).
 void make_population_again(SQLite::Database& database, Climber& climber, std::uint64_t unit,
                            std::vector<schema::Finding>& findings);
 

@@ -28,8 +28,9 @@ struct MergeReport {
 };
 
 /// Writes the whole output or none. Units that overlap others are compared with them: displacements
-/// and samples exactly, metrics within ColumnTolerances. UserError: 2 the output exists, 3 and 5 as
-/// for opening a catalogue, 3 if one is damaged, 5 if they are of different campaigns or builds.
+/// and samples exactly, metrics within ColumnTolerances. UserError: bad_request the output exists,
+/// bad_input and foreign as for opening a catalogue, bad_input if one is damaged, foreign if they
+/// are of different campaigns or builds.
 MergeReport merge(const MergeOptions& options);
 
 }  // namespace misalign::search

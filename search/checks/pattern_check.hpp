@@ -21,8 +21,8 @@ struct PatternVerification {
 
 /// Follows the path by sparse and by dense matrices and compares verdict, metrics and lengths;
 /// compares an exported candidate's verdict, metrics and elongations with them; checks the folded
-/// shapes up to D, or as far as a sheet folds well that deploys from nothing. UserError (3) as from
-/// read_sampled_pattern_file.
+/// shapes up to D, or as far as a sheet folds well that deploys from nothing. UserError (bad_input)
+/// as from read_sampled_pattern_file.
 PatternVerification verify_pattern(const std::string& path);
 
 std::string pattern_verification_text(const PatternVerification& verification);

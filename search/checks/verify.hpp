@@ -61,8 +61,8 @@ struct Verification {
 };
 
 /// Checks the ledger as it is at one moment, then what was chosen of it: a row of the ledger never
-/// changes, so that nothing need be held while paths are followed. UserError: 3 if the campaign's
-/// configuration cannot be read; 1 and 4 see storage_failure.
+/// changes, so that nothing need be held while paths are followed. UserError: bad_input if the
+/// campaign's configuration cannot be read; failure and in_use see storage_failure.
 Verification verify(SQLite::Database& database, const std::string& path,
                     const VerifyOptions& options);
 

@@ -14,8 +14,8 @@ enum class Decision : std::uint8_t {
   undecided,  ///< a numerical failure: neither
 };
 
-/// UserError (2) with one sentence that begins with `name` unless a whole, positive number of
-/// samples reaches this angle before the path ends; that number.
+/// UserError (bad_request) with one sentence that begins with `name` unless a whole, positive
+/// number of samples reaches this angle before the path ends; that number.
 int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
                         const std::string& name);
 

@@ -23,8 +23,8 @@ inline bool is_masked(const pybind11::handle& given) {
          std::any_of(given.begin(), given.end(), is_masked);
 }
 
-/// What NumPy makes of numbers that somebody gives, by this function of its. UserError (2) if
-/// some are masked, of which NumPy would take what lies under the mask.
+/// What NumPy makes of numbers that somebody gives, by this function of its. UserError
+/// (bad_request) if some are masked, of which NumPy would take what lies under the mask.
 inline pybind11::array array_of_given(const pybind11::object& given, const char* name,
                                       const char* maker = "asarray") {
   if (is_masked(given)) {

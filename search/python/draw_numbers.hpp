@@ -10,7 +10,7 @@
 
 namespace misalign::search::python {
 
-/// One number, or a list, range or array of them: whole, 0 to 2^63 - 1. UserError (2).
+/// One number, or a list, range or array of them: whole, 0 to 2^63 - 1. UserError (bad_request).
 inline std::vector<std::uint64_t> draw_numbers(const pybind11::object& draws) {
   namespace py = pybind11;
   const auto refuse = [](const std::string& why) {

@@ -22,8 +22,8 @@ struct SheetSource {
   int vertices() const { return pattern().vertex_count(); }
 };
 
-/// A pattern file, an exported candidate, a FOLD file, or a campaign. UserError (3) as those
-/// readers; (2) for a catalogue.
+/// A pattern file, an exported candidate, a FOLD file, or a campaign. UserError (bad_input) as
+/// those readers; (bad_request) for a catalogue.
 std::shared_ptr<SheetSource> read_source(const std::string& path);
 
 /// A catalogue's campaign.

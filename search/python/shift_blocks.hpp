@@ -11,8 +11,8 @@ namespace misalign::search::python {
 
 class ShiftBlocks {
  public:
-  /// With the GIL. UserError (2) for what is no such array. Numbers of other kinds, or elsewhere in
-  /// memory, are made doubles block by block.
+  /// With the GIL. UserError (bad_request) for what is no such array. Numbers of other kinds, or
+  /// elsewhere in memory, are made doubles block by block.
   ShiftBlocks(const pybind11::object& shifts_mm, const SheetSource& source);
 
   std::uint64_t sheets() const { return sheets_; }
@@ -22,9 +22,9 @@ class ShiftBlocks {
   /// Every shift is none, or this far either way; 0: others. By the first sheets alone.
   double ternary_mm();
 
-  /// The shifts of these vertices into `block`, numbered from `first` on. UserError (2) about the
-  /// first sheet that is none: not finite, or with a facet that is not convex. Without the GIL.
-  /// False, and nothing is in the block, where another vertex is shifted.
+  /// The shifts of these vertices into `block`, numbered from `first` on. UserError (bad_request)
+  /// about the first sheet that is none: not finite, or with a facet that is not convex. Without
+  /// the GIL. False, and nothing is in the block, where another vertex is shifted.
   bool pack(const double* rows, std::uint64_t first, std::uint64_t count,
             const std::vector<int>& shifted, Draws& block) const;
 
@@ -39,7 +39,7 @@ class ShiftBlocks {
   std::size_t per_sheet_;
 };
 
-/// The shifts of one sheet, [V, 2] in mm, as 2 x V. UserError (2).
+/// The shifts of one sheet, [V, 2] in mm, as 2 x V. UserError (bad_request).
 Eigen::Matrix2Xd shifts_of_one(const pybind11::object& shifts_mm, const SheetSource& source);
 
 }  // namespace misalign::search::python

@@ -10,7 +10,7 @@
 
 namespace misalign::search::python {
 
-/// Nothing for every sample. UserError (2) unless they ascend: 0, then 0.01 to 180
+/// Nothing for every sample. UserError (bad_request) unless they ascend: 0, then 0.01 to 180
 /// degrees.
 std::optional<std::vector<double>> stations_of(const pybind11::object& stations);
 

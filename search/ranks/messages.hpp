@@ -28,8 +28,8 @@ std::string message_layout();
 Bytes pack(const SentUnit& sent);
 SentUnit unpack_unit(const Bytes& bytes);
 
-/// The length of a message as MPI counts it. UserError (1) where that is more than `most`, which
-/// units are kept far below (see UnitWork::is_full).
+/// The length of a message as MPI counts it. UserError (failure) where that is more than `most`,
+/// which units are kept far below (see UnitWork::is_full).
 int message_length(std::size_t bytes, std::size_t most = std::numeric_limits<int>::max());
 
 }  // namespace misalign::search

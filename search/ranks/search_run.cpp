@@ -28,7 +28,7 @@
 namespace misalign::search {
 namespace {
 
-// UserError (2) where what was typed counts something else than the campaign is made of.
+// UserError (bad_request) where what was typed counts something else than the campaign is made of.
 void check_counts(const SearchOptions& options, const schema::Campaign& campaign) {
   const auto refuse = [](const char* name, const char* why, const std::string& instead) {
     throw schema::UserError(solver::OptionFault{name, {}, why, instead});
@@ -100,7 +100,7 @@ std::vector<RankInfo> gather_ranks(const MpiSession& mpi, solver::InstructionSet
   return ranks;
 }
 
-// UserError (5) if the results of a rank would be read as something else.
+// UserError (foreign) if the results of a rank would be read as something else.
 void expect_one_layout(const std::vector<RankInfo>& ranks) {
   for (std::size_t k = 0; k < ranks.size(); ++k) {
     if (ranks[k].message_layout == ranks[0].message_layout) continue;
@@ -112,7 +112,7 @@ void expect_one_layout(const std::vector<RankInfo>& ranks) {
   }
 }
 
-// The fingerprint of all ranks; UserError (5) if they differ and must not.
+// The fingerprint of all ranks; UserError (foreign) if they differ and must not.
 std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds) {
   std::set<std::string> different;
   for (std::size_t k = 0; k < ranks.size(); ++k) {

@@ -15,7 +15,7 @@ enum class StopRequest {
 inline constexpr double kLeave_s = 0.4, kRelease_s = 3;
 
 /// From now on a file that is cut short where it is mapped ends the process with a sentence and
-/// exit code 1. Before MPI begins, which would have a handler of its own.
+/// EXIT_FAILURE. Before MPI begins, which would have a handler of its own.
 void watch_for_lost_pages();
 
 /// From now on the signals wait: Open MPI hangs when one of them interrupts or ends a rank that it

@@ -25,11 +25,12 @@ struct ReportCall {
   DetailOptions detail;
 };
 
-/// What the page of a catalogue shows, all that the catalogue says of one moment. UserError: 2 a
-/// choice of nothing; 3 as from open_for_reading, or a stress file of no sheet of this page.
+/// What the page of a catalogue shows, all that the catalogue says of one moment. UserError:
+/// bad_request a choice of nothing; bad_input as from open_for_reading, or a stress file of no
+/// sheet of this page.
 schema::Json report_of_catalogue(const ReportCall& call);
 
-/// The same of a pattern file's one sheet. UserError (3).
+/// The same of a pattern file's one sheet. UserError (bad_input).
 schema::Json report_of_pattern(const ReportCall& call);
 
 }  // namespace misalign::search

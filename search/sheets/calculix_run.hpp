@@ -14,11 +14,11 @@ struct CalculixEnd {
 };
 
 /// The first ccx in the directories of PATH that are absolute: what the others mean depends on
-/// where one is. UserError (1) if there is none.
+/// where one is. UserError (failure) if there is none.
 std::string find_calculix();
 
 /// A fresh directory for a run, inside of another one: nothing in it can be read, run or followed
-/// that the run did not make. UserError (1) if it cannot be made.
+/// that the run did not make. UserError (failure) if it cannot be made.
 class RunDirectory {
  public:
   RunDirectory(const std::string& parent, const std::string& job);
@@ -29,7 +29,7 @@ class RunDirectory {
 
   const std::string& path() const { return path_; }
   /// What the run has made of its job goes into the parent, in place of what an earlier run left,
-  /// and the directory is removed. UserError (1) if it cannot; it stays here then.
+  /// and the directory is removed. UserError (failure) if it cannot; it stays here then.
   void publish() const;
 
  private:
@@ -38,8 +38,8 @@ class RunDirectory {
 };
 
 /// Runs `ccx -i JOB` in a directory until it ends or `goes_on`, asked a few times a second, says
-/// no; what it prints goes to JOB.log there. It ends with this process. UserError (1) if it cannot
-/// be started.
+/// no; what it prints goes to JOB.log there. It ends with this process. UserError (failure) if it
+/// cannot be started.
 CalculixEnd run_calculix(const std::string& ccx, const std::string& directory,
                          const std::string& job, const std::function<bool()>& goes_on);
 

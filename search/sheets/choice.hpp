@@ -24,7 +24,7 @@ struct Choice {
 inline constexpr std::uint64_t kDiverseAmong = 1000;
 
 /// The SELECT of these columns of the candidates that `where` lets through, the best first, at most
-/// as many as `best` says. UserError (2) if there is no such condition or column.
+/// as many as `best` says. UserError (bad_request) if there is no such condition or column.
 std::string best_sql(SQLite::Database& database, const std::string& columns, const Choice& choice);
 
 /// The draws that are chosen: those named, in their order; the best first, of those that `where`

@@ -9,8 +9,8 @@
 
 namespace misalign::search {
 
-/// Not more than `state` says are accepted: a search may have committed some since. UserError (2)
-/// if at_deg lies below the campaign's threshold or beyond its end.
+/// Not more than `state` says are accepted: a search may have committed some since. UserError
+/// (bad_request) if at_deg lies below the campaign's threshold or beyond its end.
 schema::DeployingFrom deploying_from(SQLite::Database& database,
                                      const schema::CatalogueState& state,
                                      const schema::Campaign& campaign, double at_deg);

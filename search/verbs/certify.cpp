@@ -123,7 +123,8 @@ int run_on_pattern(const CertifyCall& call) {
     } else {
       check.ends = {{row->end, 1}};
     }
-#include "search/sheets/certify_text.hpp"
+    call.json ? put_json(schema::check_json(check)) : put(check_text(check));
+    return check.findings.empty() ? 0 : exit_code_of(schema::Cause::check_failed);
   }
   const double asked_deg =
       call.options.to_deg ? *call.options.to_deg : deploys_from_deg(call, sheet, model);
@@ -157,18 +158,15 @@ constexpr const char* kCertifyFooter =
     "  contact        panels meet, or nearly (--contact)\n"
     "  fold_limit     the path comes to a fold limit, or nearly\n"
     "  unclear_slope  a diagonal or a crease stands still, or nearly\n"
-    "  flat_branch    the branch cannot be proven: nothing is certified, not even next to "
-    "flat\n\n"
+    "  flat_branch    the branch cannot be proven: nothing is certified, not even next to flat\n\n"
     "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
     "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
     "the\n"
-    "same command resumes. Of a pattern file nothing is kept: --json prints the pattern with "
-    "its\n"
+    "same command resumes. Of a pattern file nothing is kept: --json prints the pattern with its\n"
     "certificate, which --check takes.\n"
     "--check makes none: hash and columns, then every claim in arithmetic of many bits that "
     "shares\n"
-    "nothing with what made it. Slow: seconds for 6 x 6. Of all candidates unless some are "
-    "chosen. "
+    "nothing with what made it. Slow: seconds for 6 x 6. Of all candidates unless some are chosen. "
     "It\n"
     "says of how many certificates it is proven too what ends them, and of how many the proof "
     "only\n"

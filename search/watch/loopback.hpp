@@ -5,8 +5,8 @@
 
 namespace misalign::search {
 
-/// A loopback address, in numbers, or "localhost": "127.0.0.1", "::1". UserError (2) for any other,
-/// with how to look from another machine.
+/// A loopback address, in numbers, or "localhost": "127.0.0.1", "::1". UserError (bad_request) for
+/// any other, with how to look from another machine.
 std::string loopback_address(const std::string& asked, int port);
 
 /// "http://127.0.0.1:8617/", "http://[::1]:8617/".

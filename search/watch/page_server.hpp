@@ -16,7 +16,7 @@ inline constexpr int kUsualPort = 8617;
 class PageServer {
  public:
   /// Binds to this port of a loopback address, in numbers; 0: to any that is free. Without one, to
-  /// kUsualPort, or to any if that is taken. UserError (1) if it cannot.
+  /// kUsualPort, or to any if that is taken. UserError (failure) if it cannot.
   PageServer(const std::string& address, std::optional<int> port,
              schema::NameParameter name_parameter);
   ~PageServer();
@@ -25,7 +25,7 @@ class PageServer {
 
   PagePlace place() const;
   /// Answers until stop(), by `answer` what refusal() lets through; with headers that keep every
-  /// answer from other sites and from caches. UserError (1) if connections cannot be taken.
+  /// answer from other sites and from caches. UserError (failure) if connections cannot be taken.
   void serve(const PageHandler& handler);
   /// From another thread. Requests under way are answered; whoever says nothing is left within two
   /// seconds.

@@ -20,9 +20,10 @@ namespace misalign::search {
 /// threads.
 class WatchedCatalogue {
  public:
-  /// UserError: 1 the program carries no page; 2 the file system is shared; 3 it is no catalogue,
-  /// is damaged, or not even its directory is there; 4 it is being written where nobody may read
-  /// meanwhile; 5 a newer schema. A file that is not there yet is waited for.
+  /// UserError: failure the program carries no page; bad_request the file system is shared;
+  /// bad_input it is no catalogue, is damaged, or not even its directory is there; in_use it is
+  /// being written where nobody may read meanwhile; foreign a newer schema. A file that is not
+  /// there yet is waited for.
   explicit WatchedCatalogue(const std::string& path, schema::NameParameter name_parameter);
 
   bool exists() const { return FileMark::of(call_.path).exists(); }
