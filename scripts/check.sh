@@ -31,6 +31,12 @@ if git grep -nE 'std::(printf|puts|putchar|cout)\b|fwrite\(|fput[sc]\(.*stdout|^
   exit 1
 fi
 python3 scripts/house.py --check
+# mpirun's own options are known to who starts it.
+if git grep -nE '\bkExit[A-Z]|search/verbs/border|^[^/]*"--[a-z]' -- 'solver/*.[ch]pp' 'schema/*.[ch]pp' 'search/*.[ch]pp' \
+  ':!search/verbs' ':!search/python/errors.cpp' | grep -vE '"--(host|bind-to)"'; then
+  echo "exit codes and options are known to search/verbs; below, a Cause, an OptionFault or parameter(...)" >&2
+  exit 1
+fi
 # One version everywhere.
 version=$(sed -nE 's/^project\(misalign VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
 for place in 'CITATION.cff:^version: ' 'scripts/Containerfile:version="' 'scripts/conda/meta.yaml:version = "' \

@@ -28,15 +28,18 @@ std::string named(std::string_view text, NameParameter name_parameter) {
   std::string said;
   for (;;) {
     const std::size_t begin = text.find(kName);
+    const std::size_t end = std::min(text.find(kAlone, begin), text.find(kBeforeValue, begin));
+    if (end == text.npos) break;
+    const std::string_view name = text.substr(begin, end - begin).substr(kName.size());
     said += text.substr(0, begin);
-    if (begin == text.npos) return said;
-    text.remove_prefix(begin + kName.size());
-    // One without an end was cut off.
-    const std::size_t end = std::min(text.find(kAlone), text.find(kBeforeValue));
-    if (end == text.npos) return said + std::string(text);
-    said += name_parameter(text.substr(0, end), text.substr(end).starts_with(kBeforeValue));
+    said += name_parameter(name, text.substr(end).starts_with(kBeforeValue));
     text.remove_prefix(end + kAlone.size());
   }
+  said += text;
+  for (const std::string_view mark : {kName, kAlone, kBeforeValue}) {  // others were cut off
+    for (std::size_t at; (at = said.find(mark)) != said.npos;) said.erase(at, mark.size());
+  }
+  return said;
 }
 
 std::string name_in_python(std::string_view name, bool has_value) {

@@ -1,7 +1,5 @@
 #include "search/draws/decision_stream.hpp"
 
-#include <fmt/format.h>
-
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -10,18 +8,14 @@
 
 namespace misalign::search {
 
-int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
-                        const std::string& name) {
+int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling) {
   const double samples = threshold_deg / sampling.sample_deg;
   const auto refuse = [&](const std::string& why) {
     const double whole = std::isfinite(samples) ? std::max(1.0, std::round(samples)) : 1;
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        fmt::format("{} = {}: {}; try {}", name, schema::shown_number(threshold_deg), why,
-                    schema::shown_number(
-                        std::min(whole * sampling.sample_deg,
-                                 std::floor(sampling.end_deg / sampling.sample_deg * (1 + 1e-9)) *
-                                     sampling.sample_deg))));
+    const double most = std::floor(sampling.end_deg / sampling.sample_deg * (1 + 1e-9));
+    throw schema::UserError(solver::OptionFault{
+        "threshold_deg", schema::shown_number(threshold_deg), why,
+        "try " + schema::shown_number(std::min(whole, most) * sampling.sample_deg)});
   };
   const bool is_whole = std::abs(samples - std::round(samples)) <= 1e-9 * std::abs(samples);
   if (!(threshold_deg > 0) || !is_whole) {

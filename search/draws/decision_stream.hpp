@@ -14,10 +14,9 @@ enum class Decision : std::uint8_t {
   undecided,  ///< a numerical failure: neither
 };
 
-/// UserError (bad_request) with one sentence that begins with `name` unless a whole, positive
-/// number of samples reaches this angle before the path ends; that number.
-int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling,
-                        const std::string& name);
+/// How many samples reach this angle, an option `threshold_deg`. UserError (bad_request) unless a
+/// whole, positive number does before the path ends.
+int threshold_sample_of(double threshold_deg, const schema::Sampling& sampling);
 
 /// One thread's, for one array of sheets.
 class DecisionStream {

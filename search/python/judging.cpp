@@ -65,7 +65,7 @@ void judge_all(const ModelKey& key, ShiftBlocks& blocks, const One& one, const R
 py::array_t<std::uint8_t> accepted(const Source& source, const py::object& shifts_mm,
                                    double threshold_deg) {
   ShiftBlocks blocks(shifts_mm, *source);
-  const int sample = threshold_sample_of(threshold_deg, source->sheet.sampling, "threshold_deg");
+  const int sample = threshold_sample_of(threshold_deg, source->sheet.sampling);
   py::array_t<std::uint8_t> decisions(static_cast<py::ssize_t>(blocks.sheets()));
   std::uint8_t* const to = decisions.mutable_data();
   const DecisionStream::TellDecision tell = [to](std::uint64_t number, Decision decision) {

@@ -91,7 +91,7 @@ class Sentences(unittest.TestCase):
         campaign = misalign.read(SMALL)
         shifts_mm = campaign.shifts(range(3))
         for bad, words in ((0, "whole multiple"), (-10, "multiple"), (99.5, "try 100"), (181, "beyond the end"),
-                           (np.nan, "multiple"), (np.inf, "threshold_deg = inf"), (1e300, "beyond the end")):
+                           (np.nan, "multiple"), (np.inf, "threshold_deg=inf"), (1e300, "beyond the end")):
             self.refused(2, words, misalign.judge, campaign, shifts_mm, bad)
         with self.assertRaises(TypeError):
             misalign.judge(campaign, shifts_mm, "150")
@@ -115,13 +115,13 @@ class Sentences(unittest.TestCase):
 
     def test_choices(self):
         catalogue = misalign.Catalogue(CATALOGUE)
-        self.refused(2, "^where x >: is no condition", catalogue.candidates, "x >")
+        self.refused(2, "^where=x >: is no condition", catalogue.candidates, "x >")
         self.refused(2, "no condition", catalogue.candidates, "1) UNION SELECT (1")
-        self.refused(2, "^by nothing: is no column", catalogue.candidates, by="nothing")
+        self.refused(2, "^by=nothing: is no column", catalogue.candidates, by="nothing")
         self.refused(2, "no column", catalogue.candidates, by="draw; DROP TABLE candidate")
         self.refused(2, "did you mean best", catalogue.query, "bets")
         self.refused(2, "refused", catalogue.query, "SELECT 1; SELECT 2")
-        self.refused(2, "amplitude_mm 50: must be below", catalogue.tolerance, 1, 50)
+        self.refused(2, "amplitude_mm=50: must be below", catalogue.tolerance, 1, 50)
         for bad in ((1, -0.1), (1, np.nan), (1, 0.1, 0), (1, 0.1, 10, 0)):
             self.refused(2, "", catalogue.tolerance, *bad)
 

@@ -141,7 +141,7 @@ TEST(KitBores, WhatDoesNotFitIsRefusedWithWhatWould) {
         if (at == std::string::npos) return std::nullopt;
         return std::stod(words.substr(at + option.size()));
       };
-      const auto small_joint = fits("--joint-bore "), small_spring = fits("--spring-bore ");
+      const auto small_joint = fits("joint_bore_mm="), small_spring = fits("spring_bore_mm=");
       EXPECT_EQ(small_joint.has_value(), joint.has_value()) << words;
       EXPECT_NO_THROW(kit_fittings(kit.sheet, sized(small_joint, small_spring))) << words;
       const auto more = [](std::optional<double> bore) {

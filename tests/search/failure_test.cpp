@@ -12,45 +12,48 @@
 namespace misalign::search {
 namespace {
 
-// What is said of what `work` throws.
-Failure failure_in(const std::function<void()>& work) {
+using schema::Cause;
+
+schema::UserError failure_in(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::exception& error) {
     return failure_of(error);
   }
-  return {0, "nothing was thrown"};
+  return {Cause::check_failed, "nothing was thrown"};
 }
 
 TEST(Failure, NoLibraryHasTheWordAlone) {
   using schema::Json;
-  const std::pair<std::function<void()>, int> kCases[] = {
-      {[] { throw std::bad_alloc(); }, 1},
-      {[] { std::vector<char>().reserve(static_cast<std::size_t>(-1)); }, 1},
-      {[] { Json("text").get<int>(); }, 3},
-      {[] { Json(Json::object()).at("no such key"); }, 3},
-      {[] { Json("\xff").dump(); }, 3},
-      {[] { SQLite::Database("/no/such/place.db").exec("SELECT 1"); }, 1},
-      {[] { throw SQLite::Exception("out of memory", SQLITE_NOMEM); }, 1},
-      {[] { static_cast<void>(std::filesystem::file_size("/no/such\n/place")); }, 1},
-      {[] { throw std::runtime_error("odd\x1b[2J"); }, 1}};
-  for (const auto& [work, exit_code] : kCases) {
-    const Failure failure = failure_in(work);
-    SCOPED_TRACE(failure.sentence);
-    EXPECT_EQ(failure.exit_code, exit_code);
+  const std::pair<std::function<void()>, Cause> kCases[] = {
+      {[] { throw std::bad_alloc(); }, Cause::failure},
+      {[] { std::vector<char>().reserve(static_cast<std::size_t>(-1)); }, Cause::failure},
+      {[] { Json("text").get<int>(); }, Cause::bad_input},
+      {[] { Json(Json::object()).at("no such key"); }, Cause::bad_input},
+      {[] { Json("\xff").dump(); }, Cause::bad_input},
+      {[] { SQLite::Database("/no/such/place.db").exec("SELECT 1"); }, Cause::failure},
+      {[] { throw SQLite::Exception("out of memory", SQLITE_NOMEM); }, Cause::failure},
+      {[] { static_cast<void>(std::filesystem::file_size("/no/such\n/place")); }, Cause::failure},
+      {[] { throw std::runtime_error("odd\x1b[2J"); }, Cause::failure}};
+  for (const auto& [work, cause] : kCases) {
+    const schema::UserError failure = failure_in(work);
+    const std::string sentence = failure.what();
+    SCOPED_TRACE(sentence);
+    EXPECT_EQ(failure.cause(), cause);
     for (const char* word :
          {"bad_alloc", "json.exception", "std::", "basic_string", "\x1b", "\n"}) {
-      EXPECT_EQ(failure.sentence.find(word), std::string::npos) << word;
+      EXPECT_EQ(sentence.find(word), std::string::npos) << word;
     }
-    EXPECT_NE(failure.sentence.find(" ("), std::string::npos) << "why?";
-    EXPECT_NE(failure.sentence.find("; "), std::string::npos) << "what to do?";
+    EXPECT_NE(sentence.find(" ("), std::string::npos) << "why?";
+    EXPECT_NE(sentence.find("; "), std::string::npos) << "what to do?";
   }
 }
 
 TEST(Failure, ASentenceForThePersonStays) {
-  const Failure failure = failure_in([] { throw schema::UserError(75, "as it is"); });
-  EXPECT_EQ(failure.exit_code, 75);
-  EXPECT_EQ(failure.sentence, "as it is");
+  const schema::UserError failure =
+      failure_in([] { throw schema::UserError(Cause::foreign, "as it is"); });
+  EXPECT_EQ(failure.cause(), Cause::foreign);
+  EXPECT_STREQ(failure.what(), "as it is");
 }
 
 // A catalogue keeps what was committed; an output that has no name yet does not.

@@ -85,7 +85,7 @@ TEST(Messages, ALengthThatMpiCannotCountIsRefused) {
       ADD_FAILURE() << bytes << " were sent";
     } catch (const schema::UserError& error) {
       EXPECT_EQ(error.cause(), schema::Cause::failure);
-      EXPECT_NE(std::string(error.what()).find("--unit-draws"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("unit_draws"), std::string::npos) << error.what();
     }
   }
 }
