@@ -53,8 +53,8 @@ struct StressOptions {
   double until_s = std::numeric_limits<double>::infinity();  ///< later frames do not count
 };
 
-/// Reads a .frd file; its last frame may be cut off, and then does not count. UserError (1) if the
-/// file is not what ccx writes of such a deck.
+/// Reads a .frd file; its last frame may be cut off, and then does not count. UserError (failure)
+/// if the file is not what ccx writes of such a deck.
 solver::StressHistory read_stresses(std::istream& file, const std::string& name,
                                     const SimulatedSheet& sheet, const PanelMesh& mesh,
                                     const StressOptions& options);

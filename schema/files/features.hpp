@@ -10,7 +10,7 @@ namespace misalign::schema {
 /// "a MAT-file needs matio (this program was built without it); install ..."
 std::string missing_text(std::string_view library);
 
-/// UserError (1) with that sentence where this build is without the library.
+/// UserError (failure) with that sentence where this build is without the library.
 void need(std::string_view library);
 
 /// Those that are in, or those that are not: "FLINT, matio"; "none".

@@ -24,7 +24,7 @@ class SheetCertifier {
   std::optional<schema::CertificateFinding> row_fault(const Eigen::Matrix2Xd& shifts_mm,
                                                       const schema::CertificateRecord& row) const;
   /// That, and whether the proof is one: the second opinion, in ball arithmetic.
-  /// UserError (1) where this build is without FLINT.
+  /// UserError (failure) where this build is without FLINT.
   std::optional<schema::CertificateFinding> check(const Eigen::Matrix2Xd& shifts_mm,
                                                   const schema::CertificateRecord& row) const;
 

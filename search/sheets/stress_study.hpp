@@ -19,8 +19,8 @@ struct StressStudyOptions {
 
 /// Runs ccx in a fresh directory inside of this one, whose files come here in the end, and reads
 /// what it found. `goes_on` gets the last row now and then, and ends the run by false: what was
-/// found until then is the result. UserError (1): no ccx, nothing can be written, or ccx found
-/// nothing at all.
+/// found until then is the result. UserError (failure): no ccx, nothing can be written, or ccx
+/// found nothing at all.
 solver::StressStudy study_stress(const schema::SimulatedSheet& sheet,
                                  const StressStudyOptions& options, const std::string& directory,
                                  const std::string& job,

@@ -32,7 +32,7 @@ struct ToleranceOptions {
 /// Trials with one vertex alone are made no more than this.
 inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
 
-/// UserError (2) unless an amplitude is below that of this sheet.
+/// UserError (bad_request) unless an amplitude is below that of this sheet.
 void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet);
 
