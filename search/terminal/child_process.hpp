@@ -13,7 +13,7 @@ namespace misalign::search {
 /// Both ends close when this process becomes another one.
 class Pipe {
  public:
-  /// UserError (1) if none can be made.
+  /// UserError (failure) if none can be made.
   Pipe();
   ~Pipe();
   Pipe(const Pipe&) = delete;
@@ -32,7 +32,7 @@ class ChildProcess {
  public:
   /// `words` are the program, looked for in PATH if it has no slash, and its arguments. `prepare`
   /// is called in the child before the program takes its place, and returns false, with errno set,
-  /// if it cannot. UserError (1): see Pipe.
+  /// if it cannot. UserError (failure): see Pipe.
   ChildProcess(const std::vector<std::string>& words, const std::function<bool()>& prepare);
 
   /// Why it was not started, as errno says it; 0: it was.
