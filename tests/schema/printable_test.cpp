@@ -83,7 +83,8 @@ TEST(Shortened, HeadAndTailOfWholeCharacters) {
 }
 
 TEST(UserError, IsOneLineHoweverLongOrOddWhatItNames) {
-  const UserError error(3, "evil\n\x1b[2Jmisalign: accepted 99999" + std::string(10000000, 'x'));
+  const UserError error(Cause::bad_input,
+                        "evil\n\x1b[2Jmisalign: accepted 99999" + std::string(10000000, 'x'));
   const std::string sentence = error.what();
   EXPECT_EQ(sentence.find('\n'), std::string::npos);
   EXPECT_EQ(sentence.find('\x1b'), std::string::npos);
