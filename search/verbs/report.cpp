@@ -52,6 +52,22 @@ void refuse_own_input(const ReportCall& call) {
   }
 }
 
+// The page of a pattern file shows that one sheet.
+void refuse_choice_of_candidates(const ReportCall& call, const CLI::App& verb,
+                                 const CLI::App& group) {
+  std::string chosen_by = first_given(group);
+  for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
+    if (verb.count(option) > 0) chosen_by = option;
+  }
+  for (const schema::StudyEntry& study : schema::study_table()) {  // of candidates alone
+    const auto asked = call.studies.find(study.name);
+    if (!study.columns.empty() && asked != call.studies.end() && asked->second) {
+      chosen_by = fmt::format("--{}", study.name);
+    }
+  }
+  if (!chosen_by.empty()) throw only_of_a_catalogue(call.path, chosen_by);
+}
+
 void write_page(const ReportCall& call, const schema::Json& data) {
   schema::write_text_file(call.output, schema::report_page(data));
   put(schema::printable(call.output) + "\n");
@@ -112,16 +128,7 @@ Action report_verb(CLI::App& verb) {
       spdlog::warn("no deployment is in the page: {}", schema::missing_text("SUNDIALS"));
     }
     if (is_pattern_file(call->path)) {
-      std::string chosen_by = first_given(*group);
-      for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
-        if (verb.count(option) > 0) chosen_by = option;
-      }
-      for (const schema::StudyEntry& study : schema::study_table()) {  // of candidates alone
-        if (!study.columns.empty() && call->studies[study.name]) {
-          chosen_by = fmt::format("--{}", study.name);
-        }
-      }
-      if (!chosen_by.empty()) throw only_of_a_catalogue(call->path, chosen_by);
+      refuse_choice_of_candidates(*call, verb, *group);
       refuse_own_input(*call);
       write_page(*call, report_of_pattern(*call));
       return 0;
