@@ -83,7 +83,7 @@ export function decode_detail(detail, report) {
     energy_n_mm: floats(detail.energy_n_mm),
     moment_n_mm: floats(detail.moment_n_mm),
     mechanical_advantage: floats(detail.mechanical_advantage),
-    deployment: detail.let_go && {
+    motion: detail.let_go && {
       time_s: floats(detail.let_go.time_s),
       pilot_deg: floats(detail.let_go.pilot_deg),
     },

@@ -84,7 +84,7 @@ let stop_last = () => {};
 /** The chart of the motion, or null where the sheet cannot be let go. */
 export function make_deployment(report, folding) {
   const { detail, decoded } = folding,
-    deployment = decoded.deployment;
+    deployment = decoded.motion;
   stop_last();
   by_id("let-go-card").hidden = !deployment;
   if (!deployment) return null;

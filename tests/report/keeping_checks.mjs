@@ -68,7 +68,9 @@ export async function address_checks(page, data) {
     await picked_is(page, other);
     assert.equal(await by(page, "filter").inputValue(), `draw = ${second}`);
   });
+}
 
+export async function section_checks(page, data) {
   await check("sections are gone to without losing the address", async () => {
     const before = await address(page);
     await page.locator("nav a").first().click();

@@ -12,7 +12,13 @@ import {
   yield_checks,
 } from "./choosing_checks.mjs";
 import { detail_checks, key_checks } from "./inspecting_checks.mjs";
-import { address_checks, link_checks, saving_checks, survival_check } from "./keeping_checks.mjs";
+import {
+  address_checks,
+  link_checks,
+  saving_checks,
+  section_checks,
+  survival_check,
+} from "./keeping_checks.mjs";
 import { looks_checks } from "./looks_checks.mjs";
 import {
   carried_check,
@@ -69,6 +75,7 @@ async function report_checks(browser, report) {
   if (details.length) await key_checks(page);
   if (report === keeping) {
     await address_checks(page, data);
+    await section_checks(page, data);
     await saving_checks(page, data);
   }
   await looks_checks(page, shown);
