@@ -1,27 +1,29 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
-# include points to a later folder, and that all files name one version. With --tidy clang-tidy and ESLint instead,
-# which look deeper and take minutes.
+# include points to a later folder, and that all files name one version. With --lint ESLint on the page instead, with
+# --tidy clang-tidy, which takes minutes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tidy() {
-  # A configuration of its own: g++'s precompiled headers are none of clang's.
+  # Needs the package clang-tidy. A configuration of its own: g++'s precompiled headers are none of clang's.
   cmake --preset release -B build/tidy -DMISALIGN_TESTS=OFF -DMISALIGN_PYTHON=ON \
     -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
   cmake --build build/tidy --target build_info > /dev/null  # generated, and a source
   log=build/tidy/findings
   run-clang-tidy -p build/tidy -j 2 -quiet "$PWD/(build/tidy/)?(solver|schema|search)/" > $log 2> $log.err ||
     { grep -vE '^clang-tidy|^$' $log; exit 1; }
-  # ESLint as the lock file pins it, beside what it is told.
+}
+# ESLint as the lock file pins it, beside what it is told.
+lint() {
   mkdir -p build/lint
   cp scripts/lint/* scripts/lint/.npmrc build/lint
   (cd build/lint && npm ci --silent)
   build/lint/node_modules/.bin/eslint --config build/lint/eslint.config.js schema/report tests/report
 }
-if [ "${1:-}" = --tidy ]; then
-  tidy
-  exit
-fi
+case "${1:-}" in
+  --tidy) tidy; exit ;;
+  --lint) lint; exit ;;
+esac
 
 mapfile -t files < <(git ls-files '*.cpp' '*.hpp')
 clang-format --dry-run --Werror "${files[@]}"

@@ -19,7 +19,6 @@ fi
 test_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev calculix-ccx sqlite3
   clang-format procps mandoc zsh chromium python3 python3-pandas python3-matplotlib mypy
   python3-ezdxf octave curl"
-lint_packages="clang-tidy"  # ESLint comes from npm (scripts/lint)
 hosts_packages="iproute2 mount"  # tests/cluster
 slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds with warnings as errors and runs every unit test and the system tests that are
-# quick. --all: every test there is, clang-tidy, ESLint, what is built on request only, and the unit tests once more
+# quick. --all: every test there is, ESLint, what is built on request only, and the unit tests once more
 # under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -35,10 +35,10 @@ sanitized() {
 
 all() {
   stage "packages and layout"
-  need_packages $build_packages $test_packages $lint_packages $hosts_packages
+  need_packages $build_packages $test_packages $hosts_packages
   scripts/check.sh
-  stage "clang-tidy and ESLint"
-  scripts/check.sh --tidy
+  stage "ESLint"
+  scripts/check.sh --lint
   stage "build"
   configure
   cmake --build --preset release
@@ -68,4 +68,4 @@ esac
 stage "done"
 echo "== in all: $SECONDS s"
 [ "${1-}" = --all ] || echo "scripts/test.sh --all adds: the long system tests (Python, browser, cluster, packages," \
-  "core alone), sanitizers, clang-tidy, ESLint and the programs of the studies; about 40 minutes on two cores."
+  "core alone), sanitizers, ESLint and the programs of the studies. clang-tidy: scripts/check.sh --tidy."

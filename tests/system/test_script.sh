@@ -3,7 +3,7 @@
 . "$(dirname "$0")/lib.sh"
 mkdir -p scripts bin build
 cp "$source_dir/scripts/test.sh" scripts
-echo 'need_packages() { :; }; build_packages= test_packages= lint_packages= hosts_packages=' > scripts/packages.sh
+echo 'need_packages() { :; }; build_packages= test_packages= hosts_packages=' > scripts/packages.sh
 echo 'echo check.sh "$@" >> calls' > scripts/check.sh
 # A compiler of the sanitizers' build, which writes down its number and works for an hour.
 cat > bin/cmake << 'END'
@@ -25,13 +25,13 @@ PATH=$work/bin:$PATH
 scripts/test.sh > out 2>&1 || fail "exit $?: $(cat out)"
 [ "$(tail -1 out | cut -c1-27)" = "scripts/test.sh --all adds:" ] || fail "the last line: $(tail -1 out)"
 grep -q 'ctest .*-L quick' calls || fail "no quick tests: $(cat calls)"
-grep -qE 'asan|studies|--tidy' calls && fail "it does what --all adds: $(cat calls)"
+grep -qE 'asan|studies|--lint' calls && fail "it does what --all adds: $(cat calls)"
 
 rm calls
 scripts/test.sh --all > out 2>&1
 code=$?
 [ $code = 8 ] || fail "exit $code: $(cat out)"
-grep -q 'check.sh --tidy' calls || fail "no clang-tidy: $(cat calls)"
+grep -q 'check.sh --lint' calls || fail "no ESLint: $(cat calls)"
 [ -s compiler ] || fail "no compiler was started: $(cat out)"
 is_gone() { ! kill -0 "$(cat compiler)" 2> /dev/null; }
 eventually "a compiler is left" is_gone || kill "$(cat compiler)"
