@@ -99,7 +99,6 @@ PathStep StepControl::proceed() {
     weight[2] += twist / h2;
   }
   PathStep move;
-  assert(h > 0);  // stations ascend
   move.depart = move.hold = true;
   for (int k = 0; k < 3; ++k) move.along[k] = weight[k] / tangent_pilot_[k];
   move.pilot = target().pilot;

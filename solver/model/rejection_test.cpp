@@ -67,7 +67,6 @@ void RejectionTest::expect(int sheet, const signed char* directions, bool both, 
 
 void RejectionTest::observe(int sheet, const Observation& observation) {
   assert(sheet >= 0 && static_cast<std::size_t>(sheet) < rejections_.size());
-  assert(observation.sample > 0 && observation.length_error >= 0);
   if (sees_both(sheet, observation)) {
     rejections_[sheet] = {Fault::not_monotone, observation.sample};
     return;

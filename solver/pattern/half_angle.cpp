@@ -23,7 +23,6 @@ double taylor_cosine(double x) {
 }  // namespace
 
 HalfAngle<double> half_angle_of_deg(double angle_deg) {
-  assert(std::abs(angle_deg) <= 360);  // what the Taylor polynomials reach
   if (angle_deg < 0) {
     const HalfAngle<double> mirrored = half_angle_of_deg(-angle_deg);
     return {mirrored.c, -mirrored.s};
