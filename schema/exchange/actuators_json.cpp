@@ -44,10 +44,9 @@ Json limits_json(const solver::Actuation& actuation) {
   return json;
 }
 
-Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
-                    const solver::Actuation& actuation) {
+Json actuation_json(const FoldingView& view, const solver::Actuation& actuation) {
   const solver::Mechanism& mechanism = view.mechanism;
-  const Eigen::Index at_d = path.rows_up_to_d();
+  const Eigen::Index at_d = view.sheet.rows_up_to_d();
   Json forces = Json::array();
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     forces.push_back({{"diagonal", d},
@@ -70,9 +69,8 @@ Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
   return json;
 }
 
-Json actuation_history_json(const FoldingView& view, const solver::ShapedPath& path,
-                            const solver::Actuation& actuation) {
-  Json json = actuation_json(view, path, actuation);
+Json actuation_history_json(const FoldingView& view, const solver::Actuation& actuation) {
+  Json json = actuation_json(view, actuation);
   for (int d = 0; d < view.mechanism.diagonal_count(); ++d) {
     Json& force = json["forces"][static_cast<std::size_t>(d)]["history_n"] = Json::array();
     for (Eigen::Index row = 0; row < actuation.force_n.rows(); ++row) {

@@ -13,12 +13,10 @@ std::string diagonal_labels(const solver::Mechanism& mechanism, const std::vecto
 
 /// What a candidate's file says of them: actuators, force on each diagonal at D, weakest point, the
 /// few that would do, where the stroke ends.
-Json actuation_json(const FoldingView& view, const solver::ShapedPath& path,
-                    const solver::Actuation& actuation);
+Json actuation_json(const FoldingView& view, const solver::Actuation& actuation);
 
 /// That, and "history": energy, moment, mechanical advantage and forces, flat first.
-Json actuation_history_json(const FoldingView& view, const solver::ShapedPath& path,
-                            const solver::Actuation& actuation);
+Json actuation_history_json(const FoldingView& view, const solver::Actuation& actuation);
 
 /// weakest, few and over_stroke, null where there is none; diagonals by their number, from 0.
 Json limits_json(const solver::Actuation& actuation);

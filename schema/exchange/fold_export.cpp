@@ -55,9 +55,8 @@ constexpr const char* kJoinedDescription =
 // The fillers of a sheet, flat and in each of its frames.
 class Fillers {
  public:
-  Fillers(const FoldingView& view, const solver::ShapedPath& path,
-          const std::vector<solver::Filler>& fillers)
-      : view_(view), path_(path), fillers_(fillers) {}
+  Fillers(const FoldingView& view, const std::vector<solver::Filler>& fillers)
+      : view_(view), fillers_(fillers) {}
 
   // As they are folded in a row: with the letters of their hinges there.
   std::vector<MeshFiller> lettered(Index row) const {
@@ -88,13 +87,12 @@ class Fillers {
  private:
   solver::FoldedFiller folded(const solver::Filler& filler, Index row) const {
     return solver::folded_filler(filler, view_.base.base, flat_mm_,
-                                 path_.shapes_mm[static_cast<std::size_t>(row)]);
+                                 view_.sheet.shapes_mm()[static_cast<std::size_t>(row)]);
   }
 
   const FoldingView& view_;
-  const solver::ShapedPath& path_;
   const std::vector<solver::Filler>& fillers_;
-  const Eigen::Matrix2Xd flat_mm_ = view_.base.base.sheet.vertices_mm + view_.shifts_mm;
+  const Eigen::Matrix2Xd& flat_mm_ = view_.sheet.vertices_mm();
 };
 
 Json frame_json(double pilot_deg) {
@@ -109,25 +107,26 @@ Json frame_json(double pilot_deg) {
 
 }  // namespace
 
-Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
-                      const std::vector<Index>& rows, const std::string& title, const Json& data,
+Json folded_fold_json(const FoldingView& view, const std::vector<Index>& rows,
+                      const std::string& title, const Json& data,
                       const std::vector<solver::Filler>& chosen) {
   const solver::CreasePattern& sheet = view.base.base.sheet;
   const std::vector<int> creases = crease_of_edge(sheet, view.mechanism);
   const std::vector<solver::Filler> none;  // of a sheet of which nothing is shown folded
-  const Fillers fillers(view, path, rows.empty() ? none : chosen);
+  const Fillers fillers(view, rows.empty() ? none : chosen);
   Json mesh = perforated_mesh_json(view.base), frames = Json::array();
   const std::vector<MeshFiller> lettered =
       rows.empty() ? std::vector<MeshFiller>{} : fillers.lettered(rows.back());
   for (const Index row : rows) {
     Json frame = frame_json(view.history.stations[row].pilot_deg);
-    Json points = coordinates_json(path.shapes_mm[row]), angles = angles_json(view, creases, row);
+    Json points = coordinates_json(view.sheet.shapes_mm()[static_cast<std::size_t>(row)]),
+         angles = angles_json(view, creases, row);
     fillers.add_folded(row, points, angles);
     frame["vertices_coords"] = std::move(points);
     frame["edges_foldAngle"] = std::move(angles);
     frames.push_back(std::move(frame));
   }
-  Json points = coordinates_json(sheet.vertices_mm + view.shifts_mm);
+  Json points = coordinates_json(view.sheet.vertices_mm());
   fillers.add_flat(points);
   Json fold = {{"file_spec", 1.2},
                {"file_creator", "misalign"},

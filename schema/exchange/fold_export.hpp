@@ -3,7 +3,6 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "solver/design/filler.hpp"
-#include "solver/design/shaped_path.hpp"
 
 namespace misalign::schema {
 
@@ -13,8 +12,8 @@ namespace misalign::schema {
 /// for each of `rows` follows, which inherits the mesh and restates coordinates and angles. It
 /// carries its pattern (see carried_pattern.hpp), and `data` as `misalign:data`. With fillers (of
 /// joining_fillers, for all of `rows`) these are in it too: see filled_mesh.hpp.
-Json folded_fold_json(const FoldingView& view, const solver::ShapedPath& path,
-                      const std::vector<Eigen::Index>& rows, const std::string& title,
-                      const Json& data, const std::vector<solver::Filler>& fillers = {});
+Json folded_fold_json(const FoldingView& view, const std::vector<Eigen::Index>& rows,
+                      const std::string& title, const Json& data,
+                      const std::vector<solver::Filler>& fillers = {});
 
 }  // namespace misalign::schema

@@ -82,9 +82,9 @@ Json folding_json(const FoldingView& view) {
           {"smallest_singular_value", history.singular_value_min}};
 }
 
-Json folded_pattern_json(const Sampling& sampling, const FoldingView& view,
-                         const std::optional<solver::Metrics>& metrics, const Json& actuation,
+Json folded_pattern_json(const Sampling& sampling, const FoldingView& view, const Json& actuation,
                          const Json& deployment) {
+  const solver::Metrics* const metrics = view.sheet.metrics();
   Json diagonals = diagonals_json(view, false);
   for (std::size_t d = 0; d < diagonals.size(); ++d) {
     diagonals[d]["elongation"] = metrics ? Json(metrics->elongation[d]) : Json();

@@ -52,8 +52,7 @@ void add_mesh(const FoldingView& view, std::vector<MatValue>& variables) {
         base.sheet.places[f][1];
     holes.push_back(base.sheet.facets[f]);
   }
-  const Eigen::Matrix2Xd vertices_mm = base.sheet.vertices_mm + view.shifts_mm;
-  variables.push_back(MatValue::matrix("vertices_mm", vertices_mm.transpose()));
+  variables.push_back(MatValue::matrix("vertices_mm", view.sheet.vertices_mm().transpose()));
   variables.push_back(MatValue::matrix("shifts_mm", view.shifts_mm.transpose()));
   variables.push_back(MatValue::matrix("facets", counted(panels)));
   variables.push_back(MatValue::matrix("holes", counted(holes)));
@@ -81,9 +80,10 @@ void add_joints(const FoldingView& view, std::vector<MatValue>& variables) {
   variables.push_back(MatValue::column("diagonal_hole", hole));
 }
 
-MatValue folded_vertices(const FoldingView& view, const solver::ShapedPath& shaped) {
-  const Eigen::Matrix2Xd flat_mm = view.base.base.sheet.vertices_mm + view.shifts_mm;
-  const auto rows = shaped.shapes_mm.size() + 1, count = static_cast<std::size_t>(flat_mm.cols());
+MatValue folded_vertices(const solver::Sheet& sheet) {
+  const Eigen::Matrix2Xd& flat_mm = sheet.vertices_mm();
+  const std::vector<Eigen::Matrix3Xd>& shapes_mm = sheet.shapes_mm();
+  const auto rows = shapes_mm.size() + 1, count = static_cast<std::size_t>(flat_mm.cols());
   std::vector<double> numbers(rows * count * 3, 0.0);
   const auto at = [&](std::size_t row, Index v, Index axis) -> double& {
     return numbers[row +
@@ -93,15 +93,15 @@ MatValue folded_vertices(const FoldingView& view, const solver::ShapedPath& shap
     for (Index axis = 0; axis < 3; ++axis) {
       if (axis < 2) at(0, v, axis) = flat_mm(axis, v);
       for (std::size_t row = 1; row < rows; ++row) {
-        at(row, v, axis) = shaped.shapes_mm[row - 1](axis, v);
+        at(row, v, axis) = shapes_mm[row - 1](axis, v);
       }
     }
   }
   return MatValue::box("folded_vertices_mm", {rows, count, 3}, numbers);
 }
 
-void add_histories(const FoldingView& view, const solver::ShapedPath& shaped,
-                   const solver::Actuation& actuation, std::vector<MatValue>& variables) {
+void add_histories(const FoldingView& view, const solver::Actuation& actuation,
+                   std::vector<MatValue>& variables) {
   const solver::FoldingHistory& history = view.history;
   const auto flat_mm =
       Eigen::RowVectorXd::Map(history.flat_mm.data(), static_cast<Index>(history.flat_mm.size()));
@@ -110,7 +110,7 @@ void add_histories(const FoldingView& view, const solver::ShapedPath& shaped,
   // Lengths change with the square of the angle near flat: their rates begin with 0.
   variables.push_back(MatValue::matrix("rate_mm_per_deg", from_zero_on(history.slope_mm_per_deg)));
   variables.push_back(MatValue::matrix("fold_angle_deg", from_zero_on(history.fold_angle_deg)));
-  variables.push_back(folded_vertices(view, shaped));
+  variables.push_back(folded_vertices(view.sheet));
 }
 
 // Diagonals that are named by their number, counted from 1.
@@ -172,8 +172,7 @@ const char* const kMatReadme =
     "  shares (0.02 is 2 %); NaN where there is none\n";
 
 std::string folded_mat(const std::string& path, const FoldingView& view,
-                       const solver::ShapedPath& shaped, const solver::Actuation& actuation,
-                       const std::optional<solver::Metrics>& metrics, const Sampling& sampling,
+                       const solver::Actuation& actuation, const Sampling& sampling,
                        const std::string& title, const Json& origin) {
   std::vector<MatValue> variables;
   variables.push_back(MatValue::text("readme", title + "\n" + kMatReadme));
@@ -183,10 +182,11 @@ std::string folded_mat(const std::string& path, const FoldingView& view,
   }
   add_mesh(view, variables);
   add_joints(view, variables);
-  add_histories(view, shaped, actuation, variables);
+  add_histories(view, actuation, variables);
   variables.push_back(springs(actuation));
   variables.push_back(MatValue::json("sampling", sampling_json(sampling)));
   variables.push_back(verdict(view));
+  const solver::Metrics* const metrics = view.sheet.metrics();
   variables.push_back(MatValue::json("metrics", metrics ? metrics_json(*metrics) : Json()));
   return mat_file(path, variables);
 }

@@ -19,8 +19,7 @@ extern const char* const kMatReadme;
 /// folding_json, folded_pattern_json and actuation_history_json write. `origin` as in origin_json,
 /// empty for a pattern file; `path` is the file's name in sentences. UserError (failure).
 std::string folded_mat(const std::string& path, const FoldingView& view,
-                       const solver::ShapedPath& shaped, const solver::Actuation& actuation,
-                       const std::optional<solver::Metrics>& metrics, const Sampling& sampling,
+                       const solver::Actuation& actuation, const Sampling& sampling,
                        const std::string& title, const Json& origin);
 
 }  // namespace misalign::schema

@@ -114,7 +114,7 @@ void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
                    double most_height_mm, std::vector<KitItem>& items) {
   constexpr std::size_t kSprings = 4;
   constexpr double kStep_deg = 10;
-  const auto shown = solver::rows_to_show(sheet.mechanism, sheet.path, kStep_deg);
+  const auto shown = sheet.path.rows_to_show(kStep_deg);
   for (std::size_t first = 0; first < springs.size(); first += kSprings) {
     const std::size_t end = std::min(first + kSprings, springs.size());
     Row heads = {"deg"}, flat = {"0"};
@@ -125,7 +125,7 @@ void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
     std::vector<Row> rows = {flat};
     for (const Eigen::Index row : shown) {
       const auto at = static_cast<std::size_t>(row);
-      rows.push_back({fmt::format("{:.10g}", sheet.path.history.stations[at].pilot_deg)});
+      rows.push_back({fmt::format("{:.10g}", sheet.path.history().stations[at].pilot_deg)});
       for (std::size_t s = first; s < end; ++s) {
         rows.back().push_back(fmt::format("{:.3f}", springs[s].length_mm[at + 1]));
       }
@@ -168,9 +168,9 @@ std::vector<KitItem> kit_tables(const KitSheet& sheet, const std::vector<KitSpri
   add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, items);
   add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "spring"}, spring_rows(springs),
              most_height_mm, items);
-  const Eigen::Index rows = solver::rows_shown(sheet.mechanism, sheet.path);
+  const Eigen::Index rows = sheet.path.rows_shown();
   const double end_deg =
-      rows == 0 ? 0 : sheet.path.history.stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
+      rows == 0 ? 0 : sheet.path.history().stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
   add_blocks(fmt::format("springs, mm, from flat to {:.10g} deg", end_deg),
              {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_way_rows(springs),
              most_height_mm, items);

@@ -5,17 +5,19 @@
 #include <string>
 
 #include "schema/campaign/pattern_file.hpp"
-#include "solver/design/shaped_path.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::schema {
 
 /// Refers to what it is made of.
 struct KitSheet {
-  const solver::PerforatedSheet& base;
-  const Eigen::Matrix2Xd& vertices_mm;  ///< where they are cut
-  const Eigen::Matrix2Xd& shifts_mm;    ///< of that, off the base
-  const solver::Mechanism& mechanism;
-  const solver::ShapedPath& path;
+  explicit KitSheet(const solver::Sheet& sheet) : path(sheet) {}
+
+  const solver::Sheet& path;
+  const solver::PerforatedSheet& base = path.model().base();
+  const Eigen::Matrix2Xd& vertices_mm = path.vertices_mm();  ///< where they are cut
+  const Eigen::Matrix2Xd& shifts_mm = path.shifts_mm();      ///< of that, off the base
+  const solver::Mechanism& mechanism = path.mechanism();
 
   Eigen::Vector2d point(int vertex) const { return vertices_mm.col(vertex); }
   /// "r1c2" for the panel [1, 2] of pattern files and catalogues.

@@ -61,7 +61,7 @@ double KitSpring::stroke_mm() const {
 
 std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fittings) {
   const double band_mm = solver::kInactiveBand_widths * sheet.mechanism.panel_width_mm;
-  const auto rows = static_cast<std::size_t>(solver::rows_shown(sheet.mechanism, sheet.path));
+  const auto rows = static_cast<std::size_t>(sheet.path.rows_shown());
   std::vector<KitSpring> springs;
   for (std::size_t e = 0; e < fittings.ends.size(); e += 2) {
     const SpringEnd &from = fittings.ends[e], &to = fittings.ends[e + 1];
@@ -72,7 +72,7 @@ std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fit
                      {},
                      {}};
     for (std::size_t row = 0; row < rows; ++row) {
-      const Eigen::Matrix3Xd& shape = sheet.path.shapes_mm[row];
+      const Eigen::Matrix3Xd& shape = sheet.path.shapes_mm()[row];
       spring.length_mm.push_back(
           (folded_point(sheet, from, shape) - folded_point(sheet, to, shape)).norm());
       spring.diagonal_mm.push_back((shape.col(from.vertex) - shape.col(to.vertex)).norm());

@@ -17,7 +17,7 @@ const char* word_of(LengthTrend trend);
 
 struct KitSpring {
   SpringEnd from, to;
-  /// Flat, and at each row of the path that is shown (solver::rows_shown).
+  /// Flat, and at each row of the path that is shown (Sheet::rows_shown).
   std::vector<double> length_mm, diagonal_mm;
   LengthTrend trend, diagonal_trend;
 

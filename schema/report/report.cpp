@@ -39,12 +39,13 @@ std::vector<double> lengths_row_by_row(const solver::FoldingHistory& history) {
   return lengths_mm;
 }
 
-Json shapes_json(const Eigen::Matrix2Xd& flat_mm, const solver::ShapedPath& path) {
+Json shapes_json(const solver::Sheet& sheet) {
+  const Eigen::Matrix2Xd& flat_mm = sheet.vertices_mm();
   constexpr double kLeastUnit_mm = 0.01, kMostUnits = 32000;
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
   centre_mm.head<2>() = (flat_mm.rowwise().minCoeff() + flat_mm.rowwise().maxCoeff()) / 2;
   double farthest_mm = (flat_mm.colwise() - centre_mm.head<2>()).cwiseAbs().maxCoeff();
-  for (const auto& shape_mm : path.shapes_mm) {
+  for (const auto& shape_mm : sheet.shapes_mm()) {
     farthest_mm = std::max(farthest_mm, (shape_mm.colwise() - centre_mm).cwiseAbs().maxCoeff());
   }
   const double unit_mm = std::max(kLeastUnit_mm, farthest_mm / kMostUnits);
@@ -55,7 +56,7 @@ Json shapes_json(const Eigen::Matrix2Xd& flat_mm, const solver::ShapedPath& path
     }
   };
   for (Index v = 0; v < flat_mm.cols(); ++v) append(flat_mm(0, v), flat_mm(1, v), 0);
-  for (const auto& shape_mm : path.shapes_mm) {
+  for (const auto& shape_mm : sheet.shapes_mm()) {
     for (Index v = 0; v < shape_mm.cols(); ++v) {
       append(shape_mm(0, v), shape_mm(1, v), shape_mm(2, v));
     }
@@ -222,18 +223,17 @@ Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism) {
 }
 
 Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
-                 const solver::ShapedPath& path, const solver::Actuation& actuation,
-                 const std::optional<solver::Metrics>& metrics) {
-  const Eigen::Matrix2Xd vertices_mm = view.base.base.sheet.vertices_mm + view.shifts_mm;
+                 const solver::Actuation& actuation) {
+  const solver::Metrics* const metrics = view.sheet.metrics();
   Json json = {{"draw", std::to_string(draw)},
                {"accepted", accepted},
                {"verdict", verdict_json(view)},
-               {"fold_limit_deg", path.history.path.fold_limit_deg},
+               {"fold_limit_deg", view.history.path.fold_limit_deg},
                {"metrics", metrics ? metrics_json(*metrics) : Json()},
                {"displacements_mm", displacements_json(view.shifts_mm)},
                {"pilot_deg", actuation.pilot_deg},
-               {"length_mm", floats(lengths_row_by_row(path.history))},
-               {"vertices_mm", shapes_json(vertices_mm, path)},
+               {"length_mm", floats(lengths_row_by_row(view.history))},
+               {"vertices_mm", shapes_json(view.sheet)},
                {"energy_n_mm", floats(actuation.energy_n_mm)},
                {"moment_n_mm", floats(actuation.moment_n_mm)},
                {"mechanical_advantage", floats(actuation.mechanical_advantage)}};

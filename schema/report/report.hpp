@@ -41,8 +41,7 @@ Json sheet_json(const Pattern& base, const solver::Mechanism& mechanism);
 /// make no large page. Shapes are seen from the middle of the flat sheet, in whole numbers of
 /// hundredths of a mm (more on sheets that reach farther than 320 mm).
 Json detail_json(const FoldingView& view, std::uint64_t draw, bool accepted,
-                 const solver::ShapedPath& path, const solver::Actuation& actuation,
-                 const std::optional<solver::Metrics>& metrics);
+                 const solver::Actuation& actuation);
 
 /// The deployment that the page shows of a released sheet: outcome, limits, and in base64 when the
 /// pilot had which angle.

@@ -15,9 +15,7 @@ CandidateCheck::CandidateCheck(const schema::Campaign& campaign)
     : campaign_(campaign), sheets_(campaign) {}
 
 solver::Verdict CandidateCheck::verdict(std::uint64_t draw) const {
-  const solver::FlatVertices vertices_mm =
-      campaign_.pattern.base.sheet.vertices_mm + shifts_of_draw(campaign_, draw);
-  return sheets_.follow(vertices_mm).history.verdict;
+  return sheets_.sheet(shifts_of_draw(campaign_, draw)).history().verdict;
 }
 
 CandidateReport CandidateCheck::check(const Json& row, int metrics_version) const {
@@ -47,22 +45,21 @@ CandidateReport CandidateCheck::check(const Json& row, int metrics_version) cons
             schema::displacements_json(drawn_mm).dump());
   }
   if (!shifts_mm) return report;
-  const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + *shifts_mm;
-  if (!solver::nonconvex_facets(base.sheet, vertices_mm).empty()) {
+  const solver::Sheet sheet = sheets_.sheet(*shifts_mm);
+  if (!solver::nonconvex_facets(base.sheet, sheet.vertices_mm()).empty()) {
     if (report.findings.empty()) {
       differs("displacements_mm", cell("displacements_mm"), "shifts that leave every facet convex");
     }
     return report;
   }
 
-  const FollowedSheet sheet = sheets_.follow(vertices_mm);
-  const solver::FoldingHistory& history = sheet.history;
-  if (history.verdict.deploys_from_sample == 0) {
+  const int own_sample = sheet.history().verdict.deploys_from_sample;
+  if (own_sample == 0) {
     differs("deploys_from_sample", cell("deploys_from_sample"), 0);
     return report;
   }
-  check_metrics(row, metrics_version, sheets_.measure(vertices_mm, history), report);
-  sheets_.check_shapes(where, sheet, history.verdict.deploys_from_sample, report);
+  check_metrics(row, metrics_version, *sheet.metrics(), report);
+  sheets_.check_shapes(where, sheet, own_sample, report);
   return report;
 }
 

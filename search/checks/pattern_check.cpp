@@ -7,8 +7,6 @@
 #include "schema/exchange/folding_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "solver/design/shaped_path.hpp"
-#include "solver/records/metrics.hpp"
 
 namespace misalign::search {
 namespace {
@@ -17,15 +15,11 @@ using schema::Json;
 using schema::shown_number;
 
 // What two foldings of one sheet, or a file, say of it: {"verdict", "metrics", "elongation"}.
-Json said_of(const ChosenSheet& sheet, const SheetCheck& check,
-             const solver::FlatVertices& vertices_mm, const solver::FoldingHistory& history) {
-  const schema::FoldingView view{sheet.base, sheet.shifts_mm, check.mechanism(), history,
-                                 sheet.sampling.sample_deg};
+Json said_of(const schema::FoldingView& view) {
   Json said = {{"verdict", schema::verdict_json(view)}, {"metrics", nullptr}};
-  if (history.verdict.deploys_from_sample > 0) {
-    const solver::Metrics metrics = check.measure(vertices_mm, history);
-    said["metrics"] = schema::metrics_json(metrics);
-    said["metrics"]["elongation"] = Json(metrics.elongation).dump();
+  if (const auto metrics = view.sheet.measure(view.history)) {
+    said["metrics"] = schema::metrics_json(*metrics);
+    said["metrics"]["elongation"] = Json(metrics->elongation).dump();
   }
   return said;
 }
@@ -83,29 +77,31 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }  // namespace
 
 PatternVerification verify_pattern(const std::string& path) {
-  const ChosenSheet sheet = sheet_of_pattern_file(path);
-  const SheetCheck check(sheet.base, sheet.sampling);
-  const FollowedSheet sparse = check.follow(sheet.base.base.sheet.vertices_mm + sheet.shifts_mm);
-  const solver::FoldingHistory dense = check.follow_densely(sparse.vertices_mm);
-  const Json computed = said_of(sheet, check, sparse.vertices_mm, sparse.history);
+  const ChosenSheet chosen = sheet_of_pattern_file(path);
+  const SheetCheck check(chosen.base, chosen.sampling);
+  const solver::Sheet sheet = check.sheet(chosen.shifts_mm);
+  const solver::FoldingHistory& history = sheet.history();
+  const auto dense = solver::record_densely(sheet.model(), sheet.vertices_mm());
+  const Json computed = said_of({chosen.base, sheet});
   PatternVerification verification;
-  verification.pattern = sheet.pattern;
+  verification.pattern = chosen.pattern;
   verification.verdict = computed["verdict"];
-  verification.apart_mm = largest_difference(sparse.history.length_mm, dense.length_mm);
+  verification.apart_mm = largest_difference(history.length_mm, dense.length_mm);
   SheetReport& report = verification.report;
-  compare("dense matrices", said_of(sheet, check, sparse.vertices_mm, dense), computed,
-          check.tolerances(), report.findings);
-  if (!sheet.exported.is_null()) {
-    const Json claims = said_by(sheet.exported);
+  compare("dense matrices", said_of({chosen.base, sheet, dense}), computed, check.tolerances(),
+          report.findings);
+  if (!chosen.exported.is_null()) {
+    const Json claims = said_by(chosen.exported);
     verification.has_claims = !claims.empty();
     compare("the file", claims, computed, check.tolerances(), report.findings);
   }
-  const Eigen::Index up_to_d = sparse.history.verdict.deploys_from_sample;
+  const Eigen::Index up_to_d = history.verdict.deploys_from_sample;
+  const Eigen::Index samples = std::ranges::count_if(
+      history.stations, [](const solver::Station& station) { return station.sample > 0; });
   verification.shapes =
-      up_to_d > 0 ? up_to_d : solver::rows_folded_well(check.mechanism(), sparse.history);
-  verification.shapes =
-      std::min(verification.shapes, static_cast<Eigen::Index>(sparse.states.size()));
-  check.check_shapes(sheet.pattern, sparse, verification.shapes, report);
+      up_to_d > 0 ? up_to_d
+                  : std::min(solver::rows_folded_well(check.mechanism(), history), samples);
+  check.check_shapes(chosen.pattern, sheet, verification.shapes, report);
   return verification;
 }
 

@@ -24,54 +24,28 @@ Finding exceeds(const std::string& where, const std::string& what, double value,
 }  // namespace
 
 SheetCheck::SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling)
-    : base_(base),
-      sampling_(sampling),
-      model_(model_of(base, sampling)),
-      tolerances_{mechanism().panel_width_mm, sampling.sample_deg},
-      panels_(solver::panels_of(base.base, mechanism())) {}
+    : model_(std::make_unique<FoldingModel>(base, sampling, solver::Actuators())),
+      tolerances_{mechanism().panel_width_mm, sampling.sample_deg} {}
 
 SheetCheck::SheetCheck(const schema::Campaign& campaign)
-    : base_(campaign.pattern),
-      sampling_(campaign.sampling()),
-      model_(model_of(campaign)),
-      tolerances_{mechanism().panel_width_mm, campaign.sample_deg},
-      panels_(solver::panels_of(base_.base, mechanism())) {}
+    : model_(std::make_unique<FoldingModel>(campaign)),
+      tolerances_{mechanism().panel_width_mm, campaign.sample_deg} {}
 
-FollowedSheet SheetCheck::follow(const solver::FlatVertices& vertices_mm) const {
-  FollowedSheet sheet{vertices_mm, {}, {}};
-  const solver::StationVisitor keep_state = [&](const solver::Station& station,
-                                                const solver::PathPoint& point) {
-    if (station.sample == 0) return;
-    const std::size_t samples = static_cast<std::size_t>(station.sample);
-    sheet.states.resize(std::max(sheet.states.size(), samples));  // some are followed once more
-    sheet.states[samples - 1] = point.state;
-  };
-  sheet.history = solver::record_history(model_, vertices_mm, &keep_state);
-  return sheet;
-}
-
-solver::FoldingHistory SheetCheck::follow_densely(const solver::FlatVertices& vertices_mm) const {
-  return solver::record_densely(model_, vertices_mm);
-}
-
-solver::Metrics SheetCheck::measure(const solver::FlatVertices& vertices_mm,
-                                    const solver::FoldingHistory& history) const {
-  return solver::measure(base_.base, vertices_mm, solver::record_of(model_, vertices_mm, history),
-                         sampling_.sample_deg);
-}
-
-void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& sheet,
+void SheetCheck::check_shapes(const std::string& where, const solver::Sheet& sheet,
                               Eigen::Index samples, SheetReport& report) const {
-  const auto& [vertices_mm, history, states] = sheet;
-  solver::ShapeCheck shape_check(vertices_mm, panels_.corners, panels_.folds);
+  const solver::FlatVertices& vertices_mm = sheet.vertices_mm();
+  const solver::FoldingHistory& history = sheet.history();
+  const solver::Panels& panels = sheet.panels();
+  const solver::FoldedShape& shape = sheet.model().shape();
+  solver::ShapeCheck shape_check(vertices_mm, panels.corners, panels.folds);
   solver::SheetGeometry<double> geometry;
   place(mechanism(), vertices_mm, geometry);
-  std::vector<double> claimed_deg(panels_.folds.size());
+  std::vector<double> claimed_deg(panels.folds.size());
   for (Eigen::Index k = 0; k < samples; ++k) {
-    const solver::FoldState<double>& state = states[static_cast<std::size_t>(k)];
-    const Eigen::Matrix3Xd folded_mm = model_.shape().vertices_mm(geometry, state);
-    const Eigen::Matrix3Xd corners_mm = model_.shape().corners_mm(geometry, state);
-    for (std::size_t i = 0; i < panels_.folds.size(); ++i) {
+    const solver::FoldState<double>& state = sheet.states()[static_cast<std::size_t>(k)].state;
+    const Eigen::Matrix3Xd folded_mm = shape.vertices_mm(geometry, state);
+    const Eigen::Matrix3Xd corners_mm = shape.corners_mm(geometry, state);
+    for (std::size_t i = 0; i < panels.folds.size(); ++i) {
       claimed_deg[i] = history.fold_angle_deg(k, static_cast<Eigen::Index>(i));
     }
     shape_check.see(folded_mm, corners_mm, claimed_deg);
@@ -83,57 +57,58 @@ void SheetCheck::check_shapes(const std::string& where, const FollowedSheet& she
     }
   }
   report.shape = shape_check.worst();
-  add_shape_findings(where, report);
+  add_shape_findings(where, panels, report);
   find_crossing(sheet, samples, report);
   find_meeting(sheet, samples, report);
 }
 
-void SheetCheck::find_crossing(const FollowedSheet& sheet, Eigen::Index samples,
+void SheetCheck::find_crossing(const solver::Sheet& sheet, Eigen::Index samples,
                                SheetReport& report) const {
   if constexpr (has("FCL")) {
-    CrossingCheck check(sheet.vertices_mm, panels_.corners);
+    CrossingCheck check(sheet.vertices_mm(), sheet.panels().corners);
     solver::SheetGeometry<double> geometry;
-    place(mechanism(), sheet.vertices_mm, geometry);
+    place(mechanism(), sheet.vertices_mm(), geometry);
     for (Eigen::Index k = 0; k < samples; ++k) {
-      const auto& state = sheet.states[static_cast<std::size_t>(k)];
-      const auto panels = check.crossing(model_.shape().corners_mm(geometry, state));
+      const auto& state = sheet.states()[static_cast<std::size_t>(k)].state;
+      const auto panels = check.crossing(sheet.model().shape().corners_mm(geometry, state));
       if (!panels) continue;
       const auto place_of = [&](int panel) {
-        return schema::facet_json(base_, panels_.facets[panel]).dump();
+        return schema::facet_json(model_->base(), sheet.panels().facets[panel]).dump();
       };
-      report.first_contact_deg = static_cast<double>(k + 1) * sampling_.sample_deg;
+      report.first_contact_deg = sheet.sample_deg(static_cast<int>(k) + 1);
       report.contact = place_of(panels->first) + " and " + place_of(panels->second);
       return;
     }
   }
 }
 
-void SheetCheck::find_meeting(const FollowedSheet& sheet, Eigen::Index samples,
+void SheetCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
                               SheetReport& report) const {
-  solver::ResolvedWay ways(model_, panels_);
-  const solver::PanelMotion* motion = ways.follow(sheet.vertices_mm);
+  const solver::Panels& panels = sheet.panels();
+  const auto motion = solver::resolved_motion(sheet);
   if (!motion) {
     report.meet_text = "not known where panels meet: the path is lost as a function";
     return;
   }
   const solver::FoldingWay& way = motion->way();
-  const double last_deg = static_cast<double>(samples) * sampling_.sample_deg;
+  const double last_deg = static_cast<double>(samples) * sheet.sample_deg(1);
   const double end =
       std::min(way.x_of(std::min(last_deg, way.end_deg())), motion->resolved_until());
   report.met_until_deg = way.pilot_deg(end);
-  const auto contact = solver::ContactFinder(panels_, *motion).first(end);
+  const auto contact = solver::ContactFinder(panels, *motion).first(end);
   if (!contact) {
     report.meet_text = fmt::format("none meet up to {:.10g} deg", report.met_until_deg);
     return;
   }
-  report.meet = schema::contact_json(base_, panels_, *contact);
+  report.meet = schema::contact_json(model_->base(), panels, *contact);
   report.meet_text =
-      fmt::format("{} meet first at {:.4f} deg", schema::panels_text(base_, panels_, contact->pair),
-                  contact->pilot_deg);
+      fmt::format("{} meet first at {:.4f} deg",
+                  schema::panels_text(model_->base(), panels, contact->pair), contact->pilot_deg);
 }
 
-void SheetCheck::add_shape_findings(const std::string& where, SheetReport& report) const {
-  const double limit_rad = solver::shape_tolerance(panels_);
+void SheetCheck::add_shape_findings(const std::string& where, const solver::Panels& panels,
+                                    SheetReport& report) const {
+  const double limit_rad = solver::shape_tolerance(panels);
   const double limit_mm = limit_rad * mechanism().panel_width_mm;
   const double limit_deg = limit_rad / solver::kRadPerDeg;
   const solver::ShapeErrors& shape = report.shape;
@@ -147,7 +122,7 @@ void SheetCheck::add_shape_findings(const std::string& where, SheetReport& repor
   compare("angle_deg", shape.angle_deg, limit_deg);
   compare("beyond_deg", shape.beyond_deg, solver::kOverFoldBand_deg);
   if (shape.wrong_sign >= 0) {
-    const solver::FoldLine& fold = panels_.folds[static_cast<std::size_t>(shape.wrong_sign)];
+    const solver::FoldLine& fold = panels.folds[static_cast<std::size_t>(shape.wrong_sign)];
     report.findings.push_back(schema::differs(where, "fold " + solver::line_label(fold.a, fold.b),
                                               fold.sign > 0 ? "valley" : "mountain", "the other"));
   }

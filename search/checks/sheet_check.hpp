@@ -1,6 +1,7 @@
 // A sheet followed again, and its folded shapes judged by their coordinates alone.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "schema/exchange/contact_json.hpp"
 #include "search/checks/column_tolerances.hpp"
 #include "search/checks/crossing_check.hpp"
+#include "search/sheets/folding_model.hpp"
 #include "solver/records/history.hpp"
 #include "solver/sheet/panels.hpp"
 
@@ -26,12 +28,6 @@ struct SheetReport {
   schema::Json meet;
   double met_until_deg = 0;
   std::string meet_text;  ///< "panels [2,3] and [4,3] meet first at 171.2345 deg", or that none do
-};
-
-struct FollowedSheet {
-  solver::FlatVertices vertices_mm;
-  solver::FoldingHistory history;
-  std::vector<solver::FoldState<double>> states;  ///< of the samples in turn
 };
 
 /// A line for each finding, printable; beyond schema::kMostListed their number.
@@ -53,33 +49,26 @@ class SheetCheck {
   SheetCheck(const SheetCheck&) = delete;
   SheetCheck& operator=(const SheetCheck&) = delete;
 
-  /// By sparse matrices, in a fixed order of elimination.
-  FollowedSheet follow(const solver::FlatVertices& vertices_mm) const;
-  /// The same path by dense matrices with pivoting.
-  solver::FoldingHistory follow_densely(const solver::FlatVertices& vertices_mm) const;
-  /// Metrics of a path with D >= 1.
-  solver::Metrics measure(const solver::FlatVertices& vertices_mm,
-                          const solver::FoldingHistory& history) const;
+  /// With these shifts, one column per vertex.
+  solver::Sheet sheet(const Eigen::Matrix2Xd& shifts_mm) const { return model_->sheet(shifts_mm); }
   /// The first `samples` folded shapes: rigid panels, creases and diagonals as the history says;
   /// and where panels first cross, if this build can tell, which is no fault. `where` names the
   /// sheet.
-  void check_shapes(const std::string& where, const FollowedSheet& sheet, Eigen::Index samples,
+  void check_shapes(const std::string& where, const solver::Sheet& sheet, Eigen::Index samples,
                     SheetReport& report) const;
 
-  const solver::Mechanism& mechanism() const { return model_.mechanism(); }
+  const solver::Mechanism& mechanism() const { return model_->mechanism(); }
   const ColumnTolerances& tolerances() const { return tolerances_; }
 
  private:
   /// Nothing where this build is without FCL.
-  void find_crossing(const FollowedSheet& sheet, Eigen::Index samples, SheetReport& report) const;
-  void find_meeting(const FollowedSheet& sheet, Eigen::Index samples, SheetReport& report) const;
-  void add_shape_findings(const std::string& where, SheetReport& report) const;
+  void find_crossing(const solver::Sheet& sheet, Eigen::Index samples, SheetReport& report) const;
+  void find_meeting(const solver::Sheet& sheet, Eigen::Index samples, SheetReport& report) const;
+  void add_shape_findings(const std::string& where, const solver::Panels& panels,
+                          SheetReport& report) const;
 
-  const schema::Pattern& base_;
-  const schema::Sampling sampling_;
-  const solver::Model model_;
+  const std::unique_ptr<FoldingModel> model_;
   const ColumnTolerances tolerances_;
-  const solver::Panels panels_;
 };
 
 }  // namespace misalign::search

@@ -100,9 +100,10 @@ class Catalogue {
   std::string springs(const py::object& number) const {
     const std::uint64_t draw = draw_number(number);
     return unlocked([&] {
-      const SheetFolder folder(*source_->campaign);
-      const FoldedSheet folded = folder.fold(shifts_of({draw}).front());
-      schema::Json json = folder.springs_json(folded);
+      FoldingModel model(*source_->campaign);
+      const solver::Sheet sheet = model.sheet(shifts_of({draw}).front());
+      schema::Json json =
+          springs_json({model.base(), sheet}, solver::actuate(sheet, model.actuators()));
       json["draw"] = draw;
       return json.dump();
     });

@@ -45,8 +45,8 @@ py::array_t<double> picked(const std::vector<Index>& rows, const Eigen::MatrixXd
   return table;
 }
 
-py::array_t<double> picked_shapes(const std::vector<Index>& rows, const solver::ShapedPath& path,
-                                  const Eigen::Matrix2Xd& flat_mm) {
+py::array_t<double> picked_shapes(const std::vector<Index>& rows, const solver::Sheet& sheet) {
+  const Eigen::Matrix2Xd& flat_mm = sheet.vertices_mm();
   const Index vertices = flat_mm.cols();
   py::array_t<double> table({static_cast<Index>(rows.size()), vertices, Index{3}});
   auto cells = table.mutable_unchecked<3>();
@@ -54,7 +54,7 @@ py::array_t<double> picked_shapes(const std::vector<Index>& rows, const solver::
     for (Index v = 0; v < vertices; ++v) {
       Eigen::Vector3d at_mm = Eigen::Vector3d::Constant(std::nan(""));
       if (rows[k] == kFlat) at_mm << flat_mm.col(v), 0;
-      if (rows[k] >= 0) at_mm = path.shapes_mm[static_cast<std::size_t>(rows[k])].col(v);
+      if (rows[k] >= 0) at_mm = sheet.shapes_mm()[static_cast<std::size_t>(rows[k])].col(v);
       for (Index axis = 0; axis < 3; ++axis) cells(static_cast<Index>(k), v, axis) = at_mm(axis);
     }
   }
@@ -70,12 +70,14 @@ py::dict fold(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm,
   const schema::Sampling sampling = sampling_for(stations_deg, source);
   StationOptions stations(0, stations_deg.value_or(std::vector<double>()));
   std::erase(stations.at_deg, 0);  // which no path has to be followed to
-  std::optional<SheetFolder> folder;
-  const solver::ShapedPath path = unlocked([&] {
-    folder.emplace(base, sampling, source.sheet.actuators, stations);
-    return folder->follow(shifts_mm);
+  std::optional<FoldingModel> model;
+  std::optional<solver::Sheet> sheet;
+  unlocked([&] {
+    model.emplace(base, sampling, source.sheet.actuators, stations);
+    sheet.emplace(model->sheet(shifts_mm));
+    sheet->shapes_mm();
   });
-  const solver::FoldingHistory& history = path.history;
+  const solver::FoldingHistory& history = sheet->history();
   std::vector<double> pilot_deg = stations_deg.value_or(std::vector<double>());
   if (!stations_deg) {
     for (const solver::Station& station : history.stations) pilot_deg.push_back(station.pilot_deg);
@@ -84,21 +86,19 @@ py::dict fold(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm,
   const auto diagonals = static_cast<Index>(history.flat_mm.size());
   const Eigen::VectorXd flat_mm = Eigen::VectorXd::Map(history.flat_mm.data(), diagonals);
   const Eigen::VectorXd no_creases =
-      Eigen::VectorXd::Zero(static_cast<Index>(folder->mechanism().creases.size()));
-  const schema::FoldingView view{base, shifts_mm, folder->mechanism(), history,
-                                 sampling.sample_deg};
+      Eigen::VectorXd::Zero(static_cast<Index>(model->mechanism().creases.size()));
+  const schema::FoldingView view(base, *sheet);
   schema::Json verdict = schema::verdict_json(view);
   verdict["bump_between_samples"] = schema::bump_json(view);
   if (source.campaign) verdict["accepted"] = source.campaign->accepts(history.verdict);
-  return py::dict(
-      "pilot_deg"_a = list_of(pilot_deg), "shifts_mm"_a = points_of(shifts_mm),
-      "length_mm"_a = picked(rows, history.length_mm, flat_mm),
-      "rate_mm_per_deg"_a =
-          picked(rows, history.slope_mm_per_deg, Eigen::VectorXd::Zero(diagonals)),
-      "fold_angle_deg"_a = picked(rows, history.fold_angle_deg, no_creases),
-      "vertices_mm"_a = picked_shapes(rows, path, base.base.sheet.vertices_mm + shifts_mm),
-      "flat_mm"_a = list_of(history.flat_mm), "fold_limit_deg"_a = history.path.fold_limit_deg,
-      "verdict"_a = verdict.dump());
+  return py::dict("pilot_deg"_a = list_of(pilot_deg), "shifts_mm"_a = points_of(shifts_mm),
+                  "length_mm"_a = picked(rows, history.length_mm, flat_mm),
+                  "rate_mm_per_deg"_a =
+                      picked(rows, history.slope_mm_per_deg, Eigen::VectorXd::Zero(diagonals)),
+                  "fold_angle_deg"_a = picked(rows, history.fold_angle_deg, no_creases),
+                  "vertices_mm"_a = picked_shapes(rows, *sheet),
+                  "flat_mm"_a = list_of(history.flat_mm),
+                  "fold_limit_deg"_a = history.path.fold_limit_deg, "verdict"_a = verdict.dump());
 }
 
 void bind_foldings(py::module_& module) {

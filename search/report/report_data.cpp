@@ -68,18 +68,17 @@ DetailedDraws detailed_draws(SQLite::Database& database, const Json& candidates,
   return detailed;
 }
 
-Json details_json(SQLite::Database& database, const schema::Campaign& campaign,
-                  const SheetFolder& folder, const DetailedDraws& detailed,
-                  ReportDetails& details) {
+Json details_json(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model,
+                  const DetailedDraws& detailed, const ReportDetails& details) {
   Json json = Json::array();
   std::size_t bytes = 0;
   for (std::size_t k = 0; k < detailed.draws.size(); ++k) {
     if (k >= detailed.asked_for && bytes >= kMostDetailBytes) break;
     show_work("sheets looked at closely", k, detailed.draws.size());
     const std::uint64_t draw = detailed.draws[k];
-    const FoldedSheet folded = folder.fold(shifts_of_number(database, campaign, draw));
-    const bool accepted = campaign.accepts(folded.path.history.verdict);
-    json.push_back(details.of_draw(folded, draw, accepted));
+    const solver::Sheet sheet = model.sheet(shifts_of_number(database, campaign, draw));
+    const bool accepted = campaign.accepts(sheet.history().verdict);
+    json.push_back(details.of_draw(sheet, draw, accepted));
     bytes += json.back().dump().size();
   }
   return json;
@@ -162,12 +161,12 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 }
 
 // What is folded, and by what.
-Json folding_json(const SheetFolder& folder) {
-  const auto& limit = folder.actuators().stroke_limit;
-  return {{"sheet", schema::sheet_json(folder.base(), folder.mechanism())},
-          {"diagonals", diagonals_json(folder.base(), folder.mechanism())},
+Json folding_json(const FoldingModel& model) {
+  const auto& limit = model.actuators().stroke_limit;
+  return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
+          {"diagonals", diagonals_json(model.base(), model.mechanism())},
           {"actuators",
-           {{"stiffness_n_per_mm", folder.actuators().stiffness_n_per_mm},
+           {{"stiffness_n_per_mm", model.actuators().stiffness_n_per_mm},
             {"stroke_limit", schema::or_null(limit)}}}};
 }
 
@@ -205,11 +204,11 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
 
 Json report_of_catalogue(const ReportCall& call) {
   const auto database = schema::open_for_reading(call.path);
-  add_deployment_functions(*database, call.path, call.actuators.stiffness_n_per_mm);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);
-  const SheetFolder folder(campaign);
-  ReportDetails details(folder, call.detail);
+  FoldingModel model(campaign);
+  add_deployment_functions(*database, campaign, model);
+  const ReportDetails details(model, call.detail);
   const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
   DetailedDraws detailed;
   const Json catalogue = catalogue_json(*database, campaign, call, detailed);
@@ -219,21 +218,23 @@ Json report_of_catalogue(const ReportCall& call) {
                       {"identity", schema::identity(campaign)},
                       {"configuration", schema::campaign_json(campaign)}};
   data.update(catalogue);
-  data.update(folding_json(folder));
-  data["details"] = details_json(*database, campaign, folder, detailed, details);
+  data.update(folding_json(model));
+  data["details"] = details_json(*database, campaign, model, detailed, details);
   return data;
 }
 
 Json report_of_pattern(const ReportCall& call) {
-  const ChosenSheet sheet = sheet_of_pattern_file(call.path);
-  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
-  ReportDetails details(folder, call.detail);
-  details.check_stress(call.path, sheet.whose()["sheet"]);
+  const ChosenSheet chosen = sheet_of_pattern_file(call.path);
+  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
+  const ReportDetails details(model, call.detail);
+  details.check_stress(call.path, chosen.whose()["sheet"]);
   Json data = origin_json(call);
-  data["pattern"] = {{"name", sheet.pattern}, {"sampling", schema::sampling_json(sheet.sampling)}};
+  data["pattern"] = {{"name", chosen.pattern},
+                     {"sampling", schema::sampling_json(chosen.sampling)}};
   data["candidates"] = {{"total", 0}, {"shown", 0}, {"columns", Json::object()}};
-  data.update(folding_json(folder));
-  data["details"] = Json::array({details.of_pattern(folder.fold(sheet.shifts_mm), sheet.pattern)});
+  data.update(folding_json(model));
+  data["details"] =
+      Json::array({details.of_pattern(model.sheet(chosen.shifts_mm), chosen.pattern)});
   return data;
 }
 

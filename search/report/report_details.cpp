@@ -4,6 +4,8 @@
 
 #include "schema/exchange/contact_json.hpp"
 #include "schema/report/report.hpp"
+#include "solver/design/contact.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::search {
 namespace {
@@ -28,12 +30,11 @@ UserError of_another(const schema::StressResult& result, const std::string& show
 
 }  // namespace
 
-ReportDetails::ReportDetails(const SheetFolder& folder, const DetailOptions& options)
-    : folder_(folder), deployer_(folder.base(), folder.sampling(), folder.actuators(), {}) {
+ReportDetails::ReportDetails(const FoldingModel& model, const DetailOptions& options)
+    : model_(model), with_contact_(options.contact) {
   for (const std::string& path : options.stress_files) {
     stress_.push_back(schema::read_stress_result(path));
   }
-  if (options.contact) contact_.emplace(folder.base(), folder.sampling());
 }
 
 std::vector<std::uint64_t> ReportDetails::draws_with_stress(
@@ -57,9 +58,11 @@ std::vector<std::uint64_t> ReportDetails::draws_with_stress(
 
 void ReportDetails::check_stress(const std::string& path, const std::string& fingerprint) const {
   if (stress_.size() > 1) {
-    throw UserError(schema::Cause::bad_request,
-                    "--stress: is given " + std::to_string(stress_.size()) + " times, and " + path +
-                        " is one sheet; give it once");
+    throw UserError(solver::OptionFault{
+        "stress",
+        {},
+        "is given " + std::to_string(stress_.size()) + " times, and " + path + " is one sheet",
+        "give it once"});
   }
   for (const schema::StressResult& result : stress_) {
     if (result.whose.value("sheet", "") != fingerprint) {
@@ -68,55 +71,49 @@ void ReportDetails::check_stress(const std::string& path, const std::string& fin
   }
 }
 
-Json ReportDetails::of_draw(const FoldedSheet& folded, std::uint64_t draw, bool accepted) {
-  Json json = detail(folded, draw, accepted);
+Json ReportDetails::of_draw(const solver::Sheet& sheet, std::uint64_t draw, bool accepted) const {
+  Json json = detail(sheet, draw, accepted);
   for (const schema::StressResult& result : stress_) {
     if (result.whose["draw"] == draw) {
-      json["stress"] = schema::stress_shown_json(result, folder_.base());
+      json["stress"] = schema::stress_shown_json(result, model_.base());
     }
   }
   return json;
 }
 
-Json ReportDetails::of_pattern(const FoldedSheet& folded, const std::string& name) {
-  Json json = detail(folded, 0, false);
+Json ReportDetails::of_pattern(const solver::Sheet& sheet, const std::string& name) const {
+  Json json = detail(sheet, 0, false);
   json["draw"] = name;  // by which the page knows it
   json["accepted"] = nullptr;
-  if (!stress_.empty()) json["stress"] = schema::stress_shown_json(stress_[0], folder_.base());
+  if (!stress_.empty()) json["stress"] = schema::stress_shown_json(stress_[0], model_.base());
   return json;
 }
 
-Json ReportDetails::detail(const FoldedSheet& folded, std::uint64_t draw, bool accepted) {
-  Json json = schema::detail_json(folder_.view(folded), draw, accepted, folded.path,
-                                  folded.actuation, folded.metrics);
-  json["let_go"] = deployment(folded);
-  if (contact_) json["contact"] = contact(folded);
+Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool accepted) const {
+  Json json = schema::detail_json({model_.base(), sheet}, draw, accepted,
+                                  solver::actuate(sheet, model_.actuators()));
+  json["let_go"] = deployment(sheet);
+  if (with_contact_) json["contact"] = contact(sheet);
   return json;
 }
 
 // Its deployment; null where it cannot be released.
-Json ReportDetails::deployment(const FoldedSheet& folded) {
-  const double deploys_from_deg =
-      folded.path.history.verdict.deploys_from_sample * folder_.sampling().sample_deg;
-  const auto study = deployer_.study_if_possible(folded.shifts_mm, deploys_from_deg);
+Json ReportDetails::deployment(const solver::Sheet& sheet) const {
+  solver::DeployOptions options;
+  options.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
+  const auto study = solver::deploy(sheet, options).study;
   return study ? schema::page_deployment_json(*study) : Json();
 }
 
 // Where its panels meet, its corners trimmed by the usual or, where that leaves nothing of an edge,
 // by nothing; null where the path is lost.
-Json ReportDetails::contact(const FoldedSheet& folded) {
-  for (const std::optional<double> trim_mm : {std::optional<double>(), std::optional<double>(0)}) {
-    try {
-      Json json =
-          schema::contact_study_json(folder_.base(), contact_->panels(),
-                                     contact_->study(folded.shifts_mm, trim_mm, "the sheet"));
-      json.erase("clearance");
-      return json;
-    } catch (const UserError& error) {
-      if (error.cause() != schema::Cause::bad_request) return nullptr;
-    }
-  }
-  return nullptr;
+Json ReportDetails::contact(const solver::Sheet& sheet) const {
+  auto studied = solver::contact(sheet);
+  if (studied.fault) studied = solver::contact(sheet, {0});
+  if (!studied.study) return nullptr;
+  Json json = schema::contact_study_json(model_.base(), sheet.panels(), *studied.study);
+  json.erase("clearance");
+  return json;
 }
 
 }  // namespace misalign::search

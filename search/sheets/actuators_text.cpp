@@ -57,14 +57,14 @@ std::string energies_text(Index at_d, const Actuation& actuation) {
   return text;
 }
 
-std::string springs_text(const solver::Mechanism& mechanism, const solver::ShapedPath& path,
-                         const Actuation& actuation) {
-  const Index at_d = path.rows_up_to_d();
+std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation) {
+  const solver::Mechanism& mechanism = sheet.mechanism();
+  const Index at_d = sheet.rows_up_to_d();
   std::string text = "\n diagonal  force_at_D  elongation\n";
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     const double force_n = actuation.force_n(at_d, d);
     const double stretch_mm = force_n / actuation.actuators.stiffness_n_per_mm;
-    const double elongation = stretch_mm / path.history.flat_mm[static_cast<std::size_t>(d)];
+    const double elongation = stretch_mm / sheet.history().flat_mm[static_cast<std::size_t>(d)];
     const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
                                                           actuation.few->diagonals.end(), d);
     text += fmt::format("{:>9} {:>9.3f} N {:>9.3f} % {}\n", schema::diagonal_label(mechanism, d),
@@ -75,10 +75,9 @@ std::string springs_text(const solver::Mechanism& mechanism, const solver::Shape
 
 }  // namespace
 
-std::string actuators_text(const solver::Mechanism& mechanism, const solver::ShapedPath& path,
-                           const Actuation& actuation) {
-  return springs_summary(mechanism, actuation) + energies_text(path.rows_up_to_d(), actuation) +
-         springs_text(mechanism, path, actuation);
+std::string actuators_text(const solver::Sheet& sheet, const Actuation& actuation) {
+  return springs_summary(sheet.mechanism(), actuation) +
+         energies_text(sheet.rows_up_to_d(), actuation) + springs_text(sheet, actuation);
 }
 
 }  // namespace misalign::search

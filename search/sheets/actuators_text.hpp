@@ -4,12 +4,12 @@
 #include <string>
 
 #include "solver/design/actuators.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::search {
 
 /// The weakest point, the few springs that would do and the stroke; then energy and moment every 10
 /// degrees and at D; then the force on each diagonal at D.
-std::string actuators_text(const solver::Mechanism& mechanism, const solver::ShapedPath& path,
-                           const solver::Actuation& actuation);
+std::string actuators_text(const solver::Sheet& sheet, const solver::Actuation& actuation);
 
 }  // namespace misalign::search

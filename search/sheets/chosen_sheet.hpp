@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "search/sheets/folded_sheet.hpp"
+#include "search/sheets/folding_model.hpp"
 
 namespace misalign::search {
 
@@ -45,14 +45,15 @@ struct ChosenSheet {
 bool is_pattern_file(const std::string& path);
 
 /// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with the
-/// springs of a campaign that says nothing else. UserError (3) with every fault.
+/// springs of a campaign that says nothing else. UserError (bad_input) with every fault.
 ChosenSheet sheet_of_pattern_file(const std::string& path);
 
 /// That, or a draw of a catalogue's campaign, accepted or not. UserError: 2 no draw of a catalogue,
 /// or one of a pattern file; 3 as above and as from open_for_reading.
 ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> draw);
 
-/// UserError (2) with one sentence: a pattern file is one sheet, so `what` has no meaning.
+/// UserError (bad_request) with one sentence: a pattern file is one sheet, so `what` has no
+/// meaning.
 schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what);
 
 }  // namespace misalign::search

@@ -9,41 +9,39 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/campaign_sheet.hpp"
-#include "search/sheets/deployer.hpp"
 #include "search/terminal/long_work.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::search {
 namespace {
 
-// One for all functions of a connection: its campaign and model are made when first asked for, and
-// the last draw is kept, since several functions usually ask for the same.
+// One for all functions of a connection. The last draw is kept, since several functions usually ask
+// for the same.
 class DeploymentCache {
  public:
-  DeploymentCache(SQLite::Database& database, std::string path,
-                  std::optional<double> stiffness_n_per_mm)
-      : database_(database), path_(std::move(path)), stiffness_n_per_mm_(stiffness_n_per_mm) {}
+  DeploymentCache(SQLite::Database& database, std::string path)
+      : database_(database), path_(std::move(path)) {}
+  DeploymentCache(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model)
+      : database_(database), campaign_(&campaign), model_(&model) {}
 
   const std::optional<solver::DeploymentStudy>& study(std::uint64_t draw,
                                                       std::optional<double> from_deg) {
-    if (!campaign_) campaign_ = schema::read_campaign_of(database_, path_);
-    if (!deployer_ || from_deg_ != from_deg) {
-      DeployWish wish;
-      wish.from_deg = from_deg;
-      wish.stiffness_n_per_mm = stiffness_n_per_mm_;
-      deployer_ = std::make_unique<Deployer>(campaign_->pattern, campaign_->sampling(),
-                                             campaign_->actuators, wish);
-      from_deg_ = from_deg;
-      draw_.reset();
+    if (!model_) make_model();
+    if (draw_ == draw && from_deg_ == from_deg) return study_;
+    if (draw_ != draw) {
+      show_work("sheets let go", sheets_++);
+      sheet_.emplace(model_->sheet(shifts_of_number(database_, *campaign_, draw)));
     }
-    if (draw_ == draw) return study_;
     draw_ = draw;
-    show_work("sheets let go", sheets_++);
-    const Eigen::Matrix2Xd shifts_mm = shifts_of_number(database_, *campaign_, draw);
-    // A candidate's is not less than the threshold: mostly that is known to be enough.
-    const bool is_enough = campaign_->threshold_deg >= kDeployFrom_deg && is_candidate(draw);
-    const double deploys_from_deg =
-        is_enough ? campaign_->threshold_deg : deployer_->deploys_from_deg(shifts_mm);
-    study_ = deployer_->study_if_possible(shifts_mm, deploys_from_deg);
+    from_deg_ = from_deg;
+    solver::DeployOptions options;
+    options.from_deg = from_deg;
+    options.sheet.springs.stiffness_n_per_mm = model_->actuators().stiffness_n_per_mm;
+    // A candidate's D is not less than the threshold: mostly that is known to be enough.
+    if (campaign_->threshold_deg >= solver::kDeployFrom_deg && !from_deg && is_candidate(draw)) {
+      options.from_deg = solver::kDeployFrom_deg;
+    }
+    study_ = solver::deploy(*sheet_, options).study;
     return study_;
   }
 
@@ -55,11 +53,20 @@ class DeploymentCache {
     return candidate.executeStep();
   }
 
+  void make_model() {
+    own_campaign_ = schema::read_campaign_of(database_, path_);
+    own_model_ = std::make_unique<FoldingModel>(*own_campaign_);
+    campaign_ = &*own_campaign_;
+    model_ = own_model_.get();
+  }
+
   SQLite::Database& database_;
   const std::string path_;
-  const std::optional<double> stiffness_n_per_mm_;
-  std::optional<schema::Campaign> campaign_;
-  std::unique_ptr<Deployer> deployer_;
+  std::optional<schema::Campaign> own_campaign_;
+  std::unique_ptr<FoldingModel> own_model_;
+  const schema::Campaign* campaign_ = nullptr;
+  FoldingModel* model_ = nullptr;
+  std::optional<solver::Sheet> sheet_;
   std::optional<double> from_deg_;
   std::optional<std::uint64_t> draw_;
   std::uint64_t sheets_ = 0;
@@ -80,7 +87,7 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
   }
   const auto& function = *static_cast<const Function*>(sqlite3_user_data(context));
   const bool has_angle = count > 1 && sqlite3_value_numeric_type(values[1]) != SQLITE_NULL;
-  const double from_deg = has_angle ? sqlite3_value_double(values[1]) : kDeployFrom_deg;
+  const double from_deg = has_angle ? sqlite3_value_double(values[1]) : solver::kDeployFrom_deg;
   if (sqlite3_value_numeric_type(values[0]) != SQLITE_INTEGER ||
       sqlite3_value_int64(values[0]) < 0 || !(from_deg > 0 && from_deg <= 180)) {
     return sqlite3_result_null(context);
@@ -98,21 +105,29 @@ void call(sqlite3_context* context, int count, sqlite3_value** values) {
 
 void forget(void* function) { delete static_cast<Function*>(function); }
 
-}  // namespace
-
-void add_deployment_functions(SQLite::Database& database, const std::string& path,
-                              std::optional<double> stiffness_n_per_mm) {
-  const auto cache = std::make_shared<DeploymentCache>(database, path, stiffness_n_per_mm);
-  const auto add = [&](const char* name, Number number) {
+void add(SQLite::Database& database, const std::shared_ptr<DeploymentCache>& cache) {
+  const auto add_one = [&](const char* name, Number number) {
     for (const int count : {1, 2}) {
       sqlite3_create_function_v2(database.getHandle(), name, count,
                                  SQLITE_UTF8 | SQLITE_DETERMINISTIC, new Function{cache, number},
                                  call, nullptr, nullptr, forget);
     }
   };
-  add("deploy_time_s", [](const solver::DeploymentStudy& study) { return study.deploy_time_s(); });
-  add("critical_friction_n_mm_per_mm",
-      [](const solver::DeploymentStudy& study) { return study.friction.critical_n_mm_per_mm; });
+  add_one("deploy_time_s",
+          [](const solver::DeploymentStudy& study) { return study.deploy_time_s(); });
+  add_one("critical_friction_n_mm_per_mm",
+          [](const solver::DeploymentStudy& study) { return study.friction.critical_n_mm_per_mm; });
+}
+
+}  // namespace
+
+void add_deployment_functions(SQLite::Database& database, const std::string& path) {
+  add(database, std::make_shared<DeploymentCache>(database, path));
+}
+
+void add_deployment_functions(SQLite::Database& database, const schema::Campaign& campaign,
+                              FoldingModel& model) {
+  add(database, std::make_shared<DeploymentCache>(database, campaign, model));
 }
 
 }  // namespace misalign::search

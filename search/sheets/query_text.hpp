@@ -12,8 +12,8 @@ struct QueryText {
   std::string name;  ///< of the query that it is; empty for SQL of somebody's own
 };
 
-/// Of a splitting search the acceptance is that of each level, with its interval. UserError (2) for
-/// a word that names no query.
+/// Of a splitting search the acceptance is that of each level, with its interval. UserError (bad
+/// request) for a word that names no query.
 QueryText query_text(SQLite::Database& database, const std::string& name_or_sql);
 
 }  // namespace misalign::search

@@ -16,8 +16,9 @@
 #include "schema/files/features.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
-#include "search/sheets/contact_study.hpp"
+#include "search/sheets/contact_text.hpp"
 #include "search/terminal/terminal.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::search {
 namespace {
@@ -59,12 +60,24 @@ std::string path_of(const SheetFilesOptions& options, const std::string& stem) {
   const auto path = std::filesystem::path(options.directory) / (stem + ending(options.format));
   std::error_code error;
   if (std::filesystem::equivalent(path, options.read_from, error)) {
-    throw schema::UserError(schema::Cause::bad_request,
-                            "--output " + options.directory +
-                                ": the file would replace the one that is read (it has the same "
-                                "name); name another directory");
+    throw schema::UserError(
+        solver::OptionFault{"output", options.directory,
+                            "the file would replace the one that is read (it has the same name)",
+                            "name another directory"});
   }
   return path.string();
+}
+
+// Flat, then these rows: each one's pilot angle and shape.
+void each_state(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows,
+                const std::function<void(double, const Eigen::Matrix3Xd&)>& write_state) {
+  Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, sheet.vertices_mm().cols());
+  flat_mm.topRows<2>() = sheet.vertices_mm();
+  write_state(0, flat_mm);
+  for (const Eigen::Index row : rows) {
+    const auto k = static_cast<std::size_t>(row);
+    write_state(sheet.history().stations[k].pilot_deg, sheet.shapes_mm()[k]);
+  }
 }
 
 }  // namespace
@@ -77,122 +90,123 @@ void make_directory(const std::string& path) {
                                                       "); choose another --output");
 }
 
-SheetFiles::SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options)
-    : folder_(folder), options_(options) {
+SheetFiles::SheetFiles(const FoldingModel& model, const SheetFilesOptions& options)
+    : model_(model), options_(options) {
   if (options.format == SheetFormat::mat) schema::need("matio");
   if (options.format == SheetFormat::dxf) schema::need("dxflib");
-  if (options.format != SheetFormat::json && options.format != SheetFormat::fold) return;
-  deployer_ = std::make_unique<Deployer>(folder.base(), folder.sampling(), folder.actuators(),
-                                         DeployWish());
-  if (!has("SUNDIALS") && options.warn) {
+  const bool with_deployment =
+      options.format == SheetFormat::json || options.format == SheetFormat::fold;
+  if (with_deployment && !has("SUNDIALS") && options.warn) {
     options.warn("no deployment is in these files: " + schema::missing_text("SUNDIALS"));
+  }
+  if (options.look_deg() > 0) {
+    at_samples_.emplace(model.base(), model.sampling(), model.actuators());
   }
 }
 
-SheetFiles::~SheetFiles() = default;
+// For what is followed anew: the same sheet, whatever states are written.
+const solver::Sheet& SheetFiles::at_samples(const solver::Sheet& sheet,
+                                            std::optional<solver::Sheet>& another) {
+  if (!at_samples_) return sheet;
+  return another.emplace(at_samples_->sheet(sheet.shifts_mm(), sheet.name()));
+}
 
-void SheetFiles::write(const FoldedSheet& folded, const SheetLabel& label,
-                       const schema::Json& origin) const {
-  const schema::FoldingView view = folder_.view(folded);
+void SheetFiles::write(const solver::Sheet& sheet, const SheetLabel& label,
+                       const schema::Json& origin) {
   const std::string& stem = label.stem;
   switch (options_.format) {
     case SheetFormat::csv:
       return;
     case SheetFormat::json:
-      return write_file(stem, data_of(folded, view, origin).dump(1) + "\n");
+      return write_file(stem, data_of(sheet, origin).dump(1) + "\n");
     case SheetFormat::mat:
       if constexpr (has("matio")) {
-        write_file(stem,
-                   schema::folded_mat(path_of(options_, stem), view, folded.path, folded.actuation,
-                                      folded.metrics, folder_.sampling(), label.title, origin));
+        write_file(stem, schema::folded_mat(path_of(options_, stem), {model_.base(), sheet},
+                                            solver::actuate(sheet, model_.actuators()),
+                                            model_.sampling(), label.title, origin));
       }
       return;
     case SheetFormat::svg:
     case SheetFormat::dxf:
-      return write_drawings(folded, label);
+      return write_drawings(sheet, label);
     case SheetFormat::fold:
-      return write_file(stem, fold_text(folded, view, label, origin));
+      return write_file(stem, fold_text(sheet, label, origin));
     case SheetFormat::obj:
-      return write_states(folded, label);
+      return write_states(sheet, label);
     case SheetFormat::mjcf:
     case SheetFormat::inp:
-      return write_file(stem, simulated(folded, label));
+      return write_file(stem, simulated(sheet, label));
     case SheetFormat::stl:
-      return write_plates(folded, label);
+      return write_plates(sheet, label);
   }
 }
 
-std::string SheetFiles::simulated(const FoldedSheet& folded, const SheetLabel& label) const {
-  const schema::SimulatedSheet sheet =
-      release(folder_, folded, options_.release, label.title, label.name);
-  return options_.format == SheetFormat::mjcf ? schema::mjcf_model(sheet, options_.mjcf)
-                                              : schema::calculix_deck(sheet, options_.deck);
+std::string SheetFiles::simulated(const solver::Sheet& sheet, const SheetLabel& label) const {
+  const schema::SimulatedSheet released = release(model_, sheet, options_.release, label.title);
+  return options_.format == SheetFormat::mjcf ? schema::mjcf_model(released, options_.mjcf)
+                                              : schema::calculix_deck(released, options_.deck);
 }
 
-schema::Json SheetFiles::data_of(const FoldedSheet& folded, const schema::FoldingView& view,
-                                 const schema::Json& origin) const {
+// What comes of letting it go is null where it cannot be.
+schema::Json SheetFiles::data_of(const solver::Sheet& sheet, const schema::Json& origin) {
+  const schema::FoldingView view(model_.base(), sheet);
+  solver::DeployOptions springs;
+  springs.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
+  std::optional<solver::Sheet> another;
+  const auto deployment = solver::deploy(at_samples(sheet, another), springs).study;
   schema::Json data = schema::folded_pattern_json(
-      folder_.sampling(), view, folded.metrics,
-      schema::actuation_json(view, folded.path, folded.actuation), deployment_of(folded));
+      model_.sampling(), view,
+      schema::actuation_json(view, solver::actuate(sheet, model_.actuators())),
+      deployment ? schema::exported_deployment_json(*deployment) : schema::Json());
   data.update(origin);
   return data;
 }
 
-// Null where it cannot be let go.
-schema::Json SheetFiles::deployment_of(const FoldedSheet& folded) const {
-  const double deploys_from_deg =
-      folded.path.history.verdict.deploys_from_sample * folder_.sampling().sample_deg;
-  const auto study = deployer_->study_if_possible(folded.shifts_mm, deploys_from_deg);
-  return study ? schema::exported_deployment_json(*study) : schema::Json();
-}
-
-std::string SheetFiles::fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
-                                  const SheetLabel& label, const schema::Json& origin) const {
-  const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
-  folder_.check_shapes(folded, rows, label.name);
-  schema::Json data = data_of(folded, view, origin);
+std::string SheetFiles::fold_text(const solver::Sheet& sheet, const SheetLabel& label,
+                                  const schema::Json& origin) {
+  const auto rows = sheet.rows_to_show(options_.step_deg);
+  check_shapes(sheet, rows);
+  schema::Json data = data_of(sheet, origin);
   data.erase("pattern");  // is beside it
-  return schema::folded_fold_json(view, folded.path, rows, label.title, data,
-                                  fillers_of(folded, rows, label.name))
+  return schema::folded_fold_json({model_.base(), sheet}, rows, label.title, data,
+                                  fillers_of(sheet, rows))
              .dump() +
          "\n";
 }
 
 // None unless they are asked for.
-std::vector<solver::Filler> SheetFiles::fillers_of(const FoldedSheet& folded,
-                                                   const std::vector<Eigen::Index>& rows,
-                                                   const std::string& name) const {
+std::vector<solver::Filler> SheetFiles::fillers_of(const solver::Sheet& sheet,
+                                                   const std::vector<Eigen::Index>& rows) const {
   if (!options_.joined) return {};
   std::vector<const Eigen::Matrix3Xd*> shapes_mm;
   for (const Eigen::Index row : rows) {
-    shapes_mm.push_back(&folded.path.shapes_mm[static_cast<std::size_t>(row)]);
+    shapes_mm.push_back(&sheet.shapes_mm()[static_cast<std::size_t>(row)]);
   }
-  auto fillers = solver::joining_fillers(folder_.base().base, folder_.mechanism(),
-                                         folded.vertices_mm, shapes_mm);
+  auto fillers = solver::joining_fillers(model_.base().base, sheet.mechanism(), sheet.vertices_mm(),
+                                         shapes_mm);
   if (fillers) return std::move(*fillers);
   throw schema::UserError(
       schema::Cause::bad_request,
-      "--joined: no fillers can join the panels of " + name +
+      schema::parameter("joined") + ": no fillers can join the panels of " + sheet.name() +
           " (corners of its holes get wider on the way); take it out, and use the frames");
 }
 
 // A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
-void SheetFiles::write_drawings(const FoldedSheet& folded, const SheetLabel& label) const {
+void SheetFiles::write_drawings(const solver::Sheet& sheet, const SheetLabel& label) const {
   const auto text_of = [&](const schema::LineDrawing& drawing) {
     if constexpr (has("dxflib")) {
       if (options_.format == SheetFormat::dxf) return schema::dxf_of(drawing);
     }
     return schema::svg_of(drawing);
   };
-  const schema::Pattern& base = folder_.base();
   if (!options_.kit) {
-    return write_file(label.stem, text_of(schema::crease_pattern_drawing(
-                                      base, folded.vertices_mm, folder_.mechanism(), label.title)));
+    return write_file(label.stem,
+                      text_of(schema::crease_pattern_drawing(model_.base(), sheet.vertices_mm(),
+                                                             sheet.mechanism(), label.title)));
   }
-  const schema::KitSheet sheet{base.base, folded.vertices_mm, folded.shifts_mm, folder_.mechanism(),
-                               folded.path};
-  const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
-  if (!kit.warning.empty() && options_.warn) options_.warn(label.name + ": " + kit.warning);
+  const schema::KitDrawings kit =
+      schema::kit_drawings(schema::KitSheet(sheet), *options_.kit, label.title);
+  if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
   std::vector<std::string> texts;
   for (const schema::LineDrawing& bed : kit.beds) texts.push_back(text_of(bed));
   for (std::size_t k = 0; k < texts.size(); ++k) {
@@ -201,51 +215,38 @@ void SheetFiles::write_drawings(const FoldedSheet& folded, const SheetLabel& lab
   }
 }
 
-void SheetFiles::write_states(const FoldedSheet& folded, const SheetLabel& label) const {
-  const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
-  folder_.check_shapes(folded, rows, label.name);
-  Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, folded.vertices_mm.cols());
-  flat_mm.topRows<2>() = folded.vertices_mm;
-  const auto write_state = [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
+void SheetFiles::write_states(const solver::Sheet& sheet, const SheetLabel& label) const {
+  const auto rows = sheet.rows_to_show(options_.step_deg);
+  check_shapes(sheet, rows);
+  each_state(sheet, rows, [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
     write_file(label.stem + of_state(pilot_deg),
-               schema::folded_obj(folder_.base(), shape_mm,
+               schema::folded_obj(model_.base(), shape_mm,
                                   fmt::format("{}, pilot at {:.10g} deg", label.title, pilot_deg)));
-  };
-  write_state(0, flat_mm);
-  for (const Eigen::Index row : rows) {
-    const auto k = static_cast<std::size_t>(row);
-    write_state(folded.path.history.stations[k].pilot_deg, folded.path.shapes_mm[k]);
-  }
+  });
 }
 
-void SheetFiles::write_plates(const FoldedSheet& folded, const SheetLabel& label) const {
-  const auto rows = solver::rows_to_show(folder_.mechanism(), folded.path, options_.step_deg);
-  folder_.check_shapes(folded, rows, label.name);
-  ContactStudier studier(folder_.base(), folder_.sampling());
-  const solver::ContactStudy study = studier.study(folded.shifts_mm, options_.trim_mm, label.name);
+void SheetFiles::write_plates(const solver::Sheet& sheet, const SheetLabel& label) {
+  const auto rows = sheet.rows_to_show(options_.step_deg);
+  check_shapes(sheet, rows);
+  std::optional<solver::Sheet> another;
+  const solver::ContactStudy study = contact_of(at_samples(sheet, another), {options_.trim_mm});
   const double largest_mm = study.thickness ? study.thickness->thickness_mm : 0;
-  if (!(options_.release.plates.thickness_mm <= largest_mm)) {
-    throw schema::UserError(
-        schema::Cause::bad_request,
-        fmt::format("--thickness {:g}: too thick (plates of {} reach D if they have at most {:.4g} "
-                    "mm, trimmed by {:g} mm); take less, or say more by --trim",
-                    options_.release.plates.thickness_mm, label.name, largest_mm, study.trim_mm));
+  const double thickness_mm = options_.release.plates.thickness_mm;
+  if (!(thickness_mm <= largest_mm)) {
+    throw schema::UserError(solver::OptionFault{
+        "thickness_mm", fmt::format("{:g}", thickness_mm),
+        fmt::format("too thick (plates of {} reach D if they have at most {:.4g} mm, trimmed by "
+                    "{:g} mm)",
+                    sheet.name(), largest_mm, study.trim_mm),
+        "take less, or say more by " + schema::parameter("trim_mm")});
   }
-  const auto solids = solver::plate_solids(studier.panels(), folded.vertices_mm,
-                                           options_.release.plates.thickness_mm, study.trim_mm,
-                                           study.thickness->largest_rad);
-  const auto write_state = [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
+  const auto solids = solver::plate_solids(sheet.panels(), sheet.vertices_mm(), thickness_mm,
+                                           study.trim_mm, study.thickness->largest_rad);
+  each_state(sheet, rows, [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
     write_file(
         label.stem + of_state(pilot_deg),
-        schema::plate_stl(folder_.base(), studier.panels(), folded.vertices_mm, solids, shape_mm));
-  };
-  Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, folded.vertices_mm.cols());
-  flat_mm.topRows<2>() = folded.vertices_mm;
-  write_state(0, flat_mm);
-  for (const Eigen::Index row : rows) {
-    const auto k = static_cast<std::size_t>(row);
-    write_state(folded.path.history.stations[k].pilot_deg, folded.path.shapes_mm[k]);
-  }
+        schema::plate_stl(model_.base(), sheet.panels(), sheet.vertices_mm(), solids, shape_mm));
+  });
 }
 
 void SheetFiles::write_file(const std::string& stem, const std::string& text) const {
@@ -254,9 +255,9 @@ void SheetFiles::write_file(const std::string& stem, const std::string& text) co
   put(schema::printable(path) + "\n");
 }
 
-SheetTables::SheetTables(const SheetFolder& folder, const SheetFilesOptions& options,
+SheetTables::SheetTables(const FoldingModel& model, const SheetFilesOptions& options,
                          const std::string& stem, const std::string& key)
-    : folder_(folder),
+    : model_(model),
       every_deg_(options.every_deg),
       key_{key, ""},
       diagonals_(path_of(options, stem)) {
@@ -266,10 +267,11 @@ SheetTables::SheetTables(const SheetFolder& folder, const SheetFilesOptions& opt
   creases_->file.write(schema::crease_columns(key_));
 }
 
-void SheetTables::add(const FoldedSheet& folded, const std::string& key) {
-  const schema::FoldingView view = folder_.view(folded);
+void SheetTables::add(const solver::Sheet& sheet, const std::string& key) {
+  const schema::FoldingView view(model_.base(), sheet);
   key_.value = key;
-  diagonals_.file.write(schema::diagonal_rows(key_, view, folded.actuation, every_deg_));
+  diagonals_.file.write(
+      schema::diagonal_rows(key_, view, solver::actuate(sheet, model_.actuators()), every_deg_));
   if (creases_) creases_->file.write(schema::crease_rows(key_, view, every_deg_));
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,7 +11,6 @@
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/output_file.hpp"
 #include "schema/kit/kit_options.hpp"
-#include "search/sheets/deployer.hpp"
 #include "search/sheets/release.hpp"
 #include "solver/design/filler.hpp"
 
@@ -33,7 +31,7 @@ struct SheetFilesOptions {
   schema::DeckOptions deck;               ///< of `inp`
   std::optional<schema::KitOptions> kit;  ///< of `svg` and `dxf`, instead of the crease pattern
   std::function<void(const std::string&)> warn;  ///< of what is not as it may seem
-  /// With `stl`: what is trimmed off the plates' corners (none: as ContactStudier has it).
+  /// With `stl`: what is trimmed off the plates' corners (none: as ContactOptions has it).
   std::optional<double> trim_mm;
 
   bool in_states() const {
@@ -41,49 +39,46 @@ struct SheetFilesOptions {
   }
   bool is_drawn() const { return format == SheetFormat::svg || format == SheetFormat::dxf; }
   bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
-  /// What a SheetFolder has to look at between the samples; 0: nothing.
+  /// What the sheets' history has to have between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
 };
 
-/// UserError (1) if there is no such directory and none can be made.
+/// UserError (failure) if there is no such directory and none can be made.
 void make_directory(const std::string& path);
 
 /// What a sheet's files say of whose they are.
 struct SheetLabel {
   std::string stem;   ///< of their names
   std::string title;  ///< in them
-  std::string name;   ///< in sentences
 };
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
-/// UserError (2) if one of them is the file that is read, the plates are thicker than reaches D, or
-/// no fillers join the panels.
+/// UserError (bad_request) if one of them is the file that is read, the plates are thicker than
+/// reaches D, or no fillers join the panels.
 class SheetFiles {
  public:
-  SheetFiles(const SheetFolder& folder, const SheetFilesOptions& options);
-  ~SheetFiles();
+  SheetFiles(const FoldingModel& model, const SheetFilesOptions& options);
 
   /// `origin`: the keys of the campaign that drew it, if there is one.
-  void write(const FoldedSheet& folded, const SheetLabel& label, const schema::Json& origin) const;
+  void write(const solver::Sheet& sheet, const SheetLabel& label, const schema::Json& origin);
 
  private:
-  schema::Json data_of(const FoldedSheet& folded, const schema::FoldingView& view,
-                       const schema::Json& origin) const;
-  schema::Json deployment_of(const FoldedSheet& folded) const;
-  std::string fold_text(const FoldedSheet& folded, const schema::FoldingView& view,
-                        const SheetLabel& label, const schema::Json& origin) const;
-  std::vector<solver::Filler> fillers_of(const FoldedSheet& folded,
-                                         const std::vector<Eigen::Index>& rows,
-                                         const std::string& name) const;
-  std::string simulated(const FoldedSheet& folded, const SheetLabel& label) const;
-  void write_drawings(const FoldedSheet& folded, const SheetLabel& label) const;
-  void write_states(const FoldedSheet& folded, const SheetLabel& label) const;
-  void write_plates(const FoldedSheet& folded, const SheetLabel& label) const;
+  schema::Json data_of(const solver::Sheet& sheet, const schema::Json& origin);
+  std::string fold_text(const solver::Sheet& sheet, const SheetLabel& label,
+                        const schema::Json& origin);
+  std::vector<solver::Filler> fillers_of(const solver::Sheet& sheet,
+                                         const std::vector<Eigen::Index>& rows) const;
+  std::string simulated(const solver::Sheet& sheet, const SheetLabel& label) const;
+  void write_drawings(const solver::Sheet& sheet, const SheetLabel& label) const;
+  void write_states(const solver::Sheet& sheet, const SheetLabel& label) const;
+  void write_plates(const solver::Sheet& sheet, const SheetLabel& label);
   void write_file(const std::string& stem, const std::string& text) const;
+  const solver::Sheet& at_samples(const solver::Sheet& sheet,
+                                  std::optional<solver::Sheet>& another);
 
-  const SheetFolder& folder_;
+  const FoldingModel& model_;
   const SheetFilesOptions& options_;
-  std::unique_ptr<Deployer> deployer_;  // of formats that say what comes of letting it go
+  std::optional<FoldingModel> at_samples_;  // of states between the samples nothing else depends
 };
 
 /// All sheets as one long table, and as another one of creases if that is asked for. A sheet's rows
@@ -91,10 +86,10 @@ class SheetFiles {
 /// above.
 class SheetTables {
  public:
-  SheetTables(const SheetFolder& folder, const SheetFilesOptions& options, const std::string& stem,
+  SheetTables(const FoldingModel& model, const SheetFilesOptions& options, const std::string& stem,
               const std::string& key);
 
-  void add(const FoldedSheet& folded, const std::string& key);
+  void add(const solver::Sheet& sheet, const std::string& key);
   /// The files are there from now on; prints their names.
   void publish();
 
@@ -106,7 +101,7 @@ class SheetTables {
     schema::OutputFile file;
   };
 
-  const SheetFolder& folder_;
+  const FoldingModel& model_;
   const double every_deg_;
   schema::RowKey key_;
   Table diagonals_;

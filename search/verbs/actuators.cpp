@@ -19,26 +19,27 @@ struct ActuatorsCall {
 };
 
 void show_actuators(const ActuatorsCall& call) {
-  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
-  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
-  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
+  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
+  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  const solver::Actuation actuation = solver::actuate(sheet, model.actuators());
   if (call.json) {
-    schema::Json json = folder.springs_json(folded);
-    json.update(sheet.key().json());
+    schema::Json json = springs_json({chosen.base, sheet}, actuation);
+    json.update(chosen.key().json());
     put_json(json);
     return;
   }
-  const solver::Verdict& verdict = folded.path.history.verdict;
-  const double deploys_from_deg = verdict.deploys_from_sample * folder.sampling().sample_deg;
+  const solver::Verdict& verdict = sheet.history().verdict;
+  const double deploys_from_deg = sheet.sample_deg(verdict.deploys_from_sample);
   const char* decision = "";
-  if (sheet.drawn) {
-    const bool accepted = sheet.drawn->campaign.accepts(verdict);
+  if (chosen.drawn) {
+    const bool accepted = chosen.drawn->campaign.accepts(verdict);
     decision = accepted ? "accepted, " : "not accepted, ";
   }
   const bool is_undecided = verdict.first_fault == solver::Fault::undecided;
-  put("{}: {}deploys from {:g} deg{}\n", schema::printable(sheet.name()), decision,
-      deploys_from_deg, is_undecided ? " as far as could be told (undecided)" : "");
-  put(actuators_text(folder.mechanism(), folded.path, folded.actuation));
+  put("{}: {}deploys from {:g} deg{}\n", sheet.name(), decision, deploys_from_deg,
+      is_undecided ? " as far as could be told (undecided)" : "");
+  put(actuators_text(sheet, actuation));
 }
 
 }  // namespace

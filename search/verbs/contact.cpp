@@ -4,7 +4,6 @@
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/contact_study.hpp"
 #include "search/sheets/contact_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
@@ -21,18 +20,18 @@ struct ContactCall {
 };
 
 void show_contact(const ContactCall& call) {
-  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
-  const std::string name = schema::printable(sheet.name());
-  ContactStudier studier(sheet.base, sheet.sampling);
-  const solver::ContactStudy study = studier.study(sheet.shifts_mm, call.trim_mm, name);
+  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
+  FoldingModel model(chosen.base, chosen.sampling, chosen.actuators);
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  const solver::ContactStudy study = contact_of(sheet, {call.trim_mm});
   if (call.json) {
-    schema::Json json = schema::contact_study_json(sheet.base, studier.panels(), study);
-    json.update(sheet.key().json());
+    schema::Json json = schema::contact_study_json(chosen.base, sheet.panels(), study);
+    json.update(chosen.key().json());
     put_json(json);
     return;
   }
-  put("{}: deploys from {:g} deg\n", name, study.deploys_from_deg);
-  put(contact_text(sheet.base, studier.panels(), study));
+  put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
+  put(contact_text(chosen.base, sheet.panels(), study));
 }
 
 }  // namespace

@@ -21,28 +21,27 @@ enum class Forces { in_motion, held };
 struct DeployCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
-  DeployWish wish;
+  DeployInput input;
   std::optional<Forces> forces;
   bool json = false;
 };
 
 void show_deployment(const DeployCall& call) {
-  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
-  DeployWish wish = call.wish;
-  if (call.forces) wish.forces = {.in_motion = *call.forces == Forces::in_motion};
-  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
-  const double deploys_from_deg = deployer.deploys_from_deg(sheet.shifts_mm);
-  const solver::DeploymentStudy study =
-      deployer.study(sheet.shifts_mm, deploys_from_deg, schema::printable(sheet.name()));
+  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
+  FoldingModel model(chosen.base, chosen.sampling, chosen.actuators);
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  solver::DeployOptions options = call.input.of(sheet, chosen.actuators);
+  if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
+  const solver::DeploymentStudy study = deployed(sheet, options);
   if (call.json) {
-    schema::Json json = schema::deployment_history_json(deployer.mechanism(), study);
-    json.update(sheet.key().json());
-    json["deploys_from_deg"] = deploys_from_deg;
+    schema::Json json = schema::deployment_history_json(sheet.mechanism(), study);
+    json.update(chosen.key().json());
+    json["deploys_from_deg"] = sheet.deploys_from_deg();
     put_json(json);
     return;
   }
-  put("{}: deploys from {:g} deg\n", schema::printable(sheet.name()), deploys_from_deg);
-  put(deployment_text(deployer.mechanism(), study));
+  put("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
+  put(deployment_text(sheet.mechanism(), study));
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ Action deploy_verb(CLI::App& verb) {
   auto call = std::make_shared<DeployCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  add_deployment(verb, call->wish);
+  add_deployment(verb, call->input);
   verb.add_option("--forces", call->forces,
                   "also what hinges and ball joints carry: in the motion, or with the sheet held "
                   "at each angle by its pilot crease [none]")

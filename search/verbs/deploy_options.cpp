@@ -19,14 +19,14 @@ constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
 
 }  // namespace
 
-void add_deployment(CLI::App& verb, DeployWish& wish) {
+void add_deployment(CLI::App& verb, DeployInput& input) {
   constexpr double kLeastFrom_deg = 1e-3;
-  add_from(verb, wish.from_deg, kLeastFrom_deg);
-  add_stiffness(verb, wish.stiffness_n_per_mm);
-  add_thickness(verb, wish.sheet.plates);
-  add_number(verb, "--density", wish.sheet.plates.density_g_per_cm3, "of the panels, g/cm^3",
-             kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3, "G_PER_CM3");
-  solver::JointResistance& joints = wish.sheet.joints;
+  add_from(verb, input.options.from_deg, kLeastFrom_deg);
+  add_stiffness(verb, input.stiffness_n_per_mm);
+  add_thickness(verb, input.options.sheet.plates);
+  add_number(verb, "--density", input.options.sheet.plates.density_g_per_cm3,
+             "of the panels, g/cm^3", kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3, "G_PER_CM3");
+  solver::JointResistance& joints = input.options.sheet.joints;
   const auto resistance = [&](const char* name, double& value, const char* meaning,
                               const char* unit) {
     add_number(verb, name, value, meaning, 0, kMostResistance, unit);
@@ -41,19 +41,19 @@ void add_deployment(CLI::App& verb, DeployWish& wish) {
              "elastic creases, N mm per mm for each rad", "N");
   add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
              0, kMostAngle_deg, "DEG");
-  solver::Springs& springs = wish.sheet.springs;
+  solver::Springs& springs = input.options.sheet.springs;
   add_number(verb, "--rest-deg", springs.rest_deg, "pilot angle where the springs are relaxed", 0,
              kMostAngle_deg, "DEG");
-  verb.add_option("--rest", wish.other_rests,
+  verb.add_option("--rest", input.other_rests,
                   "another such angle for one diagonal: A11-A17=60 (again: and that one)")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("DIAGONAL=DEG");
   verb.add_flag("--pull-only", springs.pull_only, "wires: springs that only pull");
-  auto* const held = verb.add_option("--hold", wish.held,
+  auto* const held = verb.add_option("--hold", input.held,
                                      "hold this panel [none: free in space, without momentum]");
   held->type_name("ROW,COLUMN");
-  verb.add_option("--gravity", wish.gravity,
+  verb.add_option("--gravity", input.gravity,
                   "weight of the panels, in standard gravities: x right, y along rising rows, z up "
                   "from the held panel, as 0,0,-1 [none]")
       ->delimiter(',')
@@ -61,7 +61,7 @@ void add_deployment(CLI::App& verb, DeployWish& wish) {
       ->check(within(-1e3, 1e3))
       ->needs(held)
       ->type_name("X,Y,Z");
-  solver::DeploymentOptions& options = wish.options;
+  solver::DeploymentOptions& options = input.options.motion;
   verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
   verb.add_option("--swings", options.swings,
                   fmt::format("pass flat, or turn round without losses, this often before the end "

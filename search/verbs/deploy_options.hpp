@@ -3,11 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "search/sheets/deployer.hpp"
+#include "search/sheets/deploy_input.hpp"
 
 namespace misalign::search {
 
 /// --from, springs, plates and joints, a held panel, and how the motion ends.
-void add_deployment(CLI::App& verb, DeployWish& wish);
+void add_deployment(CLI::App& verb, DeployInput& input);
 
 }  // namespace misalign::search

@@ -33,12 +33,11 @@ struct ExportCall {
 };
 
 // Of a candidate that has one, as it was made.
-void add_certificate(SQLite::Database& database, const SheetFolder& folder,
-                     const FoldedSheet& folded, std::uint64_t draw, schema::Json& origin) {
+void add_certificate(SQLite::Database& database, const schema::Pattern& base,
+                     const solver::Sheet& sheet, std::uint64_t draw, schema::Json& origin) {
   const auto row = schema::read_certificate(database, draw);
   if (!row) return;
-  const auto fault =
-      schema::certificate_fault(folder.base(), folder.mechanism(), folded.shifts_mm, *row);
+  const auto fault = schema::certificate_fault(base, sheet.mechanism(), sheet.shifts_mm(), *row);
   if (fault) {
     throw schema::UserError(
         schema::Cause::bad_input,
@@ -57,59 +56,57 @@ void export_candidates(const ExportCall& call) {
   const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.files.read_from);
   campaign.actuators = call.actuators.instead_of(campaign.actuators);
-  const SheetFolder folder(campaign, call.files.look_deg());
+  FoldingModel model(campaign, call.files.look_deg());
   const auto stem_of = [&](std::uint64_t draw) {
     return campaign.name + "-" + std::to_string(draw);
   };
-  const SheetFiles files(folder, call.files);
+  SheetFiles files(model, call.files);
   make_directory(call.files.directory);
   std::optional<SheetTables> tables;
   if (call.files.format == SheetFormat::csv) {
     const std::vector<std::uint64_t>& named = call.choice.draws;
-    tables.emplace(folder, call.files, named.size() == 1 ? stem_of(named[0]) : campaign.name,
+    tables.emplace(model, call.files, named.size() == 1 ? stem_of(named[0]) : campaign.name,
                    "draw");
   }
   std::uint64_t written = 0;
   for (const std::uint64_t draw : draws) {
     show_work("sheets written", written++, draws.size());
     const std::string number = std::to_string(draw);
-    const FoldedSheet folded = folder.fold(shifts_of_number(*database, campaign, draw));
-    if (!campaign.accepts(folded.path.history.verdict)) {
+    const solver::Sheet sheet =
+        model.sheet(shifts_of_number(*database, campaign, draw), "draw " + number);
+    if (!campaign.accepts(sheet.verdict())) {
       throw schema::damaged(*database, "draw " + number + " is among the candidates, but is none");
     }
     if (tables) {
-      tables->add(folded, number);
+      tables->add(sheet, number);
       continue;
     }
     schema::Json origin = schema::origin_json(
         campaign, draw, schema::yields_json(schema::read_yields(*database, draw)));
     if (call.files.format == SheetFormat::json) {
-      add_certificate(*database, folder, folded, draw, origin);
+      add_certificate(*database, campaign.pattern, sheet, draw, origin);
     }
-    files.write(
-        folded,
-        {stem_of(draw), "misalign: " + campaign.name + ", draw " + number, "draw " + number},
-        origin);
+    files.write(sheet, {stem_of(draw), "misalign: " + campaign.name + ", draw " + number}, origin);
   }
   if (tables) tables->publish();
 }
 
 // The same of a pattern file; there is nothing to choose.
 void export_pattern(const ExportCall& call) {
-  const ChosenSheet sheet = sheet_of_pattern_file(call.files.read_from);
-  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators),
-                           call.files.look_deg());
-  const SheetFiles files(folder, call.files);
+  const ChosenSheet chosen = sheet_of_pattern_file(call.files.read_from);
+  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators),
+                     call.files.look_deg());
+  SheetFiles files(model, call.files);
   make_directory(call.files.directory);
-  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, chosen.pattern);
   const std::string stem = std::filesystem::path(call.files.read_from).stem().string();
   if (call.files.format == SheetFormat::csv) {
-    SheetTables tables(folder, call.files, stem, "pattern");
-    tables.add(folded, sheet.pattern);
+    SheetTables tables(model, call.files, stem, "pattern");
+    tables.add(sheet, chosen.pattern);
     tables.publish();
     return;
   }
-  files.write(folded, {stem, "misalign: " + sheet.pattern, sheet.pattern}, schema::Json::object());
+  files.write(sheet, {stem, "misalign: " + chosen.pattern}, schema::Json::object());
 }
 
 // Options that say nothing about the format that is asked for are a mistake.

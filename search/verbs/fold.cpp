@@ -6,7 +6,6 @@
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
-#include "solver/records/path_record.hpp"
 
 namespace misalign::search {
 namespace {
@@ -25,10 +24,9 @@ void fold(const FoldCall& call) {
   path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());
   path.look_deg = call.step_deg;
   const solver::Model model(pattern.base, path, {sampling.between_samples});
-  auto history = solver::record_history(model, pattern.vertices_mm());
-  solver::settle_between(model, pattern.vertices_mm(), history);
-  const schema::FoldingView view{pattern, pattern.shifts_mm, model.mechanism(), history,
-                                 sampling.sample_deg};
+  solver::SheetSolver solver(model);
+  const solver::Sheet sheet(solver, pattern.shifts_mm);
+  const schema::FoldingView view(pattern, sheet);
   call.json ? put_json(schema::folding_json(view)) : put_folding(view, call.table);
 }
 

@@ -8,6 +8,7 @@
 #include "schema/campaign/draw_range.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "solver/design/contact.hpp"
+#include "solver/design/deploy.hpp"
 
 namespace misalign::search {
 namespace {
@@ -124,7 +125,7 @@ void add_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg)
   verb.add_option("--from", from_deg,
                   fmt::format("pilot angle at which the sheet is let go at rest [{:g}, or D where "
                               "that is less]",
-                              kDeployFrom_deg))
+                              solver::kDeployFrom_deg))
       ->check(within(least_deg, 180))
       ->type_name("DEG");
 }

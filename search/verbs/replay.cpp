@@ -2,15 +2,14 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
-#include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/folding_model.hpp"
 #include "search/sheets/folding_text.hpp"
 #include "search/splitting/climber.hpp"
 #include "search/splitting/origin.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
-#include "solver/records/path_record.hpp"
 
 namespace misalign::search {
 namespace {
@@ -43,13 +42,10 @@ void replay(const ReplayCall& call) {
   const auto database = schema::open_for_reading(call.catalogue_path);
   const schema::Campaign campaign = schema::read_campaign_of(*database, call.catalogue_path);
   const Eigen::Matrix2Xd shifts_mm = shifts_of(*database, campaign, call);
-  const solver::Model model = model_of(campaign);
-  const solver::FlatVertices vertices_mm = campaign.pattern.base.sheet.vertices_mm + shifts_mm;
-  auto history = solver::record_history(model, vertices_mm);
-  solver::settle_between(model, vertices_mm, history);
-  const schema::FoldingView view{campaign.pattern, shifts_mm, model.mechanism(), history,
-                                 campaign.sample_deg};
-  const bool accepted = campaign.accepts(history.verdict);
+  FoldingModel model(campaign);
+  const solver::Sheet sheet = model.sheet(shifts_mm);
+  const schema::FoldingView view(campaign.pattern, sheet);
+  const bool accepted = campaign.accepts(view.history.verdict);
   if (!call.json) {
     const Paint paint = paint_for(STDOUT_FILENO);
     put("draw {} of {}: {}\n", call.draw, campaign.name,

@@ -13,7 +13,7 @@
 #include "search/ranks/stop_signal.hpp"
 #include "search/sheets/calculix_run.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deployer.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/sheet_files.hpp"
 #include "search/sheets/stress_text.hpp"
 #include "search/terminal/duration.hpp"
@@ -104,31 +104,29 @@ class StressProgress {
 };
 
 // With rigid panels; it is the way that the motion tends to as panels get stiffer.
-std::vector<solver::DeploymentRow> rigid_motion(const ChosenSheet& sheet,
+std::vector<solver::DeploymentRow> rigid_motion(const solver::Sheet& sheet,
                                                 const schema::SimulatedSheet& released) {
-  DeployWish wish;
-  wish.from_deg = released.pilot_deg;
-  wish.stiffness_n_per_mm = released.stiffness_n_per_mm;
-  wish.sheet.springs.rest_deg = released.rest_deg;
-  wish.sheet.plates = released.plates;
-  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
-  return deployer.study(sheet.shifts_mm, released.pilot_deg, schema::printable(sheet.name()))
-      .run.rows;
+  solver::DeployOptions options;
+  options.from_deg = released.pilot_deg;
+  options.sheet.springs.stiffness_n_per_mm = released.stiffness_n_per_mm;
+  options.sheet.springs.rest_deg = released.rest_deg;
+  options.sheet.plates = released.plates;
+  return deployed(sheet, options).run.rows;
 }
 
 void show_stress(StressCall& call) {
   read_material(call.release, call.deck);
   call.options.deck.elements = call.deck.deck.elements;
   call.options.deck.material = call.deck.deck.material;
-  const ChosenSheet sheet = choose_sheet(call.path, call.draw);
-  const SheetFolder folder(sheet.base, sheet.sampling, call.actuators.instead_of(sheet.actuators));
+  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
+  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
   const schema::SimulatedSheet released =
-      release(folder, folder.fold(sheet.shifts_mm), call.release.release,
-              "misalign: " + sheet.name(), schema::printable(sheet.name()));
+      release(model, sheet, call.release.release, "misalign: " + chosen.name());
   if (released.rest_deg > 0) call.options.flat_deg = 0;
   find_calculix();
   make_directory(call.directory);
-  const std::string job = job_of(call, sheet);
+  const std::string job = job_of(call, chosen);
   keep_input(call, job);
   const std::string result = job_file(call.directory, job, "-stress.json");
   solver::StressStudy study;
@@ -145,11 +143,11 @@ void show_stress(StressCall& call) {
   study.rigid = rigid_motion(sheet, released);
   schema::Json json =
       schema::stress_json(released, call.options.deck, call.options.stress.disc_mm, study);
-  json.update(sheet.whose());
+  json.update(chosen.whose());
   schema::write_text_file(result, json.dump(1) + "\n");
   if (call.json) return put_json(json);
-  put("{}: let go from {}\n{}\n", schema::printable(sheet.name()),
-      stress_text(released, call.options, study), schema::printable(result));
+  put("{}: let go from {}\n{}\n", sheet.name(), stress_text(released, call.options, study),
+      schema::printable(result));
 }
 
 constexpr const char* kStressFooter =

@@ -69,8 +69,8 @@ double advantage(const FoldingHistory& history, Index row, double span_mm_per_de
 
 }  // namespace
 
-Actuation actuate(const Actuators& actuators, const ShapedPath& path) {
-  const FoldingHistory& history = path.history;
+Actuation actuate(const Sheet& sheet, const Actuators& actuators) {
+  const FoldingHistory& history = sheet.history();
   const Index stations = history.length_mm.rows(), diagonals = history.length_mm.cols();
   const double k = actuators.stiffness_n_per_mm;
   Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {kNone}, {}, {}, {}};
@@ -86,7 +86,7 @@ Actuation actuate(const Actuators& actuators, const ShapedPath& path) {
     actuation.energy_n_mm.push_back(k / 2 * stretch_mm.squaredNorm());
     actuation.moment_n_mm.push_back(actuation.moment_by_n_mm.row(row + 1).sum());
     actuation.mechanical_advantage.push_back(
-        advantage(history, row, path.span_slope_mm_per_deg[static_cast<std::size_t>(row)]));
+        advantage(history, row, sheet.span_slope_mm_per_deg()[static_cast<std::size_t>(row)]));
   }
   find_weakest(history, actuation);
   find_over_stroke(history, actuation);

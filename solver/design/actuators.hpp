@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/design/few_diagonals.hpp"
-#include "solver/design/shaped_path.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 
@@ -48,6 +48,6 @@ struct Actuation {
   std::optional<OverStroke> over_stroke;
 };
 
-Actuation actuate(const Actuators& actuators, const ShapedPath& path);
+Actuation actuate(const Sheet& sheet, const Actuators& actuators);
 
 }  // namespace misalign::solver

@@ -195,23 +195,6 @@ double PanelMotion::crease_rate(int node, int crease) const {
   return way_.stations()[static_cast<std::size_t>(node)].rates[static_cast<std::size_t>(column)];
 }
 
-ResolvedWay::~ResolvedWay() = default;
-
-const PanelMotion* ResolvedWay::follow(const FlatVertices& vertices_mm) {
-  std::size_t attempt = 0;
-  for (int stations = kFewestStations; stations <= kMostStations; stations *= 2, ++attempt) {
-    if (attempt == solvers_.size()) {
-      solvers_.push_back(std::make_unique<WaySolver>(model_, FoldingWayOptions{stations}));
-    }
-    motion_.reset();
-    way_ = solvers_[attempt]->follow(vertices_mm);
-    if (!way_) return nullptr;
-    motion_.emplace(model_, *way_, panels_);
-    if (motion_->resolved_until() >= way_->end()) break;
-  }
-  return &*motion_;
-}
-
 std::optional<PanelMotion> resolved_motion(const Sheet& sheet) {
   std::optional<PanelMotion> motion;
   for (int stations = kFewestMotionStations; stations <= kMostMotionStations; stations *= 2) {

@@ -1,7 +1,6 @@
 // Poses of every panel along a folding way, and their rates at the way's stations.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -97,27 +96,6 @@ class PanelMotion {
 inline constexpr double kSmooth_mm = 1e-7;
 
 inline constexpr double kResolved = 0.1;
-
-/// The way of a sheet with as many stations as its panels' motion needs: kFewestStations, twice as
-/// many, and so on up to kMostStations, whose motion may still not be resolved to the end. Nothing
-/// where the path is lost.
-class ResolvedWay {
- public:
-  static constexpr int kFewestStations = 120, kMostStations = 960;
-  /// What it is made from must outlive it.
-  ResolvedWay(const Model& model, const Panels& panels) : model_(model), panels_(panels) {}
-  ~ResolvedWay();
-
-  /// Until the next one.
-  const PanelMotion* follow(const FlatVertices& vertices_mm);
-
- private:
-  const Model& model_;
-  const Panels& panels_;
-  std::vector<std::unique_ptr<WaySolver>> solvers_;  // made when they are first needed
-  std::optional<FoldingWay> way_;
-  std::optional<PanelMotion> motion_;
-};
 
 /// How few stations are enough for the motion of most sheets' panels, and how many are tried.
 inline constexpr int kFewestMotionStations = 120, kMostMotionStations = 960;

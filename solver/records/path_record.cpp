@@ -45,22 +45,4 @@ PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
   return measure_paths(SheetBlock(vertices_mm), functions, recorder).front();
 }
 
-PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
-                     const FoldingHistory& history) {
-  PathRecord record = record_of(history, model.mechanism());
-  if (history.verdict.deploys_from_sample == 0) return record;  // nothing was measured
-  const PathRecord function = record_path(model, vertices_mm);
-  const bool is_whole = !function.lengths.empty();
-  if (is_whole) record.extremes = function.extremes;
-  return record;
-}
-
-PathRecord settle_between(const Model& model, const FlatVertices& vertices_mm,
-                          FoldingHistory& history) {
-  PathRecord record = record_of(model, vertices_mm, history);
-  history.between.bump_where = record.extremes.bump_where;
-  history.between.bump_deg = record.extremes.bump_deg.value_or(0);
-  return record;
-}
-
 }  // namespace misalign::solver

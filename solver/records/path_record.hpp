@@ -25,15 +25,6 @@ struct PathRecord {
 /// extremes it has no reversal, and the cubics' least slope.
 PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism);
 
-/// The same with the extremes of the path as a function.
-PathRecord record_of(const Model& model, const FlatVertices& vertices_mm,
-                     const FoldingHistory& history);
-
-/// The same; the history takes over its bump, instead of the cubics'. What is said of a sheet
-/// between its samples is said of this.
-PathRecord settle_between(const Model& model, const FlatVertices& vertices_mm,
-                          FoldingHistory& history);
-
 /// Of the sheet with these vertices, as a campaign's draws are measured.
 PathRecord record_path(const Model& model, const FlatVertices& vertices_mm);
 

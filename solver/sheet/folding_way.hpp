@@ -7,7 +7,6 @@
 // lengths even: on the other side of flat lies the mirror image.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "solver/model/model.hpp"
@@ -32,7 +31,7 @@ struct WayCoordinate {
 
 class FoldingWay {
  public:
-  /// As WaySolver finds it: the k-th station at (k + 1/2) `step`, at least SmoothTable::kPoints of
+  /// As solve_way finds it: the k-th station at (k + 1/2) `step`, at least SmoothTable::kPoints of
   /// them. `mechanism` must outlive this object.
   FoldingWay(const Mechanism& mechanism, const FlatVertices& drawn_mm,
              const WayCoordinate& coordinate, double step, double end,
@@ -97,29 +96,5 @@ class FoldingWay {
 /// With these the polynomials between the stations are off by 1e-11 panel widths or radians at most
 /// (tests/solver/folding_way_test.cpp).
 inline constexpr int kWayStations = 60;
-
-struct FoldingWayOptions {
-  int stations = kWayStations;
-};
-
-/// Finds where paths end by following them as functions (NodeFollower), then solves them at
-/// equidistant x.
-class WaySolver {
- public:
-  /// Paths to the end of the model's; `model` must outlive this object.
-  explicit WaySolver(const Model& model, const FoldingWayOptions& options = {});
-  ~WaySolver();
-
-  /// Nothing where the path is lost, a numerical failure. Where it is lost only behind half of the
-  /// stations it ends at the last one that was solved.
-  std::optional<FoldingWay> follow(const FlatVertices& vertices_mm);
-
- private:
-  struct Workspace;
-
-  const Model& model_;
-  const FoldingWayOptions options_;
-  const std::unique_ptr<Workspace> workspace_;
-};
 
 }  // namespace misalign::solver

@@ -153,23 +153,4 @@ std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vert
                     std::move(stations));
 }
 
-struct WaySolver::Workspace {
-  explicit Workspace(const Model& model)
-      : nodes(model.mechanism(), model.elimination()),
-        closely(model.mechanism(), model.elimination()) {}
-  NodeFollower<double> nodes;
-  PathFollower<double> closely;
-};
-
-WaySolver::WaySolver(const Model& model, const FoldingWayOptions& options)
-    : model_(model), options_(options), workspace_(std::make_unique<Workspace>(model)) {}
-
-WaySolver::~WaySolver() = default;
-
-std::optional<FoldingWay> WaySolver::follow(const FlatVertices& vertices_mm) {
-  auto& [nodes, closely] = *workspace_;
-  const PathOutline outline = outline_path(model_, vertices_mm, nodes, closely);
-  return solve_way(model_, vertices_mm, outline, options_.stations, closely);
-}
-
 }  // namespace misalign::solver

@@ -13,7 +13,7 @@
 
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/text_file.hpp"
-#include "search/sheets/folded_sheet.hpp"
+#include "search/sheets/folding_model.hpp"
 #include "search/sheets/release.hpp"
 #include "solver/design/joint_tree.hpp"
 #include "tests/bench/mujoco_run.hpp"
@@ -76,11 +76,12 @@ inline bool gets_flat(MujocoRun& run, double flat_s) {
 
 /// The least of (E0 - E) / sum of l |rho0 - rho| over the way to flat, where creases turn one way:
 /// what the springs have given by then for each of what the tree's hinges have taken. The samples
-/// of `folded` are whole degrees, and the start is one.
-inline double critical_by_energy(const schema::SimulatedSheet& sheet, const FoldedSheet& folded) {
+/// of the history are whole degrees, and the start is one.
+inline double critical_by_energy(const schema::SimulatedSheet& sheet,
+                                 const solver::FoldingHistory& history,
+                                 const solver::Actuation& actuation) {
   const solver::JointTree tree = solver::joint_tree(sheet.mechanism, sheet.panels);
-  const auto& energy_n_mm = folded.actuation.energy_n_mm;
-  const auto& history = folded.path.history;
+  const auto& energy_n_mm = actuation.energy_n_mm;
   const auto start = static_cast<Eigen::Index>(std::lround(sheet.pilot_deg));  // row k is k degrees
   const auto taken_mm = [&](Eigen::Index row) {
     double sum_mm = 0;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 
 namespace misalign::search {
@@ -39,19 +40,19 @@ double critical_in_mujoco(const schema::SimulatedSheet& sheet, double expected, 
 }
 
 bool agree(const ChosenSheet& sheet, bool is_short) {
-  const SheetFolder folder(sheet.base, sheet.sampling, sheet.actuators);
-  const FoldedSheet folded = folder.fold(sheet.shifts_mm);
+  FoldingModel model(sheet.base, sheet.sampling, sheet.actuators);
+  const solver::Sheet folded = model.sheet(sheet.shifts_mm, sheet.name());
   ReleaseOptions options;
   options.from_deg = kFrom_deg;
-  const schema::SimulatedSheet released =
-      release(folder, folded, options, sheet.name(), sheet.name());
-  DeployWish wish;
-  wish.from_deg = kFrom_deg;
-  Deployer deployer(sheet.base, sheet.sampling, sheet.actuators, wish);
-  const solver::DeploymentStudy study = deployer.study(sheet.shifts_mm, kFrom_deg, sheet.name());
+  const schema::SimulatedSheet released = release(model, folded, options, sheet.name());
+  solver::DeployOptions deploy;
+  deploy.from_deg = kFrom_deg;
+  deploy.sheet.springs.stiffness_n_per_mm = sheet.actuators.stiffness_n_per_mm;
+  const solver::DeploymentStudy study = deployed(folded, deploy);
   const double flat_s = study.run.last().time_s;
   const double angle = largest_difference(released, study.run.rows, !is_short);
-  const double by_energy = critical_by_energy(released, folded),
+  const double by_energy = critical_by_energy(released, folded.history(),
+                                              solver::actuate(folded, sheet.actuators)),
                in_mujoco = critical_in_mujoco(released, by_energy, flat_s);
   std::printf(
       "%s: flat after %.5f s; angles differ by %.3f %% of the start's at most; critical "

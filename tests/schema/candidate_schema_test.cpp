@@ -20,23 +20,19 @@ Json table1_candidate() {
       shifts_mm.col(vertex_of_label(label, base.sheet.vertex_count())) << shift[0].get<double>(),
           shift[1].get<double>();
     }
-    const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-    const solver::FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
     const solver::Model model(base, campaign.path());
-    const auto path = solver::record_shapes(model, vertices_mm);
-    const auto metrics = solver::measure(base, vertices_mm, solver::record_path(model, vertices_mm),
-                                         campaign.sample_deg);
-    const FoldingView view{campaign.pattern, shifts_mm, mechanism, path.history,
-                           campaign.sample_deg};
-    const auto released =
-        solver::study_deployment(*solver::WaySolver(model).follow(vertices_mm), model, {}, {});
+    solver::SheetSolver solver(model);
+    const solver::Sheet sheet(solver, shifts_mm);
+    const FoldingView view(campaign.pattern, sheet);
+    const auto released = solver::deploy(sheet).study.value();
     const solver::Actuators wires{50, 0.03};  // which some diagonals of Table 1 exceed
-    Json exported = folded_pattern_json(campaign.sampling(), view, metrics,
-                                        actuation_json(view, path, solver::actuate(wires, path)),
+    Json exported = folded_pattern_json(campaign.sampling(), view,
+                                        actuation_json(view, solver::actuate(sheet, wires)),
                                         exported_deployment_json(released));
-    const solver::Certificate certificate = solver::Certifier(model).certify(vertices_mm, 5);
-    exported["certificate"] =
-        certificate_json(certificate_row(campaign, mechanism, 7, shifts_mm, certificate, 0.03125));
+    const solver::Certificate certificate =
+        solver::Certifier(model).certify(sheet.vertices_mm(), 5);
+    exported["certificate"] = certificate_json(
+        certificate_row(campaign, sheet.mechanism(), 7, shifts_mm, certificate, 0.03125));
     exported.update(
         origin_json(campaign, 7, yields_json({{7, 0.05, 100, 90, 2}, {7, 0.1, 1, 0, 1}})));
     return exported;

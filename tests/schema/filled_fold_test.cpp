@@ -8,9 +8,11 @@
 #include <map>
 #include <optional>
 
+#include "../solver/own_sheet.hpp"
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/campaign/filled_mesh.hpp"
 #include "schema/exchange/fold_export.hpp"
+#include "shifted_pattern.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -20,31 +22,23 @@ using Eigen::Matrix3Xd, Eigen::Vector3d;
 /// A carried pattern, its interior vertices shifted, folded and exported with fillers.
 struct Joined {
   explicit Joined(const std::string& name)
-      : pattern(read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/" + name + ".json")),
-        mechanism(
-            solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding)) {
-    const solver::PerforatedSheet& base = pattern.base;
-    if (pattern.shifts_mm.isZero()) {
-      std::srand(6);  // Eigen's Random
-      for (const int v : solver::interior_vertices(base.sheet)) {
-        pattern.shifts_mm.col(v) = base.sheet.panel_width_mm / 400 * Eigen::Vector2d::Random();
-      }
-    }
-    solver::PathPlanOptions options;
-    options.end_deg = std::floor(base.folding.end_deg());
-    path = solver::record_shapes(solver::Model(base, options), pattern.vertices_mm());
-    const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
-    const auto rows = solver::rows_to_show(view.mechanism, path, 10);
-    for (const Eigen::Index row : rows) shapes_mm.push_back(&path.shapes_mm[row]);
-    const auto chosen = solver::joining_fillers(base, mechanism, pattern.vertices_mm(), shapes_mm);
+      : pattern(
+            shifted(read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/" + name + ".json"))),
+        own(pattern.base, pattern.shifts_mm,
+            {.end_deg = std::floor(pattern.base.folding.end_deg())}) {
+    const auto rows = sheet.rows_to_show(10);
+    for (const Eigen::Index row : rows) shapes_mm.push_back(&sheet.shapes_mm()[row]);
+    const auto chosen =
+        solver::joining_fillers(pattern.base, mechanism, pattern.vertices_mm(), shapes_mm);
     EXPECT_TRUE(chosen) << name;
     if (chosen) fillers = *chosen;
-    fold = folded_fold_json(view, path, rows, "a test", {{"draw", 7}}, fillers);
+    fold = folded_fold_json({pattern, sheet}, rows, "a test", {{"draw", 7}}, fillers);
   }
 
-  Pattern pattern;
-  solver::Mechanism mechanism;
-  solver::ShapedPath path;
+  const Pattern pattern;
+  const solver::OwnSheet own;
+  const solver::Sheet& sheet = own.sheet;
+  const solver::Mechanism& mechanism = sheet.mechanism();
   std::vector<const Matrix3Xd*> shapes_mm;
   std::vector<solver::Filler> fillers;
   Json fold;

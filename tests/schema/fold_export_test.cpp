@@ -8,8 +8,10 @@
 #include <fstream>
 #include <set>
 
+#include "../solver/own_sheet.hpp"
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/exchange/drawing.hpp"
+#include "shifted_pattern.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "solver/sheet/panels.hpp"
 
@@ -19,22 +21,11 @@ namespace {
 /// A carried pattern, its interior vertices shifted, folded and exported.
 struct Exported {
   explicit Exported(const std::string& name, double step_deg = 10)
-      : pattern(pattern_of(name)),
-        mechanism(
-            solver::build_mechanism(pattern.base.sheet, pattern.base.holes, pattern.base.folding)) {
-    const solver::PerforatedSheet& base = pattern.base;
-    if (pattern.shifts_mm.isZero()) {
-      std::srand(6);  // Eigen's Random
-      for (const int v : solver::interior_vertices(base.sheet)) {
-        pattern.shifts_mm.col(v) = base.sheet.panel_width_mm / 400 * Eigen::Vector2d::Random();
-      }
-    }
-    solver::PathPlanOptions options;
-    options.end_deg = std::floor(base.folding.end_deg());
-    options.look_deg = step_deg;
-    path = solver::record_shapes(solver::Model(base, options), pattern.vertices_mm());
-    rows = solver::rows_to_show(view().mechanism, path, step_deg);
-    fold = folded_fold_json(view(), path, rows, "a test", {{"draw", 7}});
+      : pattern(shifted(pattern_of(name))),
+        own(pattern.base, pattern.shifts_mm,
+            {.end_deg = std::floor(pattern.base.folding.end_deg()), .look_deg = step_deg}) {
+    rows = sheet.rows_to_show(step_deg);
+    fold = folded_fold_json({pattern, sheet}, rows, "a test", {{"draw", 7}});
   }
   /// A carried one; or the first with a mountain as its pilot, seen from below by the solver.
   static Pattern pattern_of(const std::string& name) {
@@ -47,12 +38,12 @@ struct Exported {
     EXPECT_EQ(pattern.base.folding.side(), -1);
     return pattern;
   }
-  FoldingView view() const { return {pattern, pattern.shifts_mm, mechanism, path.history, 1}; }
-  int d() const { return path.history.verdict.deploys_from_sample; }
+  int d() const { return sheet.history().verdict.deploys_from_sample; }
 
-  Pattern pattern;
-  solver::Mechanism mechanism;
-  solver::ShapedPath path;
+  const Pattern pattern;
+  const solver::OwnSheet own;
+  const solver::Sheet& sheet = own.sheet;
+  const solver::Mechanism& mechanism = sheet.mechanism();
   std::vector<Eigen::Index> rows;
   Json fold;
 };
@@ -139,7 +130,7 @@ TEST_P(FoldExport, AnglesAreDegreesWithValleysPositive) {
 // What `fold --json` says of a crease is what its angles say, from whichever side the pilot is a
 // valley.
 TEST_P(FoldExport, FoldingJsonNamesMountainsAndValleysAsTheyFold) {
-  const Json folding = folding_json(exported_.view());
+  const Json folding = folding_json({exported_.pattern, exported_.sheet});
   for (const Json& crease : folding["creases"]) {
     EXPECT_EQ(crease["fold_angle_deg"][4] > 0, crease["assignment"] == "valley")
         << crease["from"] << crease["to"];
@@ -251,7 +242,7 @@ TEST_P(FoldExport, ReadAgainGivesTheSameVerdict) {
   options.end_deg = std::floor(again.base.folding.end_deg());
   const auto history =
       solver::record_history(solver::Model(again.base, options), again.vertices_mm());
-  const solver::Verdict& before = exported_.path.history.verdict;
+  const solver::Verdict& before = exported_.sheet.history().verdict;
   EXPECT_EQ(history.verdict.deploys_from_sample, before.deploys_from_sample);
   EXPECT_EQ(history.verdict.first_fault, before.first_fault);
   EXPECT_EQ(history.verdict.where, before.where);
@@ -297,7 +288,7 @@ TEST_P(FoldExport, ObjHasTheEdgesOfTheFlatSheet) {
   const Eigen::Matrix2Xd flat_mm = exported_.pattern.vertices_mm();
   for (const Eigen::Index row : exported_.rows) {
     std::istringstream text(folded_obj(
-        exported_.pattern, exported_.path.shapes_mm[static_cast<std::size_t>(row)], "a test"));
+        exported_.pattern, exported_.sheet.shapes_mm()[static_cast<std::size_t>(row)], "a test"));
     std::vector<Eigen::Vector3d> points_mm;
     int faces = 0;
     for (std::string line; std::getline(text, line);) {

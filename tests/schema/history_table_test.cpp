@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "../solver/own_sheet.hpp"
 #include "schema/exchange/actuators_json.hpp"
 
 namespace misalign::schema {
@@ -43,27 +44,17 @@ std::vector<Row> rows_of(const std::string& csv) {
 
 class HistoryTable : public testing::Test {
  protected:
-  HistoryTable()
-      : pattern_(read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
-        mechanism_(solver::build_mechanism(pattern_.base.sheet, pattern_.base.holes,
-                                           pattern_.base.folding)),
-        path_(solver::record_shapes(solver::Model(pattern_.base, {1, 40, 0}),
-                                    pattern_.vertices_mm())),
-        actuation_(solver::actuate({20, {}}, path_)),
-        view_{pattern_, pattern_.shifts_mm, mechanism_, path_.history, 1} {}
-
-  const Pattern pattern_;
-  const solver::Mechanism mechanism_;
-  const solver::ShapedPath path_;
-  const solver::Actuation actuation_;
-  const FoldingView view_;
+  const Pattern pattern_ = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
+  const solver::OwnSheet own_{pattern_.base, pattern_.shifts_mm, {1, 40, 0}};
+  const solver::Actuation actuation_ = solver::actuate(own_.sheet, {20, {}});
+  const FoldingView view_{pattern_, own_.sheet};
   const RowKey key_{"draw", "7"};
 };
 
 TEST_F(HistoryTable, HasARowForEachStopAndDiagonal) {
   const auto rows = rows_of(diagonal_columns(key_) + diagonal_rows(key_, view_, actuation_));
   const Json folding = folding_json(view_);
-  const Json history = actuation_history_json(view_, path_, actuation_);
+  const Json history = actuation_history_json(view_, actuation_);
   const std::size_t diagonals = folding["diagonals"].size();
   ASSERT_EQ(rows.size(), 41 * diagonals);
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -123,9 +114,9 @@ TEST_F(HistoryTable, IsThinnedToMultiplesAndD) {
     }
     return angles_deg;
   };
-  solver::FoldingHistory history = path_.history;
+  solver::FoldingHistory history = own_.sheet.history();
   history.verdict.deploys_from_sample = 37;
-  const FoldingView view{pattern_, pattern_.shifts_mm, mechanism_, history, 1};
+  const FoldingView view(pattern_, own_.sheet, history);
   const std::vector<std::pair<double, std::vector<double>>> kinds = {
       {15, {0, 15, 30, 37}}, {7.5, {0, 15, 30, 37}}, {37, {0, 37}}, {180, {0, 37}}};
   const auto all = rows_of(diagonal_columns(key_) + diagonal_rows(key_, view, actuation_));

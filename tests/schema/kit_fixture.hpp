@@ -1,6 +1,7 @@
 // A sheet to make kits of.
 #pragma once
 
+#include "../solver/own_sheet.hpp"
 #include "../solver/sheets.hpp"
 #include "schema/kit/kit_bores.hpp"
 #include "solver/pattern/crease_pattern.hpp"
@@ -11,19 +12,21 @@ namespace misalign::schema {
 struct KitFixture : solver::TestSheet {
   KitFixture(int rows, int columns, const std::string& holes = "checkerboard-odd",
              double most_mm = 0.4)
-      : TestSheet(rows, columns, holes),
-        shifts_mm(Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count())) {
+      : TestSheet(rows, columns, holes), own(base, random_shifts(base.sheet, most_mm)) {}
+
+  static Eigen::Matrix2Xd random_shifts(const solver::CreasePattern& pattern, double most_mm) {
+    Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, pattern.vertex_count());
     std::srand(19);  // Eigen's Random
-    for (const int v : solver::interior_vertices(base.sheet)) {
+    for (const int v : solver::interior_vertices(pattern)) {
       shifts_mm.col(v) = most_mm * Eigen::Vector2d::Random();
     }
-    vertices_mm = base.sheet.vertices_mm + shifts_mm;
-    path = solver::record_shapes(solver::Model(base), vertices_mm);
+    return shifts_mm;
   }
 
-  Eigen::Matrix2Xd shifts_mm, vertices_mm;
-  solver::ShapedPath path;
-  KitSheet sheet{base, vertices_mm, shifts_mm, mechanism, path};
+  const solver::OwnSheet own;
+  const solver::Sheet& path = own.sheet;
+  const Eigen::Matrix2Xd& vertices_mm = path.vertices_mm();
+  const KitSheet sheet{path};
 };
 
 }  // namespace misalign::schema

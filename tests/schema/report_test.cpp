@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "../solver/own_sheet.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/report/stress_result.hpp"
 #include "solver/pattern/outline.hpp"
@@ -48,21 +49,18 @@ std::vector<Number> decoded(const std::string& text) {
 
 TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
   const Pattern pattern = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
-  const auto& base = pattern.base;
-  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-  const auto path = solver::record_shapes(solver::Model(base), pattern.vertices_mm());
-  const auto actuation = solver::actuate({}, path);
-  const FoldingView view{pattern, pattern.shifts_mm, mechanism, path.history, 1};
-  const Json detail =
-      detail_json(view, std::uint64_t{1} << 62, false, path, actuation, std::nullopt);
+  const solver::OwnSheet own(pattern.base, pattern.shifts_mm);
+  const solver::Sheet& sheet = own.sheet;
+  const auto actuation = solver::actuate(sheet, {});
+  const Json detail = detail_json({pattern, sheet}, std::uint64_t{1} << 62, false, actuation);
   EXPECT_EQ(detail["draw"], "4611686018427387904");
-  EXPECT_EQ(detail["metrics"], nullptr);
-  const std::size_t rows = path.shapes_mm.size() + 1;
+  EXPECT_EQ(detail["metrics"]["deploys_from_deg"], sheet.deploys_from_deg());
+  const std::size_t rows = sheet.shapes_mm().size() + 1;
   EXPECT_EQ(detail["pilot_deg"].size(), rows);
   const auto lengths = decoded<float>(detail["length_mm"]);
   ASSERT_EQ(lengths.size(), rows * 16);
-  EXPECT_FLOAT_EQ(lengths[3], static_cast<float>(path.history.flat_mm[3]));
-  EXPECT_FLOAT_EQ(lengths[100 * 16 + 5], static_cast<float>(path.history.length_mm(99, 5)));
+  EXPECT_FLOAT_EQ(lengths[3], static_cast<float>(sheet.history().flat_mm[3]));
+  EXPECT_FLOAT_EQ(lengths[100 * 16 + 5], static_cast<float>(sheet.history().length_mm(99, 5)));
   const auto energies = decoded<float>(detail["energy_n_mm"]);
   ASSERT_EQ(energies.size(), rows);
   EXPECT_FLOAT_EQ(energies[50], static_cast<float>(actuation.energy_n_mm[50]));
@@ -82,12 +80,13 @@ TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
   };
   for (const std::size_t row : {0u, 1u, 80u, 150u}) {
     for (std::size_t a = 0; a < 49; ++a) {
-      const double wanted = row == 0 ? (pattern.vertices_mm().col(static_cast<Eigen::Index>(a)) -
-                                        pattern.vertices_mm().col(17))
-                                           .norm()
-                                     : (path.shapes_mm[row - 1].col(static_cast<Eigen::Index>(a)) -
-                                        path.shapes_mm[row - 1].col(17))
-                                           .norm();
+      const double wanted = row == 0
+                                ? (pattern.vertices_mm().col(static_cast<Eigen::Index>(a)) -
+                                   pattern.vertices_mm().col(17))
+                                      .norm()
+                                : (sheet.shapes_mm()[row - 1].col(static_cast<Eigen::Index>(a)) -
+                                   sheet.shapes_mm()[row - 1].col(17))
+                                      .norm();
       EXPECT_NEAR(distance(row, a, 17), wanted, 0.02) << row << " " << a;
     }
   }

@@ -11,6 +11,7 @@
 #include "schema/exchange/calculix_deck.hpp"
 #include "schema/exchange/calculix_result.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/release.hpp"
 
 namespace misalign::search {
@@ -67,13 +68,15 @@ class Calculix : public testing::Test {
  protected:
   Calculix()
       : chosen_(sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
-        folder_(chosen_.base, chosen_.sampling, chosen_.actuators),
-        folded_(folder_.fold(chosen_.shifts_mm)),
-        sheet_(release(folder_, folded_, {}, "Table 1", "table1")) {}
+        model_(chosen_.base, chosen_.sampling, chosen_.actuators),
+        folded_(model_.sheet(chosen_.shifts_mm, "table1")),
+        actuation_(solver::actuate(folded_, model_.actuators())),
+        sheet_(release(model_, folded_, {}, "Table 1")) {}
 
   const ChosenSheet chosen_;
-  const SheetFolder folder_;
-  const FoldedSheet folded_;
+  FoldingModel model_;
+  const solver::Sheet folded_;
+  const solver::Actuation actuation_;
   const SimulatedSheet sheet_;
 };
 
@@ -119,7 +122,7 @@ TEST_F(Calculix, SpringsPullFromTheStart) {
     const double now_n = force0 - 50 * at0;
     energy_n_mm += now_n * now_n / 100;
   }
-  EXPECT_NEAR(energy_n_mm, folded_.actuation.energy_n_mm[36], 1e-6);
+  EXPECT_NEAR(energy_n_mm, actuation_.energy_n_mm[36], 1e-6);
 }
 
 // With relaxed lengths of a folded state: by coordinates of both decks.
@@ -128,9 +131,9 @@ TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
   stop.from_deg = 15;
   stop.rest_deg = 30;
   there.from_deg = 30;
-  const SimulatedSheet sheet = release(folder_, folded_, stop, "Table 1", "table1");
+  const SimulatedSheet sheet = release(model_, folded_, stop, "Table 1");
   const ReadDeck deck(schema::calculix_deck(sheet, {})),
-      at30(schema::calculix_deck(release(folder_, folded_, there, "Table 1", "table1"), {}));
+      at30(schema::calculix_deck(release(model_, folded_, there, "Table 1"), {}));
   ASSERT_EQ(deck.springs.size(), 16u);
   const auto length_mm = [](const ReadDeck& of, const Spring& spring) {
     return (of.nodes_mm.at(spring.from) - of.nodes_mm.at(spring.to)).norm();
@@ -141,11 +144,11 @@ TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
     EXPECT_NEAR(now_n, 50 * (length_mm(deck, spring) - length_mm(at30, spring)), 1e-8);
     energy_n_mm += now_n * now_n / 100;
   }
-  DeployWish wish;
-  wish.from_deg = 15;
-  wish.sheet.springs.rest_deg = 30;
-  Deployer deployer(chosen_.base, chosen_.sampling, chosen_.actuators, wish);
-  const auto rigid = deployer.study(chosen_.shifts_mm, 15, "table1").run.rows;
+  solver::DeployOptions options;
+  options.from_deg = 15;
+  options.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
+  options.sheet.springs.rest_deg = 30;
+  const auto rigid = deployed(folded_, options).run.rows;
   EXPECT_NEAR(energy_n_mm, rigid.front().springs_n_mm, 1e-6);
   schema::DeckOptions damped;
   damped.damping_per_s = 40;
@@ -155,7 +158,7 @@ TEST_F(Calculix, SpringsAreRelaxedWhereTheyAreToBe) {
   EXPECT_EQ(schema::calculix_deck(sheet, {}).find("DAMPING"), std::string::npos);
 
   stop.rest_deg = 157;
-  EXPECT_THROW(release(folder_, folded_, stop, "Table 1", "table1"), schema::UserError);
+  EXPECT_THROW(release(model_, folded_, stop, "Table 1"), schema::UserError);
 }
 
 // As ccx writes the corners of panels that are as rigid ones at an angle, and energies.
@@ -180,21 +183,20 @@ std::string increment(const SimulatedSheet& start, const SimulatedSheet& now,
 TEST_F(Calculix, MotionIsReadAsItGrows) {
   ReleaseOptions later;
   later.from_deg = 30;
-  const SimulatedSheet at30 = release(folder_, folded_, later, "", "table1");
+  const SimulatedSheet at30 = release(model_, folded_, later, "");
   const std::string text = increment(sheet_, at30, "0.2000000E-01", "        2.210653E+00");
   schema::MotionReader reader(sheet_, schema::PanelMesh(2));
   reader.feed(text.substr(0, 1234));
   ASSERT_EQ(reader.rows().size(), 1u);
   EXPECT_NEAR(reader.rows()[0].pilot_deg, 36, 1e-9);
-  EXPECT_NEAR(reader.rows()[0].springs_n_mm, folded_.actuation.energy_n_mm[36], 1e-8);
+  EXPECT_NEAR(reader.rows()[0].springs_n_mm, actuation_.energy_n_mm[36], 1e-8);
   reader.feed(text.substr(1234));
   ASSERT_EQ(reader.rows().size(), 2u);
   const solver::ElasticRow& row = reader.rows()[1];
   EXPECT_EQ(row.time_s, 0.02);
   EXPECT_NEAR(row.pilot_deg, 30, 1e-4);  // displacements of some mm with seven digits
-  EXPECT_NEAR(row.widest_deg, folded_.path.history.fold_angle_deg.row(29).cwiseAbs().maxCoeff(),
-              1e-4);
-  EXPECT_NEAR(row.springs_n_mm, folded_.actuation.energy_n_mm[30], 2e-3);
+  EXPECT_NEAR(row.widest_deg, folded_.history().fold_angle_deg.row(29).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_NEAR(row.springs_n_mm, actuation_.energy_n_mm[30], 2e-3);
   EXPECT_EQ(row.strain_n_mm, 2.210653);
   EXPECT_EQ(row.kinetic_n_mm, 1.25);
 }

@@ -6,7 +6,7 @@
 
 #include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
-#include "search/sheets/folded_sheet.hpp"
+#include "search/sheets/folding_model.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace misalign::search {
@@ -310,12 +310,12 @@ TEST(DrawEvaluator, InstructionSetsAndBlocksAgreeSlow) {
 TEST(DrawEvaluator, TurnsNextToAFoldLimitAreThoseOfTheFinePathSlow) {
   const schema::Campaign campaign = schema::read_campaign(
       {{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}}, "a test");
-  const SheetFolder coarse(campaign), fine(campaign, 0.01);
+  FoldingModel coarse(campaign), fine(campaign, 0.01);
   int turns = 0, smooth = 0;
   for (const std::uint64_t draw : {2850319, 4366571, 9947173, 10337263, 1623437, 8100241}) {
     const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, draw);
-    const solver::Metrics metrics = *coarse.fold(shifts_mm).metrics;
-    const solver::FoldingHistory history = fine.fold(shifts_mm).path.history;
+    const solver::Metrics metrics = *coarse.sheet(shifts_mm).metrics();
+    const solver::FoldingHistory history = fine.sheet(shifts_mm).history();
     EXPECT_LT(metrics.fold_limit_deg - metrics.deploys_from_deg, 0.05) << "draw " << draw;
     bool goes_back = false;
     for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {

@@ -20,11 +20,9 @@ schema::Campaign campaign(int side) {
 
 std::string text_of(DrawEvaluator& evaluator, std::uint64_t draw,
                     const FoldingTextOptions& options) {
-  const auto history = evaluator.history(draw);
-  const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(draw);
-  return folding_text({evaluator.campaign().pattern, shifts_mm, evaluator.mechanism(), history,
-                       evaluator.campaign().sample_deg},
-                      options);
+  solver::SheetSolver solver(evaluator.model());
+  const solver::Sheet sheet(solver, evaluator.shifts_mm(draw));
+  return folding_text({evaluator.campaign().pattern, sheet}, options);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -48,11 +46,10 @@ TEST(Sparkline, GoesFromTheLeastToTheLargest) {
 TEST(FoldingText, FitsTheTerminal) {
   for (const int side : {4, 6, 8}) {
     DrawEvaluator evaluator(campaign(side));
+    solver::SheetSolver solver(evaluator.model());
     for (std::uint64_t draw = 0; draw < 5; ++draw) {
-      const auto history = evaluator.history(draw);
-      const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(draw);
-      const schema::FoldingView view{evaluator.campaign().pattern, shifts_mm, evaluator.mechanism(),
-                                     history, evaluator.campaign().sample_deg};
+      const solver::Sheet sheet(solver, evaluator.shifts_mm(draw));
+      const schema::FoldingView view(evaluator.campaign().pattern, sheet);
       for (const int width : {80, 100, 200}) {
         for (const bool utf8 : {false, true}) {
           for (const std::string& line : lines_of(folding_text(view, {width, utf8}))) {
@@ -114,7 +111,8 @@ TEST(FoldingText, SaysWhatTheHistorySays) {
 TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
   DrawEvaluator evaluator(campaign(4));
   auto history = evaluator.history(0);
-  const Eigen::Matrix2Xd shifts_mm = evaluator.shifts_mm(0);
+  solver::SheetSolver solver(evaluator.model());
+  const solver::Sheet sheet(solver, evaluator.shifts_mm(0));
   const double band_mm = 1e-8 * 80;
   for (Eigen::Index row = 0; row < history.length_mm.rows(); ++row) {
     const double up_and_down = row % 2 == 0 ? 1 : 0;
@@ -122,9 +120,7 @@ TEST(FoldingText, RoundingIsNotDrawnAsMotion) {
     history.length_mm(row, 1) = history.flat_mm[1] + 1.01 * band_mm * up_and_down;
   }
   const std::vector<std::string> lines =
-      lines_of(folding_text({evaluator.campaign().pattern, shifts_mm, evaluator.mechanism(),
-                             history, evaluator.campaign().sample_deg},
-                            {200, false}));
+      lines_of(folding_text({evaluator.campaign().pattern, sheet, history}, {200, false}));
   const auto drawn_of = [&](std::size_t k) {
     const solver::Diagonal& diagonal = evaluator.mechanism().diagonals[k];
     const std::string name = solver::line_label(diagonal.from, diagonal.to) + " ";

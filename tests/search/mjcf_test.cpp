@@ -10,6 +10,7 @@
 #include "schema/files/text_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/sheets/release.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 #include "tests/folder.hpp"
@@ -24,17 +25,19 @@ class Table1 {
  public:
   Table1()
       : sheet_(sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
-        folder_(sheet_.base, sheet_.sampling, sheet_.actuators),
-        folded_(folder_.fold(sheet_.shifts_mm)) {}
+        model_(sheet_.base, sheet_.sampling, sheet_.actuators),
+        folded_(model_.sheet(sheet_.shifts_mm, "table1")),
+        actuation_(solver::actuate(folded_, model_.actuators())) {}
   SimulatedSheet released(const ReleaseOptions& options = {}) const {
-    return release(folder_, folded_, options, "Table 1 -- <as printed>", "table1");
+    return release(model_, folded_, options, "Table 1 -- <as printed>");
   }
-  const FoldedSheet& folded() const { return folded_; }
+  const solver::Actuation& actuation() const { return actuation_; }
 
  private:
   const ChosenSheet sheet_;
-  const SheetFolder folder_;
-  const FoldedSheet folded_;
+  FoldingModel model_;
+  const solver::Sheet folded_;
+  const solver::Actuation actuation_;
 };
 
 MujocoRun run_of(const SimulatedSheet& sheet, const schema::MjcfOptions& options = {}) {
@@ -83,7 +86,7 @@ TEST(Mujoco, MovesTable1AsItsSpringsSay) {
   EXPECT_NEAR(run.pilot_deg(), 36, 1e-9);
   EXPECT_LT(widest_gap_mm(sheet, run), 1e-9);
 
-  const solver::Actuation& actuation = table1.folded().actuation;
+  const solver::Actuation& actuation = table1.actuation();
   double energy_n_mm = run.spring_energy_n_mm(), pilot_deg = 36, widest_mm = 0;
   EXPECT_NEAR(energy_n_mm, actuation.energy_n_mm[36], 1e-9);
   std::map<int, double> passed_s;
@@ -152,15 +155,16 @@ TEST(Mujoco, DeploysAsDeployDoes) {
   schema::Campaign campaign =
       schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/miura-4x4.json");
   campaign.actuators.stiffness_n_per_mm = 1000;  // it takes a quarter of the time
-  const SheetFolder folder(campaign);
-  const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, 1112);
-  const FoldedSheet folded = folder.fold(shifts_mm);
-  const SimulatedSheet sheet = release(folder, folded, {}, "a sheet", "a sheet");
-  Deployer deployer(campaign.pattern, campaign.sampling(), campaign.actuators, {});
-  const solver::Deployment rigid = deployer.study(shifts_mm, 180, "a sheet").run;
+  FoldingModel model(campaign);
+  const solver::Sheet folded = model.sheet(shifts_of_draw(campaign, 1112));
+  const SimulatedSheet sheet = release(model, folded, {}, "a sheet");
+  solver::DeployOptions springs;
+  springs.sheet.springs.stiffness_n_per_mm = campaign.actuators.stiffness_n_per_mm;
+  const solver::Deployment rigid = deployed(folded, springs).run;
   ASSERT_EQ(rigid.outcome, solver::Outcome::passed_flat);
   EXPECT_LT(largest_difference(sheet, rigid.rows, false), 1e-4);
-  const double critical = critical_by_energy(sheet, folded);
+  const double critical =
+      critical_by_energy(sheet, folded.history(), solver::actuate(folded, campaign.actuators));
   MujocoRun less = load(sheet, 0.99 * critical), more = load(sheet, 1.01 * critical);
   EXPECT_TRUE(gets_flat(less, rigid.last().time_s));
   EXPECT_FALSE(gets_flat(more, rigid.last().time_s));

@@ -89,9 +89,8 @@ TEST(PlateStl, IsClosedInEveryState) {
   options.format = SheetFormat::stl;
   options.step_deg = 60;
   options.release.plates.thickness_mm = 0.3;
-  const SheetFolder folded(sheet.base, sheet.sampling, sheet.actuators, options.look_deg());
-  SheetFiles(folded, options)
-      .write(folded.fold(sheet.shifts_mm), {"sheet", "a sheet", "a sheet"}, {});
+  FoldingModel model(sheet.base, sheet.sampling, sheet.actuators, options.look_deg());
+  SheetFiles(model, options).write(model.sheet(sheet.shifts_mm), {"sheet", "a sheet"}, {});
   std::map<std::string, double> volumes_mm3;
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(options.directory)) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "blocks.hpp"
+#include "own_sheet.hpp"
 #include "solver/records/metrics.hpp"
 #include "vertex_coordinates.hpp"
 
@@ -21,12 +22,12 @@ struct Table1 : testing::Test {
   Table1()
       : sheet(6, 6), vertices_mm(sheet.shifted(golden("table1_odd.json")["displacements_mm"])) {}
 
-  ShapedPath path(double look_deg = 0, double end_deg = 180, double sample_deg = 1) const {
+  OwnSheet path(double look_deg = 0, double end_deg = 180, double sample_deg = 1) const {
     PathPlanOptions options;
     options.sample_deg = sample_deg;
     options.look_deg = look_deg;
     options.end_deg = end_deg;
-    return record_shapes(Model(sheet.base, options), vertices_mm);
+    return OwnSheet(sheet.base, vertices_mm - sheet.base.sheet.vertices_mm, options);
   }
 
   TestSheet sheet;
@@ -34,12 +35,13 @@ struct Table1 : testing::Test {
 };
 
 TEST_F(Table1, EnergyIsThatOfLengthsBetweenVertices) {
-  const ShapedPath folded = path();
-  const Actuation actuation = actuate(kSprings, folded);
-  ASSERT_EQ(actuation.energy_n_mm.size(), folded.shapes_mm.size() + 1);
+  const OwnSheet own = path();
+  const Sheet& folded = own.sheet;
+  const Actuation actuation = actuate(folded, kSprings);
+  ASSERT_EQ(actuation.energy_n_mm.size(), folded.shapes_mm().size() + 1);
   EXPECT_EQ(actuation.energy_n_mm[0], 0);
-  for (std::size_t row = 0; row < folded.shapes_mm.size(); ++row) {
-    const Eigen::Matrix3Xd& shape = folded.shapes_mm[row];
+  for (std::size_t row = 0; row < folded.shapes_mm().size(); ++row) {
+    const Eigen::Matrix3Xd& shape = folded.shapes_mm()[row];
     double energy = 0;
     for (const Diagonal& diagonal : sheet.mechanism.diagonals) {
       const double flat_mm = (vertices_mm.col(diagonal.from) - vertices_mm.col(diagonal.to)).norm();
@@ -53,8 +55,9 @@ TEST_F(Table1, EnergyIsThatOfLengthsBetweenVertices) {
 
 TEST_F(Table1, MomentIsTheRateOfTheEnergy) {
   // Looked at every tenth of a degree: central differences are off by h^2 E''' / 6.
-  const ShapedPath fine = path(0.1, 150);
-  const Actuation actuation = actuate(kSprings, fine);
+  const OwnSheet own = path(0.1, 150);
+  const Sheet& fine = own.sheet;
+  const Actuation actuation = actuate(fine, kSprings);
   double largest = 0;
   for (const double moment : actuation.moment_n_mm) largest = std::max(largest, std::abs(moment));
   const double h_rad = 0.1 * kRadPerDeg;
@@ -91,18 +94,20 @@ double work_over_work(const Mechanism& mechanism, const FlatVertices& vertices_m
 // In steps of a degree and of five against differences over a hundredth of one, and where the pilot
 // hardly moves any more: a degree and a half before the fold limit.
 TEST_F(Table1, AdvantageIsWorkOverWork) {
-  const ShapedPath fine = path(0.01, 156);
+  const OwnSheet own = path(0.01, 156);
+  const Sheet& fine = own.sheet;
   const auto shape_of = [&](int row) {
     return [&fine, row](int from, int to) {
-      return (fine.shapes_mm[row].col(from) - fine.shapes_mm[row].col(to)).norm();
+      return (fine.shapes_mm()[row].col(from) - fine.shapes_mm()[row].col(to)).norm();
     };
   };
   for (const int step_deg : {1, 5}) {
-    const Actuation actuation = actuate(kSprings, path(0, step_deg == 1 ? 156 : 155, step_deg));
+    const OwnSheet coarse = path(0, step_deg == 1 ? 156 : 155, step_deg);
+    const Actuation actuation = actuate(coarse.sheet, kSprings);
     EXPECT_TRUE(std::isnan(actuation.mechanical_advantage[0]));
     for (const int deg : {5, 10, 80, 140, 155}) {
       const int row = 100 * deg - 1;
-      ASSERT_NEAR(fine.history.stations[row].pilot_deg, deg, 1e-9);
+      ASSERT_NEAR(fine.history().stations[row].pilot_deg, deg, 1e-9);
       const double advantage = work_over_work<std::function<double(int, int)>>(
           sheet.mechanism, vertices_mm, shape_of(row - 1), shape_of(row + 1));
       // The differences' own error: the square of 0.01 over how far the limit is, 1.35 degrees; and
@@ -119,17 +124,18 @@ TEST(Advantage, IsThatOfVertexCoordinatesNextToFoldLimits) {
   const DrawableSheet sheets(4, 4);
   const ShiftBlock block = sheets.draws(300, kSeed);
   const Model model(sheets.base);
+  SheetSolver solver(model);
   int found = 0;
   double worst = 0;
   for (int i = 0; i < block.sheets && found < 5; ++i) {
     const FlatVertices vertices_mm = sheets.vertices(block, i);
-    const ShapedPath folded = record_shapes(model, vertices_mm);
-    const PathResult& end = folded.history.path;
-    const double d_deg = folded.history.verdict.deploys_from_sample;
+    const Sheet folded(solver, vertices_mm - sheets.base.sheet.vertices_mm);
+    const PathResult& end = folded.history().path;
+    const double d_deg = folded.history().verdict.deploys_from_sample;
     const double gap_deg = end.fold_limit_deg - d_deg;
     if (end.end != PathEnd::fold_limit || d_deg < 90 || gap_deg > 0.1 || gap_deg < 0.01) continue;
     ++found;
-    VertexCoordinates other(sheets.base, vertices_mm, folded.shapes_mm[9], 10);
+    VertexCoordinates other(sheets.base, vertices_mm, folded.shapes_mm()[9], 10);
     std::array<Eigen::Matrix3Xd, 2> shapes;
     for (const int k : {0, 1}) {
       ASSERT_TRUE(other.fold_to(d_deg + (2 * k - 1) * gap_deg / 50));
@@ -141,7 +147,7 @@ TEST(Advantage, IsThatOfVertexCoordinatesNextToFoldLimits) {
     const double advantage = work_over_work<std::function<double(int, int)>>(
         sheets.mechanism, vertices_mm, lengths_of(shapes[0]), lengths_of(shapes[1]));
     const auto row = static_cast<std::size_t>(folded.rows_up_to_d());
-    const double off = actuate(kSprings, folded).mechanical_advantage[row] / advantage - 1;
+    const double off = actuate(folded, kSprings).mechanical_advantage[row] / advantage - 1;
     worst = std::max(worst, std::abs(off));
     EXPECT_LT(std::abs(off), 1e-3) << "draw " << i << ", limit " << end.fold_limit_deg;
   }
@@ -150,10 +156,11 @@ TEST(Advantage, IsThatOfVertexCoordinatesNextToFoldLimits) {
 }
 
 TEST_F(Table1, WeakestPointAndFewDiagonals) {
-  const ShapedPath folded = path();
-  const Actuation actuation = actuate(kSprings, folded);
+  const OwnSheet own = path();
+  const Sheet& folded = own.sheet;
+  const Actuation actuation = actuate(folded, kSprings);
   ASSERT_TRUE(actuation.weakest && actuation.few);
-  const int d = folded.history.verdict.deploys_from_sample;
+  const int d = folded.history().verdict.deploys_from_sample;
   for (int row = 5; row <= d; ++row) {
     EXPECT_GE(actuation.moment_n_mm[row], actuation.weakest->moment_n_mm) << row;
   }
@@ -170,17 +177,18 @@ TEST_F(Table1, WeakestPointAndFewDiagonals) {
 }
 
 TEST_F(Table1, StrokeLimitIsReachedWhereLengthsSay) {
-  const ShapedPath folded = path();
+  const OwnSheet own = path();
+  const Sheet& folded = own.sheet;
   // Table 1: elongations of -5.19 % to +2.75 % at 156 degrees (model.md).
-  EXPECT_FALSE(actuate({50, 0.052}, folded).over_stroke);
-  const auto over = actuate({50, 0.05}, folded).over_stroke;
+  EXPECT_FALSE(actuate(folded, {50, 0.052}).over_stroke);
+  const auto over = actuate(folded, {50, 0.05}).over_stroke;
   ASSERT_TRUE(over);
   const auto reaches = [&](double pilot_deg) {
     const auto row = static_cast<Eigen::Index>(pilot_deg) - 1;
     double most = 0;
-    for (Eigen::Index k = 0; k < folded.history.length_mm.cols(); ++k) {
-      const double flat_mm = folded.history.flat_mm[static_cast<std::size_t>(k)];
-      most = std::max(most, std::abs(folded.history.length_mm(row, k) / flat_mm - 1));
+    for (Eigen::Index k = 0; k < folded.history().length_mm.cols(); ++k) {
+      const double flat_mm = folded.history().flat_mm[static_cast<std::size_t>(k)];
+      most = std::max(most, std::abs(folded.history().length_mm(row, k) / flat_mm - 1));
     }
     return most;
   };
@@ -190,9 +198,10 @@ TEST_F(Table1, StrokeLimitIsReachedWhereLengthsSay) {
 
 // Shapes are those of another solver, wherever they are laid.
 TEST_F(Table1, ShapesAreThoseOfVertexCoordinates) {
-  const ShapedPath folded = path();
-  VertexCoordinates other(sheet.base, vertices_mm, folded.shapes_mm[9], 10);
-  const Eigen::Matrix3Xd mine = folded.shapes_mm[99];
+  const OwnSheet own = path();
+  const Sheet& folded = own.sheet;
+  VertexCoordinates other(sheet.base, vertices_mm, folded.shapes_mm()[9], 10);
+  const Eigen::Matrix3Xd mine = folded.shapes_mm()[99];
   ASSERT_EQ(mine.cols(), vertices_mm.cols());
   ASSERT_TRUE(other.fold_to(100));
   for (int a = 0; a < mine.cols(); ++a) {
@@ -204,11 +213,12 @@ TEST_F(Table1, ShapesAreThoseOfVertexCoordinates) {
 
 // Laid over the flat sheet no shape jumps, and no turn or move brings it nearer.
 TEST_F(Table1, ShapesLieOverTheFlatSheet) {
-  const ShapedPath folded = path();
+  const OwnSheet own = path();
+  const Sheet& folded = own.sheet;
   Eigen::Matrix3Xd before = Eigen::Matrix3Xd::Zero(3, vertices_mm.cols());
   before.topRows<2>() = vertices_mm;
   const Eigen::Matrix3Xd flat = before;
-  for (const Eigen::Matrix3Xd& shape : folded.shapes_mm) {
+  for (const Eigen::Matrix3Xd& shape : folded.shapes_mm()) {
     EXPECT_LT((shape - before).colwise().norm().maxCoeff(), 20);  // of a sheet 520 mm wide
     before = shape;
     const double distance_sq = (shape - flat).squaredNorm();

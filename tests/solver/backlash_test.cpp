@@ -7,7 +7,7 @@
 #include "blocks.hpp"
 #include "panel_poses.hpp"
 #include "solver/design/backlash_follower.hpp"
-#include "solver/design/shaped_path.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -118,7 +118,9 @@ struct Loose {
   }
   // The path of the sheet as designed down to the sample nearest to an angle.
   Eigen::Matrix3Xd shape_mm(double pilot_deg) const {
-    return record_shapes(model, vertices_mm).shapes_mm[static_cast<std::size_t>(pilot_deg) - 1];
+    SheetSolver solver(model);
+    const Sheet folded(solver, vertices_mm - sheet.base.sheet.vertices_mm);
+    return folded.shapes_mm()[static_cast<std::size_t>(pilot_deg) - 1];
   }
   std::vector<double> lengths_mm(const PanelPoses& poses) const {
     std::vector<double> lengths;

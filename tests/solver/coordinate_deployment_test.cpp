@@ -6,6 +6,7 @@
 
 #include "coordinate_mass.hpp"
 #include "families.hpp"
+#include "own_sheet.hpp"
 #include "solver/design/deploy.hpp"
 #include "vertex_coordinates.hpp"
 
@@ -20,7 +21,7 @@ constexpr double kFrom_deg = 36, kStiffness = 50, kApart_rad = 1e-4;
 
 struct GradedSheet : testing::Test {
   GradedSheet() {
-    const auto way = WaySolver(model).follow(vertices_mm).value();
+    const auto way = way_of(model, vertices_mm).value();
     study = study_deployment(way, model, {}, {.from_deg = kFrom_deg}, JointForcesOptions{});
     FoldState<double> state = way.stations().front().state;
     way.find_state(way.x_of(0.5), state);

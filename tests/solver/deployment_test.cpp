@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coordinate_mass.hpp"
+#include "own_sheet.hpp"
 #include "sheets.hpp"
 #include "solver/design/deploy.hpp"
 #include "solver/design/joint_forces.hpp"
@@ -244,8 +245,7 @@ TEST(SingleVertex, MassIsThatOfItsCoordinates) {
   const TestSheet vertex(2, 2);
   ASSERT_TRUE(vertex.base.holes.empty());
   const Model model(vertex.base);
-  WaySolver ways(model);
-  const auto way = ways.follow(vertex.base.sheet.vertices_mm);
+  const auto way = way_of(model, vertex.base.sheet.vertices_mm);
   ASSERT_TRUE(way);
   const DeployingSheet sheet(*way, model.shape(), vertex.base, {});
   for (const double pilot_deg : {5.0, 40.0, 90.0, 130.0, 170.0}) {

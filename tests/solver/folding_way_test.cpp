@@ -6,6 +6,7 @@
 
 #include "blocks.hpp"
 #include "coordinate_mass.hpp"
+#include "own_sheet.hpp"
 #include "sheets.hpp"
 #include "solver/design/deploy.hpp"
 #include "solver/design/joint_forces.hpp"
@@ -50,7 +51,7 @@ struct Table1Way : testing::Test {
       : sheet(6, 6),
         vertices_mm(sheet.shifted(golden("table1_odd.json")["displacements_mm"])),
         model(sheet.base),
-        way(WaySolver(model).follow(vertices_mm).value()) {}
+        way(way_of(model, vertices_mm).value()) {}
 
   Eigen::Matrix3Xd shape_mm(double x) const {
     FoldState<double> state = way.stations().front().state;

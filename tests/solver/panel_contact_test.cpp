@@ -66,9 +66,10 @@ TEST(PanelDistance, PointsAndPlaneProveIt) {
 struct UnshiftedMiura : testing::Test {
   UnshiftedMiura()
       : model(sheet.base),
-        panels(panels_of(sheet.base, model.mechanism())),
-        ways(model, panels),
-        motion(*ways.follow(sheet.base.sheet.vertices_mm)) {}
+        solver(model),
+        panels(solver.panels()),
+        folded(solver, Eigen::Matrix2Xd::Zero(2, sheet.base.sheet.vertex_count())),
+        motion(resolved_motion(folded).value()) {}
 
   PlateThickness thickness(double reach_deg, double trim_mm) const {
     return largest_thickness(panels, motion, motion.way().x_of(reach_deg), {trim_mm});
@@ -76,9 +77,10 @@ struct UnshiftedMiura : testing::Test {
 
   const TestSheet sheet{4, 4};
   const Model model;
-  const Panels panels;
-  ResolvedWay ways;
-  const PanelMotion& motion;
+  SheetSolver solver;
+  const Panels& panels;
+  const Sheet folded;
+  const PanelMotion motion;
   const double sector_rad = std::atan(2);  // 80 mm high, 40 mm across
 };
 

@@ -31,12 +31,14 @@ class Studies {
         held_corners_(sorted(panels_of(family.base, family.mechanism).corners[5])),
         base_(seen_base(family, view)),
         model_(base_),
-        panels_(panels_of(base_, model_.mechanism())),
-        vertices_mm_(base_.sheet.vertices_mm + view.linear * shifts_mm) {
+        solver_(model_),
+        panels_(solver_.panels()),
+        sheet_(solver_, view.linear * shifts_mm),
+        vertices_mm_(sheet_.vertices_mm()) {
     look_at_path();
     look_at_contact();
     if (view.linear.isDiagonal() && view.linear.determinant() > 0) look_at_backlash();
-    const auto way = WaySolver(model_).follow(vertices_mm_);
+    const FoldingWay* const way = sheet_.way();
     EXPECT_TRUE(way);
     if (!way) return;
     DeployingSheetOptions free = sheet_options();
@@ -77,9 +79,7 @@ class Studies {
   }
 
   void look_at_path() {
-    const ShapedPath path = record_shapes(model_, vertices_mm_);
-    const PathRecord record = record_of(model_, vertices_mm_, path.history);
-    const Metrics metrics = measure(base_, vertices_mm_, record, model_.sample_deg());
+    const Metrics& metrics = *sheet_.metrics();
     deploys_from_deg_ = metrics.deploys_from_deg;
     put("D", metrics.deploys_from_deg);
     put("fold limit", metrics.fold_limit_deg);
@@ -94,8 +94,8 @@ class Studies {
     put("Kawasaki", metrics.kawasaki_defect_deg);
     Actuators springs;
     springs.stiffness_n_per_mm /= unit_;
-    const Actuation actuation = actuate(springs, path);
-    const auto at_d = static_cast<std::size_t>(path.rows_up_to_d());
+    const Actuation actuation = actuate(sheet_, springs);
+    const auto at_d = static_cast<std::size_t>(sheet_.rows_up_to_d());
     for (const std::size_t row : {at_d / 2, at_d}) {
       const std::string at = " at row " + std::to_string(row);
       put("energy" + at, actuation.energy_n_mm[row] / unit_);
@@ -106,8 +106,7 @@ class Studies {
   }
 
   void look_at_contact() {
-    ResolvedWay ways(model_, panels_);
-    const PanelMotion* const motion = ways.follow(vertices_mm_);
+    const auto motion = resolved_motion(sheet_);
     ASSERT_TRUE(motion);
     const ContactFinder finder(panels_, *motion, kTouch_mm * unit_);
     const auto first = finder.first(motion->resolved_until());
@@ -202,8 +201,10 @@ class Studies {
   const std::array<int, 4> held_corners_;
   const PerforatedSheet base_;
   const Model model_;
-  const Panels panels_;
-  const FlatVertices vertices_mm_;
+  SheetSolver solver_;
+  const Panels& panels_;
+  const Sheet sheet_;
+  const FlatVertices& vertices_mm_;
   double deploys_from_deg_ = 0;
   Numbers numbers_;
 };

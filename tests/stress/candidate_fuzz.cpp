@@ -10,7 +10,7 @@
 #include "search/checks/pattern_check.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/folded_sheet.hpp"
+#include "search/sheets/folding_model.hpp"
 #include "tests/folder.hpp"
 #include "tests/stress/mutations.hpp"
 
@@ -31,19 +31,17 @@ std::vector<Json> candidates() {
         R"("holes": )" + holes +
         R"(}, "path": {"end_deg": 20}, "accept": {"deploys_from_deg": 10}})";
     const Campaign campaign = read_campaign(Json::parse(text), "quick");
-    const search::SheetFolder folder(campaign, 5);
+    search::FoldingModel model(campaign, 5);
     for (const std::uint64_t draw : {0U, 1U, 2U}) {
-      const auto folded = folder.fold(search::shifts_of_draw(campaign, draw));
-      const FoldingView view = folder.view(folded);
-      Json candidate =
-          folded_pattern_json(folder.sampling(), view, folded.metrics,
-                              actuation_json(view, folded.path, folded.actuation), Json());
+      const solver::Sheet sheet = model.sheet(search::shifts_of_draw(campaign, draw));
+      const FoldingView view(campaign.pattern, sheet);
+      Json candidate = folded_pattern_json(
+          model.sampling(), view, actuation_json(view, solver::actuate(sheet, campaign.actuators)),
+          Json());
       candidate.update(origin_json(campaign, draw, Json::array()));
       all.push_back(candidate);
       candidate.erase("pattern");
-      all.push_back(folded_fold_json(view, folded.path,
-                                     solver::rows_to_show(view.mechanism, folded.path, 5),
-                                     "a candidate", candidate));
+      all.push_back(folded_fold_json(view, sheet.rows_to_show(5), "a candidate", candidate));
     }
   }
   return all;

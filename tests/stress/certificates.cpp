@@ -95,8 +95,7 @@ class Study {
                     {kFine_deg, campaign.end_deg, 0, 1}, 0),
         fine_(solver::make_batch(solver::available_instruction_sets().back(), fine_model_)),
         certifier_(model_, {options.contact}),
-        panels_(solver::panels_of(campaign.pattern.base, model_.mechanism())),
-        ways_(model_, panels_) {}
+        solver_(model_) {}
 
   void look(const std::vector<Sheet>& sheets) {
     for (std::size_t first = 0; first < sheets.size(); first += kSheetsAtOnce) {
@@ -168,9 +167,11 @@ class Study {
       return fine_deg >= certified_deg - 1e-9;
     }
     if (certificate.end == solver::CertificateEnd::contact) {
-      const solver::PanelMotion* motion = ways_.follow(vertices_mm);
-      if (motion == nullptr) return false;
-      const auto contact = solver::ContactFinder(panels_, *motion).first(motion->resolved_until());
+      const solver::Sheet sheet(solver_, vertices_mm - model_.base().sheet.vertices_mm);
+      const auto motion = solver::resolved_motion(sheet);
+      if (!motion) return false;
+      const auto contact =
+          solver::ContactFinder(sheet.panels(), *motion).first(motion->resolved_until());
       const bool same = contact && std::abs(contact->pilot_deg - certified_deg) <= kSameContact_deg;
       at_contact_ += same;
       return same;
@@ -199,8 +200,7 @@ class Study {
   const solver::Model model_, fine_model_;
   const std::unique_ptr<solver::Batch> fine_;
   solver::Certifier certifier_;
-  const solver::Panels panels_;
-  solver::ResolvedWay ways_;
+  solver::SheetSolver solver_;
   int sheets_ = 0, to_d_ = 0, at_reversal_ = 0, at_contact_ = 0, unexplained_ = 0, refused_ = 0;
   std::size_t bytes_ = 0, most_bytes_ = 0;
   std::map<std::string, int> ends_;

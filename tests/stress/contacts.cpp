@@ -68,18 +68,14 @@ struct Sums {
 class Sweeper {
  public:
   Sweeper(const schema::Campaign& campaign, std::mt19937& random)
-      : campaign_(campaign),
-        random_(random),
-        model_(search::model_of(campaign)),
-        panels_(solver::panels_of(campaign.pattern.base, model_.mechanism())),
-        ways_(model_, panels_) {}
+      : campaign_(campaign), random_(random), model_(search::model_of(campaign)), solver_(model_) {}
 
   void look(std::uint64_t draw, double deploys_from_deg) {
     const Eigen::Matrix2Xd shifts_mm = search::shifts_of_draw(campaign_, draw);
-    const solver::FlatVertices vertices_mm = campaign_.pattern.base.sheet.vertices_mm + shifts_mm;
-    const solver::PanelMotion* followed = ways_.follow(vertices_mm);
+    const solver::Sheet sheet(solver_, shifts_mm);
+    const auto followed = solver::resolved_motion(sheet);
     ++sums_.sheets;
-    sums_.lost += followed == nullptr;
+    sums_.lost += !followed;
     if (!followed) return;
     const solver::PanelMotion& motion = *followed;
     const solver::FoldingWay* way = &motion.way();
@@ -95,7 +91,7 @@ class Sweeper {
       sums_.vertex += claim->pair.kind == solver::ContactKind::vertex;
       sums_.crease += claim->pair.kind == solver::ContactKind::crease;
     }
-    measure_rates(vertices_mm, motion);
+    measure_rates(sheet, motion);
     SolvedShapes shapes(model_, *way);
     measure_positions(motion, shapes);
     sweep(draw, motion, finder, claim, shapes);
@@ -117,9 +113,8 @@ class Sweeper {
 
  private:
   // Rates on the way with twice as many stations against lines through the nodes.
-  void measure_rates(const solver::FlatVertices& vertices_mm, const solver::PanelMotion& motion) {
-    solver::WaySolver finer(model_, {2 * motion.nodes()});
-    const auto fine_way = finer.follow(vertices_mm);
+  void measure_rates(const solver::Sheet& sheet, const solver::PanelMotion& motion) {
+    const solver::FoldingWay* const fine_way = sheet.way(2 * motion.nodes());
     if (!fine_way || std::abs(fine_way->end() - motion.way().end()) > 1e-9) return;
     const solver::PanelMotion fine(model_, *fine_way, panels_);
     const double width_mm = model_.mechanism().panel_width_mm;
@@ -245,8 +240,8 @@ class Sweeper {
   const schema::Campaign& campaign_;
   std::mt19937& random_;
   const solver::Model model_;
-  const solver::Panels panels_;
-  solver::ResolvedWay ways_;
+  solver::SheetSolver solver_;
+  const solver::Panels& panels_ = solver_.panels();
   const std::vector<solver::PanelPair> pairs_ = solver::pairs_of(panels_);
   std::vector<Vector3d> centres_mm_;
   std::vector<double> radii_mm_;

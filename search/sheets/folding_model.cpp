@@ -1,0 +1,65 @@
+#include "search/sheets/folding_model.hpp"
+
+#include "schema/exchange/actuators_json.hpp"
+#include "solver/pattern/half_angle.hpp"
+
+namespace misalign::search {
+
+solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const {
+  if (stiffness_n_per_mm) actuators.stiffness_n_per_mm = *stiffness_n_per_mm;
+  if (stroke_limit) actuators.stroke_limit = stroke_limit;
+  return actuators;
+}
+
+FoldingModel::FoldingModel(const schema::Pattern& base, const schema::Sampling& sampling,
+                           const solver::Actuators& actuators, const StationOptions& stations)
+    : base_(base),
+      sampling_(sampling),
+      actuators_(actuators),
+      model_(model_of(base, sampling, stations)),
+      solver_(model_) {}
+
+FoldingModel::FoldingModel(const schema::Campaign& campaign, const StationOptions& stations)
+    : base_(campaign.pattern),
+      sampling_(campaign.sampling()),
+      actuators_(campaign.actuators),
+      model_(model_of(campaign, stations)),
+      solver_(model_) {}
+
+schema::Json springs_json(const schema::FoldingView& view, const solver::Actuation& actuation) {
+  schema::Json json = schema::actuation_history_json(view, actuation);
+  json["deploys_from_deg"] = view.sheet.sample_deg(view.history.verdict.deploys_from_sample);
+  return json;
+}
+
+void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows) {
+  const solver::Panels& panels = sheet.panels();
+  solver::ShapeCheck check(sheet.vertices_mm(), panels.corners, panels.folds);
+  std::vector<double> claimed_deg(panels.folds.size());
+  for (const Eigen::Index row : rows) {
+    const Eigen::Matrix3Xd& shape_mm = sheet.shapes_mm()[static_cast<std::size_t>(row)];
+    Eigen::Matrix3Xd corners_mm(3, 4 * panels.corners.size());
+    Eigen::Index corner = 0;
+    for (const auto& panel : panels.corners) {
+      for (const int v : panel) corners_mm.col(corner++) = shape_mm.col(v);
+    }
+    for (std::size_t i = 0; i < claimed_deg.size(); ++i) {
+      claimed_deg[i] = sheet.history().fold_angle_deg(row, static_cast<Eigen::Index>(i));
+    }
+    check.see(shape_mm, corners_mm, claimed_deg);
+  }
+  const solver::ShapeErrors& worst = check.worst();
+  const double limit_rad = solver::shape_tolerance(panels);
+  const double limit_mm = limit_rad * sheet.mechanism().panel_width_mm;
+  if (worst.length_mm <= limit_mm && worst.planarity_mm <= limit_mm &&
+      worst.angle_deg <= limit_rad / solver::kRadPerDeg && worst.wrong_sign < 0) {
+    return;
+  }
+  throw schema::UserError(
+      schema::Cause::check_failed,
+      sheet.name() + ": its folded shape is not that of rigid panels (" +
+          schema::shown_number(worst.length_mm) + " mm, " + schema::shown_number(worst.angle_deg) +
+          " deg off), so nothing is written of it; `misalign verify` says more");
+}
+
+}  // namespace misalign::search

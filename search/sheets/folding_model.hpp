@@ -1,0 +1,54 @@
+// A pattern's or a campaign's model, made ready once, with the solver of its sheets and its
+// springs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "schema/exchange/folding_json.hpp"
+#include "search/draws/models.hpp"
+#include "solver/design/actuators.hpp"
+
+namespace misalign::search {
+
+/// Springs other than the campaign's; what is absent stays.
+struct OtherActuators {
+  std::optional<double> stiffness_n_per_mm, stroke_limit;
+  solver::Actuators instead_of(solver::Actuators actuators) const;
+};
+
+class FoldingModel {
+ public:
+  /// `base` must outlive this object; its own shifts do not matter.
+  FoldingModel(const schema::Pattern& base, const schema::Sampling& sampling,
+               const solver::Actuators& actuators, const StationOptions& stations = {});
+  /// A campaign's, with its springs.
+  explicit FoldingModel(const schema::Campaign& campaign, const StationOptions& stations = {});
+
+  /// With these shifts, one column per vertex; what is found of it is found by this object.
+  solver::Sheet sheet(const Eigen::Matrix2Xd& shifts_mm, const std::string& name = "the sheet") {
+    return {solver_, shifts_mm, name};
+  }
+
+  const schema::Pattern& base() const { return base_; }
+  const schema::Sampling& sampling() const { return sampling_; }
+  const solver::Actuators& actuators() const { return actuators_; }
+  const solver::Mechanism& mechanism() const { return model_.mechanism(); }
+
+ private:
+  const schema::Pattern& base_;
+  const schema::Sampling sampling_;
+  const solver::Actuators actuators_;
+  const solver::Model model_;
+  solver::SheetSolver solver_;
+};
+
+/// What `misalign actuators` says of a sheet with these springs: actuation_history_json, and
+/// "deploys_from_deg".
+schema::Json springs_json(const schema::FoldingView& view, const solver::Actuation& actuation);
+
+/// UserError (check_failed) if the shapes of these rows are not the flat sheet's panels, folded as
+/// the history says: judged by coordinates alone.
+void check_shapes(const solver::Sheet& sheet, const std::vector<Eigen::Index>& rows);
+
+}  // namespace misalign::search
