@@ -299,7 +299,7 @@ def compare(program, folder, fold, compared, where):
         for at in path:
             try:
                 sheet.go_to(at, 5.0 if at < d_deg - 5 else 0.25)
-            except RuntimeError:
+            except (RuntimeError, np.linalg.LinAlgError):
                 break  # there is a fold limit
             if at < 180 and np.any(sheet.sides() != sides):
                 break  # a crease has gone over to its other side
