@@ -16,9 +16,12 @@ if ! node -e 'process.exit(parseInt(process.versions.node) < 18 ? 1 : 0)' 2> /de
   ! command -v npm > /dev/null; then
   build_packages+=" nodejs npm"
 fi
-test_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev calculix-ccx sqlite3
-  clang-format procps mandoc zsh chromium python3 python3-pandas python3-matplotlib mypy
-  python3-ezdxf octave curl"
+# The manual as a site (scripts/site.sh), and the figures of its gallery.
+site_packages="python3-sphinx python3-myst-parser python3-sphinx-gallery furo python3-numpy python3-pandas
+  python3-matplotlib"
+test_packages="$site_packages libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev calculix-ccx sqlite3
+  clang-format procps mandoc zsh chromium python3 mypy python3-ezdxf octave curl
+  codespell"
 hosts_packages="iproute2 mount"  # tests/cluster
 slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster
 

@@ -92,7 +92,8 @@ def study(campaigns):
 
 
 def write_table(campaigns, table):
-    lines = ["| metric | mean (95 %) | " + " | ".join(campaigns) + " |",
+    lines = ["# Rank correlations with the share of copies that deploy", "",
+             "| metric | mean (95 %) | " + " | ".join(campaigns) + " |",
              "|---|---|" + "---|" * len(campaigns)]
     for column, mean, low, high, each in table:
         lines.append(f"| `{column}` | {mean:.2f} ({low:.2f} to {high:.2f}) | "
