@@ -1,4 +1,4 @@
-# Every query of the cookbook on a real catalogue, and what it says of the campaign's keys.
+# Every query of the cookbook on a real catalogue, and pages of the manual that are what the program says.
 . "$(dirname "$0")/lib.sh"
 "$program" search "$source_dir/search/campaigns/miura-4x4.json" --draws 20000 --progress none \
   > /dev/null || fail "search"
@@ -32,4 +32,5 @@ done
 sed -n '/^| key/,$p' "$source_dir/search/campaigns/README.md" | sed '/^$/,$d' > written.md
 cmp -s keys.md written.md ||
   fail "search/campaigns/README.md is not what \`misalign config --keys\` prints; paste it there"
+python3 "$source_dir/scripts/site/reference.py" "$program" || fail "pages of the reference"
 finish
