@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
-# include points to a later folder, and that all files name one version. With --lint ESLint on the page instead, with
+# include points to a later folder, that the manual holds together and is spelled, and that all files name one version. With --lint ESLint on the page instead, with
 # --tidy clang-tidy, which takes minutes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,6 +33,8 @@ if git grep -nE 'std::(printf|puts|putchar|cout)\b|fwrite\(|fput[sc]\(.*stdout|^
   exit 1
 fi
 python3 scripts/house.py --check
+python3 scripts/manual.py
+git ls-files -z '*.md' 'search/python/*.py' | xargs -0 codespell --ignore-words-list debians
 # mpirun's own options are known to who starts it.
 if git grep -nE '\bkExit[A-Z]|search/verbs/border|^[^/]*"--[a-z]' -- 'solver/*.[ch]pp' 'schema/*.[ch]pp' 'search/*.[ch]pp' \
   ':!search/verbs' ':!search/python/errors.cpp' | grep -vE '"--(host|bind-to)"'; then
