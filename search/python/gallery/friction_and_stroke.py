@@ -1,0 +1,28 @@
+"""
+Friction against stroke
+=======================
+
+Each point is a sheet of 4 × 4 panels that deploys from 150°: how much friction in its creases its springs overcome,
+against the largest stroke that a spring has to bear. Strong sheets need strokes; but of two with the same stroke one
+may overcome ten times as much as the other, so ask.
+"""
+
+import subprocess
+import tempfile
+
+import matplotlib.pyplot as plt
+import misalign
+
+with tempfile.TemporaryDirectory() as folder:
+    file = f"{folder}/small.db"
+    subprocess.run(["misalign", "search", "search/campaigns/miura-4x4.json", "--draws", "2000", "--catalogue", file,
+                    "--progress", "none", "--log-level", "error"], check=True, stdout=subprocess.DEVNULL)
+    with misalign.Catalogue(file) as catalogue:
+        found = catalogue.query("SELECT stroke_max, deploys_from_deg, critical_friction_n_mm_per_mm(draw) AS friction "
+                                "FROM candidates LIMIT 500")
+
+figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+points = axes.scatter(100 * found.stroke_max, found.friction.astype(float), c=found.deploys_from_deg, s=10)
+axes.set(yscale="log", xlabel="largest stroke up to D, %", ylabel="critical friction from 36°, N mm per mm of crease")
+figure.colorbar(points, label="deploys from D, degrees")
+plt.show()

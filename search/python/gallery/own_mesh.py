@@ -1,0 +1,34 @@
+"""
+Diagonals of a mesh of one's own
+================================
+
+Turned quadrilaterals, a mesh from a FOLD file that does not fold flat. Unshifted, its diagonals hardly move. Of two
+thousand random shifts we take the sheet that deploys from the largest angle, and look at what its diagonals do.
+"""
+
+import matplotlib.pyplot as plt
+import misalign
+
+campaign = misalign.read("search/campaigns/turned-quads-6x6.json")
+shifts_mm = campaign.shifts(range(2000))
+verdicts = misalign.judge(campaign, shifts_mm)
+best = verdicts.deploys_from_deg.argmax()
+folding = campaign.pattern.fold(shifts_mm=shifts_mm[best])
+
+figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.5), layout="constrained")
+pattern = campaign.pattern
+for number, facet in enumerate(pattern.facets):
+    left.fill(*pattern.vertices_mm[facet].T, facecolor="#dddddd" if number in pattern.holes else "white",
+              edgecolor="black", linewidth=0.6)
+for number, diagonal in enumerate(pattern.diagonals):
+    left.plot(*pattern.vertices_mm[diagonal].T, color=f"C{number % 10}", linewidth=1)
+left.set_aspect("equal")
+left.axis("off")
+elongation = 100 * (folding.length_mm / folding.flat_mm - 1)
+for number, label in enumerate(pattern.diagonal_labels):
+    right.plot(folding.pilot_deg, elongation[:, number], color=f"C{number % 10}", linewidth=1)
+right.axvline(folding.deploys_from_deg, color="black", linestyle=":",
+              label=f"draw {best} deploys from {folding.deploys_from_deg:g}°")
+right.set(xlabel="pilot angle, degrees", ylabel="elongation, %")
+right.legend()
+plt.show()
