@@ -9,10 +9,10 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
+#include "search/ranks/campaign_run.hpp"
 #include "search/ranks/certify_task.hpp"
 #include "search/ranks/coordinator.hpp"
-#include "search/ranks/exit_code.hpp"
-#include "search/ranks/rank_starter.hpp"
+#include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
 #include "search/sheets/campaign_sheet.hpp"
@@ -49,14 +49,25 @@ double deploys_from_deg(SQLite::Database& database, const schema::Campaign& camp
 
 std::string name_of_draw(std::uint64_t draw) { return SheetKey{draw, ""}.name(); }
 
-// One campaign made ready, on every rank.
-struct Ready {
-  Ready(schema::Campaign its_campaign, bool contact)
+// What a rank makes of the campaign.
+struct CertifyWorkspace {
+  static RankInfo info(const CertifyOptions&) { return {host_name(), certify_layout()}; }
+  CertifyWorkspace(schema::Campaign its_campaign, const CertifyOptions& options)
       : campaign(std::move(its_campaign)),
         model(model_of(campaign)),
-        certifier(campaign.pattern, model, contact) {}
-  Ready(const Ready&) = delete;
-  Ready& operator=(const Ready&) = delete;
+        certifier(campaign.pattern, model, options.contact) {}
+  CertifyWorkspace(const CertifyWorkspace&) = delete;
+  CertifyWorkspace& operator=(const CertifyWorkspace&) = delete;
+
+  void work(const MpiSession& mpi) {
+    run_worker(
+        mpi, [&](const Bytes& job) { return CertifyWork(certifier, unpack_orders(job)); },
+        [](CertifyWork& work, bool was_stopped) {
+          SentResults sent = work.take();
+          sent.was_stopped = was_stopped;
+          return pack(sent);
+        });
+  }
 
   const schema::Campaign campaign;
   const solver::Model model;
@@ -66,10 +77,12 @@ struct Ready {
 // Private to rank 0: the catalogue, the progress and what is left to do.
 class CertifyZero {
  public:
+  using Workspace = CertifyWorkspace;
+
   explicit CertifyZero(const CertifyOptions& options)
       : options_(options),
         database_(schema::open_for_reading(options.path)),
-        ready_(schema::read_campaign_of(*database_, options.path), options.contact) {
+        ready_(schema::read_campaign_of(*database_, options.path), options) {
     std::set<std::uint64_t> chosen;
     for (const std::uint64_t draw : options.choose(*database_)) {
       if (chosen.insert(draw).second) add(draw);
@@ -82,14 +95,7 @@ class CertifyZero {
 
   const schema::Campaign& campaign() const { return ready_.campaign; }
 
-  void begin(const std::vector<std::string>& layouts) {
-    for (std::size_t k = 0; k < layouts.size(); ++k) {
-      if (layouts[k] == layouts[0]) continue;
-      throw UserError(schema::Cause::foreign,
-                      fmt::format("rank {} sends its certificates in another layout than rank 0 "
-                                  "(another build); put the same program on every host",
-                                  k));
-    }
+  void begin(const std::vector<RankInfo>&) {
     if (options_.check || open_.empty()) return;
     catalogue_.emplace(options_.path, campaign(), ready_.model.mechanism(),
                        std::optional<schema::Storage>(), schema::Missing::refused);
@@ -110,7 +116,7 @@ class CertifyZero {
     return 0;
   }
 
-  CertifyReport report() {
+  int conclude() {
     for (Sheet& sheet : sheets_) {
       if (sheet.done) {
         report_.sheets.push_back(std::move(*sheet.done));
@@ -121,7 +127,8 @@ class CertifyZero {
     auto& findings = report_.check.findings;
     std::stable_sort(findings.begin(), findings.end(),
                      [](const auto& a, const auto& b) { return a.draw < b.draw; });
-    return std::move(report_);
+    options_.show(report_);
+    return findings.empty() ? 0 : options_.border.exit_code(schema::Cause::check_failed);
   }
 
  private:
@@ -218,7 +225,7 @@ class CertifyZero {
 
   const CertifyOptions& options_;
   std::unique_ptr<SQLite::Database> database_;  // of a check; otherwise closed before writing
-  Ready ready_;
+  CertifyWorkspace ready_;
   std::vector<Sheet> sheets_;
   std::vector<std::size_t> open_;  // of the sheets, those that are to be worked on
   std::optional<schema::Catalogue> catalogue_;
@@ -226,62 +233,10 @@ class CertifyZero {
   CertifyReport report_;
 };
 
-int run_rank_zero(const CertifyOptions& options, MpiSession& mpi,
-                  const std::function<void(const CertifyReport&)>& show) {
-  std::optional<CertifyZero> zero;
-  Heartbeat heartbeat(mpi);
-  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero.emplace(options); })))
-    return code;
-  mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
-  const auto layouts = mpi.gather(certify_layout());
-  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero->begin(layouts); })))
-    return code;
-  int exit_code = 0;
-  const int failure = exit_code_of(options.border, [&] { exit_code = zero->run(mpi, heartbeat); });
-  if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
-  mpi.meet();
-  if (failure || exit_code) return failure ? failure : exit_code;
-  const CertifyReport report = zero->report();
-  show(report);
-  return report.check.findings.empty() ? 0 : options.border.exit_code(schema::Cause::check_failed);
-}
-
-int run_other_rank(const CertifyOptions& options, MpiSession& mpi) {
-  Heartbeat heartbeat(mpi);
-  if (const int code = mpi.broadcast(0)) return code;
-  const std::string resolved = mpi.broadcast(std::string());
-  int refused = 0;
-  const int failure = exit_code_of(options.border, [&] {
-    Ready ready(schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
-                options.contact);
-    mpi.gather(certify_layout());
-    refused = mpi.broadcast(0);
-    if (refused) return;
-    run_worker(
-        mpi, [&](const Bytes& job) { return CertifyWork(ready.certifier, unpack_orders(job)); },
-        [](CertifyWork& work, bool was_stopped) {
-          SentResults sent = work.take();
-          sent.was_stopped = was_stopped;
-          return pack(sent);
-        });
-  });
-  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
-  if (!refused) mpi.meet();
-  return refused;
-}
-
 }  // namespace
 
-int run_certify(const CertifyOptions& options,
-                const std::function<void(const CertifyReport&)>& show) {
-  hold_signals();
-  MpiSession mpi;
-  // As in a search; alone it may finish the sheet that it is at.
-  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
-  watch_for_signals(mpi.rank() == 0 && mpi.ranks() > 1 ? kLeave_s : kRelease_s,
-                    mpi.ranks() > 1 ? leave_code : 0);
-  if (mpi.rank() == 0) tell_starter();
-  return mpi.rank() == 0 ? run_rank_zero(options, mpi, show) : run_other_rank(options, mpi);
+int run_certify(const CertifyOptions& options) {
+  return run_campaign<CertifyZero>(options, kRelease_s);  // alone it may finish its sheet
 }
 
 }  // namespace misalign::search

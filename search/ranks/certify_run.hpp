@@ -13,6 +13,13 @@
 
 namespace misalign::search {
 
+/// What rank 0 knows in the end.
+struct CertifyReport {
+  std::vector<schema::CertifiedSheet> sheets;  ///< in their order; none of a check
+  std::uint64_t left = 0;                      ///< not done, because a signal asked to stop
+  schema::CertificateCheck check;
+};
+
 struct CertifyOptions {
   Border border;
   std::string path;
@@ -21,17 +28,10 @@ struct CertifyOptions {
   bool contact = false;          ///< also that no panels meet
   bool again = false;            ///< those anew that have a certificate already
   bool check = false;            ///< none is made: those that there are, are checked
+  std::function<void(const CertifyReport&)> show;  ///< is called on rank 0 once all is stored
 };
 
-/// What rank 0 knows in the end.
-struct CertifyReport {
-  std::vector<schema::CertifiedSheet> sheets;  ///< in their order; none of a check
-  std::uint64_t left = 0;                      ///< not done, because a signal asked to stop
-  schema::CertificateCheck check;
-};
-
-/// Returns the exit code; `show` is called on rank 0 once all is stored.
-int run_certify(const CertifyOptions& options,
-                const std::function<void(const CertifyReport&)>& show);
+/// Returns the exit code.
+int run_certify(const CertifyOptions& options);
 
 }  // namespace misalign::search

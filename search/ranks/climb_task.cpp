@@ -24,10 +24,9 @@ constexpr double kCommitEvery_s = 2;
 
 }  // namespace
 
-ClimbTask::ClimbTask(Climber& climber, const solver::Mechanism& mechanism,
-                     schema::Catalogue& catalogue, const schema::Goal& goal, int ranks)
+ClimbTask::ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schema::Goal& goal,
+                     int ranks)
     : climber_(climber),
-      mechanism_(mechanism),
       catalogue_(catalogue),
       splitting_(*climber.campaign().splitting),
       limited_(goal.planned_end() < schema::kEndOfDraws),
@@ -45,7 +44,7 @@ ClimbTask::~ClimbTask() = default;
 void ClimbTask::restore() {
   for (const schema::PieceRow& row : catalogue_.pieces(piece_layout())) {
     auto result = unpack_kept(catalogue_.result_of(row), climber_.campaign(),
-                              climber_.moves().code(), mechanism_);
+                              climber_.moves().code(), climber_.mechanism());
     const bool is_row = result && result->population == row.population &&
                         result->level == row.level && result->lo == row.lo && result->hi == row.hi;
     if (is_row) dispatcher_.restore(std::move(*result));

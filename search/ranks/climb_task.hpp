@@ -13,8 +13,7 @@ class ClimbTask final : public RankTask {
  public:
   /// All must outlive this object; the catalogue's run has begun already. Goes on from what it
   /// holds of populations under way.
-  ClimbTask(Climber& climber, const solver::Mechanism& mechanism, schema::Catalogue& catalogue,
-            const schema::Goal& goal, int ranks);
+  ClimbTask(Climber& climber, schema::Catalogue& catalogue, const schema::Goal& goal, int ranks);
   ~ClimbTask() override;
 
   std::optional<Bytes> assign(int worker) override;
@@ -37,7 +36,6 @@ class ClimbTask final : public RankTask {
   schema::UnitRecord unit_of(PopulationRecord record) const;
 
   Climber& climber_;
-  const solver::Mechanism& mechanism_;
   schema::Catalogue& catalogue_;
   const schema::Splitting& splitting_;
   const bool limited_;

@@ -10,11 +10,10 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
+#include "search/ranks/campaign_run.hpp"
 #include "search/ranks/climb_task.hpp"
 #include "search/ranks/draw_task.hpp"
-#include "search/ranks/exit_code.hpp"
 #include "search/ranks/piece_messages.hpp"
-#include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
@@ -85,49 +84,18 @@ schema::Goal goal_of(const SearchOptions& options, const schema::Campaign& campa
   return goal;
 }
 
-// What a rank is, for rank 0 to compare.
-struct RankInfo {
-  std::string host, message_layout, golden_verdicts;
-};
-
-std::vector<RankInfo> gather_ranks(const MpiSession& mpi, solver::InstructionSet set) {
-  std::vector<RankInfo> ranks;
-  const auto hosts = mpi.gather(host_name()), layouts = mpi.gather(message_layout()),
-             verdicts = mpi.gather(golden_verdicts(set));
-  for (std::size_t k = 0; k < hosts.size(); ++k) {
-    ranks.push_back({hosts[k], layouts[k], verdicts[k]});
-  }
-  return ranks;
-}
-
-// UserError (foreign) if the results of a rank would be read as something else.
-void expect_one_layout(const std::vector<RankInfo>& ranks) {
-  for (std::size_t k = 0; k < ranks.size(); ++k) {
-    if (ranks[k].message_layout == ranks[0].message_layout) continue;
-    throw schema::UserError(
-        schema::Cause::foreign,
-        fmt::format("rank {} on {} sends its results in another layout than rank 0 on {} (another "
-                    "build); put the same program on every host",
-                    k, ranks[k].host, ranks[0].host));
-  }
-}
-
 // The fingerprint of all ranks; UserError (foreign) if they differ and must not.
 std::string common_verdicts(const std::vector<RankInfo>& ranks, schema::Builds builds) {
   std::set<std::string> different;
   for (std::size_t k = 0; k < ranks.size(); ++k) {
     different.insert(ranks[k].golden_verdicts);
-    if (different.size() > 1 && builds == schema::Builds::same) {
-      throw schema::UserError(schema::Cause::foreign,
-                              "rank " + std::to_string(k) + " on " + ranks[k].host +
-                                  " gives other verdicts on the golden draws than rank 0 on " +
-                                  ranks[0].host +
-                                  " (another build, or a broken machine); put the same program on "
-                                  "every host, or use " +
-                                  schema::parameter("allow_mixed_builds") +
-                                  " if you know that the "
-                                  "difference does no harm");
-    }
+    if (different.size() == 1 || builds == schema::Builds::mixed) continue;
+    throw schema::UserError(
+        schema::Cause::foreign,
+        fmt::format("rank {} on {} gives other verdicts on the golden draws than rank 0 on {} "
+                    "(another build, or a broken machine); put the same program on every host, or "
+                    "use {} if you know that the difference does no harm",
+                    k, ranks[k].host, ranks[0].host, schema::parameter("allow_mixed_builds")));
   }
   return fmt::to_string(fmt::join(different, " "));
 }
@@ -138,6 +106,45 @@ std::string place_of(const SearchOptions& options, const schema::Campaign& campa
   std::filesystem::create_directories("results", ignored);
   return default_catalogue_path(campaign);
 }
+
+// The campaign made ready on one rank: for plain draws, or for populations.
+struct SearchWorkspace {
+  static RankInfo info(const SearchOptions& options) {
+    return {host_name(), message_layout(), golden_verdicts(options.instruction_set)};
+  }
+
+  SearchWorkspace(schema::Campaign its_campaign, const SearchOptions& options)
+      : most_bytes(options.unit_bytes), campaign(std::move(its_campaign)) {
+    if (campaign.splitting) {
+      climber.emplace(campaign, options.instruction_set);
+    } else {
+      evaluator.emplace(campaign, options.instruction_set);
+      certify_if_asked(*evaluator);
+    }
+  }
+
+  const solver::Mechanism& mechanism() const {
+    return climber ? climber->mechanism() : evaluator->mechanism();
+  }
+
+  void work(const MpiSession& mpi) {
+    const auto send = [](auto& work, bool was_stopped) { return pack({work.take(), was_stopped}); };
+    if (climber) {
+      run_worker(
+          mpi, [&](const Bytes& job) { return climber->start(unpack_order(job)); }, send);
+      return;
+    }
+    const auto start = [&](const Bytes& job) {
+      return UnitWork(*evaluator, unpack_range(job), schema::FaultSampleRule(), most_bytes);
+    };
+    run_worker(mpi, start, send);
+  }
+
+  const std::size_t most_bytes;
+  const schema::Campaign campaign;
+  std::optional<DrawEvaluator> evaluator;
+  std::optional<Climber> climber;
+};
 
 // Judges again what no run could decide so far.
 void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
@@ -154,28 +161,27 @@ void retry_undecided(DrawEvaluator& evaluator, schema::Catalogue& catalogue) {
 }
 
 // Private to rank 0 of a search: the catalogue, the coordinator and the progress.
-class RankZero {
+class SearchZero {
  public:
-  explicit RankZero(const SearchOptions& options)
+  using Workspace = SearchWorkspace;
+
+  explicit SearchZero(const SearchOptions& options)
       : options_(options),
-        evaluator_(resolved_campaign(options), options.instruction_set),
-        catalogue_(place_of(options, evaluator_.campaign()), evaluator_.campaign(),
-                   evaluator_.mechanism(), options.storage) {
-    certify_if_asked(evaluator_);
+        ready_(resolved_campaign(options), options),
+        catalogue_(place_of(options, campaign()), campaign(), ready_.mechanism(), options.storage) {
     if (catalogue_.storage() == schema::Storage::network) {
       spdlog::warn(
           "{}: lies on a file system that machines share ({}), where a write-ahead log is not "
-          "safe: "
-          "a rollback journal and an exclusive lock are used, and status and query have to wait "
+          "safe: a rollback journal and an exclusive lock are used, and status and query have to "
+          "wait "
           "until this run ends",
           catalogue_.path(), schema::file_system_of(catalogue_.path()).name);
     }
   }
 
-  const schema::Campaign& campaign() const { return evaluator_.campaign(); }
+  const schema::Campaign& campaign() const { return ready_.campaign; }
 
   void begin(const std::vector<RankInfo>& ranks) {
-    expect_one_layout(ranks);
     goal_ = goal_of(options_, campaign());
     catalogue_.begin_run(
         run_info(common_verdicts(ranks, options_.builds), static_cast<int>(ranks.size())), goal_,
@@ -187,7 +193,8 @@ class RankZero {
       spdlog::info("one core of {} at work; all of them: {}", usable_threads(),
                    options_.command_for_all);
     }
-    if (options_.retry_undecided) retry_undecided(evaluator_, catalogue_);
+    if (options_.retry_undecided && ready_.evaluator)
+      retry_undecided(*ready_.evaluator, catalogue_);
   }
 
   // Returns the exit code.
@@ -205,15 +212,15 @@ class RankZero {
     return end == RunEnd::lost ? options_.border.exit_code(schema::Cause::failure) : 0;
   }
 
+  int conclude() const { return 0; }
+
  private:
   std::unique_ptr<RankTask> make_task(int ranks) {
-    if (campaign().splitting) {
-      climber_.emplace(campaign(), options_.instruction_set);
-      return std::make_unique<ClimbTask>(*climber_, evaluator_.mechanism(), catalogue_, goal_,
-                                         ranks);
+    if (ready_.climber) {
+      return std::make_unique<ClimbTask>(*ready_.climber, catalogue_, goal_, ranks);
     }
     const DrawTaskOptions units{{options_.unit_draws}, options_.unit_bytes};
-    return std::make_unique<DrawTask>(evaluator_, catalogue_, goal_, ranks, units);
+    return std::make_unique<DrawTask>(*ready_.evaluator, catalogue_, goal_, ranks, units);
   }
 
   void print_summary(RunEnd end) const {
@@ -222,16 +229,13 @@ class RankZero {
     const double rate = state.draws > 0 ? 100.0 * static_cast<double>(state.accepted) /
                                               static_cast<double>(state.draws)
                                         : 0.0;
+    const std::string path = schema::printable(catalogue_.path());
     if (state.ladder) {
-      put("{}: {}, {}, digest {}\n", schema::printable(catalogue_.path()), run_end_name(end),
-          ladder_summary(state), state.digest);
-      std::fflush(stdout);
-      if (is_talkative()) say_what_next(*database, state);
-      return;
+      put("{}: {}, {}, digest {}\n", path, run_end_name(end), ladder_summary(state), state.digest);
+    } else {
+      put("{}: {}, {} draws, {} accepted ({:.4g} %), {} undecided, digest {}\n", path,
+          run_end_name(end), state.draws, state.accepted, rate, state.undecided, state.digest);
     }
-    put("{}: {}, {} draws, {} accepted ({:.4g} %), {} undecided, digest {}\n",
-        schema::printable(catalogue_.path()), run_end_name(end), state.draws, state.accepted, rate,
-        state.undecided, state.digest);
     std::fflush(stdout);
     if (is_talkative()) say_what_next(*database, state);
   }
@@ -248,73 +252,10 @@ class RankZero {
   }
 
   const SearchOptions& options_;
-  DrawEvaluator evaluator_;
+  SearchWorkspace ready_;
   schema::Catalogue catalogue_;
   schema::Goal goal_;
-  std::optional<Climber> climber_;  // of a splitting search
 };
-
-// Rank 0 alone reads files. The others get its exit code, the campaign as it resolved it, and once
-// every rank has said what it is, its exit code again.
-int run_rank_zero(const SearchOptions& options, MpiSession& mpi) {
-  std::optional<RankZero> zero;
-  Heartbeat heartbeat(mpi);
-  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero.emplace(options); })))
-    return code;
-  mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
-  const std::vector<RankInfo> ranks = gather_ranks(mpi, options.instruction_set);
-  if (const int code = mpi.broadcast(exit_code_of(options.border, [&] { zero->begin(ranks); })))
-    return code;
-  int exit_code = 0;
-  const int failure = exit_code_of(options.border, [&] { exit_code = zero->run(mpi, heartbeat); });
-  if (mpi.ranks() > 1 && (failure || exit_code)) mpi.abort(failure ? failure : exit_code);
-  mpi.meet();
-  return failure ? failure : exit_code;
-}
-
-void work_on_draws(const MpiSession& mpi, DrawEvaluator& evaluator, std::size_t most_bytes) {
-  run_worker(
-      mpi,
-      [&](const Bytes& job) {
-        return UnitWork(evaluator, unpack_range(job), schema::FaultSampleRule(), most_bytes);
-      },
-      [](UnitWork& work, bool was_stopped) {
-        return pack(SentUnit{work.take(), was_stopped});
-      });
-}
-
-void work_on_pieces(const MpiSession& mpi, Climber& climber) {
-  run_worker(
-      mpi, [&](const Bytes& job) { return climber.start(unpack_order(job)); },
-      [](PieceWork& work, bool was_stopped) {
-        return pack(SentPiece{work.take(), was_stopped});
-      });
-}
-
-int run_other_rank(const SearchOptions& options, MpiSession& mpi) {
-  Heartbeat heartbeat(mpi);
-  if (const int code = mpi.broadcast(0)) return code;
-  const std::string resolved = mpi.broadcast(std::string());
-  int refused = 0;
-  const int failure = exit_code_of(options.border, [&] {
-    DrawEvaluator evaluator(
-        schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"),
-        options.instruction_set);
-    certify_if_asked(evaluator);
-    gather_ranks(mpi, options.instruction_set);
-    refused = mpi.broadcast(0);
-    if (refused) return;
-    if (evaluator.campaign().splitting) {
-      Climber climber(evaluator.campaign(), options.instruction_set);
-      work_on_pieces(mpi, climber);
-    } else {
-      work_on_draws(mpi, evaluator, options.unit_bytes);
-    }
-  });
-  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
-  if (!refused) mpi.meet();
-  return refused;
-}
 
 }  // namespace
 
@@ -326,13 +267,7 @@ int run_search(const SearchOptions& given) {
   SearchOptions options = given;
   options.progress =
       resolved(given.progress, is_terminal(STDERR_FILENO) && terminal_is_able(), launched_by_mpi());
-  hold_signals();
-  MpiSession mpi;
-  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
-  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
-  watch_for_signals(mpi.rank() == 0 ? kLeave_s : kRelease_s, mpi.ranks() > 1 ? leave_code : 0);
-  if (mpi.rank() == 0) tell_starter();
-  return mpi.rank() == 0 ? run_rank_zero(options, mpi) : run_other_rank(options, mpi);
+  return run_campaign<SearchZero>(options, kLeave_s);
 }
 
 }  // namespace misalign::search

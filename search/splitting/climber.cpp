@@ -23,7 +23,11 @@ void climb_alone(Climb& climb, Climber& climber) {
 }  // namespace
 
 Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
-    : moves_(campaign), sweeps_(campaign.splitting->sweeps), scorers_(campaign, set) {}
+    : mechanism_(solver::build_mechanism(campaign.pattern.base.sheet, campaign.pattern.base.holes,
+                                         campaign.pattern.base.folding)),
+      moves_(campaign),
+      sweeps_(campaign.splitting->sweeps),
+      scorers_(campaign, set) {}
 
 Ladder named_ladder(const schema::Campaign& campaign) {
   const schema::Splitting& splitting = *campaign.splitting;

@@ -15,10 +15,12 @@ class Climber {
 
   PieceWork start(PieceOrder order) { return {moves_, sweeps_, scorers_, std::move(order)}; }
   const schema::Campaign& campaign() const { return scorers_.campaign(); }
+  const solver::Mechanism& mechanism() const { return mechanism_; }
   const Moves& moves() const { return moves_; }
   LevelScorers& scorers() { return scorers_; }
 
  private:
+  const solver::Mechanism mechanism_;
   const Moves moves_;
   const std::uint32_t sweeps_;
   LevelScorers scorers_;

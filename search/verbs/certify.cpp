@@ -70,7 +70,8 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
   options.choose = [&call](SQLite::Database& database) {
     return chosen_draws(database, call.choice);
   };
-  return run_certify(options, [&](const CertifyReport& report) { show(call, report); });
+  options.show = [&call](const CertifyReport& report) { show(call, report); };
+  return run_certify(options);
 }
 
 // The file's own if it was exported, otherwise written as if it had been; with the certificate.

@@ -19,15 +19,15 @@ inline schema::Campaign quick_climb() {
 
 /// As `misalign search` on one rank: so many populations are wanted, and at most so many blocks
 /// done.
-inline void climb_on(const std::string& path, Climber& climber, const solver::Mechanism& mechanism,
-                     const schema::RunInfo& run, std::uint64_t populations, int blocks) {
-  schema::Catalogue catalogue(path, climber.campaign(), mechanism);
+inline void climb_on(const std::string& path, Climber& climber, const schema::RunInfo& run,
+                     std::uint64_t populations, int blocks) {
+  schema::Catalogue catalogue(path, climber.campaign(), climber.mechanism());
   schema::Goal goal;
   goal.of_populations = true;
   goal.range = schema::numbers_of({0, populations});
   catalogue.begin_run(run, goal, schema::Builds::mixed);
   {
-    ClimbTask task(climber, mechanism, catalogue, goal, 1);
+    ClimbTask task(climber, catalogue, goal, 1);
     while (blocks-- > 0 && task.compute_one_block()) task.commit();
     task.hand_in_own();
     task.commit_all();

@@ -10,7 +10,6 @@
 #include "schema/exchange/ladder_json.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
-#include "search/draws/draw_evaluator.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/choice.hpp"
 #include "search/terminal/ladder_text.hpp"
@@ -42,7 +41,7 @@ class HostileLadder : public testing::Test {
   // So many populations are wanted, and at most so many blocks done.
   void climb(const std::string& path, std::uint64_t populations,
              int blocks = std::numeric_limits<int>::max()) {
-    climb_on(path, climber_, evaluator_.mechanism(), schema::kRun, populations, blocks);
+    climb_on(path, climber_, schema::kRun, populations, blocks);
   }
 
   // The good one with these statements done to it, past keys and checks.
@@ -128,7 +127,6 @@ class HostileLadder : public testing::Test {
   const Folder folder_{"hostile_ladder"};
   const std::string good_ = folder_.file("good.db"), whole_ = folder_.file("whole.db");
   const schema::Campaign campaign_ = quick_climb();
-  DrawEvaluator evaluator_{campaign_};
   Climber climber_{campaign_, widest_set()};
   std::string bytes_, digest_;
 };

@@ -99,7 +99,7 @@ TEST_F(HostilePieces, PiecesThatLieAreMadeAgainSlow) {
         const Bytes bytes = pack(SentPiece{result, false});
         row.result.assign(bytes.begin(), bytes.end());
         EXPECT_FALSE(
-            unpack_kept(row.result, campaign_, climber_.moves().code(), evaluator_.mechanism()));
+            unpack_kept(row.result, campaign_, climber_.moves().code(), climber_.mechanism()));
       }
       schema::write_pieces(database, pieces);
     }
@@ -117,7 +117,7 @@ TEST_F(HostilePieces, ListsTakeNoMemoryForWhatIsNotThere) {
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   EXPECT_FALSE(unpack_kept({bytes.begin(), bytes.end()}, campaign_, climber_.moves().code(),
-                           evaluator_.mechanism()));
+                           climber_.mechanism()));
   getrusage(RUSAGE_SELF, &after);
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 200'000);  // kB
 }

@@ -10,7 +10,6 @@
 #include "../schema/faulty_vfs.hpp"
 #include "climb_on.hpp"
 #include "schema/catalogue/ledger_check.hpp"
-#include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/sheet_certifier.hpp"
@@ -99,21 +98,19 @@ class WriteFaults : public testing::Test {
 
 TEST_F(WriteFaults, OfASplittingSearch) {
   const schema::Campaign campaign = quick_climb();
-  const DrawEvaluator evaluator(campaign);
   Climber climber(campaign, widest_set());
   survive_all(campaign, [&] {  // three runs: pieces are kept, taken up, and become populations
     for (const int blocks : {4, 5, 1000}) {
-      climb_on(path_, climber, evaluator.mechanism(), schema::kRun, 2, blocks);
+      climb_on(path_, climber, schema::kRun, 2, blocks);
     }
   });
 }
 
 TEST_F(WriteFaults, OfCertificates) {
   const schema::Campaign campaign = quick_climb();
-  const DrawEvaluator evaluator(campaign);
   Climber climber(campaign, widest_set());
   begun_from_ = folder_.file("found.db");
-  climb_on(begun_from_, climber, evaluator.mechanism(), schema::kRun, 1, 1000);
+  climb_on(begun_from_, climber, schema::kRun, 1, 1000);
   const solver::Model model = model_of(campaign);
   SheetCertifier certifier(campaign.pattern, model);
   std::vector<schema::CertificateRecord> made;
@@ -126,8 +123,7 @@ TEST_F(WriteFaults, OfCertificates) {
     }
   }
   survive_all(campaign, [&] {
-    schema::Catalogue catalogue(path_, campaign, evaluator.mechanism(), {},
-                                schema::Missing::refused);
+    schema::Catalogue catalogue(path_, campaign, climber.mechanism(), {}, schema::Missing::refused);
     for (const schema::CertificateRecord& row : made) catalogue.keep({row});
     catalogue.close();
   });

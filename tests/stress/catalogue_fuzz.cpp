@@ -99,10 +99,9 @@ std::string new_catalogue(DrawEvaluator& evaluator, const Folder& folder,
 }
 
 // Of a splitting search: so many blocks of three populations, of five each.
-std::string new_climb(search::Climber& climber, const DrawEvaluator& evaluator,
-                      const Folder& folder, int blocks) {
+std::string new_climb(search::Climber& climber, const Folder& folder, int blocks) {
   const std::string path = folder.file("new.db");
-  search::climb_on(path, climber, evaluator.mechanism(), kRun, 3, blocks);
+  search::climb_on(path, climber, kRun, 3, blocks);
   std::string bytes = bytes_of(path);
   folder.clear();
   return bytes;
@@ -118,7 +117,7 @@ class Reader {
         new_catalogue(new_.evaluator, folder_, {{0, 20}, {20, 50}, {1000, 1030}}));
     new_.intact.push_back(in_small_pages(new_.intact.back()));
     for (const int blocks : {5, 13}) {
-      split_.intact.push_back(new_climb(climber_, split_.evaluator, folder_, blocks));
+      split_.intact.push_back(new_climb(climber_, folder_, blocks));
     }
   }
 
@@ -247,7 +246,7 @@ class Reader {
   void write_on(const std::string& path, Subject& subject, bool is_good) {
     const bool is_written = ends([&] {
       if (&subject == &split_) {
-        search::climb_on(path, climber_, split_.evaluator.mechanism(), kRun, 3, kMostBlocks);
+        search::climb_on(path, climber_, kRun, 3, kMostBlocks);
         return;
       }
       Catalogue catalogue(path, subject.evaluator.campaign(), subject.evaluator.mechanism());

@@ -1,0 +1,102 @@
+// Runs one campaign on all ranks: rank 0 opens its catalogue, all make the campaign ready and say
+// what they are, work until rank 0 has enough, and meet.
+#pragma once
+
+#include <spdlog/spdlog.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "schema/campaign/campaign.hpp"
+#include "search/ranks/heartbeat.hpp"
+#include "search/ranks/mpi_session.hpp"
+#include "search/ranks/rank_starter.hpp"
+#include "search/ranks/stop_signal.hpp"
+#include "search/terminal/failure.hpp"
+
+namespace misalign::search {
+
+/// What a rank is, for rank 0 to compare.
+struct RankInfo {
+  std::string host;
+  std::string layout;                ///< of what it sends
+  std::string golden_verdicts = {};  ///< where ranks may differ in them
+};
+
+/// UserError (foreign) if the results of a rank would be read as something else.
+void expect_one_layout(const std::vector<RankInfo>& ranks);
+/// On rank 0 everyone's, in the order of the ranks, and of one layout; nothing elsewhere.
+std::vector<RankInfo> gather_ranks(const MpiSession& mpi, const RankInfo& own);
+
+/// The exit code of `work`, 0 if it throws nothing; what it throws is said.
+template <class Work>
+int exit_code_of(const Border& border, const Work& work) {
+  try {
+    work();
+    return 0;
+  } catch (const std::exception& error) {
+    const schema::UserError failure = failure_of(error);
+    spdlog::error("{}", failure.sentence(border.name_parameter));
+    return border.exit_code(failure.cause());
+  }
+}
+
+// Rank 0 alone reads files. The others get its exit code, the campaign as it resolved it, and once
+// every rank has said what it is, its exit code again.
+template <class Zero, class Options>
+int run_rank_zero(const Options& options, MpiSession& mpi) {
+  std::optional<Zero> zero;
+  Heartbeat heartbeat(mpi);
+  const auto code_of = [&](auto work) { return exit_code_of(options.border, work); };
+  if (const int code = mpi.broadcast(code_of([&] { zero.emplace(options); }))) return code;
+  mpi.broadcast(schema::campaign_json(zero->campaign()).dump());
+  const RankInfo own = Zero::Workspace::info(options);
+  if (const int code = mpi.broadcast(code_of([&] { zero->begin(gather_ranks(mpi, own)); })))
+    return code;
+  int exit_code = 0;
+  const int failure = code_of([&] { exit_code = zero->run(mpi, heartbeat); });
+  if (failure) exit_code = failure;
+  if (mpi.ranks() > 1 && exit_code) mpi.abort(exit_code);
+  mpi.meet();
+  return exit_code ? exit_code : zero->conclude();
+}
+
+template <class Workspace, class Options>
+int run_other_rank(const Options& options, MpiSession& mpi) {
+  Heartbeat heartbeat(mpi);
+  if (const int code = mpi.broadcast(0)) return code;
+  const std::string resolved = mpi.broadcast(std::string());
+  int refused = 0;
+  const int failure = exit_code_of(options.border, [&] {
+    Workspace workspace(
+        schema::read_campaign(schema::Json::parse(resolved), "the campaign of rank 0"), options);
+    gather_ranks(mpi, Workspace::info(options));
+    refused = mpi.broadcast(0);
+    if (!refused) workspace.work(mpi);
+  });
+  if (failure) mpi.abort(failure);  // rank 0 would wait for ever
+  if (!refused) mpi.meet();
+  return refused;
+}
+
+/// Returns this rank's exit code. Rank 0 is a `Zero`(options), which opens the files: `campaign()`;
+/// `begin(ranks)` once all are ready; `run(mpi, heartbeat)`, whose exit code ends every rank at
+/// once if it is not 0; `conclude()` once all have met, with the exit code. Each other rank makes a
+/// `Zero::Workspace`(campaign, options) and does jobs in `work(mpi)`; `info(options)` is what it
+/// is. Rank 0 has `alone_s` to leave where it is alone, see watch_for_signals.
+template <class Zero, class Options>
+int run_campaign(const Options& options, double alone_s) {
+  hold_signals();
+  MpiSession mpi;
+  // mpirun takes a rank that leaves with 0 for one that is done, and the others would wait for it.
+  const int leave_code = has_starter() ? kLeftWithStarter : EXIT_FAILURE;
+  const bool is_alone = mpi.ranks() == 1;
+  const double leave_s = is_alone ? alone_s : mpi.rank() == 0 ? kLeave_s : kRelease_s;
+  watch_for_signals(leave_s, is_alone ? 0 : leave_code);
+  if (mpi.rank() > 0) return run_other_rank<typename Zero::Workspace>(options, mpi);
+  tell_starter();
+  return run_rank_zero<Zero>(options, mpi);
+}
+
+}  // namespace misalign::search
