@@ -7,21 +7,10 @@
 # part took (results/package.md); the whole output is left in build/core-SUITE.log.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-suite=${1:?which suite, such as bookworm}
-log=$PWD/build/core-$suite.log
 . tests/cluster/debian_world.sh
-need_packages debootstrap git
-own_mounts tests/cluster/bare_core.sh "$@"
-
-world=$(mktemp -d)
-trap 'remove_worlds "$world"' EXIT
-: > "$log"
-make_world "$suite" "$world"
+begin core "$@"
 mount_world "$world"
-git bundle create -q "$world/root/misalign.bundle" HEAD
-timed "git, and the clone" within "$world" 'apt-get update -qq
-  apt-get install -qq -y --no-install-recommends git > /dev/null
-  git clone -q misalign.bundle misalign'
+clone_into "$world"
 timed "packages" within "$world" 'cd misalign
   . scripts/packages.sh
   need_packages $core_packages ${CCACHE_DIR:+ccache}
@@ -45,5 +34,4 @@ timed "what it does" within "$world" 'export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW
   misalign deploy misalign/search/patterns/table1.json || code=$?
   [ $code = 1 ]'
 echo
-sed -nE 's/^[0-9]* (real|user|sys)\t/  \1 /p; s/^[0-9]* *"(digest)": /  \1 /p
-  s/^[0-9]* (compiler|libraries|with|without|instruction set|installed:)/  \1/p' "$log"
+show_log

@@ -6,24 +6,12 @@
 # long each part took (results/bare-debian.md); the whole output is left in build/bare-SUITE.log.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-suite=${1:?which suite, such as bookworm}
-seconds=${2:-5}
-log=$PWD/build/bare-$suite.log
 . tests/cluster/debian_world.sh
-need_packages debootstrap git
-own_mounts tests/cluster/bare_debian.sh "$@"
-
-world=$(mktemp -d)
-trap 'remove_worlds "$world"' EXIT
-: > "$log"
-make_world "$suite" "$world"
+begin bare "$@"
+seconds=${2:-5}
 mount_world "$world"
+clone_into "$world"
 bare() { within "$world" "$1"; }
-
-git bundle create -q "$world/root/misalign.bundle" HEAD
-timed "git, which a clone needs" bare \
-  'apt-get update -qq && apt-get install -qq -y --no-install-recommends git > /dev/null'
-timed "clone" bare 'git clone -q misalign.bundle misalign'
 timed "scripts/run.sh $seconds" bare "cd misalign && time scripts/run.sh $seconds"
 timed "cmake --install" bare 'cmake --install misalign/build/release --prefix ~/.local'
 timed "what was installed" bare 'export PATH=~/.local/bin:$PATH

@@ -3,11 +3,20 @@
 # cache is used inside as well, by who installs ccache there; what is said of times is then said of nothing.
 . scripts/packages.sh
 
-# own_mounts SCRIPT ARGUMENTS...: the script begins again with mounts and processes of its own, which end with it.
-own_mounts() {
-  [ "${OWN_MOUNTS:-}" = yes ] && return
-  mkdir -p build
-  OWN_MOUNTS=yes exec unshare --mount --pid --fork --kill-child --mount-proc bash "$@"
+# begin KIND SUITE...: with mounts and processes of its own, which end with it, the script begins again. $suite; $log,
+# build/KIND-SUITE.log; in $world such a Debian, not yet mounted. What is in worlds=() is removed at the end.
+begin() {
+  suite=${2:?which suite, such as bookworm} log=$PWD/build/$1-$2.log
+  need_packages debootstrap git
+  if [ "${OWN_MOUNTS:-}" != yes ]; then
+    mkdir -p build
+    OWN_MOUNTS=yes exec unshare --mount --pid --fork --kill-child --mount-proc bash "tests/cluster/${0##*/}" "${@:2}"
+  fi
+  world=$(mktemp -d)
+  worlds=("$world")
+  trap 'remove_worlds "${worlds[@]}"' EXIT
+  : > "$log"
+  make_world "$suite" "$world"
 }
 
 # timed NAME COMMAND...: its output, stamped with the seconds since it began, into $log.
@@ -77,4 +86,18 @@ within() {
     inside+=(CCACHE_DIR=/var/cache/ccache CCACHE_BASEDIR=/root CMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
   chroot "$1" "${inside[@]}" bash -e -o pipefail -c "cd; $2"
+}
+
+# clone_into FOLDER: what is committed here, as misalign in root's home there.
+clone_into() {
+  git bundle create -q "$1/root/misalign.bundle" HEAD
+  timed "git, and the clone" within "$1" 'apt-get update -qq
+    apt-get install -qq -y --no-install-recommends git > /dev/null
+    git clone -q misalign.bundle misalign'
+}
+
+# show_log: of the log times, digests, and what the program says of itself.
+show_log() {
+  sed -nE 's/^[0-9]* (real|user|sys)\t/  \1 /p; s/^[0-9]* *"(digest)": /  \1 /p
+    s/^[0-9]* (compiler|libraries|with|without|instruction set|installed:)/  \1/p' "$log"
 }

@@ -8,28 +8,18 @@
 # build/deb-SUITE.log, the packages in build/debs-SUITE.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-suite=${1:?which suite, such as bookworm}
-log=$PWD/build/deb-$suite.log
-debs=$PWD/build/debs-$suite
 . tests/cluster/debian_world.sh
-need_packages debootstrap git
-own_mounts tests/cluster/try_deb.sh "$@"
-
-maker=$(mktemp -d)
-user=$(mktemp -d)
-trap 'remove_worlds "$maker" "$user"' EXIT
-: > "$log"
-make_world "$suite" "$user"
+begin deb "$@"
+debs=$PWD/build/debs-$suite
+user=$world maker=$(mktemp -d)
+worlds+=("$maker")
 rm -rf "$debs"
 mkdir -p "$debs"
 
 if [ $# -lt 2 ]; then
   cp -a "$user/." "$maker"
   mount_world "$maker"
-  git bundle create -q "$maker/root/misalign.bundle" HEAD
-  timed "git, and the clone" within "$maker" 'apt-get update -qq
-    apt-get install -qq -y --no-install-recommends git > /dev/null
-    git clone -q misalign.bundle misalign'
+  clone_into "$maker"
   timed "packages to build with" within "$maker" 'cd misalign
     . scripts/packages.sh
     need_packages $build_packages dpkg-dev file lintian ${CCACHE_DIR:+ccache}'
@@ -84,4 +74,4 @@ fi
 timed "removal" within "$user" 'apt-get purge -y misalign libmisalign-dev "python3-misalign*" > /dev/null
   ! find / -xdev -path /proc -prune -o -path /root -prune -o -iname "*misalign*" -print | grep .'
 echo
-sed -nE 's/^[0-9]* (real|user|sys)\t/  \1 /p; s/^[0-9]* *"(digest)": /  \1 /p; s/^[0-9]* (compiler|libraries|instruction set)/  \1/p' "$log"
+show_log
