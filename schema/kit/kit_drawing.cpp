@@ -127,6 +127,15 @@ class Kit {
                     parameter("margin_mm", fmt::format("{:g}", options_.margin_mm))));
   }
 
+  void expect_room(const std::string& what, const LayoutBox& box, const Vector2d& room_mm) const {
+    if (fits_bed(box, room_mm)) return;
+    refuse_bed(
+        fmt::format("{} does not fit{} (it has {:.1f} x {:.1f} mm, and margin and heading "
+                    "leave {:.1f} x {:.1f})",
+                    what, box.may_turn ? ", turned neither" : "", box.size_mm.x(), box.size_mm.y(),
+                    room_mm.x(), room_mm.y()));
+  }
+
   // In the fewest cells of a grid in which everything fits.
   std::vector<KitPart> divided_to_fit(const KitPart& part, const Vector2d& room_mm) const {
     const auto [rows, columns] = rows_and_columns(sheet_, part);
@@ -138,14 +147,7 @@ class Kit {
       }
     }
     for (const KitPart& panel : divided(sheet_, part, rows, columns)) {
-      const LayoutBox box = box_of(panel);
-      if (fits_bed(box, room_mm)) continue;
-      refuse_bed(
-          fmt::format("panel {} does not fit, turned neither (it has {:.1f} x {:.1f} mm, and "
-                      "margin and heading "
-                      "leave {:.1f} x {:.1f})",
-                      sheet_.panel_label(panel.facets[0]), box.size_mm.x(), box.size_mm.y(),
-                      room_mm.x(), room_mm.y()));
+      expect_room("panel " + sheet_.panel_label(panel.facets[0]), box_of(panel), room_mm);
     }
     return {};  // not reached: single panels fit
   }
@@ -168,7 +170,11 @@ class Kit {
       items.push_back(std::move(block));
     std::vector<LayoutBox> boxes;
     for (const KitItem& item : items) boxes.push_back({item.size_mm(), item.may_turn});
-    if (!options_.bed_mm) room.x() = std::max(sheet_width_mm(boxes, gap_mm), kLeastHeading_mm);
+    if (options_.bed_mm) {
+      for (const LayoutBox& box : boxes) expect_room("a table of the notes", box, room);
+    } else {
+      room.x() = std::max(sheet_width_mm(boxes, gap_mm), kLeastHeading_mm);
+    }
     const std::vector<LaidOut> laid = lay_out(boxes, room, gap_mm);
     std::size_t beds = 1;
     Vector2d used(0, 0);

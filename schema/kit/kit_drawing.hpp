@@ -15,8 +15,8 @@ struct KitDrawings {
   std::string warning;            ///< of springs that contradict the verdict; stands first on each
 };
 
-/// UserError (bad_request) if the options do not go together, a panel does not fit the bed, bores
-/// or tabs do not fit a panel, or the kerf is too wide.
+/// UserError (bad_request) if the options do not go together, a panel or a table does not fit the
+/// bed, bores or tabs do not fit a panel, or the kerf is too wide.
 KitDrawings kit_drawings(const KitSheet& sheet, const KitOptions& options,
                          const std::string& title);
 

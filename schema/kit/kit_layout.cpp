@@ -1,6 +1,7 @@
 #include "schema/kit/kit_layout.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -64,6 +65,7 @@ bool fits_bed(const LayoutBox& box, const Vector2d& bed_mm) {
 
 std::vector<LaidOut> lay_out(const std::vector<LayoutBox>& boxes, const Vector2d& bed_mm,
                              double gap_mm) {
+  assert(std::all_of(boxes.begin(), boxes.end(), [&](auto& box) { return fits_bed(box, bed_mm); }));
   std::vector<LaidOut> laid(boxes.size());
   std::vector<Vector2d> sizes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {

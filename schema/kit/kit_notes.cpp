@@ -130,7 +130,7 @@ void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
         rows.back().push_back(fmt::format("{:.3f}", springs[s].length_mm[at + 1]));
       }
     }
-    add_blocks("springs' lengths, mm, at the pilot's angle", heads, rows, most_height_mm, items);
+    add_blocks("springs' lengths, mm, by pilot angle", heads, rows, most_height_mm, items);
   }
 }
 
@@ -171,7 +171,7 @@ std::vector<KitItem> kit_tables(const KitSheet& sheet, const std::vector<KitSpri
   const Eigen::Index rows = sheet.path.rows_shown();
   const double end_deg =
       rows == 0 ? 0 : sheet.path.history().stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
-  add_blocks(fmt::format("springs, mm, from flat to {:.10g} deg", end_deg),
+  add_blocks(fmt::format("springs, mm, flat to {:.10g} deg", end_deg),
              {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_way_rows(springs),
              most_height_mm, items);
   add_histories(sheet, springs, most_height_mm, items);

@@ -15,7 +15,8 @@ KitItem kit_heading(const std::vector<std::string>& sentences, double width_mm);
 /// The least width that it needs.
 inline constexpr double kLeastHeading_mm = 120;
 
-/// Tables in blocks of at most that height, and no wider than the least heading. The shifts:
+/// Tables in blocks of at most that height, if it has room for a row, and no wider than the least
+/// heading where lengths are below 10 m. The shifts:
 /// vertex, dx and dy in mm. Springs, flat: number, ends, length from vertex to vertex and between
 /// its own ends; on the way to D: how long at D, its stroke, which way, and the diagonal's; their
 /// lengths every ten degrees. Of the creases (of the mechanism) that were cut for the bed a last

@@ -11,8 +11,8 @@ namespace misalign::schema {
 /// A perforated Miura-ori with its interior vertices shifted by up to so much, and folded.
 struct KitFixture : solver::TestSheet {
   KitFixture(int rows, int columns, const std::string& holes = "checkerboard-odd",
-             double most_mm = 0.4)
-      : TestSheet(rows, columns, holes), own(base, random_shifts(base.sheet, most_mm)) {}
+             double most_mm = 0.4, double width_mm = 80)
+      : TestSheet(rows, columns, holes, width_mm), own(base, random_shifts(base.sheet, most_mm)) {}
 
   static Eigen::Matrix2Xd random_shifts(const solver::CreasePattern& pattern, double most_mm) {
     Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, pattern.vertex_count());

@@ -8,6 +8,8 @@
 
 #include "kit_fixture.hpp"
 #include "schema/exchange/dxf_pen.hpp"
+#include "schema/kit/kit_drawing.hpp"
+#include "schema/kit/kit_notes.hpp"
 #include "schema/kit/part_item.hpp"
 
 namespace misalign::schema {
@@ -49,6 +51,35 @@ TEST(KitLayout, NothingOverlapsAndEverythingIsOnABed) {
   EXPECT_FALSE(fits_bed({{151, 10}, true}, {150, 125}));
   EXPECT_TRUE(fits_bed({{125, 150}, true}, {150, 125}));
   EXPECT_FALSE(fits_bed({{125, 150}, false}, {150, 125}));
+}
+
+TEST(KitTables, FitTheNarrowestBedInBlocks) {
+  const KitFixture kit(6, 6);
+  KitOptions options;
+  options.spring_bore_mm = 1.5;
+  const auto springs = kit_springs(kit.sheet, kit_fittings(kit.sheet, options));
+  for (const double height_mm : {14.0, 30.0, 70.0}) {
+    for (const KitItem& table : kit_tables(kit.sheet, springs, {0, 1, 2, 3}, height_mm)) {
+      EXPECT_LE(table.size_mm().x(), kLeastHeading_mm);
+      EXPECT_LE(table.size_mm().y(), height_mm);
+    }
+  }
+}
+
+TEST(KitTables, ABedThatIsTooLowForThemIsRefused) {
+  const KitFixture kit(4, 4, "checkerboard-odd", 0.1, 10);  // smaller than a table of one row
+  KitOptions options;
+  int refused = 0, laid_out = 0;
+  for (double height_mm = 30; height_mm < 60; ++height_mm) {
+    options.bed_mm = Vector2d(130, height_mm);
+    try {
+      laid_out += !kit_drawings(kit.sheet, options, "low").beds.empty();
+    } catch (const UserError& error) {
+      refused += std::string(error.what()).find("a table of the notes does not fit (") < 100;
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_GT(laid_out, 0);
 }
 
 TEST(KitPerforation, BeginsAndEndsWithABridge) {
