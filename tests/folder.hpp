@@ -14,9 +14,10 @@ namespace misalign {
 class Folder {
  public:
   explicit Folder(const std::string& name)
-      : path_((std::filesystem::exists("/dev/shm") ? "/dev/shm"
-                                                   : std::filesystem::temp_directory_path()) /
-              (name + "_" + std::to_string(::getpid()))) {
+      : path_(std::filesystem::canonical(std::filesystem::exists("/dev/shm")
+                                             ? "/dev/shm"
+                                             : std::filesystem::temp_directory_path()) /
+              ("misalign_" + name + "_" + std::to_string(::getpid()))) {
     clear();
   }
   ~Folder() { std::filesystem::remove_all(path_); }

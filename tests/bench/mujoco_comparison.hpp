@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 
 #include "schema/exchange/mjcf_export.hpp"
@@ -17,19 +16,18 @@
 #include "search/sheets/release.hpp"
 #include "solver/design/joint_tree.hpp"
 #include "tests/bench/mujoco_run.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 
 /// In MuJoCo, let go at rest.
 inline MujocoRun load(const schema::SimulatedSheet& sheet, double friction_n_mm_per_mm) {
-  const auto file = std::filesystem::temp_directory_path() /
-                    fmt::format("mujoco_deploy_{}.xml", static_cast<int>(getpid()));
+  const Folder folder("mujoco");
+  const std::string file = folder.file("deploy.xml");
   schema::MjcfOptions options;
   options.friction_n_mm_per_mm = friction_n_mm_per_mm;
   schema::write_text_file(file, schema::mjcf_model(sheet, options));
-  MujocoRun run(file);
-  std::filesystem::remove(file);
-  return run;
+  return MujocoRun(file);
 }
 
 /// Largest difference of the pilot's angle, as a share of the start's, on the way to flat.

@@ -2,12 +2,9 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -19,6 +16,7 @@
 #include "schema/catalogue/result_table.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/records/fault_sample.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::schema {
 
@@ -94,16 +92,7 @@ inline void change_rows(const std::string& path, const std::string& sql) {
 
 class CatalogueTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("misalign_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name = "a.db") const { return folder_ / name; }
+  std::string path(const std::string& name = "a.db") const { return folder_.file(name); }
 
   /// An invented science of draws, so that what a catalogue must say is known without one.
   static bool is_accepted(std::uint64_t draw) { return draw % 97 == 5; }
@@ -196,7 +185,7 @@ class CatalogueTest : public testing::Test {
 
   const Campaign campaign_ = default_campaign();
   const solver::Mechanism mechanism_ = mechanism_of(campaign_);
-  std::filesystem::path folder_;
+  const Folder folder_{"catalogue"};
 };
 
 }  // namespace misalign::schema

@@ -10,10 +10,7 @@ class CertificateTest : public CatalogueTest {
  protected:
   using CertificateEnd = solver::CertificateEnd;
 
-  void SetUp() override {
-    CatalogueTest::SetUp();
-    make("a.db");
-  }
+  void SetUp() override { make("a.db"); }
   void make(const std::string& name) const {
     Catalogue catalogue = open(name);
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 1000, {}});

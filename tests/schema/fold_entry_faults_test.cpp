@@ -1,12 +1,10 @@
 // Entries of FOLD meshes that are refused: letters of creases, lists, numbers, and the file's name.
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "fold_faults.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -102,23 +100,21 @@ TEST(FoldEntryFaults, TheOddCreaseIsNamedByTheSectorAngles) {
 
 // Said of the file that it is about: its name is the caller's to say, once.
 TEST(FoldEntryFaults, TheNameStandsOnce) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("misalign-names-" + std::to_string(getpid()));
-  std::filesystem::create_directory(folder);
+  const Folder folder("fold_entry");
   const auto said = [&](const std::string& name) {
     try {
-      read_pattern_file((folder / name).string());
+      read_pattern_file(folder.file(name));
       return std::string();
     } catch (const UserError& error) {
       return std::string(error.what());
     }
   };
-  std::ofstream(folder / "p.json") << R"({"family": "fold", "file": "mesh.fold"})";
+  folder.file("p.json", R"({"family": "fold", "file": "mesh.fold"})");
   Json flipped = miura_mesh(4, 4), cut = flipped;
   flip(flipped, 1, 6);
   cut["faces_vertices"][0] = {0, 1, 6};
   for (const Json& mesh : {flipped, cut}) {
-    std::ofstream(folder / "mesh.fold") << mesh.dump();
+    folder.file("mesh.fold", mesh.dump());
     const std::string direct = said("mesh.fold"), through = said("p.json");
     const auto first = direct.find("mesh.fold");
     ASSERT_NE(first, std::string::npos) << direct;
@@ -126,7 +122,6 @@ TEST(FoldEntryFaults, TheNameStandsOnce) {
     EXPECT_EQ(direct.find("family"), std::string::npos) << direct;
     EXPECT_NE(through.find("p.json: mesh.fold: "), std::string::npos) << through;
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(FoldEntryFaults, Types) {

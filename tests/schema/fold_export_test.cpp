@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "../solver/own_sheet.hpp"
@@ -14,6 +12,7 @@
 #include "shifted_pattern.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "solver/sheet/panels.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -231,11 +230,8 @@ TEST_P(FoldExport, EveryFrameIsTheSheetFolded) {
 
 // Written to a file and read as a pattern: the same sheet, bit for bit, and so the same verdict.
 TEST_P(FoldExport, ReadAgainGivesTheSameVerdict) {
-  const auto file = std::filesystem::temp_directory_path() /
-                    ("misalign-" + GetParam() + std::to_string(getpid()) + ".fold");
-  std::ofstream(file) << exported_.fold.dump();
-  const Pattern again = read_pattern_file(file.string());
-  std::filesystem::remove(file);
+  const Folder folder("fold_export");
+  const Pattern again = read_pattern_file(folder.file("sheet.fold", exported_.fold.dump()));
   EXPECT_EQ(again.vertices_mm(), exported_.pattern.vertices_mm());
   EXPECT_EQ(again.base.holes, exported_.pattern.base.holes);
   solver::PathPlanOptions options;

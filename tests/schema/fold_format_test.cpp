@@ -177,7 +177,7 @@ TEST(FoldFormat, PatternsOfACatalogueAreTheFilesOwn) {
 
 TEST(FoldFormat, IdentityDoesNotDependOnThePath) {
   namespace fs = std::filesystem;
-  const Folder folder("misalign_fold_identity");
+  const Folder folder("fold_identity");
   const fs::path& root = folder.path();
   fs::create_directories(root / "elsewhere");
   const Json mesh = miura_mesh(4, 4);

@@ -208,7 +208,7 @@ TEST_F(HostileTest, TheBanIsBackWhateverHappens) {
 // A name is a name: SQLite would take these for a database in memory, or a second way into one.
 TEST_F(HostileTest, NamesAreNoUris) {
   const auto before = std::filesystem::current_path();
-  std::filesystem::current_path(folder_);
+  std::filesystem::current_path(folder_.path());
   for (const std::string name : {":memory:", "file:a.db?mode=memory", "file:b.db?vfs=unix-none"}) {
     {
       Catalogue catalogue(name, campaign_, mechanism_);
@@ -216,7 +216,7 @@ TEST_F(HostileTest, NamesAreNoUris) {
       catalogue.commit({unit(0, 100)});
       catalogue.end_run("stopped");
     }
-    EXPECT_GT(std::filesystem::file_size(folder_ / name), 4096u) << name;
+    EXPECT_GT(std::filesystem::file_size(path(name)), 4096u) << name;
     EXPECT_EQ(state(name).draws, 100u) << name;
     EXPECT_EQ(read_state(*open_for_reading(name)).draws, 100u) << name;
   }
@@ -304,7 +304,8 @@ TEST_F(HostileTest, StoredConfigurationsNameNoFiles) {
         << carried.sentence;
   }
   // A campaign of one's own names files, and those only.
-  for (const std::string& name : {path("pipe"), std::string("/dev/zero"), folder_.string()}) {
+  for (const std::string& name :
+       {path("pipe"), std::string("/dev/zero"), folder_.path().string()}) {
     std::ofstream(path("own.json")) << Json{{"pattern", {{"family", "fold"}, {"file", name}}}};
     const Refusal own = refusal([&] { read_campaign_file(path("own.json")); });
     EXPECT_EQ(own.cause, Cause::bad_input) << own.sentence;

@@ -8,7 +8,7 @@ namespace misalign::schema {
 namespace {
 
 Material material_of(const Json& value) {
-  const Folder folder("misalign_material");
+  const Folder folder("material");
   const std::string file = folder.file("brass.json");
   write_text_file(file, value.dump());
   return read_material_file(file);

@@ -29,7 +29,7 @@ class OutputFileTest : public CatalogueTest {
   }
   std::string names() const {
     std::vector<std::string> all;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       all.push_back(entry.path().filename());
     }
     std::sort(all.begin(), all.end());
@@ -139,7 +139,7 @@ TEST_F(OutputFileTest, NothingElseOfThatNameIsRemoved) {
   const auto kept = [&](const std::string& name, const std::vector<std::string>& originals = {}) {
     { database(originals); }
     EXPECT_NE(names().find(name), std::string::npos) << names();
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       std::filesystem::remove(entry);
     }
   };

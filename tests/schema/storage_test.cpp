@@ -31,15 +31,6 @@ class StorageTest : public CatalogueTest {
  protected:
   static constexpr std::uint64_t kUnits = 6, kUnitDraws = 300;
 
-  // In memory where that is possible: it is not the speed of a disk that is tested.
-  void SetUp() override {
-    CatalogueTest::SetUp();
-    if (!std::filesystem::is_directory("/dev/shm")) return;
-    std::filesystem::remove_all(folder_);
-    folder_ = "/dev/shm/" + folder_.filename().string();
-    std::filesystem::create_directories(folder_);
-  }
-
   UnitRecord unit_at(std::uint64_t k) const { return unit(k * kUnitDraws, (k + 1) * kUnitDraws); }
 
   // A run of what is missing; how many of its commits were reported as done.
@@ -140,7 +131,7 @@ TEST_F(StorageTest, MigrationsMayFail) {
   const std::string digest = read_state(*open_for_reading(old)).digest;
   FaultyVfs vfs;
   const auto migrate = [&](const DiskFault& fault) {
-    for (const auto& file : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& file : std::filesystem::directory_iterator(folder_.path())) {
       std::filesystem::remove(file);
     }
     std::filesystem::copy_file(old, path());
@@ -178,7 +169,7 @@ TEST_F(StorageTest, AFileThatIsRemovedOrReplacedStopsTheRun) {
     std::ofstream(path()) << "another file";
     EXPECT_EQ(refusal([&] { catalogue.commit({unit(1024, 2048)}); }).cause, Cause::failure);
   }
-  std::filesystem::remove_all(folder_);
+  std::filesystem::remove_all(folder_.path());
   EXPECT_EQ(refusal([&] { open(); }).cause, Cause::failure);
 }
 
@@ -254,16 +245,16 @@ TEST_F(StorageTest, ALittleMoreRoomEachTimeIsProgress) {
     catalogue.end_run("complete");
   };
   go_on();
-  const std::uint64_t whole = FaultyVfs::used(folder_);
+  const std::uint64_t whole = FaultyVfs::used(folder_.path());
   const std::string digest = state().digest;
   std::filesystem::remove(path());
   { Catalogue catalogue(path(), campaign_, mechanism_, Storage::local); }
-  std::uint64_t room = FaultyVfs::used(folder_), starts = 0;
+  std::uint64_t room = FaultyVfs::used(folder_.path()), starts = 0;
   // Twice the whole and a log of the least that a start needs is room enough.
   for (std::optional<Cause> cause = Cause::failure; cause && room < 2 * whole + (200 << 10);
        ++starts) {
     room += 8 << 10;
-    vfs.limit_room(folder_, room);
+    vfs.limit_room(folder_.path(), room);
     const Refusal r = refusal(go_on);
     cause = r.cause;
     if (cause) {

@@ -14,7 +14,6 @@ namespace {
 class YieldTest : public CatalogueTest {
  protected:
   void SetUp() override {
-    CatalogueTest::SetUp();
     Catalogue catalogue = open();
     catalogue.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
     catalogue.commit({unit(0, 4096)});

@@ -2,13 +2,13 @@
 #include "search/checks/merge.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -26,15 +26,7 @@ schema::Campaign quick_campaign() {
 
 class MergeTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("misalign_merge_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   std::string make(const std::string& name, const std::vector<DrawRange>& units,
                    const DrawRange& goal = {0, 3000}) {
@@ -56,7 +48,7 @@ class MergeTest : public testing::Test {
     SQLite::Database(path(name), SQLite::OPEN_READWRITE).exec(sql);
   }
   bool something_written() {
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       if (entry.path().filename().string().starts_with("all.db")) return true;
     }
     return false;
@@ -76,7 +68,7 @@ class MergeTest : public testing::Test {
 
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
   DrawEvaluator evaluator_{quick_campaign()};
-  std::filesystem::path folder_;
+  const Folder folder_{"merge"};
 };
 
 TEST_F(MergeTest, PiecesAreTheWholeSlow) {

@@ -41,7 +41,7 @@ class Table1 {
 };
 
 MujocoRun run_of(const SimulatedSheet& sheet, const schema::MjcfOptions& options = {}) {
-  const Folder folder("misalign_mjcf");
+  const Folder folder("mjcf");
   const std::string file = folder.file("sheet.xml");
   schema::write_text_file(file, schema::mjcf_model(sheet, options));
   return MujocoRun(file);

@@ -1,7 +1,6 @@
 // Catalogues of every schema there was: they are verified as what they are, and joined with what
 // this program finds.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -9,6 +8,7 @@
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -16,17 +16,12 @@ namespace {
 class OlderCatalogues : public testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("misalign_older_" + std::to_string(GetParam()) + "_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-" +
                                    std::to_string(GetParam()) + ".db",
                                path("old.db"));
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string path(const std::string& name) const { return folder_.file(name); }
   schema::CatalogueState state(const std::string& name) const {
     return schema::read_state(*schema::open_for_reading(path(name)));
   }
@@ -51,7 +46,7 @@ class OlderCatalogues : public testing::TestWithParam<int> {
                              "none", "g++",
                              "-O2",  golden_verdicts(solver::available_instruction_sets().back()),
                              1};
-  std::filesystem::path folder_;
+  const Folder folder_{"older"};
 };
 
 TEST_P(OlderCatalogues, AreVerifiedAsWhatTheyAreSlow) {

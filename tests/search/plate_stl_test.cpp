@@ -84,7 +84,7 @@ TEST(PlateStl, IsClosedInEveryState) {
   const ChosenSheet sheet =
       sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
   SheetFilesOptions options;
-  const Folder folder("misalign_plates");
+  const Folder folder("plates");
   options.directory = folder.path();
   options.format = SheetFormat::stl;
   options.step_deg = 60;

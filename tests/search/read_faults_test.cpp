@@ -13,6 +13,7 @@
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -23,12 +24,6 @@ using schema::DiskOperation;
 class ReadFaults : public testing::Test {
  protected:
   void SetUp() override {
-    const std::filesystem::path memory = "/dev/shm";
-    folder_ =
-        (std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) /
-        ("misalign_read_faults_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     const std::vector<std::pair<std::string, std::uint64_t>> kFiles = {{"a.db", 0}, {"b.db", 60}};
     for (const auto& [name, first] : kFiles) {
       schema::Catalogue catalogue(path(name), evaluator_.campaign(), evaluator_.mechanism());
@@ -42,9 +37,8 @@ class ReadFaults : public testing::Test {
     merge_all();
     whole_ = digest_of("all.db");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string path(const std::string& name) const { return folder_.file(name); }
   std::string digest_of(const std::string& name) const {
     return schema::read_state(*schema::open_for_reading(path(name))).digest;
   }
@@ -94,7 +88,7 @@ class ReadFaults : public testing::Test {
           EXPECT_TRUE(stop.cause() == schema::Cause::failure ||
                       stop.cause() == schema::Cause::in_use)
               << sentence;
-          EXPECT_EQ(sentence.find(folder_), 0u) << sentence;
+          EXPECT_EQ(sentence.find(folder_.path()), 0u) << sentence;
           EXPECT_EQ(sentence.find("damaged"), std::string::npos) << sentence;
         }
         vfs_.disarm();
@@ -112,7 +106,7 @@ class ReadFaults : public testing::Test {
               "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),
                             "test")};
   schema::FaultyVfs vfs_;
-  std::filesystem::path folder_;
+  const Folder folder_{"read_faults"};
   std::string digest_, whole_;
   int faults_ = 0, stopped_ = 0;
 };

@@ -1,7 +1,6 @@
 // A search that commits between any two steps of a reader: each sees one moment of the catalogue.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -41,10 +41,6 @@ int watch(sqlite3* database, char**, const sqlite3_api_routines*) {
 class SnapshotTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::canonical(std::filesystem::temp_directory_path()) /
-              ("misalign_snapshot_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     writer_.emplace(path("a.db"), evaluator_.campaign(), evaluator_.mechanism());
     writer_->begin_run(run_, {{0, kDraws}, {}, 100000});
     commit();
@@ -54,7 +50,6 @@ class SnapshotTest : public testing::Test {
   void TearDown() override {
     sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(watch));
     writer_.reset();
-    std::filesystem::remove_all(folder_);
   }
 
   // The next few draws.
@@ -63,7 +58,7 @@ class SnapshotTest : public testing::Test {
     writer_->commit({work_off(evaluator_, {next_, next_ + kStep})});
     next_ += kStep;
   }
-  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   static constexpr std::uint64_t kDraws = 4000, kStep = 5;
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
@@ -72,7 +67,7 @@ class SnapshotTest : public testing::Test {
                                 R"({"pattern": {"family": "miura", "rows": 4, "columns": 4},
               "path": {"end_deg": 30}, "accept": {"deploys_from_deg": 20}})"),
                             "test")};
-  std::filesystem::path folder_;
+  const Folder folder_{"snapshot"};
   std::optional<schema::Catalogue> writer_;
   std::uint64_t next_ = 0;
 };

@@ -1,6 +1,5 @@
 // Certificates in catalogues that are joined and verified.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -9,6 +8,7 @@
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "solver/certificate/certifier.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -22,15 +22,8 @@ class StoredCertificates : public testing::Test {
                                 "path": {"end_deg": 60}, "accept": {"deploys_from_deg": 50}})"),
         "test");
   }
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("misalign_certificates_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return folder_ / name; }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   /// A catalogue of one unit; its candidates certified up to `asked_deg`.
   void make(const std::string& name, const schema::DrawRange& range, double asked_deg) {
@@ -65,7 +58,7 @@ class StoredCertificates : public testing::Test {
 
   DrawEvaluator evaluator_{campaign()};
   const schema::RunInfo run_{"host", "0", "none", "g++", "-O2", "golden", 1};
-  std::filesystem::path folder_;
+  const Folder folder_{"certificates"};
 };
 
 TEST_F(StoredCertificates, AreJoinedTheFartherOneOfTwoSlow) {

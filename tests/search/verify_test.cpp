@@ -2,13 +2,13 @@
 #include "search/checks/verify.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "tests/folder.hpp"
 
 namespace misalign::search {
 namespace {
@@ -27,10 +27,7 @@ class VerifyTest : public testing::Test {
         "test");
   }
   void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("misalign_verify_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
+    folder_.clear();  // tests begin again, too
     static const std::vector<schema::UnitRecord> units = all_units();
     const DrawEvaluator evaluator(campaign());
     schema::Catalogue catalogue(path_(), evaluator.campaign(), evaluator.mechanism());
@@ -47,9 +44,8 @@ class VerifyTest : public testing::Test {
     }
     return units;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string path_() const { return folder_ / "a.db"; }
+  std::string path_() const { return folder_.file("a.db"); }
   void change(const std::string& sql) {
     SQLite::Database(path_(), SQLite::OPEN_READWRITE).exec(sql);
   }
@@ -91,7 +87,7 @@ class VerifyTest : public testing::Test {
         "BY draws DESC LIMIT 1)");
   }
 
-  std::filesystem::path folder_;
+  const Folder folder_{"verify"};
 };
 
 TEST_F(VerifyTest, AGoodOneIsGoodThroughoutSlow) {
