@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Format of the C++ files, that standard output has one door, that files and functions are short and no
-# include points to a later folder, that the manual holds together and is spelled, and that all files name one version. With --lint ESLint on the page instead, with
-# --tidy clang-tidy, which takes minutes.
+# include points to a later folder, that the manual holds together and is spelled, and that all files name one
+# version. With --lint ESLint on the page instead, with --tidy clang-tidy, which takes minutes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tidy() {

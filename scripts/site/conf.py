@@ -4,8 +4,7 @@ import os
 import pathlib
 import re
 
-SITE = pathlib.Path(__file__).resolve().parents[2] / "build" / "site"
-GALLERY = SITE / "gallery"
+GALLERY = pathlib.Path(os.environ["MISALIGN_SITE"]) / "gallery"
 
 project = "misalign"
 copyright = "the misalign developers"
@@ -21,7 +20,17 @@ html_theme = "furo"
 html_title = f"misalign {release}"
 html_show_sourcelink = False
 html_copy_source = False
-html_static_path = []
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_search_scorer = os.path.join(os.path.dirname(__file__), "scorer.js")
+# Those of the theme itself. Debian 12's package has lost them: its sass leaves out a media query within another.
+html_theme_options = {"dark_css_variables": {f"color-{name}": value for name, value in {
+    "problematic": "#ee5151", "foreground-primary": "#ffffffcc", "foreground-secondary": "#9ca0a5",
+    "foreground-muted": "#81868d", "foreground-border": "#666666", "background-primary": "#131416",
+    "background-secondary": "#1a1c1e", "background-hover": "#1e2124", "background-hover--transparent": "#1e212400",
+    "background-border": "#303335", "background-item": "#444444", "brand-primary": "#2b8cee",
+    "brand-content": "#368ce2", "highlighted-background": "#083563", "highlight-on-target": "#333300",
+    "admonition-background": "#18181a"}.items()}}
 pygments_style = "tango"
 pygments_dark_style = "monokai"
 
@@ -34,5 +43,6 @@ if any(GALLERY.glob("*.py")):
         "abort_on_example_error": True,
         "download_all_examples": False,
         "show_memory": False,
+        "min_reported_time": 1e9,  # the same pages whenever they are made
         "remove_config_comments": True,
     }

@@ -1,0 +1,86 @@
+// Twenty tasks of strangers on the site of the manual: each page that answers is at most two clicks from the first one,
+// or among the first results of one search. site_test.mjs FOLDER
+import { existsSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { kPatience_ms, open_browser } from "./browser.mjs";
+
+const kFirstResults = 5;
+
+// What they want; what they type into the search box; the pages that answer; what must be said there.
+const kTasks = [
+  ["cut my own 60 × 90 mm sheet", "cut panels 60 90", ["how-to/cut-my-own-sheet", "tutorials/from-sizes-to-a-drawing"], /--kit/],
+  ["what is a pilot crease", "pilot crease", ["explanation/method", "reference/words"], /crease whose fold angle/],
+  ["run on Slurm", "slurm", ["how-to/slurm"], /sbatch/],
+  ["install without root", "without root", ["how-to/without-root"], /\.local/],
+  ["which amplitude", "which amplitude", ["how-to/amplitude"], /amplitude_mm/],
+  ["load in MATLAB", "matlab", ["how-to/matlab"], /--format mat/],
+  ["resume after a kill", "resume after kill", ["how-to/resume", "reference/interruptions"], /same command/],
+  ["merge two machines", "merge machines", ["how-to/merge"], /misalign merge/],
+  ["what does a fault mean", "fault", ["reference/faults", "how-to/why-it-fails", "explanation/verdicts"], /not_monotone/],
+  ["add a pattern of my own", "own pattern", ["how-to/own-mesh", "code/search/patterns/index"], /FOLD/],
+  ["stop half open", "stop half open", ["how-to/stop-half-open"], /stops_at_deg/],
+  ["springs and wires", "springs wires", ["how-to/springs-and-wires", "explanation/deployment"], /--stroke-limit/],
+  ["how thick may panels be", "how thick panels", ["how-to/thickness", "explanation/building"], /misalign contact/],
+  ["cut a little off", "cut a little off", ["how-to/cut-a-little-off", "explanation/building"], /misalign tolerance|tolerance/],
+  ["play in joints", "joints play", ["how-to/play", "explanation/building"], /--backlash/],
+  ["what is certified", "certified", ["explanation/certificates", "how-to/certificate"], /certified angle|certified_deg/],
+  ["a rarer sheet", "rarer sheet", ["how-to/rare", "explanation/rare-sheets", "tutorials/rare-sheets"], /splitting/],
+  ["SQL over candidates", "SQL candidates", ["how-to/sql", "code/schema/queries/index"], /SELECT/],
+  ["figures from Python", "figures python", ["how-to/python-figures", "gallery/index"], /Python/],
+  ["cite it", "cite", ["how-to/cite", "overview"], /10\.1098\/rspa\.2015\.0235/],
+];
+
+const site = resolve(process.argv[2]);
+const address = (name) => pathToFileURL(`${site}/${name}.html`).href;
+const without_anchor = (href) => href.split("#")[0];
+
+const browser = await open_browser();
+const context = await browser.newContext({ viewport: { width: 1300, height: 900 }, offline: true });
+const page = await context.newPage();
+page.setDefaultTimeout(kPatience_ms);
+const problems = [];
+page.on("request", (request) => {
+  if (!/^(file|data):/.test(request.url())) problems.push(`asks for ${request.url()}`);
+});
+
+/** The pages that visible links of the open page lead to. */
+const links = async () => {
+  const all = await page.locator("a:visible").evaluateAll((each) => each.map(({ href }) => href));
+  return new Set(all.map(without_anchor));
+};
+
+await page.goto(address("index"));
+const one_click = await links();
+const two_clicks = new Map();
+for (const href of one_click) {
+  if (!href.startsWith("file:") || !href.endsWith(".html")) continue;
+  await page.goto(href);
+  two_clicks.set(href, await links());
+}
+
+for (const [task, typed, answers, said] of kTasks) {
+  const wanted = answers.map(address);
+  let clicks = "-";
+  if (wanted.some((href) => one_click.has(href))) clicks = 1;
+  else if ([...two_clicks.values()].some((next) => wanted.some((href) => next.has(href)))) clicks = 2;
+
+  await page.goto(address("index"));
+  await page.fill(".sidebar-search", typed);
+  await page.press(".sidebar-search", "Enter");
+  await page.waitForFunction(() => /found|did not match/.test(document.querySelector(".search-summary")?.textContent));
+  const found = await page.locator("ul.search li a").evaluateAll((each) => each.map(({ href }) => href));
+  const rank = found.findIndex((href) => wanted.includes(without_anchor(href).split("?")[0])) + 1;
+
+  const exists = [];
+  for (const href of wanted.filter((each) => existsSync(new URL(each)))) {
+    await page.goto(href);
+    if (said.test(await page.locator("article").innerText())) exists.push(href);
+  }
+  console.log(`${task}: ${clicks} clicks; "${typed}": ${rank || "-"} of ${found.length}`);
+  if (exists.length === 0) problems.push(`${task}: no page says ${said}`);
+  if (clicks === "-" && !(rank >= 1 && rank <= kFirstResults)) problems.push(`${task}: not found`);
+}
+await browser.close();
+for (const problem of problems) console.log(`FAILED: ${problem}`);
+process.exit(problems.length ? 1 : 0);
