@@ -125,6 +125,7 @@ def gallery(stage):
         shutil.copy(script, to)
     title, _, words = (ROOT / "search/python/gallery/README.md").read_text(encoding="utf-8").partition("\n")
     title = title.removeprefix("# ")
+    words = re.sub(r"`([^`]+)`", r"``\1``", words)  # it is reStructuredText there
     (to / "README.txt").write_text(f"{title}\n{'=' * len(title)}\n\n{words.strip().split(chr(10) * 2)[0]}\n",
                                    encoding="utf-8")
 

@@ -9,7 +9,7 @@
 
 namespace misalign::search::python {
 
-/// Stations [S] in degrees, and lengths [N, S, D] in mm of the sheets with these shifts, NaN beyond
+/// Stations [S] in degrees, and lengths [N, S, G] in mm of the sheets with these shifts, NaN beyond
 /// a path's end: those of `misalign replay --json`.
 pybind11::tuple histories_of(const SheetSource& source,
                              const std::vector<Eigen::Matrix2Xd>& shifts_mm);

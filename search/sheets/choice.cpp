@@ -30,7 +30,7 @@ std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
   });
 }
 
-// "; did you mean stroke_max?", or nothing. D is the paper's and the README's word.
+// "; did you mean stroke_max?", or nothing. D is the manual's word.
 std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
   const bool is_d = typed == "D" || typed == "d";
   const std::string meant = is_d ? "deploys_from_deg" : nearest_word(typed, columns);

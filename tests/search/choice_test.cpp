@@ -168,7 +168,7 @@ TEST_F(CostlyChoice, LeavesTheRestOfAQueryAlone) {
   }
 }
 
-// What is no column: which one may be meant. D is the README's own word.
+// What is no column: which one may be meant. D is the manual's own word.
 TEST_F(CostlyChoice, SaysWhichColumnMayBeMeant) {
   const auto said = [&](const Choice& choice) -> std::string {
     try {

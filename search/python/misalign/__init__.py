@@ -15,7 +15,7 @@ this package reads what they found, and judges and folds any sheet.
 [True, False]
 
 Everywhere angles are in degrees and lengths in mm, as the last word of a name says. In shapes N counts
-sheets, S stations (pilot angles), V vertices, F facets, C creases, D diagonals.
+sheets, S stations (pilot angles), V vertices, F facets, C creases, G diagonals. D is an angle, as everywhere: `deploys_from_deg`.
 """
 
 try:

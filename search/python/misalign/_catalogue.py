@@ -135,7 +135,7 @@ class Catalogue:
     def histories(self, draws: npt.ArrayLike | range) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """Lengths of the diagonals along the paths of these draws, accepted or not.
 
-        Two arrays: the stations [S] in degrees, which are the samples, and the lengths [N, S, D] in mm. Beyond
+        Two arrays: the stations [S] in degrees, which are the samples, and the lengths [N, S, G] in mm. Beyond
         the end of a draw's path they are NaN. Some 10 kB a draw and a thousand draws a second.
 
         >>> catalogue = misalign.Catalogue("miura-4x4.db")

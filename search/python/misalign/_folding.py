@@ -13,11 +13,11 @@ class Folding:
     """The path of one sheet, with a row for each station. Made by `Pattern.fold` and `Catalogue.replay`.
 
     `pilot_deg`        [S]: the stations
-    `length_mm`        [S, D]: of the diagonals
-    `rate_mm_per_deg`  [S, D]: their rates of change with the pilot angle
+    `length_mm`        [S, G]: of the diagonals
+    `rate_mm_per_deg`  [S, G]: their rates of change with the pilot angle
     `fold_angle_deg`   [S, C]: of the creases: 0 flat, 180 closed, valleys positive
     `vertices_mm`      [S, V, 3]: the folded sheet, laid over the flat one as well as it can be
-    `flat_mm`          [D]: lengths of the diagonals when flat
+    `flat_mm`          [G]: lengths of the diagonals when flat
     `shifts_mm`        [V, 2]: of this sheet
     `fold_limit_deg`   where the pilot turns, or how far the path was followed
     `deploys_from_deg` D: the largest sample up to which everything is in order

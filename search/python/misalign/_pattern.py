@@ -25,7 +25,7 @@ class Pattern:
     `holes`            facets that are taken out
     `creases`          [C, 2]: vertices; `valley` [C]: whether it is one, or a mountain, seen from +z
     `pilot`            the crease whose fold angle is prescribed
-    `diagonals`        [D, 2]: vertices; two of each hole, in the order of the holes
+    `diagonals`        [G, 2]: vertices; two of each hole, in the order of the holes
     `interior`         vertices that are not on the perimeter
     `vertex_labels`, `crease_labels`, `diagonal_labels`: such as "A1", "A2-A9"
     `sample_deg`       the samples, by which sheets are judged, are its multiples
