@@ -81,15 +81,6 @@ class Words(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
             self.assertRegex(done.stderr.splitlines()[-1], f"^figures.py: error: .*{words}")
 
-    def test_the_example_of_the_manual(self):
-        page = (SOURCE / "search/manual/how-to/python.md").read_text(encoding="utf-8")
-        example = re.search(r"```python\n(.*?)```", page, re.S)[1]
-        example = example.replace("results/miura-4x4-*.db", "miura-4x4.db")
-        done = subprocess.run([sys.executable, "-c", example], env={**os.environ, "PYTHONPATH": str(PACKAGE)},
-                              capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertTrue(done.stdout)
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -75,3 +75,11 @@ sound() {
   [ "$(sql "$1" 'SELECT count(*) FROM gaps')" = 0 ] || fail "$1: gaps"
   [ "$(sql "$1" 'SELECT sum(hi - lo) FROM unit')" = "$2" ] || fail "$1: draws"
 }
+
+# fresh_clone FOLDER: of the source folder, whoever owns that; what was changed there and not committed comes along.
+fresh_clone() {
+  printf '[safe]\n\tdirectory = *\n' > "$work/gitconfig"
+  GIT_CONFIG_GLOBAL=$work/gitconfig git clone -q "$source_dir" "$1" || return
+  GIT_CONFIG_GLOBAL=$work/gitconfig git -C "$source_dir" ls-files -z --modified --others --exclude-standard |
+    tar -C "$source_dir" --null --files-from=- --ignore-failed-read -cf - 2> /dev/null | tar -C "$1" -xf -
+}

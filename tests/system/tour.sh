@@ -7,13 +7,10 @@
 build=$(dirname "$program")
 chmod 755 "$work"
 
-# One command a line.
-awk '/^```/ { inside = $0 == "```sh"; if (inside) block++; next } inside { print block "\t" $0 }' \
-  "$source_dir/README.md" | sed -e ':join' -e '/\\$/{N;s/\\\n[0-9]*\t */ /;b join' -e '}' > blocks
-cut -f2 blocks | grep -vE '^(scripts/test\.sh|scripts/run\.sh)( *#.*)?$' | grep . > lines
-grep -qx 'scripts/run.sh 1 .*' lines || fail "no scripts/run.sh for a second in the README"
-[ "$(grep -c '^misalign ' lines)" -ge 13 ] || fail "too few lines: $(cat lines)"
-grep -E '^```(bash|shell|console)' "$source_dir/README.md" && fail "shell blocks that are not called sh"
+python3 "$source_dir/tests/system/typed.py" "$source_dir/README.md" > all.sh || fail "README's blocks"
+grep -vE "^type_it '?scripts/(test|run)\\.sh( *#.*)?'?\$" all.sh > typed.sh
+grep -q "^type_it 'scripts/run.sh 1 " typed.sh || fail "no scripts/run.sh for a second in the README"
+[ "$(grep -c "^type_it 'misalign " typed.sh)" -ge 13 ] || fail "too few lines: $(cat typed.sh)"
 
 mkdir stand-ins
 cat > stand-ins/compile << 'END'
@@ -47,33 +44,18 @@ fi
 chmod 755 stand-ins/*
 chmod -R a+rX stand-ins
 
-# The lines, and after each whether it did what it says.
-write_typed() {
-  while IFS= read -r line; do
-    printf 'printf "%%s\\n" %q\n%s\n' "\$ $line" "$line"
-    printf 'code=$?; [ $code = 0 ] || echo "LINE FAILED: exit $code:" %q\n' "$line"
-  done < lines > typed.sh
-}
-write_typed
-
 # tour NAME COMMAND...: all of it, started by COMMAND.
 tour() {
   local name=$1 tree=$work/$1/misalign home=$work/$1/home start=$EPOCHSECONDS
   shift
   mkdir -p "$work/$name/tmp" "$home"
-  # Whoever owns the source folder; what was changed there and not committed comes along.
-  printf '[safe]\n\tdirectory = *\n' > gitconfig
-  export GIT_CONFIG_GLOBAL=$work/gitconfig
-  git clone -q "$source_dir" "$tree" || { fail "$name: git clone"; return; }
-  git -C "$source_dir" ls-files -z --modified --others --exclude-standard |
-    tar -C "$source_dir" --null --files-from=- --ignore-failed-read -cf - 2> /dev/null | tar -C "$tree" -xf -
-  unset GIT_CONFIG_GLOBAL
+  fresh_clone "$tree" || { fail "$name: git clone"; return; }
   [ "$name" = user ] && chown -R nobody "$work/$name"
   (cd "$tree" && exec "$@" env -i HOME="$home" TMPDIR="$work/$name/tmp" LC_ALL=C.UTF-8 \
     PATH="$work/stand-ins:/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin" \
     CMAKE_CXX_COMPILER_LAUNCHER="$work/stand-ins/compile" CMAKE_CXX_LINKER_LAUNCHER="$work/stand-ins/link" \
     bash "$work/typed.sh") > "$name.log" 2>&1 < /dev/null || fail "$name: the shell ended with $?"
-  if [ "$(grep -c '^\$ ' "$name.log")" != "$(wc -l < lines)" ] || grep '^LINE FAILED' "$name.log"; then
+  if [ "$(grep -c '^\$ ' "$name.log")" != "$(grep -c '^type_it ' typed.sh)" ] || grep '^LINE FAILED' "$name.log"; then
     fail "$name:"
     cat "$name.log"
   fi
@@ -88,14 +70,13 @@ tour() {
   [ -s "$home/.local/share/bash-completion/completions/misalign" ] || fail "$name: no completion"
   ! command -v help2man > /dev/null || [ -s "$home/.local/share/man/man1/misalign-search.1" ] ||
     fail "$name: no manual pages"
-  echo "$name: $(wc -l < lines) lines in $((EPOCHSECONDS - start)) s"
+  echo "$name: $(grep -c '^type_it ' typed.sh) lines in $((EPOCHSECONDS - start)) s"
 }
 
 tour self
 if [ "$(id -u)" = 0 ]; then
   # What takes much processor time and is the same for both.
-  sed -i -E '/miura-6x6-flat|^misalign (tolerance|verify|deploy|actuators|contact|stress)/d' lines
-  write_typed
+  sed -i -E "/miura-6x6-flat|^type_it 'misalign (tolerance|verify|deploy|actuators|certify)/d" typed.sh
   tour user setpriv --reuid=nobody --regid=nogroup --clear-groups
 fi
 finish

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes a shell script of a page's `sh` and `python` blocks, in their order: typed.py PAGE [--all]
 
-Each command is shown, run, and named if it fails. Python blocks continue one another. Blocks called `sh slow` or
-`python slow` are left out unless --all is given. Other languages are not typed.
+The script shows each command, runs it, and names it if it fails. Python blocks continue one another. Blocks that are
+called `sh slow` are left out, unless --all is given. Other languages are not typed.
 """
 
 import re
@@ -10,15 +10,23 @@ import shlex
 import subprocess
 import sys
 
+BEGINNING = r"""
+type_it() {
+  printf '$ %s\n' "${1%%$'\n'*}"
+  eval "$1"
+  code=$?
+  [ $code = 0 ] || printf 'LINE FAILED: exit %s: %s\n' "$code" "$1"
+}"""
 
-def blocks(page):
-    """Language, whether it is slow, and the lines of each block."""
-    for info, text in re.findall(r"^ *```([^\n`]*)\n(.*?)^ *```$", page, re.M | re.S):
-        words = info.split() or [""]
-        if words[0] in ("bash", "shell", "console", "py"):
-            sys.exit(f"a block is called {words[0]}: `sh` and `python` are typed")
-        if words[0] in ("sh", "python"):
-            yield words[0], "slow" in words[1:], text
+
+def blocks(page, everything):
+    """Language and text of each block that is typed."""
+    for indent, info, text in re.findall(r"^( *)```([^\n`]+)\n(.*?)^ *```$", page, re.M | re.S):
+        language, *words = info.split()
+        if language in ("bash", "shell", "console", "py") or words not in ([], ["slow"]):
+            sys.exit(f"a block is called {info}; what is typed is `sh`, `sh slow` or `python`")
+        if language in ("sh", "python") and (everything or not words):
+            yield language, re.sub(f"^{indent}", "", text, flags=re.M)
 
 
 def commands(text):
@@ -33,24 +41,21 @@ def commands(text):
             yield "\n".join(command)
         command = []
     if command:
-        sys.exit(f"no end: {command}")
+        sys.exit(f"a command has no end: {command}")
 
 
 def main(page, everything):
     with open(page, encoding="utf-8") as file:
-        typed = list(blocks(file.read()))
+        typed = list(blocks(file.read(), everything))
+    print(BEGINNING.strip())
     python = ""
-    for language, slow, text in typed:
-        if slow and not everything:
-            continue
-        if language == "sh":
-            for command in commands(text):
-                print(f"printf '%s\\n' {shlex.quote('$ ' + command)}")
-                print(f"{command}\ncode=$?; [ $code = 0 ] || echo \"LINE FAILED: exit $code:\" {shlex.quote(command)}")
-        else:
+    for language, text in typed:
+        if language == "python":
             python += text
-            print("printf '%s\\n' '$ python'")
-            print(f"/usr/bin/python3 -c {shlex.quote(python)} || echo 'LINE FAILED: python' {shlex.quote(text)}")
+            print("type_it", shlex.quote(f"/usr/bin/python3 -c {shlex.quote(python)}"))
+        else:
+            for command in commands(text):
+                print("type_it", shlex.quote(command))
 
 
 main(sys.argv[1], "--all" in sys.argv[2:])
