@@ -10,6 +10,7 @@ build=$(realpath "${1:-build/release}")
 export MISALIGN_SITE
 MISALIGN_SITE=$(realpath -m "${2:-build/site}")
 [ -x "$build/misalign" ] || { echo "$build/misalign is not there: scripts/run.sh 1 builds it" >&2; exit 1; }
+[ -d "$build/python" ] || { echo "$build has no Python package: cmake -DMISALIGN_PYTHON=ON" >&2; exit 1; }
 begun_s=$SECONDS
 
 rm -rf "$MISALIGN_SITE"

@@ -15,6 +15,7 @@ extensions = ["myst_parser"]
 myst_heading_anchors = 4  # as GitHub makes them
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 suppress_warnings = ["myst.header"]
+exclude_patterns = ["gallery/sg_execution_times.rst", "sg_execution_times.rst"]  # differ each time
 
 html_theme = "furo"
 html_title = f"misalign {release}"
