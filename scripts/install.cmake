@@ -11,6 +11,9 @@ install(DIRECTORY schema/migrations schema/queries schema/versions
 # Beside each other: campaigns name the files of ../patterns.
 install(DIRECTORY search/campaigns search/patterns DESTINATION ${CMAKE_INSTALL_DATADIR}/misalign)
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The manual, where README's links find it, and the site of it if there is one (scripts/site.sh; `misalign help --site`).
+install(DIRECTORY search/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}/search)
+install(DIRECTORY build/site/html DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 
 # find_package(misalign): the target misalign::solver, used as solver/example does. Left out are headers of what is
 # inside: the yardstick, and what needs xsimd or FLINT.

@@ -1,21 +1,55 @@
-// `misalign help`: what another verb does.
+// `misalign help`: what another verb does, and where the manual is.
+#include <array>
+#include <filesystem>
+
+#include "schema/files/user_error.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/help_format.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {
+namespace {
+
+using schema::Cause;
+using schema::UserError;
+
+// The first page of the site, beside an installed program or one in its build folder.
+std::filesystem::path place_of_site() {
+  constexpr std::array kPlaces = {"../share/doc/misalign/html", "../site/html"};
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  for (const char* place : kPlaces) {
+    const std::filesystem::path page = program.parent_path() / place / "index.html";
+    if (std::filesystem::exists(page)) return page.lexically_normal();
+  }
+  throw UserError(Cause::failure,
+                  "the site is not beside this program (it is made on request); in the source "
+                  "folder scripts/site.sh makes it, build/site/html/index.html");
+}
+
+}  // namespace
 
 Action help_verb(CLI::App& verb) {
   const CLI::App& app = *verb.get_parent();
   verb.description("what a verb does, with its options and examples");
-  verb.footer("The same as misalign VERB --help.\n\nExamples:\n  misalign help search");
+  verb.footer(
+      "The same as misalign VERB --help.\n\n"
+      "Examples:\n"
+      "  misalign help search\n"
+      "  xdg-open \"$(misalign help --site)\"");
   std::vector<std::string> known;
   for (const CLI::App* each : verbs_of(app)) known.push_back(each->get_name());
   auto name = std::make_shared<std::string>();
-  verb.add_option("VERB", *name, "the verb [all of them, a line each]")
-      ->check(known_word("verb", known));
-  return [&app, name] {
+  auto* named = verb.add_option("VERB", *name, "the verb [all of them, a line each]")
+                    ->check(known_word("verb", known));
+  auto site = std::make_shared<bool>(false);
+  verb.add_flag("--site", *site, "where the manual's first page is, for a browser")
+      ->excludes(named);
+  return [&app, name, site] {
+    if (*site) {
+      put(place_of_site().string() + "\n");
+      return 0;
+    }
     const CLI::App& asked = name->empty() ? app : *app.get_subcommand(*name);
     // Not app.help(): that is this verb's, which was chosen.
     const std::string text =

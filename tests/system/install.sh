@@ -5,7 +5,8 @@ prefix=$work/prefix
 cmake --install "$build" --prefix "$prefix" > log 2>&1 || { fail "cmake --install"; cat log; finish; }
 share=$prefix/share
 
-for file in share/doc/misalign/README.md share/doc/misalign/LICENSE share/misalign/schema/catalogue.sql \
+for file in share/doc/misalign/README.md share/doc/misalign/search/manual/index.md \
+  share/doc/misalign/LICENSE share/misalign/schema/catalogue.sql \
   share/misalign/schema/campaign.schema.json share/misalign/schema/migrations/2.sql \
   share/misalign/patterns/table1.json share/bash-completion/completions/misalign \
   share/zsh/site-functions/_misalign; do
@@ -14,8 +15,10 @@ done
 for kind in schema/queries search/campaigns search/patterns; do
   [ "$(ls "$source_dir/$kind")" = "$(ls "$share/misalign/${kind#search/}")" ] || fail "$kind"
 done
-strange=$(find "$prefix" -name '*.cpp' ! -path '*/examples/*' -o -name '*.hpp' ! -path '*/include/misalign/*' \
-  -o -name '*.a' ! -name libmisalign_solver.a -o -name results -o -type d -empty)
+site=$share/doc/misalign/html
+[ ! -d "$source_dir/build/site/html" ] || [ -s "$site/index.html" ] || fail "the site that was made is not installed"
+strange=$(find "$prefix" ! -path "$site/*" \( -name '*.cpp' ! -path '*/examples/*' -o -name '*.hpp' \
+  ! -path '*/include/misalign/*' -o -name '*.a' ! -name libmisalign_solver.a -o -name results -o -type d -empty \))
 [ -z "$strange" ] || fail "what nobody installs: $strange"
 
 # The program finds nothing but what it carries and what is beside it.
@@ -30,6 +33,13 @@ done
 for pattern in "$share"/misalign/patterns/*.json; do
   "$installed" fold "$pattern" --to 5 > /dev/null || fail "$pattern"
 done
+mkdir -p "$site"
+touch "$site/index.html"
+[ "$("$installed" help --site)" = "$(realpath "$site/index.html")" ] || fail "where the site is"
+rm "$site/index.html"
+"$installed" help --site > said 2> err
+[ $? = 1 ] && [ ! -s said ] && grep -q scripts/site.sh err || fail "where there is no site: $(cat said err)"
+
 "$installed" completion bash | cmp - "$share/bash-completion/completions/misalign" || fail "bash completion"
 "$installed" completion zsh | cmp - "$share/zsh/site-functions/_misalign" || fail "zsh completion"
 
