@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "schema/campaign/draw_range.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/campaign/pattern.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "schema/campaign/stop_rule.hpp"
+#include "solver/continuation/path.hpp"
 #include "solver/design/actuators.hpp"
+#include "solver/verdict/verdict.hpp"
 
 namespace misalign::schema {
 
@@ -61,35 +63,5 @@ struct Campaign {
   Sampling sampling() const { return {sample_deg, end_deg, between_samples}; }
   solver::PathPlanOptions path() const { return {sample_deg, end_deg}; }
 };
-
-/// Reads and checks a campaign; UserError (bad_input) naming `source` with every fault. A FOLD file
-/// that its pattern names is looked for in `directory`; without one none may be named.
-Campaign read_campaign(const Json& value, const std::string& source,
-                       const std::optional<std::filesystem::path>& directory = {});
-Campaign read_campaign_file(const std::string& path);
-
-/// The bounds of a stiffness and of a stroke limit, here and on the command line.
-inline constexpr double kLeastStiffness_n_per_mm = 1e-6, kMostStiffness_n_per_mm = 1e9;
-inline constexpr double kLeastStroke = 1e-6, kMostStroke = 1;
-
-/// The default campaign: the paper's.
-Campaign default_campaign();
-
-/// The resolved configuration, every key. Reading it again gives the same campaign.
-Json campaign_json(const Campaign& campaign);
-
-/// The same without what older programs do not know, where that is the default:
-/// what a catalogue keeps, so that they can still read it.
-Json stored_configuration(const Campaign& campaign);
-
-/// What the identity is made of: pattern, misalignment, path, accept and seed, keys at their
-/// defaults left out.
-Json identity_json(const Campaign& campaign);
-
-/// XXH3-128 of identity_json, sorted keys, no spaces: 32 hex digits.
-std::string identity(const Campaign& campaign);
-
-/// "/seed (1 there, 2 here)", for every key of the identity in which two campaigns differ.
-std::string differences(const Campaign& there, const Campaign& here);
 
 }  // namespace misalign::schema

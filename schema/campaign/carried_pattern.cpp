@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "schema/campaign/filled_mesh.hpp"
+#include "schema/campaign/pattern_file.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

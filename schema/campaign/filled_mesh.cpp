@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "schema/campaign/pattern_file.hpp"
+
 namespace misalign::schema {
 namespace {
 

@@ -1,23 +1,14 @@
-// A pattern as people write it, and the perforated sheet it stands for.
+// Patterns as people write them, and exported candidates.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "schema/campaign/pattern.hpp"
 #include "schema/files/input.hpp"
-#include "solver/pattern/perforation.hpp"
-#include "solver/verdict/between.hpp"
 
 namespace misalign::schema {
-
-struct Pattern {
-  Json family;  ///< "family" and the keys of that family, resolved: no default, no file left
-  solver::PerforatedSheet base;
-  Eigen::Matrix2Xd shifts_mm;  ///< the file's displacements, one column per vertex
-
-  solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
-};
 
 enum class Displacements { allowed, refused };
 
@@ -31,11 +22,6 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
                      const std::optional<std::filesystem::path>& directory, InputFaults& faults,
                      Perforations perforations = Perforations::of_one_freedom);
 
-/// Where a path is looked at, and what counts as a fault between.
-struct Sampling {
-  double sample_deg = 1, end_deg = 180;
-  solver::BumpRule between_samples = solver::BumpRule::ignored;
-};
 Json sampling_json(const Sampling& sampling);
 
 /// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact".

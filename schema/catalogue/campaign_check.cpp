@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/since.hpp"
 

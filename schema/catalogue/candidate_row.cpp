@@ -1,5 +1,6 @@
 #include "schema/catalogue/candidate_row.hpp"
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_table.hpp"

@@ -1,4 +1,5 @@
 // Opening a catalogue: a new one is laid out, one of an older schema is brought up to date.
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"

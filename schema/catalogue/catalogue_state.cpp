@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "schema/catalogue/result_table.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/files/base64.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_ranges.hpp"
 #include "schema/catalogue/campaign_check.hpp"
 #include "schema/catalogue/digest.hpp"

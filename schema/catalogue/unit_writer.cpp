@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"

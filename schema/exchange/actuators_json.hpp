@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/actuators.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::schema {
 

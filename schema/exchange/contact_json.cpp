@@ -1,5 +1,6 @@
 #include "schema/exchange/contact_json.hpp"
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/files/json_values.hpp"
 
 namespace misalign::schema {

@@ -4,6 +4,7 @@
 
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/campaign/filled_mesh.hpp"
+#include "schema/campaign/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

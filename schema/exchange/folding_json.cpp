@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "schema/campaign/campaign_file.hpp"
+
 namespace misalign::schema {
 namespace {
 

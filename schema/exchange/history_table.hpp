@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/exchange/folding_json.hpp"
-#include "solver/design/actuators.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::schema {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/mat_file.hpp"
 #include "schema/files/json_values.hpp"

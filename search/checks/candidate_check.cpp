@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"

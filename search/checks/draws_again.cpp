@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/files/json_values.hpp"
 #include "search/splitting/origin.hpp"

@@ -13,6 +13,7 @@
 #include "schema/files/features.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/draws/golden_verdicts.hpp"
 #include "search/terminal/stopwatch.hpp"
 
 namespace misalign::search {

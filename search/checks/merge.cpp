@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/merge_plan.hpp"
 #include "schema/catalogue/population_rows.hpp"

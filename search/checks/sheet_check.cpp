@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/files/features.hpp"
 #include "search/draws/models.hpp"
 #include "solver/pattern/half_angle.hpp"

@@ -89,29 +89,6 @@ bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shif
   return (others_mm.array() == 0).all();
 }
 
-solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k) {
-  for (std::uint32_t block = 64 * k;; ++block) {
-    const auto words = philox_block(seed, trial, block, kBacklashStream);
-    const solver::Vec3<double> point = {uniform_share(words[0]), uniform_share(words[1]),
-                                        uniform_share(words[2])};
-    if (dot(point, point) <= 1) return point;
-  }
-}
-
-solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint64_t seed,
-                                   std::uint64_t trial) {
-  solver::JointOffsets offsets;
-  std::uint32_t k = 0;
-  for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
-    offsets.creases_a.push_back(point_in_ball(seed, trial, k++));
-    offsets.creases_b.push_back(point_in_ball(seed, trial, k++));
-  }
-  for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
-    offsets.balls.push_back(point_in_ball(seed, trial, k++));
-  }
-  return offsets;
-}
-
 bool random_numbers_as_published() {
   using Block = std::array<std::uint32_t, 4>;
   return philox_block(0, 0, 0, 0) == Block{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8} &&

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "schema/campaign/campaign.hpp"
-#include "solver/kinematics/loose_sheet.hpp"
 
 namespace misalign::search {
 
@@ -37,16 +36,6 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
 
 /// Whether a draw of the campaign can have these shifts, one column per vertex of its sheet.
 bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm);
-
-/// The k-th point of trial t, uniform in the unit ball: the first in the ball of points of the cube
-/// round it, whose coordinates are uniform ones as above from words 0 to 2 of blocks 64 k,
-/// 64 k + 1, ... (One in two lies in it.)
-solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k);
-
-/// How the joints of trial t have settled, as a share of their play: points 2i and 2i + 1 are
-/// crease i's at a and at b, in the mechanism's order, and then those of the ball joints.
-solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint64_t seed,
-                                   std::uint64_t trial);
 
 /// Whether the generator gives the published known answers (Random123's, and seed 1 draw 0).
 bool random_numbers_as_published();

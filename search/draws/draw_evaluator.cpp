@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 
-#include "schema/files/hash.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 #include "search/terminal/stopwatch.hpp"
@@ -201,20 +200,6 @@ solver::FoldingHistory DrawEvaluator::history(std::uint64_t draw) {
 
 Eigen::Matrix2Xd DrawEvaluator::shifts_mm(std::uint64_t draw) const {
   return shifts_of_draw(campaign_, draw);
-}
-
-std::string golden_verdicts(solver::InstructionSet set) {
-  DrawEvaluator evaluator(
-      schema::read_campaign({{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}},
-                             {"accept", {{"deploys_from_deg", 180}}}},
-                            "the golden campaign"),
-      set);
-  std::string whole_numbers;
-  for (const solver::Verdict& verdict : evaluator.judge({0, 32})) {
-    whole_numbers += std::to_string(verdict.deploys_from_sample) +
-                     solver::fault_name(verdict.first_fault) + std::to_string(verdict.where) + " ";
-  }
-  return schema::hex(schema::hash_of(whole_numbers));
 }
 
 UnitWork::UnitWork(DrawEvaluator& evaluator, const schema::DrawRange& range,

@@ -85,10 +85,6 @@ class DrawEvaluator {
   Draws made_, waiting_, sampled_, open_;
 };
 
-/// Fingerprint of this build's verdicts on fixed draws of a small sheet, in these registers: whole
-/// numbers, the same for every build whose verdicts can be trusted to agree.
-std::string golden_verdicts(solver::InstructionSet set);
-
 /// What the results of a unit may take before it ends early: they are one message of MPI, whose
 /// length is an int, and in memory twice on rank 0. A block adds as much again at most.
 inline constexpr std::size_t kMostUnit_bytes = 256 << 20;

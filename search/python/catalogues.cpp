@@ -19,6 +19,7 @@
 #include "search/sheets/deployment_functions.hpp"
 #include "search/sheets/query_text.hpp"
 #include "search/sheets/tolerance.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::search::python {
 namespace {

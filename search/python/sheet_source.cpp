@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "solver/design/tolerance.hpp"
 
 namespace misalign::search::python {

@@ -1,6 +1,7 @@
 // `_misalign.Sheet`: what a pattern or campaign file says, as arrays.
 #include <pybind11/stl.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "search/ranks/heartbeat.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/rank_starter.hpp"

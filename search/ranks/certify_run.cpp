@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"

@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <set>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw.hpp"
+#include "search/draws/golden_verdicts.hpp"
 #include "search/ranks/campaign_run.hpp"
 #include "search/ranks/climb_task.hpp"
 #include "search/ranks/draw_task.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/status_json.hpp"
 #include "schema/files/json_values.hpp"

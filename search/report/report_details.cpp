@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "schema/report/report.hpp"
+#include "solver/design/actuation.hpp"
 #include "solver/design/contact.hpp"
 #include "solver/design/deploy.hpp"
 

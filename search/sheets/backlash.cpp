@@ -100,6 +100,29 @@ void find_largest(Trials& trials, std::uint64_t all, solver::Backlash& backlash)
 
 }  // namespace
 
+solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k) {
+  for (std::uint32_t block = 64 * k;; ++block) {
+    const auto words = philox_block(seed, trial, block, kBacklashStream);
+    const solver::Vec3<double> point = {uniform_share(words[0]), uniform_share(words[1]),
+                                        uniform_share(words[2])};
+    if (dot(point, point) <= 1) return point;
+  }
+}
+
+solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint64_t seed,
+                                   std::uint64_t trial) {
+  solver::JointOffsets offsets;
+  std::uint32_t k = 0;
+  for (std::size_t i = 0; i < mechanism.creases.size(); ++i) {
+    offsets.creases_a.push_back(point_in_ball(seed, trial, k++));
+    offsets.creases_b.push_back(point_in_ball(seed, trial, k++));
+  }
+  for (std::size_t i = 0; i < mechanism.balls.size(); ++i) {
+    offsets.balls.push_back(point_in_ball(seed, trial, k++));
+  }
+  return offsets;
+}
+
 BacklashStudy::BacklashStudy(const schema::Campaign& campaign,
                              const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                              const solver::BacklashOptions& options)

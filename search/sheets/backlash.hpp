@@ -9,6 +9,16 @@
 
 namespace misalign::search {
 
+/// The k-th point of trial t, uniform in the unit ball: the first in the ball of points of the cube
+/// round it, whose coordinates are uniform ones as above from words 0 to 2 of blocks 64 k,
+/// 64 k + 1, ... (One in two lies in it.)
+solver::Vec3<double> point_in_ball(std::uint64_t seed, std::uint64_t trial, std::uint32_t k);
+
+/// How the joints of trial t have settled, as a share of their play: points 2i and 2i + 1 are
+/// crease i's at a and at b, in the mechanism's order, and then those of the ball joints.
+solver::JointOffsets trial_offsets(const solver::Mechanism& mechanism, std::uint64_t seed,
+                                   std::uint64_t trial);
+
 struct BacklashStudyOptions {
   double backlash_mm = 0;       ///< radius of the ball in which each joint's offsets lie
   std::uint64_t trials = 1000;  ///< trials 0 to this

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/hash.hpp"
 #include "search/sheets/campaign_sheet.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "search/sheets/found_study.hpp"
 

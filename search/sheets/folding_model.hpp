@@ -7,7 +7,7 @@
 
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/models.hpp"
-#include "solver/design/actuators.hpp"
+#include "solver/design/actuation.hpp"
 
 namespace misalign::search {
 

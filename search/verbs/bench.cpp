@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"
 #include "search/terminal/stopwatch.hpp"

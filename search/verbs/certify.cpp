@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/certify_json.hpp"
 #include "schema/files/features.hpp"

@@ -1,7 +1,7 @@
 // `misalign config`: the default campaign, or every fault of a file.
 #include <fmt/format.h>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/key_list.hpp"
 #include "search/ranks/search_run.hpp"
 #include "search/terminal/terminal.hpp"

@@ -1,6 +1,7 @@
 // `misalign doctor`: the checks of a machine, or of all that mpirun starts it on.
 #include "search/checks/machine_check.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/draws/golden_verdicts.hpp"
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/terminal.hpp"

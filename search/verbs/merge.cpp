@@ -6,6 +6,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/draws/golden_verdicts.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"

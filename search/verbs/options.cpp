@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/draw_range.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "solver/design/contact.hpp"

@@ -1,6 +1,7 @@
 // `misalign replay`: any draw of a campaign again.
 #include <fmt/format.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/folding_model.hpp"

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "tests/bench/cpu_seconds.hpp"
 

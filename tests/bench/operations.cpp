@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 

@@ -2,6 +2,7 @@
 // lane: residual, Jacobian, factorisation, solves, one path. `misalign bench` has the lanes.
 #include <benchmark/benchmark.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "solver/continuation/path_follower.hpp"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/ranks/coordinator.hpp"
 #include "search/ranks/draw_task.hpp"
 #include "search/ranks/stop_signal.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "search/splitting/climber.hpp"
 #include "tests/bench/cpu_seconds.hpp"
 

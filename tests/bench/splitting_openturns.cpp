@@ -15,6 +15,7 @@
 #include <openturns/ThresholdEvent.hxx>
 #include <openturns/Uniform.hxx>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/split_rate.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"

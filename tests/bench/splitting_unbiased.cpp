@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/split_rate.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/splitting/climber.hpp"

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/metric_table.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "tests/bench/cpu_seconds.hpp"

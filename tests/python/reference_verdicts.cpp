@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/verbs/reference_run.hpp"
 
 using namespace misalign;

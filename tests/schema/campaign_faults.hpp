@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 
 namespace misalign::schema {
 

@@ -1,4 +1,5 @@
 // campaign.schema.json and read_campaign accept and refuse the same files.
+#include "schema/campaign/campaign_file.hpp"
 #include "schema_agreement.hpp"
 
 namespace misalign::schema {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "campaign_faults.hpp"
+#include "schema/campaign/campaign_file.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -1,4 +1,5 @@
 // candidate.schema.json describes what `misalign export` writes.
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/yield.hpp"
 #include "schema/exchange/actuators_json.hpp"

@@ -1,5 +1,6 @@
 // The catalogue's file: whose it is, who may write it, and of which version it is.
 #include "catalogue_fixture.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 
 namespace misalign::schema {

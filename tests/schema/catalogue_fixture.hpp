@@ -10,6 +10,7 @@
 #include <map>
 #include <random>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/digest.hpp"

@@ -11,6 +11,7 @@
 #include "../solver/own_sheet.hpp"
 #include "schema/campaign/carried_pattern.hpp"
 #include "schema/campaign/filled_mesh.hpp"
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/fold_export.hpp"
 #include "shifted_pattern.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "../solver/own_sheet.hpp"
 #include "schema/campaign/carried_pattern.hpp"
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/drawing.hpp"
 #include "shifted_pattern.hpp"
 #include "solver/pattern/perforation.hpp"

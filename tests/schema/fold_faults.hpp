@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fold_meshes.hpp"
+#include "schema/campaign/pattern_file.hpp"
 
 namespace misalign::schema {
 

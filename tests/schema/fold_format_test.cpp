@@ -5,7 +5,7 @@
 #include <random>
 
 #include "fold_meshes.hpp"
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "tests/folder.hpp"
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "../solver/own_sheet.hpp"
+#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/actuators_json.hpp"
 
 namespace misalign::schema {

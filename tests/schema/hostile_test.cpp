@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "catalogue_fixture.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sql_tokens.hpp"

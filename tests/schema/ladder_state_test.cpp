@@ -3,6 +3,7 @@
 #include "schema/catalogue/ladder_state.hpp"
 
 #include "catalogue_fixture.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/ledger_check.hpp"
 

@@ -1,4 +1,6 @@
 // Patterns as campaigns name them: perforations that are refused, and labels of vertices.
+#include "schema/campaign/pattern_file.hpp"
+
 #include "campaign_faults.hpp"
 
 namespace misalign::schema {

@@ -5,6 +5,7 @@
 
 #include "fold_meshes.hpp"
 #include "schema/campaign/carried_pattern.hpp"
+#include "schema/campaign/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

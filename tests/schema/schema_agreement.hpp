@@ -14,6 +14,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/exchange/folding_json.hpp"
 #include "schema/files/carried_files.hpp"

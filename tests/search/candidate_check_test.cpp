@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"

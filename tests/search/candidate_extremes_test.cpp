@@ -2,6 +2,7 @@
 // coordinates: of draws next to whose fold limit, or next to D, both are hard to know.
 #include <gtest/gtest.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/metric_table.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "tests/solver/coordinate_extremes.hpp"

@@ -2,6 +2,7 @@
 // candidates that are certified as they are found.
 #include <gtest/gtest.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/certify_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"

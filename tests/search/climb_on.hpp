@@ -1,6 +1,7 @@
 // A splitting search in a moment: a campaign, and its catalogue gone on with.
 #pragma once
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/ranks/climb_task.hpp"
 #include "splitting_campaigns.hpp"
 

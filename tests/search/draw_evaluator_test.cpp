@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/ranks/messages.hpp"
 #include "search/sheets/folding_model.hpp"

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "schema/campaign/campaign_file.hpp"
+#include "search/sheets/backlash.hpp"
+
 namespace misalign::search {
 namespace {
 

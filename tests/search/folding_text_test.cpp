@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/files/text_table.hpp"
 #include "search/draws/draw_evaluator.hpp"
 

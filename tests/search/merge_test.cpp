@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "search/draws/draw_evaluator.hpp"

@@ -5,13 +5,14 @@
 #include <map>
 #include <numbers>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/mjcf_export.hpp"
 #include "schema/files/text_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
 #include "search/sheets/release.hpp"
+#include "solver/design/actuation.hpp"
 #include "tests/bench/mujoco_comparison.hpp"
 #include "tests/folder.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/climb_cost.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/terminal/duration.hpp"

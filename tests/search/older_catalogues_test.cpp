@@ -8,6 +8,7 @@
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"
 #include "search/draws/draw_evaluator.hpp"
+#include "search/draws/golden_verdicts.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {

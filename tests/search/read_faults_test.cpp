@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "../schema/faulty_vfs.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"

@@ -1,7 +1,7 @@
 // Campaigns that several tests of splitting climb.
 #pragma once
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "solver/lanes/batch.hpp"
 #include "tests/solver/blocks.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/splitting/moves.hpp"
 #include "solver/pattern/symmetry.hpp"

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/checks/merge.hpp"
 #include "search/checks/verify.hpp"

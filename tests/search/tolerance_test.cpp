@@ -6,6 +6,7 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <set>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/backlash_json.hpp"
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/draws/draw.hpp"

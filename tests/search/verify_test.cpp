@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/digest.hpp"
 #include "search/draws/draw_evaluator.hpp"

@@ -1,7 +1,5 @@
 // Springs on the diagonals against lengths between vertex coordinates, fine differences and sets
 // that are tried one by one.
-#include "solver/design/actuators.hpp"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -10,6 +8,7 @@
 
 #include "blocks.hpp"
 #include "own_sheet.hpp"
+#include "solver/design/actuation.hpp"
 #include "solver/records/metrics.hpp"
 #include "vertex_coordinates.hpp"
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <map>
 
+#include "solver/design/actuation.hpp"
 #include "solver/design/backlash.hpp"
 #include "solver/design/deploy.hpp"
 #include "solver/design/plate_thickness.hpp"

@@ -7,7 +7,7 @@
 //   campaign_fuzz --corpus DIRECTORY    writes the files that it starts from
 #include <tuple>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/campaign/fold_format.hpp"
 #include "tests/stress/mutations.hpp"
 #include "tests/stress/same_pattern.hpp"

@@ -5,6 +5,7 @@
 //   candidate_fuzz INPUTS [SEED]
 //   candidate_fuzz --input FILE          reads one input again
 //   candidate_fuzz --corpus DIRECTORY    writes the candidates that it starts from
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/fold_export.hpp"
 #include "search/checks/pattern_check.hpp"

@@ -8,6 +8,7 @@
 //   catalogue_fuzz --corpus DIRECTORY    writes the catalogues that it starts from
 #include <sys/resource.h>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/certificate_table.hpp"
 #include "schema/catalogue/ledger_check.hpp"

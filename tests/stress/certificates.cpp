@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/database.hpp"
 #include "search/draws/draw.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "../solver/finely_judged.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw_evaluator.hpp"
 
 namespace misalign {

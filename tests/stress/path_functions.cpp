@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "schema/campaign/campaign.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "solver/continuation/node_follower.hpp"
 #include "solver/judging/function_bumps.hpp"
 #include "solver/linear/newton.hpp"

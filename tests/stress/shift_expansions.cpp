@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "../solver/expansion_sums.hpp"
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/models.hpp"
 #include "solver/lanes/expansion_test.hpp"

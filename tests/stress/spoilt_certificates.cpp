@@ -9,6 +9,7 @@
 #include <map>
 #include <random>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/draws/models.hpp"

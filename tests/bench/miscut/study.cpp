@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/folding_json.hpp"
 #include "search/draws/draw.hpp"
 #include "search/draws/draw_evaluator.hpp"

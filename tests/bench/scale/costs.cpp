@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 #include "search/draws/draw_evaluator.hpp"
 #include "search/ranks/messages.hpp"

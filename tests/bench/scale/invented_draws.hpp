@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue.hpp"
 
 namespace misalign::bench {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "schema/campaign/campaign_file.hpp"
 #include "tests/bench/work_precision/clock.hpp"
 #include "tests/bench/work_precision/methods.hpp"
 #include "tests/bench/work_precision/truth.hpp"

@@ -1,4 +1,4 @@
-#include "solver/design/actuators.hpp"
+#include "solver/design/actuation.hpp"
 
 #include <algorithm>
 #include <cmath>

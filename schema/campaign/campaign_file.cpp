@@ -1,0 +1,333 @@
+#include "schema/campaign/campaign_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "schema/files/hash.hpp"
+#include "schema/files/json_values.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Angles that are meant to be whole multiples of sample_deg are, to this part of one.
+constexpr double kMultipleTolerance = 1e-9;
+
+bool whole_multiple(double value, double step) {
+  const double ratio = value / step;
+  return std::abs(ratio - std::round(ratio)) <= kMultipleTolerance * std::max(1.0, ratio);
+}
+
+std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern& sheet) {
+  const char* const kForms =
+      "write \"interior\", \"ring\" or a list of labels like [\"A9\", \"A10\"]";
+  const Json* value = reader.find("vertices");
+  if (!value || *value == "interior") return solver::interior_vertices(sheet);
+  if (*value == "ring") return solver::ring_vertices(sheet);
+  if (!value->is_array() || value->empty()) {
+    reader.faults().add(reader.shown("vertices"), "names no set of vertices", kForms);
+    return {};
+  }
+  std::vector<int> vertices;
+  for (const Json& label : *value) {
+    const int vertex =
+        label.is_string() ? vertex_of_label(label.get<std::string>(), sheet.vertex_count()) : -1;
+    if (vertex < 0) {
+      reader.faults().add(
+          reader.name("vertices") + " has " + label.dump(),
+          "is no vertex of this sheet, A1 to A" + std::to_string(sheet.vertex_count()), kForms);
+    } else {
+      vertices.push_back(vertex);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end()) {
+    reader.faults().add(reader.name("vertices"), "names a vertex twice", "name each once");
+  }
+  return vertices;
+}
+
+// The largest two-digit number not above x, for a sentence; x is known to 1e-6 of itself.
+double rounded_down(double x) {
+  const double known = x * (1 + 1e-6);
+  const double unit = std::pow(10, std::floor(std::log10(known)) - 1);
+  return std::floor(known / unit) * unit;
+}
+
+void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
+                       Misalignment& misalignment) {
+  InputFaults& faults = reader.faults();
+  const std::size_t before = faults.count();
+  if (sheet) {
+    misalignment.vertices = read_vertices(reader, *sheet);
+  } else {
+    reader.find("vertices");
+  }
+  reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
+  if (sheet && faults.count() == before) {
+    const double safe = solver::largest_safe_amplitude_mm(*sheet, misalignment.vertices);
+    if (misalignment.amplitude_mm >= safe) {
+      faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
+                 "must be below " + shown_number(rounded_down(safe)) +
+                     ", where a facet of this sheet can lose convexity",
+                 "try " + shown_number(rounded_down(0.95 * safe)));
+    }
+  }
+  std::string levels = "ternary";
+  reader.text("levels", levels, "write \"ternary\" or \"uniform\"");
+  misalignment.distribution =
+      levels == "uniform" ? ShiftDistribution::uniform : ShiftDistribution::ternary;
+  if (levels != "uniform" && levels != "ternary") {
+    faults.add(reader.shown("levels"), "is no set of levels", "write \"ternary\" or \"uniform\"");
+  }
+  reader.refuse_unknown_keys();
+}
+
+// Null, both of them, for no stop.
+void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop) {
+  const auto is_there = [&](const char* key) {
+    const Json* value = accept.find(key);
+    return value && !value->is_null();
+  };
+  const bool angle = is_there("stops_at_deg"), stiffness = is_there("stop_stiffness_mm2_per_rad2");
+  if (angle != stiffness) {
+    accept.faults().add(accept.name(angle ? "stops_at_deg" : "stop_stiffness_mm2_per_rad2"),
+                        std::string("needs ") +
+                            (angle ? "stop_stiffness_mm2_per_rad2" : "stops_at_deg") + " beside it",
+                        "write both, or neither: where the sheet stops, and how stiffly at least");
+  }
+  if (!angle || !stiffness) return;
+  stop = RequiredStop{0, 0};
+  accept.number("stops_at_deg", stop->at_deg, 0.01, 180, "try 60, or null for no stop");
+  accept.number("stop_stiffness_mm2_per_rad2", stop->least_mm2_per_rad2, 1e-9, 1e9,
+                "try 5, or null for no stop");
+}
+
+void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
+                             Campaign& campaign) {
+  InputFaults& faults = path.faults();
+  const std::size_t before = faults.count();
+  path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
+  path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
+  accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
+  read_between_samples(accept, campaign.between_samples);
+  read_required_stop(accept, campaign.required_stop);
+  const bool numbers_good = faults.count() == before;
+  path.refuse_unknown_keys();
+  accept.refuse_unknown_keys();
+  if (!numbers_good) return;
+  const auto check = [&](const ObjectReader& reader, const char* key, double value, double most,
+                         const char* last) {
+    const std::string shown = reader.name(key) + " = " + shown_number(value);
+    const double rounded = std::max(1.0, std::round(value / campaign.sample_deg));
+    const std::string suggestion =
+        "try " + shown_number(std::min(rounded * campaign.sample_deg, most));
+    if (!whole_multiple(value, campaign.sample_deg)) {
+      faults.add(shown,
+                 "must be a whole multiple of sample_deg = " + shown_number(campaign.sample_deg),
+                 suggestion);
+    } else if (value > most) {
+      faults.add(shown, fmt::format("must not lie beyond {} = {}", last, shown_number(most)),
+                 suggestion);
+    }
+  };
+  check(path, "end_deg", campaign.end_deg, 180, "180 degrees");
+  if (campaign.end_deg > base_end_deg) {
+    faults.add(path.name("end_deg") + " = " + shown_number(campaign.end_deg),
+               "the unshifted sheet folds to " + shown_number(base_end_deg) + " only",
+               "try " + shown_number(std::floor(base_end_deg / campaign.sample_deg) *
+                                     campaign.sample_deg));
+  }
+  check(accept, "deploys_from_deg", campaign.threshold_deg, campaign.end_deg, "end_deg");
+  if (campaign.required_stop) {
+    check(accept, "stops_at_deg", campaign.required_stop->at_deg, campaign.threshold_deg,
+          "deploys_from_deg");
+  }
+}
+
+void read_actuators(ObjectReader reader, solver::Actuators& actuators) {
+  reader.number("stiffness_n_per_mm", actuators.stiffness_n_per_mm, kLeastStiffness_n_per_mm,
+                kMostStiffness_n_per_mm, "try 50, the paper's springs");
+  if (const Json* limit = reader.find("stroke_limit"); limit && !limit->is_null()) {
+    actuators.stroke_limit = 0.0;
+    reader.number("stroke_limit", *actuators.stroke_limit, kLeastStroke, kMostStroke,
+                  "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit");
+  }
+  reader.refuse_unknown_keys();
+}
+
+void read_certify(ObjectReader& reader, bool is_splitting, bool& certify) {
+  const Json* value = reader.find("certify");
+  if (!value) return;
+  if (!value->is_boolean()) {
+    reader.faults().add(reader.shown("certify"), "must be true or false",
+                        "write true for certificates as the search goes");
+    return;
+  }
+  certify = value->get<bool>();
+  if (certify && is_splitting) {
+    reader.faults().add(reader.shown("certify"),
+                        "a splitting search makes no certificates as it goes",
+                        "write false, and run `misalign certify` on its catalogue afterwards");
+  }
+}
+
+bool usable_file_name(const std::string& name) {
+  return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+         });
+}
+
+// Removes from `value` whatever `defaults` says just the same.
+void leave_out_defaults(Json& value, const Json& defaults) {
+  for (auto it = value.begin(); it != value.end();) {
+    const auto at = defaults.find(it.key());
+    if (at != defaults.end() && it->is_object() && at->is_object()) leave_out_defaults(*it, *at);
+    const bool same = at != defaults.end() && (*it == *at || (it->is_object() && it->empty()));
+    it = same ? value.erase(it) : std::next(it);
+  }
+}
+
+}  // namespace
+
+Campaign read_campaign(const Json& value, const std::string& source,
+                       const std::optional<std::filesystem::path>& directory) {
+  static const Json kEmpty = Json::object();
+  InputFaults faults;
+  Campaign campaign;
+  ObjectReader reader(value, "", faults);
+  const auto part = [&](const char* key) -> const Json& {
+    const Json* found = reader.find(key);
+    return found ? *found : kEmpty;
+  };
+  reader.text("name", campaign.name, "write a name for the catalogue's file");
+  if (!usable_file_name(campaign.name)) {
+    faults.add(reader.shown("name"), "the catalogue's file is named after it",
+               "use letters, digits, '-', '_' and '.', 1 to 100 of them");
+  }
+  reader.require("pattern", "write what is folded; `misalign config --default` shows one");
+  const Json* pattern = reader.find("pattern");
+  if (pattern) {
+    campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, directory, faults);
+  }
+  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
+  const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
+  read_misalignment(ObjectReader(part("misalignment"), "misalignment", faults),
+                    has_sheet ? &sheet : nullptr, campaign.misalignment);
+  ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
+  // A sheet that is refused for other reasons is not held against its path.
+  const double base_end_deg = campaign.pattern.base.folding.end_deg();
+  read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
+  campaign.splitting = read_search(ObjectReader(part("search"), "search", faults),
+                                   campaign.threshold_deg, campaign.sample_deg);
+  reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
+  read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
+  read_actuators(ObjectReader(part("actuators"), "actuators", faults), campaign.actuators);
+  read_certify(reader, campaign.splitting.has_value(), campaign.certify);
+  reader.refuse_unknown_keys();
+  faults.refuse(source);
+  return campaign;
+}
+
+Campaign read_campaign_file(const std::string& path) {
+  const Json document = read_json_file(path);
+  if (document.is_object() && document.contains("family") && !document.contains("pattern")) {
+    throw UserError(Cause::bad_input,
+                    path +
+                        ": is a pattern, not a campaign; `misalign fold` folds it, "
+                        "and a campaign has it under \"pattern\"");
+  }
+  return read_campaign(document, path, std::filesystem::path(path).parent_path());
+}
+
+Campaign default_campaign() {
+  return read_campaign({{"pattern", {{"family", "miura"}, {"rows", 6}, {"columns", 6}}}},
+                       "the default campaign");
+}
+
+Json campaign_json(const Campaign& campaign) {
+  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
+  const std::vector<int>& shifted = campaign.misalignment.vertices;
+  Json vertices = Json::array();
+  if (shifted == solver::interior_vertices(sheet)) {
+    vertices = "interior";
+  } else if (shifted == solver::ring_vertices(sheet)) {
+    vertices = "ring";
+  } else {
+    for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
+  }
+  const std::optional<RequiredStop>& stop = campaign.required_stop;
+  return {
+      {"name", campaign.name},
+      {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
+      {"misalignment",
+       {{"vertices", vertices},
+        {"amplitude_mm", campaign.misalignment.amplitude_mm},
+        {"levels", campaign.misalignment.distribution == ShiftDistribution::ternary ? "ternary"
+                                                                                    : "uniform"}}},
+      {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
+      {"accept",
+       {{"deploys_from_deg", campaign.threshold_deg},
+        {"between_samples", between_samples_json(campaign.between_samples)},
+        {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
+        {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
+      {"search", search_json(campaign.splitting)},
+      {"seed", campaign.seed},
+      {"stop", stop_json(campaign.stop)},
+      {"actuators",
+       {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
+        {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}},
+      {"certify", campaign.certify}};
+}
+
+Json stored_configuration(const Campaign& campaign) {
+  static const Json defaults = campaign_json(default_campaign());
+  Json configuration = campaign_json(campaign);
+  if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  if (!campaign.certify) configuration.erase("certify");
+  if (!campaign.splitting) {
+    configuration.erase("search");
+    if (configuration["stop"]["populations"] == defaults["stop"]["populations"])
+      configuration["stop"].erase("populations");
+  }
+  if (!campaign.required_stop) {
+    configuration["accept"].erase("stops_at_deg");
+    configuration["accept"].erase("stop_stiffness_mm2_per_rad2");
+  }
+  return configuration;
+}
+
+Json identity_json(const Campaign& campaign) {
+  static const Json defaults = campaign_json(default_campaign());
+  Json identity = campaign_json(campaign);
+  identity.erase("name");
+  identity.erase("stop");
+  identity.erase("actuators");
+  identity.erase("certify");
+  leave_out_defaults(identity, defaults);
+  return identity;
+}
+
+std::string identity(const Campaign& campaign) {
+  return hex(hash_of(identity_json(campaign).dump()));
+}
+
+std::string differences(const Campaign& there, const Campaign& here) {
+  const Json theirs = identity_json(there), ours = identity_json(here);
+  const auto shown = [](const Json& configuration, const Json::json_pointer& at) {
+    if (!configuration.contains(at)) return std::string("the default");
+    const std::string text = configuration.at(at).dump();
+    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+  };
+  std::vector<std::string> all;
+  for (const Json& change : Json::diff(theirs, ours)) {
+    const std::string path = change.at("path");
+    const Json::json_pointer at(path);
+    all.push_back(fmt::format("{} ({} there, {} here)", path, shown(theirs, at), shown(ours, at)));
+  }
+  return fmt::to_string(fmt::join(all, ", "));
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,24 @@
+// A pattern, the perforated sheet it stands for, and where its path is looked at.
+#pragma once
+
+#include "schema/files/input.hpp"
+#include "solver/pattern/perforation.hpp"
+#include "solver/verdict/between.hpp"
+
+namespace misalign::schema {
+
+struct Pattern {
+  Json family;  ///< "family" and the keys of that family, resolved: no default, no file left
+  solver::PerforatedSheet base;
+  Eigen::Matrix2Xd shifts_mm;  ///< the file's displacements, one column per vertex
+
+  solver::FlatVertices vertices_mm() const { return base.sheet.vertices_mm + shifts_mm; }
+};
+
+/// Where a path is looked at, and what counts as a fault between.
+struct Sampling {
+  double sample_deg = 1, end_deg = 180;
+  solver::BumpRule between_samples = solver::BumpRule::ignored;
+};
+
+}  // namespace misalign::schema
