@@ -50,6 +50,15 @@ def types(paths, pattern):
         yield from pattern.findall(SKIPPED_NAMESPACE.sub("", text) if pattern is PUBLIC_TYPE else text)
 
 
+def named_elsewhere(tree):
+    """Of each public type of the solver, whether a file of another room or layer names it."""
+    words = {path: set(re.findall(r"\w+", path.read_text())) for path in cpp_of(tree)}
+    for path in files_of(tree, "solver", ".hpp"):
+        others = [named for other, named in words.items() if other.parent != path.parent]
+        for name in types([path], PUBLIC_TYPE):
+            yield any(name in named for named in others)
+
+
 def nouns(tree):
     """Headers with their sources: the place of each, without its ending, and their files."""
     found = {}
@@ -114,6 +123,7 @@ def measures(tree):
     yield "lines of JavaScript: the page", lines(files_of(tree, "schema", ".js"))
     yield "lines of all of these", lines(code)
     yield "public types: solver", len(list(types(files_of(tree, "solver", ".hpp"), PUBLIC_TYPE)))
+    yield "of these named outside their room", sum(named_elsewhere(tree))
     yield "types with Sheet in their name", len({name for name in types(cpp_of(tree), ANY_TYPE) if "Sheet" in name})
     yield "`assert`", sum(len(re.findall(r"\bassert\(", path.read_text())) for path in cpp_of(tree))
     yield "nouns (header and source)", len(nouns(tree))

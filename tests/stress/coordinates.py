@@ -20,7 +20,7 @@ ALLOWED = {"energy at 36 deg": 1e-7, "time to flat": 1e-7, "moment that holds it
 CAMPAIGNS = {  # draws that leave some hundreds of candidates
     "miura-4x4": 2000, "miura-6x6": 600000, "ring-6x6": 400000, "miura-8x6": 40000, "miura-8x8": 400000,
     "miura-graded-6x6": 400000, "miura-wide-6x6": 400000, "miura-narrow-6x6": 400000,
-    "double-corrugation-6x6": 400000, "turned-quads-6x6": 400000, "angle-array-6x6-90": 100000}
+    "double-corrugation-6x6": 400000, "turned-quads-6x6": 400000, "angle-array-6x6-90": 200000}
 
 
 def run(*words):
