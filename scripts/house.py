@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 ROOMS = {"solver": "pattern kinematics linear continuation verdict model judging records lanes sheet design certificate reference",
-         "schema": "files campaign records catalogue exchange kit report",
+         "schema": "files pattern campaign records catalogue exchange kit report",
          "search": "terminal draws splitting sheets ranks checks report watch verbs python"}  # in the order of dependence
 PLACES = [(top, room) for top, rooms in ROOMS.items() for room in rooms.split()]
 MOST_LINES, MOST_NOUNS = 350, 20

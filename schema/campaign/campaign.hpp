@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "schema/campaign/draw_range.hpp"
-#include "schema/campaign/pattern.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "schema/campaign/stop_rule.hpp"
+#include "schema/pattern/pattern.hpp"
 #include "solver/continuation/path.hpp"
 #include "solver/design/actuators.hpp"
 #include "solver/verdict/verdict.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/campaign/campaign.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 

@@ -1,7 +1,7 @@
 #include "schema/catalogue/candidate_row.hpp"
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/since.hpp"
 #include "schema/files/base64.hpp"
 #include "schema/files/hash.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/design/contact_finder.hpp"
 #include "solver/sheet/panels.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "schema/campaign/campaign.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "schema/records/certificate_record.hpp"
 #include "solver/certificate/certificate.hpp"
 

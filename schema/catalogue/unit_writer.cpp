@@ -3,11 +3,11 @@
 #include <cmath>
 #include <optional>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/catalogue/database.hpp"
 #include "schema/catalogue/digest.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "schema/records/fault_sample.hpp"
 
 namespace misalign::schema {

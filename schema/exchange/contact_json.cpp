@@ -1,7 +1,7 @@
 #include "schema/exchange/contact_json.hpp"
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

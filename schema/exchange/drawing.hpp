@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/line_drawing.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/kinematics/mechanism.hpp"
 
 namespace misalign::schema {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "schema/campaign/carried_pattern.hpp"
-#include "schema/campaign/filled_mesh.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/carried_pattern.hpp"
+#include "schema/pattern/filled_mesh.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <utility>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/actuators_json.hpp"
 #include "schema/exchange/mat_file.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

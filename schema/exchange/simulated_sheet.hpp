@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/design/plates.hpp"
 #include "solver/sheet/panels.hpp"
 

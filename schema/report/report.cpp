@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/study_table.hpp"
@@ -13,6 +12,7 @@
 #include "schema/files/base64.hpp"
 #include "schema/files/carried_files.hpp"
 #include "schema/files/features.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "schema/records/fault_sample.hpp"
 #include "solver/pattern/outline.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/folding_json.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "solver/model/miscut_margin.hpp"

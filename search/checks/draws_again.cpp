@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/candidate_row.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/splitting/origin.hpp"
 
 namespace misalign::search {

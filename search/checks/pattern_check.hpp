@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/checks/sheet_check.hpp"
 
 namespace misalign::search {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/files/features.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/draws/models.hpp"
 #include "solver/pattern/half_angle.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/contact_json.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/sheets/found_study.hpp"
 
 namespace misalign::search {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/design/contact.hpp"
 
 namespace misalign::search {

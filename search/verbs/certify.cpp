@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/certify_json.hpp"
 #include "schema/files/features.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_run.hpp"
 #include "search/ranks/mpi_session.hpp"

@@ -1,7 +1,7 @@
 // `misalign fold`: the folding path of one pattern.
 #include <algorithm>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/sheets/folding_text.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
 #include "solver/linear/mobility.hpp"

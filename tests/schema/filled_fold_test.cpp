@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "../solver/own_sheet.hpp"
-#include "schema/campaign/carried_pattern.hpp"
-#include "schema/campaign/filled_mesh.hpp"
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/fold_export.hpp"
+#include "schema/pattern/carried_pattern.hpp"
+#include "schema/pattern/filled_mesh.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "shifted_pattern.hpp"
 
 namespace misalign::schema {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fold_faults.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::schema {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "../solver/own_sheet.hpp"
-#include "schema/campaign/carried_pattern.hpp"
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/drawing.hpp"
+#include "schema/pattern/carried_pattern.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "shifted_pattern.hpp"
 #include "solver/pattern/perforation.hpp"
 #include "solver/sheet/panels.hpp"

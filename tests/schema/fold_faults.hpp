@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fold_meshes.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 

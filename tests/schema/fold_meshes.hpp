@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "schema/campaign/fold_format.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/fold_format.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/miura.hpp"
 
 namespace misalign::schema {

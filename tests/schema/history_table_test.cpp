@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "../solver/own_sheet.hpp"
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/exchange/actuators_json.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "catalogue_fixture.hpp"
 #include "schema/campaign/campaign_file.hpp"
-#include "schema/campaign/pattern_file.hpp"
 #include "schema/catalogue/connection.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
 #include "schema/exchange/plain_export.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "tests/bench/cpu_seconds.hpp"
 
 namespace misalign::schema {

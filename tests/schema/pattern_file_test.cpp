@@ -1,5 +1,5 @@
 // Patterns as campaigns name them: perforations that are refused, and labels of vertices.
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 #include "campaign_faults.hpp"
 

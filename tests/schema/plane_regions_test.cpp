@@ -1,11 +1,11 @@
 // FOLD files without faces: those that the edges enclose, and which of them are holes.
-#include "schema/campaign/plane_regions.hpp"
+#include "schema/pattern/plane_regions.hpp"
 
 #include <set>
 
 #include "fold_meshes.hpp"
-#include "schema/campaign/carried_pattern.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/carried_pattern.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 

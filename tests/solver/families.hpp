@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "blocks.hpp"
-#include "schema/campaign/fold_format.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/fold_format.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/reference/arc_length.hpp"
 
 namespace misalign::solver {

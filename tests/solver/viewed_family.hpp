@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "families.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::solver {
 

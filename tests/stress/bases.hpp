@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::stress {
 

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "schema/campaign/campaign_file.hpp"
-#include "schema/campaign/fold_format.hpp"
+#include "schema/pattern/fold_format.hpp"
 #include "tests/stress/mutations.hpp"
 #include "tests/stress/same_pattern.hpp"
 

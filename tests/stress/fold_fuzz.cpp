@@ -5,8 +5,8 @@
 //   fold_fuzz INPUTS [SEED]
 //   fold_fuzz --input FILE          reads one input again
 //   fold_fuzz --corpus DIRECTORY    writes the meshes that it starts from
-#include "schema/campaign/fold_format.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/fold_format.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/miura.hpp"
 #include "tests/stress/mutations.hpp"
 #include "tests/stress/same_pattern.hpp"

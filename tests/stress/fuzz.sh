@@ -56,7 +56,7 @@ all release 1
 all asan 20
 
 # What the readers of JSON need, without the rest of the program; the list of keys is made by CMake.
-sources=$(ls schema/files/*.cpp schema/campaign/*.cpp schema/catalogue/digest.cpp solver/pattern/*.cpp \
+sources=$(ls schema/files/*.cpp schema/pattern/*.cpp schema/campaign/*.cpp schema/catalogue/digest.cpp solver/pattern/*.cpp \
   solver/kinematics/*.cpp solver/linear/{mobility,newton}.cpp | grep -v key_list)
 by_coverage() { # NAME INPUTS
   [ "$2" -gt 0 ] || return 0

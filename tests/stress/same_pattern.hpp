@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::stress {
 

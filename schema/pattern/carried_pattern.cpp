@@ -1,10 +1,10 @@
-#include "schema/campaign/carried_pattern.hpp"
+#include "schema/pattern/carried_pattern.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "schema/campaign/filled_mesh.hpp"
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/filled_mesh.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {

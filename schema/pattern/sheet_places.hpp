@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "schema/campaign/plane_mesh.hpp"
+#include "schema/pattern/plane_mesh.hpp"
 
 namespace misalign::schema {
 

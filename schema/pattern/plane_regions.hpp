@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "schema/campaign/plane_geometry.hpp"
+#include "schema/pattern/plane_geometry.hpp"
 
 namespace misalign::schema {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/design/filler.hpp"
 
 namespace misalign::schema {

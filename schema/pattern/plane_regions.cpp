@@ -1,4 +1,4 @@
-#include "schema/campaign/plane_regions.hpp"
+#include "schema/pattern/plane_regions.hpp"
 
 #include <algorithm>
 #include <cmath>

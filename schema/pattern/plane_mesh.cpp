@@ -1,9 +1,9 @@
-#include "schema/campaign/plane_mesh.hpp"
+#include "schema/pattern/plane_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "schema/campaign/sheet_places.hpp"
+#include "schema/pattern/sheet_places.hpp"
 
 namespace misalign::schema {
 namespace {

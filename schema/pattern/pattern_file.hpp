@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "schema/campaign/pattern.hpp"
 #include "schema/files/input.hpp"
+#include "schema/pattern/pattern.hpp"
 
 namespace misalign::schema {
 

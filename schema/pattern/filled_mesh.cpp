@@ -1,8 +1,8 @@
-#include "schema/campaign/filled_mesh.hpp"
+#include "schema/pattern/filled_mesh.hpp"
 
 #include <algorithm>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 namespace misalign::schema {
 namespace {

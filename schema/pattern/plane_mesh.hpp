@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "schema/campaign/plane_regions.hpp"
 #include "schema/files/input.hpp"
+#include "schema/pattern/plane_regions.hpp"
 #include "solver/pattern/crease_pattern.hpp"
 
 namespace misalign::schema {

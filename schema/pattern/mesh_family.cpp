@@ -1,9 +1,9 @@
-#include "schema/campaign/mesh_family.hpp"
+#include "schema/pattern/mesh_family.hpp"
 
 #include <algorithm>
 #include <functional>
 
-#include "schema/campaign/fold_format.hpp"
+#include "schema/pattern/fold_format.hpp"
 #include "solver/pattern/miura.hpp"
 
 namespace misalign::schema {

@@ -1,10 +1,10 @@
-#include "schema/campaign/fold_format.hpp"
+#include "schema/pattern/fold_format.hpp"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
-#include "schema/campaign/plane_mesh.hpp"
+#include "schema/pattern/plane_mesh.hpp"
 
 namespace misalign::schema {
 namespace {

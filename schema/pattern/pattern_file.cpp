@@ -1,14 +1,14 @@
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
 
-#include "schema/campaign/carried_pattern.hpp"
-#include "schema/campaign/fold_format.hpp"
-#include "schema/campaign/folding_fault.hpp"
-#include "schema/campaign/mesh_family.hpp"
+#include "schema/pattern/carried_pattern.hpp"
+#include "schema/pattern/fold_format.hpp"
+#include "schema/pattern/folding_fault.hpp"
+#include "schema/pattern/mesh_family.hpp"
 #include "solver/linear/mobility.hpp"
 #include "solver/pattern/perforation.hpp"
 

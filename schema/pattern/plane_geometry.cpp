@@ -1,4 +1,4 @@
-#include "schema/campaign/plane_geometry.hpp"
+#include "schema/pattern/plane_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

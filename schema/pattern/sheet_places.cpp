@@ -1,4 +1,4 @@
-#include "schema/campaign/sheet_places.hpp"
+#include "schema/pattern/sheet_places.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "schema/campaign/folding_fault.hpp"
+#include "schema/pattern/folding_fault.hpp"
 
 #include <fmt/format.h>
 
