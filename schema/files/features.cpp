@@ -20,7 +20,7 @@ std::string missing_text(std::string_view library) {
   const Feature& feature = feature_of(library);
   return fmt::format(
       "{} needs {} (this program was built without it); install it (Debian: {}) and build the "
-      "program again",
+      "program again (search/manual/how-to/install.md)",
       feature.purpose, feature.library, feature.package);
 }
 

@@ -179,6 +179,7 @@ std::vector<std::string> nothing_found(const Survival& survival,
     if (const auto cost = worthwhile_climb(*share)) sentences.push_back(climb_words(*cost, state));
   }
   sentences.push_back(what_to_try(survival, state));
+  sentences.push_back("how to find rarer sheets: search/manual/how-to/rare.md");
   return sentences;
 }
 

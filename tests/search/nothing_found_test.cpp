@@ -46,7 +46,7 @@ TEST(NothingFound, SaysFromWhereDrawsSurviveAndHowRareTheOthersAre) {
        {"in 1024000 draws", "from 175 deg is below 2.9e-06 (3/n, 95 %)", "more than 341333 draws",
         "half of the draws deploy from 40 deg", "one in ten from 80 deg",
         "one in a hundred from 120 deg", "the deepest seen 131 deg", "a guess", "(a guess, too)",
-        "accept.deploys_from_deg = 1", "amplitude_mm"}) {
+        "accept.deploys_from_deg = 1", "amplitude_mm", "search/manual/how-to/rare.md"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
   }
   EXPECT_EQ(text.find("one in a thousand from"), std::string::npos) << text;  // one row is too few
