@@ -91,7 +91,7 @@ def faults_of_repetition(pages):
 
 def faults_of_names():
     """Pages that texts of the program name."""
-    for name in files("*.cpp", "*.hpp", "*.js", "*.h2m", "schema/*.json"):
+    for name in files("*.cpp", "*.hpp", "*.html", "*.js", "*.h2m", "schema/*.json"):
         for page in re.findall(r"\w[\w./-]*/[\w.-]+\.md\b", (ROOT / name).read_text(encoding="utf-8")):
             if not (ROOT / page).exists() and not (ROOT / name).parent.joinpath(page).exists():
                 yield f"{name}: names {page}, which is not there"

@@ -2,6 +2,11 @@
 import { degrees, number, plural } from "./format.js";
 import { is_splitting } from "./page_kind.js";
 
+// What is asked of the way from one sample to the next.
+const kBetween = {
+  exact: ", and no diagonal may go back between two of these angles either",
+  true: ", and no diagonal may go back between two of these angles either, as far as cubics through them tell",
+};
 const kMostNamed = 12; // levels whose angles are all told
 
 const values_of = (value) => (Array.isArray(value) ? value.join(", ") : String(value));
@@ -31,8 +36,8 @@ function shift_words(misalignment) {
   const levels =
     misalignment.levels === "ternary"
       ? `−${misalignment.amplitude_mm}, 0 or +${misalignment.amplitude_mm} mm`
-      : `${misalignment.levels} up to ±${misalignment.amplitude_mm} mm`;
-  return `${which} by ${levels}`;
+      : `anything up to ${misalignment.amplitude_mm} mm either way`;
+  return `${which}, in x and in y, by ${levels}`;
 }
 
 function stop_words({ stops_at_deg, stop_stiffness_mm2_per_rad2 }, { stiffness_n_per_mm }) {
@@ -63,12 +68,11 @@ const search_words = ({ levels_deg, particles, sweeps, first_draws }, known) =>
 export function asked(report) {
   const { pattern, misalignment, path, accept, search } = report.campaign.configuration,
     { between_samples } = accept;
-  const exactly = between_samples === "exact" ? "exactly " : "";
   return (
-    `${sheet_words(pattern)}. Each draw shifts x and y of ${shift_words(misalignment)}. A draw is accepted when every diagonal ` +
+    `${sheet_words(pattern)}. Each draw shifts ${shift_words(misalignment)}. A draw is accepted when every diagonal ` +
     `of every hole only grows or only shrinks from flat to a pilot fold angle of ${degrees(accept.deploys_from_deg)} or more` +
-    `${between_samples ? `, ${exactly}between the samples too` : ""}${stop_words(accept, report.actuators)} ` +
-    `(samples every ${degrees(path.sample_deg)} up to ${degrees(path.end_deg)}).` +
+    `${stop_words(accept, report.actuators)}. It is measured every ${degrees(path.sample_deg)} up to ` +
+    `${degrees(path.end_deg)}${kBetween[between_samples] ?? ""}.` +
     (is_splitting(report) ? search_words(search, report.state.ladder.levels.length - 1) : "")
   );
 }

@@ -109,12 +109,26 @@ export function show_commands(box, report, draw, state) {
   );
 }
 
-export function show_no_details(box, report, draw, state) {
+/** What the page lacks of a draw: a button for it where a program serves the page, else the command. */
+export function show_no_details(box, report, draw, state, compute) {
+  const lacks = `This page has the metrics of this ${noun(report)}, but not its folding.`;
+  if (report.watch) {
+    const words = h("p", { role: "status", "data-testid": "compute-says" }, lacks);
+    const button = h("button", { type: "button", "data-testid": "compute" }, "Fold it now");
+    button.addEventListener("click", async () => {
+      button.disabled = true;
+      words.textContent = "It is being folded …";
+      words.textContent = (await compute(draw)) ?? "";
+      button.disabled = false;
+    });
+    box.replaceChildren(words, h("div", { class: "row" }, button));
+    return;
+  }
   box.replaceChildren(
     h(
       "p",
       {},
-      `This report has the metrics of this ${noun(report)}, but not its folding. To see its crease pattern, folding, histories and actuation, write the report again with it:`,
+      `${lacks} To see its crease pattern, folding, histories and actuation, write the report again with it:`,
     ),
     h(
       "div",

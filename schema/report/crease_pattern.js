@@ -263,7 +263,8 @@ class CreasePattern {
     }
     this.#width_px = width;
     if (this.#share) return this.#fill(width * this.#share, kPaper_px);
-    const height = this.#is_wide()
+    const alone = this.#is_wide() || matchMedia("(max-width: 860px)").matches; // as page.css has it
+    const height = alone
       ? Math.min((width * whole.height) / whole.width, kMostWide_px)
       : view_height(width);
     this.#fill(width, height);

@@ -67,7 +67,9 @@ export class Inspector {
     else {
       this.#state.set("playing", false);
       this.#state.set("pilot_deg", null);
-      show_no_details(by_id("no-details"), report, draw, this.#state);
+      show_no_details(by_id("no-details"), report, draw, this.#state, (wanted) =>
+        this.#compute(wanted),
+      );
     }
     const known = { ...values, ...this.#row_only(row, values) };
     show_metrics(
@@ -79,6 +81,25 @@ export class Inspector {
     show_certificate(by_id("certificate"), report, draw);
     show_yields(by_id("yields"), report, draw);
     show_commands(by_id("commands"), report, draw, this.#state);
+  }
+
+  /** Has the program fold a draw, and shows it; a sentence where that fails. */
+  async #compute(draw) {
+    const report = this.#report;
+    let answer;
+    try {
+      answer = await (await fetch(report.watch.sheet + draw)).json();
+    } catch {
+      answer = { problem: "The program that serves this page does not answer." };
+    }
+    if (answer.problem) return answer.problem;
+    if (!this.#candidates.detailed.has(draw)) {
+      report.details.push(answer.detail);
+      this.#candidates.detailed.add(draw);
+      this.#state.set("computed", draw);
+    }
+    if (this.#state.get("picked") === draw) this.show(draw);
+    return null;
   }
 
   #row_values(row) {

@@ -6,6 +6,7 @@ import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { Inspector } from "./inspector.js";
 import { show_overview } from "./overview.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
+import { link_manual } from "./manual.js";
 import { make_state } from "./state.js";
 import { make_table, save_rows } from "./table.js";
 import { is_order } from "./table_columns.js";
@@ -81,6 +82,7 @@ function show_candidates(report, candidates, state) {
 function show_detailed(report, candidates, state) {
   const draws = report.details.map(({ draw }) => draw);
   if (draws.length === 0) return;
+  const how_many = () => `${plural(draws.length, noun(report))} with details`;
   const words = ({ draw, verdict }) => {
     const row = candidates.row_of.get(draw);
     return `${noun(report)} ${draw}: D ${degrees(verdict.deploys_from_deg)}${row === undefined ? ", asked for" : `, rank ${count(row + 1)}`}`;
@@ -99,17 +101,26 @@ function show_detailed(report, candidates, state) {
     h("button", { type: "button", title: "The next one", onclick: () => step(1) }, "›"),
   ];
   select.addEventListener("change", () => state.set("picked", select.value));
+  const said = h("span", { class: "note" }, how_many());
   by_id("detailed").append(
-    h("span", { class: "note" }, `${plural(draws.length, noun(report))} with details`),
+    said,
     previous,
     select,
     next,
   );
-  state.on("picked", (picked) => {
-    const at = draws.indexOf(picked);
+  const show_place = () => {
+    const picked = state.get("picked"),
+      at = draws.indexOf(picked);
     select.value = at < 0 ? "" : picked;
     previous.disabled = at <= 0;
     next.disabled = at === draws.length - 1;
+  };
+  state.on("picked", show_place);
+  state.on("computed", (draw) => {
+    draws.push(draw);
+    select.append(h("option", { value: draw }, words(report.details.at(-1))));
+    said.textContent = how_many();
+    show_place();
   });
 }
 
@@ -191,6 +202,7 @@ function main() {
   const candidates = read_candidates(report);
   const state = make_state({
     picked: null,
+    computed: null, // the draw that was folded last for this page
     filter: "",
     sort: "",
     ...first_axes(candidates),
@@ -218,6 +230,7 @@ function main() {
     state.set("picked", first);
     follow_the_address(candidates, table, state);
   }
+  link_manual(report);
   show_foot(report);
   watch(report, show_overview);
 }

@@ -20,8 +20,8 @@ add_custom_command(OUTPUT ${PACKAGES}
   COMMAND ${CMAKE_COMMAND} -E chdir report ${NPM} ci --silent
   COMMAND ${CMAKE_COMMAND} -E touch ${PACKAGES}
   DEPENDS ${PACKAGE_FILES} WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)
-file(GLOB REPORT_FILES CONFIGURE_DEPENDS schema/report/*.js schema/report/*.mjs
-     schema/report/*.css schema/report/*.html)
+set(PAGE ${PROJECT_SOURCE_DIR}/schema/report)
+file(GLOB REPORT_FILES CONFIGURE_DEPENDS ${PAGE}/*.js ${PAGE}/*.mjs ${PAGE}/*.css ${PAGE}/*.html)
 add_custom_command(OUTPUT ${REPORT_PAGE}
   COMMAND ${NODE} ${PROJECT_SOURCE_DIR}/schema/report/build.mjs ${REPORT_PAGE}
           ${PROJECT_BINARY_DIR}/report

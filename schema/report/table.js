@@ -122,6 +122,7 @@ class Table {
       this.reveal(picked);
       this.#draw(true);
     });
+    this.#state.on("computed", () => this.#draw(true));
     this.#state.on("sort", () => {
       this.#grid.scrollTop = 0; // the best are to be seen
       this.#arrange();

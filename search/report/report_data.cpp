@@ -17,6 +17,7 @@
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
+#include "search/terminal/site.hpp"
 
 namespace misalign::search {
 namespace {
@@ -69,6 +70,12 @@ DetailedDraws detailed_draws(SQLite::Database& database, const Json& candidates,
   return detailed;
 }
 
+Json detail_json(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model,
+                 std::uint64_t draw, const ReportDetails& details) {
+  const solver::Sheet sheet = model.sheet(shifts_of_number(database, campaign, draw));
+  return details.of_draw(sheet, draw, campaign.accepts(sheet.history().verdict));
+}
+
 Json details_json(SQLite::Database& database, const schema::Campaign& campaign, FoldingModel& model,
                   const DetailedDraws& detailed, const ReportDetails& details) {
   Json json = Json::array();
@@ -76,10 +83,7 @@ Json details_json(SQLite::Database& database, const schema::Campaign& campaign, 
   for (std::size_t k = 0; k < detailed.draws.size(); ++k) {
     if (k >= detailed.asked_for && bytes >= kMostDetailBytes) break;
     show_work("sheets looked at closely", k, detailed.draws.size());
-    const std::uint64_t draw = detailed.draws[k];
-    const solver::Sheet sheet = model.sheet(shifts_of_number(database, campaign, draw));
-    const bool accepted = campaign.accepts(sheet.history().verdict);
-    json.push_back(details.of_draw(sheet, draw, accepted));
+    json.push_back(detail_json(database, campaign, model, detailed.draws[k], details));
     bytes += json.back().dump().size();
   }
   return json;
@@ -173,10 +177,12 @@ Json folding_json(const FoldingModel& model) {
 
 // Who wrote the page, of what, and how it can be written again.
 Json origin_json(const ReportCall& call) {
+  const auto manual = place_of_site();
   return {{"format", 1},
           {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
           {"written_at", now()},
           {"catalogue", call.path},
+          {"manual", manual ? Json(manual->string()) : Json()},
           {"chosen", chosen_json(call)},
           {"commands", commands_json(call)}};
 }
@@ -222,6 +228,13 @@ Json report_of_catalogue(const ReportCall& call) {
   data.update(folding_json(model));
   data["details"] = details_json(*database, campaign, model, detailed, details);
   return data;
+}
+
+Json detail_of_draw(const ReportCall& call, std::uint64_t draw) {
+  const auto database = schema::open_for_reading(call.path);
+  const schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
+  FoldingModel model(campaign);
+  return detail_json(*database, campaign, model, draw, ReportDetails(model, call.detail));
 }
 
 Json report_of_pattern(const ReportCall& call) {

@@ -30,6 +30,10 @@ struct ReportCall {
 /// sheet of this page.
 schema::Json report_of_catalogue(const ReportCall& call);
 
+/// Of any draw what that page carries of each sheet that can be looked at closely. UserError
+/// (bad_input).
+schema::Json detail_of_draw(const ReportCall& call, std::uint64_t draw);
+
 /// The same of a pattern file's one sheet. UserError (bad_input).
 schema::Json report_of_pattern(const ReportCall& call);
 

@@ -1,8 +1,6 @@
 // `misalign help`: what another verb does, and where the manual is.
-#include <array>
-#include <filesystem>
-
 #include "schema/files/user_error.hpp"
+#include "search/terminal/site.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/help_format.hpp"
 #include "search/verbs/options.hpp"
@@ -14,14 +12,8 @@ namespace {
 using schema::Cause;
 using schema::UserError;
 
-// The first page of the site, beside an installed program or one in its build folder.
-std::filesystem::path place_of_site() {
-  constexpr std::array kPlaces = {"../share/doc/misalign/html", "../site/html"};
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  for (const char* place : kPlaces) {
-    const std::filesystem::path page = program.parent_path() / place / "index.html";
-    if (std::filesystem::exists(page)) return page.lexically_normal();
-  }
+std::string first_page_of_site() {
+  if (const auto folder = place_of_site()) return (*folder / "index.html").string();
   throw UserError(Cause::failure,
                   "the site is not beside this program (it is made on request); in the source "
                   "folder scripts/site.sh makes it, build/site/html/index.html");
@@ -47,7 +39,7 @@ Action help_verb(CLI::App& verb) {
       ->excludes(named);
   return [&app, name, site] {
     if (*site) {
-      put(place_of_site().string() + "\n");
+      put(first_page_of_site() + "\n");
       return 0;
     }
     const CLI::App& asked = name->empty() ? app : *app.get_subcommand(*name);

@@ -71,6 +71,7 @@ void watch(const WatchCall& call) {
   }
   spdlog::info("open this address in a browser of this machine; Ctrl-C ends");
   serve(server, [&](const PageRequest& request) {
+    if (const auto draw = sheet_asked(request.path)) return catalogue.sheet(*draw);
     return request.path == kLivePath ? catalogue.live() : catalogue.page();
   });
 }

@@ -4,9 +4,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <limits>
+#include <string_view>
 
 namespace misalign::search {
 namespace {
+
+// A catalogue's numbers are SQLite's.
+constexpr std::uint64_t kLastDraw = std::numeric_limits<std::int64_t>::max();
 
 std::string lower(std::string text) {
   for (char& letter : text) {
@@ -30,6 +36,16 @@ std::vector<std::string> own_hosts(const PagePlace& place) {
 
 }  // namespace
 
+std::optional<std::uint64_t> sheet_asked(const std::string& path) {
+  const std::string_view begin = kSheetPath;
+  if (path.compare(0, begin.size(), begin) != 0) return {};
+  std::uint64_t draw = 0;
+  const char* const end = path.data() + path.size();
+  const auto [read, fault] = std::from_chars(path.data() + begin.size(), end, draw);
+  if (fault != std::errc() || read != end || draw > kLastDraw) return {};
+  return draw;
+}
+
 std::optional<Refusal> refusal(const PageRequest& request, const PagePlace& place) {
   const std::vector<std::string> ours = own_hosts(place);
   const auto is_ours = [&](const std::string& host) {
@@ -50,9 +66,9 @@ std::optional<Refusal> refusal(const PageRequest& request, const PagePlace& plac
   if (request.method != "GET" && request.method != "HEAD") {
     return Refusal{405, "this page is read only; ask with GET or HEAD"};
   }
-  if (request.path != kPagePath && request.path != kLivePath) {
-    return Refusal{404,
-                   fmt::format("there is no such page; there are {} and {}", kPagePath, kLivePath)};
+  if (request.path != kPagePath && request.path != kLivePath && !sheet_asked(request.path)) {
+    return Refusal{404, fmt::format("there is no such page; there are {}, {} and {}NUMBER",
+                                    kPagePath, kLivePath, kSheetPath)};
   }
   if (request.has_range) return Refusal{416, "answers are given whole; ask without Range"};
   return {};

@@ -2,6 +2,7 @@
 // data.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +28,11 @@ struct Refusal {
   std::string sentence;
 };
 
-/// The paths that are answered.
-inline constexpr const char *kPagePath = "/", *kLivePath = "/live";
+/// The paths that are answered; after the last one a draw's number.
+inline constexpr const char *kPagePath = "/", *kLivePath = "/live", *kSheetPath = "/sheet/";
+
+/// The draw whose sheet a path asks for.
+std::optional<std::uint64_t> sheet_asked(const std::string& path);
 
 /// Why a request is refused; nothing for GET and HEAD of a known path, asked of this very place. A
 /// page of another site reaches the loopback address too, under a name of its own that leads here

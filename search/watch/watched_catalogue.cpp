@@ -94,7 +94,7 @@ PageResponse WatchedCatalogue::page() {
     try {
       check_readable(mark);
       Json data = report_of_catalogue(call_);
-      data["watch"] = {{"live", kLivePath}};
+      data["watch"] = {{"live", kLivePath}, {"sheet", kSheetPath}};
       return html_response(200, schema::served_page(data));
     } catch (const std::exception& error) {
       return page_about(failure_of(error).sentence(name_parameter_));
@@ -115,6 +115,16 @@ PageResponse WatchedCatalogue::live() {
       return problem_response(503, failure_of(error).sentence(name_parameter_));
     }
   });
+}
+
+PageResponse WatchedCatalogue::sheet(std::uint64_t draw) {
+  try {
+    const std::lock_guard alone(computing_);
+    check_readable(FileMark::of(call_.path));
+    return json_response(200, Json({{"detail", detail_of_draw(call_, draw)}}).dump());
+  } catch (const std::exception& error) {
+    return problem_response(503, failure_of(error).sentence(name_parameter_));
+  }
 }
 
 PageResponse WatchedCatalogue::response(Kept& kept, double share_of_core, const Maker& make) {

@@ -32,6 +32,8 @@ class WatchedCatalogue {
   /// JSON: live_state_json with "writing": whether a search is at work, "read_at_s": when this was
   /// read, in seconds that only go on; or, with status 503, {"problem": a sentence}.
   PageResponse live();
+  /// JSON: {"detail": detail_of_draw}; or, with status 503, {"problem": a sentence}. One at a time.
+  PageResponse sheet(std::uint64_t draw);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -49,7 +51,8 @@ class WatchedCatalogue {
 
   const ReportCall call_;
   const schema::NameParameter name_parameter_;
-  std::mutex reading_;  // the file is open
+  std::mutex reading_;    // the file is open
+  std::mutex computing_;  // a sheet
   Kept page_, live_;
 };
 

@@ -102,6 +102,47 @@ async function loading_check(page) {
   });
 }
 
+async function folding_check(page) {
+  await check("a sheet without details is folded when that is wanted", async () => {
+    const bare = await page.evaluate(() => {
+      const { details, candidates } = JSON.parse(document.getElementById("report-data").textContent);
+      const detailed = new Set(details.map(({ draw }) => draw));
+      return candidates.columns.draw.find((draw) => !detailed.has(draw));
+    });
+    await by(page, "filter").fill(`draw = ${bare}`);
+    await by(page, "grid").locator(".line").first().click();
+    assert.equal(await by(page, "folding").isVisible(), false);
+    await by(page, "compute").click();
+    await by(page, "folding").waitFor({ state: "visible" });
+    assert.equal(await by(page, "detailed").inputValue(), bare);
+    assert.ok((await by(page, "picked").textContent()).includes(bare));
+    assert.equal(await by(page, "grid").locator(".line .dot").count(), 1);
+    return `draw ${bare}`;
+  });
+}
+
+async function others_check(context) {
+  await check("pages of other sites can neither read it nor frame it", async () => {
+    const other = await context.newPage();
+    await other.goto("data:text/html,<title>other</title>");
+    const read = await other.evaluate(
+      (place) => fetch(`${place}live`).then((answer) => answer.text(), () => "refused"),
+      url,
+    );
+    assert.equal(read, "refused");
+    const framed = await other.evaluate(async (place) => {
+      const frame = document.createElement("iframe");
+      frame.src = place;
+      document.body.append(frame);
+      await new Promise((done) => (frame.onload = done));
+      return frame.contentDocument === null;
+    }, url);
+    assert.ok(framed);
+    assert.ok(other.frames().every((frame) => !frame.url().startsWith(url)), "it is framed");
+    await other.close();
+  });
+}
+
 async function campaign_checks() {
   const { context, page, problems, asked } = await open();
   await check("it says that it is live", () => state_is(page, "live"));
@@ -133,6 +174,7 @@ async function campaign_checks() {
     }
   });
   await loading_check(page);
+  await folding_check(page);
   await check("it says when nobody answers, and when somebody does again", async () => {
     await state_is(page, "live");
     const before = problems.length;
@@ -144,29 +186,15 @@ async function campaign_checks() {
     assert.equal(await by(page, "watch-says").isVisible(), false);
     problems.splice(before); // the browser's own words about being offline
   });
-  await check("pages of other sites can neither read it nor frame it", async () => {
-    const other = await context.newPage();
-    await other.goto("data:text/html,<title>other</title>");
-    const read = await other.evaluate(
-      (place) => fetch(`${place}live`).then((answer) => answer.text(), () => "refused"),
-      url,
-    );
-    assert.equal(read, "refused");
-    const framed = await other.evaluate(async (place) => {
-      const frame = document.createElement("iframe");
-      frame.src = place;
-      document.body.append(frame);
-      await new Promise((done) => (frame.onload = done));
-      return frame.contentDocument === null;
-    }, url);
-    assert.ok(framed);
-    assert.ok(other.frames().every((frame) => !frame.url().startsWith(url)), "it is framed");
-    await other.close();
-  });
+  await others_check(context);
   await check("no errors, and nobody else is asked", async () => {
     assert.deepEqual(problems, []);
     const others = [...asked].filter(
-      (address) => address.split("#")[0] !== url && address !== `${url}live` && !address.startsWith("data:"),
+      (address) =>
+        address.split("#")[0] !== url &&
+        address !== `${url}live` &&
+        !/^sheet\/\d+$/.test(address.slice(url.length)) &&
+        !address.startsWith("data:"),
     );
     assert.deepEqual(others, []);
   });

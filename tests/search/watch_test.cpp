@@ -88,7 +88,11 @@ TEST(RequestRule, ReadsKnownPathsAlone) {
   for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "PATCH", "get", ""}) {
     EXPECT_EQ(with(method, "/"), 405) << method;
   }
-  for (const char* path : {"", "//", "/live/", "/../etc/passwd", "/index.html", "/live\n"}) {
+  EXPECT_EQ(with("GET", "/sheet/9223372036854775807"), 200);
+  EXPECT_EQ(sheet_asked("/sheet/1112"), 1112);
+  for (const char* path :
+       {"", "//", "/live/", "/../etc/passwd", "/index.html", "/live\n", "/sheet/", "/sheet/-1",
+        "/sheet/1/", "/sheet/ 1", "/sheet/9223372036854775808"}) {
     EXPECT_EQ(with("GET", path), 404) << path;
   }
 }

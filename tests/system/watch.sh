@@ -82,6 +82,14 @@ becomes "nothing moves" 200 "j ->> '$.state.draws' > $(live state.draws) AND j -
 [ "$(live 'angles[0][0]')" = 20.0 ] || fail "the first of the angles: $(live angles)"
 [ "$(live faults.every)" = 1024 ] || fail "the fault sample"
 
+# Any draw looked at closely, as `report` does.
+"$program" report run.db --rows 0 --details 0 --draw 7 --output seven.html > /dev/null || fail "report --draw"
+sed -n 's/.*id="report-data">\(.*\)<\/script>.*/\1/p' seven.html > seven.json
+answers 200 "${url}sheet/7"
+[ "$(live detail)" = "$(field seven.json 'details[0]')" ] || fail "draw 7: $(head -c 300 body)"
+answers 404 "${url}sheet/9223372036854775808"
+answers 403 -H "Sec-Fetch-Site: cross-site" "${url}sheet/7"
+
 # The page, and whom it may ask.
 eventually "the page of a search" page_is 200
 answers 200 -D heads "$url"
