@@ -3,10 +3,10 @@ import { h } from "./format.js";
 
 const kFolder = "search/manual/";
 
-/** The site beside the program that wrote this page; null where there is none, or none may be opened from here. */
+/** The site, seen from where this page was written; null where there is none, or none may be opened from here. */
 function address_of(place) {
   if (!place || location.protocol !== "file:") return null;
-  return `file://${place.split("/").map(encodeURIComponent).join("/")}`;
+  return place.split("/").map(encodeURIComponent).join("/");
 }
 
 export function link_manual({ manual }) {

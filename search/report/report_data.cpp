@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/study_table.hpp"
@@ -175,14 +176,21 @@ Json folding_json(const FoldingModel& model) {
             {"stroke_limit", schema::or_null(limit)}}}};
 }
 
+// The manual's site, seen from the page: of this machine's folders no more than that says.
+Json manual_json(const ReportCall& call) {
+  const auto site = place_of_site();
+  if (!site || call.output.empty()) return nullptr;
+  const auto here = std::filesystem::absolute(call.output).parent_path();
+  return std::filesystem::proximate(*site, here).generic_string();
+}
+
 // Who wrote the page, of what, and how it can be written again.
 Json origin_json(const ReportCall& call) {
-  const auto manual = place_of_site();
   return {{"format", 1},
           {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
           {"written_at", now()},
           {"catalogue", call.path},
-          {"manual", manual ? Json(manual->string()) : Json()},
+          {"manual", manual_json(call)},
           {"chosen", chosen_json(call)},
           {"commands", commands_json(call)}};
 }
