@@ -143,7 +143,9 @@ Json commands_json(const ReportCall& call) {
     choice += " --details " + std::to_string(call.details);
   }
   if (call.rows != ReportCall().rows) choice += " --rows " + std::to_string(call.rows);
-  if (call.detail.contact) choice += " --contact";
+  for (const auto& [name, is_asked] : call.studies) {
+    if (is_asked) choice += fmt::format(" --{}", name);
+  }
   return {{"misalign", "misalign"},
           {"catalogue", shell_path(call.path)},
           {"choice", choice},

@@ -84,7 +84,9 @@ chosen "SELECT $late" --where "draw = $late"
 chosen "SELECT draw FROM candidates WHERE $where $order LIMIT 5" --where "$where" --details 5
 [ "$(data chosen.html candidates.shown)" = 700 ] || fail "report --rows 700"
 # No folding at all, and no complaint that there is none of the kind.
-"$program" report many.db --where "stroke_max < 0.02" --details 0 --rows 700 --output chosen.html > /dev/null || fail "--details 0"
+"$program" report many.db --where "stroke_max < 0.02" --details 0 --rows 700 --deploy --contact --output chosen.html \
+  > /dev/null || fail "--details 0"
+[[ "$(data chosen.html commands.choice)" = *" --rows 700 --contact --deploy" ]] || fail "the page's commands forget studies"
 [ -z "$(drawn chosen.html)" ] || fail "--details 0 carries foldings"
 "$program" report many.db --details 5 --rows 700 --where "$where" --output chosen.html > /dev/null || fail "report again"
 eval "set -- $(data chosen.html commands.choice)"  # as a shell takes them
