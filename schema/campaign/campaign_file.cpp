@@ -48,13 +48,6 @@ std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern
   return vertices;
 }
 
-// The largest two-digit number not above x, for a sentence; x is known to 1e-6 of itself.
-double rounded_down(double x) {
-  const double known = x * (1 + 1e-6);
-  const double unit = std::pow(10, std::floor(std::log10(known)) - 1);
-  return std::floor(known / unit) * unit;
-}
-
 void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
                        Misalignment& misalignment) {
   InputFaults& faults = reader.faults();

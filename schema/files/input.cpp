@@ -173,4 +173,10 @@ Json json_of(const Json& text) {
 
 std::string shown_number(double value) { return fmt::format("{:.10g}", value); }
 
+double rounded_down(double x) {
+  const double known = x * (1 + 1e-6);
+  const double unit = std::pow(10, std::floor(std::log10(known)) - 1);
+  return std::floor(known / unit) * unit;
+}
+
 }  // namespace misalign::schema

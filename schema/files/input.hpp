@@ -74,5 +74,7 @@ Json json_of(const Json& text);
 
 /// A number as people write it: 80, 0.4, 1e-09.
 std::string shown_number(double value);
+/// The largest two-digit number not above x, for a sentence; x > 0 is known to 1e-6 of itself.
+double rounded_down(double x);
 
 }  // namespace misalign::schema

@@ -150,11 +150,11 @@ void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet) {
   const double largest_mm = solver::largest_miscut_mm(base, shifts_mm);
   if (amplitude_mm < largest_mm) return;
-  throw schema::UserError(solver::OptionFault{"amplitude_mm", schema::shown_number(amplitude_mm),
-                                              "must be below " + schema::shown_number(largest_mm) +
-                                                  " mm (where a facet of " + sheet +
-                                                  " can lose convexity)",
-                                              fmt::format("try {:.1g}", largest_mm / 10)});
+  throw schema::UserError(solver::OptionFault{
+      "amplitude_mm", schema::shown_number(amplitude_mm),
+      fmt::format("must be below {:g} mm (where a facet of {} can lose convexity)",
+                  schema::rounded_down(largest_mm), sheet),
+      fmt::format("try {:g}", schema::rounded_down(0.95 * largest_mm))});
 }
 
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,

@@ -134,6 +134,10 @@ rejected=$(sql a.db 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FRO
 refused 2 "misalign replay" a.db "$rejected" --amplitude 0.05
 refused 2 "misalign replay" a.db 123456789 --amplitude 0.05
 refused 2 "must be below .* a facet of draw $draw can lose convexity); try [0-9.]*$" a.db "$draw" --amplitude 45
+# What it says to try is nearly the largest, and can be had.
+read -r below try <<< "$(sed -E 's/.*must be below ([0-9.]*) mm.*; try ([0-9.]*)$/\1 \2/' err)"
+"$program" tolerance a.db "$draw" --amplitude "$try" --trials 10 > out 2> err || fail "--amplitude $try: $(cat err)"
+awk "BEGIN { exit !($try < $below && $try > 0.85 * $below) }" || fail "--amplitude: below $below, try $try"
 refused 2 "amplitude" a.db "$draw" --amplitude -1
 refused 2 "amplitude" a.db "$draw" --amplitude nan
 refused 2 "amplitude" a.db "$draw"
