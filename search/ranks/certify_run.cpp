@@ -19,6 +19,7 @@
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/terminal/count_text.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 
@@ -108,9 +109,9 @@ class CertifyZero {
                      {open_.size(), [&](std::size_t k) { return order_of(sheets_[open_[k]]); },
                       [&](std::vector<SheetsToCertify::Done> done) { keep(std::move(done)); }},
                      mpi.ranks());
-    CoordinatorOptions settings;
-    settings.progress = progress_style();
-    const RunEnd end = run_coordinator(mpi, heartbeat, task, settings);
+    const LongWork work("certify is under way", work_style(launched_by_mpi()),
+                        spdlog::should_log(spdlog::level::debug));
+    const RunEnd end = run_coordinator(mpi, heartbeat, task, {{}, ProgressStyle::none});
     if (catalogue_) catalogue_->close();
     if (end == RunEnd::lost) return options_.border.exit_code(schema::Cause::failure);
     if (!gone_.empty()) say_what_is_gone();
@@ -188,6 +189,8 @@ class CertifyZero {
   }
 
   void keep(std::vector<SheetsToCertify::Done> done) {
+    kept_ += done.size();
+    show_work(options_.check ? "candidates checked" : "candidates certified", kept_, open_.size());
     if (options_.check) {
       report_.check.checked += done.size();
       for (auto& one : done) {
@@ -216,19 +219,12 @@ class CertifyZero {
         options_.path, gone_.size(), gone_.front());
   }
 
-  // A few need no line on how far it is.
-  ProgressStyle progress_style() const {
-    constexpr std::size_t kFew = 20;
-    if (open_.size() <= kFew) return ProgressStyle::none;
-    return resolved(ProgressStyle::automatic, is_terminal(STDERR_FILENO) && terminal_is_able(),
-                    launched_by_mpi());
-  }
-
   const CertifyOptions& options_;
   std::unique_ptr<SQLite::Database> database_;  // of a check; otherwise closed before writing
   CertifyWorkspace ready_;
   std::vector<Sheet> sheets_;
   std::vector<std::size_t> open_;  // of the sheets, those that are to be worked on
+  std::size_t kept_ = 0;           // of these
   std::optional<schema::Catalogue> catalogue_;
   std::vector<std::uint64_t> gone_;
   CertifyReport report_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <pthread.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -102,6 +103,12 @@ void LongWork::print() {
   } else {
     std::fprintf(stderr, "%s\n", line.c_str());
   }
+}
+
+ProgressStyle work_style(bool under_launcher) {
+  if (!spdlog::should_log(spdlog::level::info)) return ProgressStyle::none;
+  return resolved(ProgressStyle::automatic, is_terminal(STDERR_FILENO) && terminal_is_able(),
+                  under_launcher);
 }
 
 void show_work(const std::string& what, std::uint64_t done, std::uint64_t of) {

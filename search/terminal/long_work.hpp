@@ -55,6 +55,9 @@ class LongWork {
   std::thread thread_;
 };
 
+/// Automatic, but none where the log is to say no more than warnings.
+ProgressStyle work_style(bool under_launcher = false);
+
 /// What the LongWork that lives, if there is one, is to say: so many of `of` (0: nobody knows how
 /// many), or `what` alone.
 void show_work(const std::string& what, std::uint64_t done = 0, std::uint64_t of = 0);

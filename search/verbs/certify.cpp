@@ -12,6 +12,7 @@
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/sheet_certifier.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
@@ -105,6 +106,7 @@ double deploys_from_deg(const CertifyCall& call, const ChosenSheet& sheet,
 }
 
 int run_on_pattern(const CertifyCall& call) {
+  const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
   SheetCertifier certifier(sheet.base, model, call.options.contact);

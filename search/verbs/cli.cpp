@@ -91,13 +91,6 @@ bool shows_itself(const std::string& verb) {
   return verb == "search" || verb == "certify" || verb == "stress" || verb == "watch";
 }
 
-ProgressStyle work_style() {
-  return spdlog::should_log(spdlog::level::info)
-             ? resolved(ProgressStyle::automatic, is_terminal(STDERR_FILENO) && terminal_is_able(),
-                        false)
-             : ProgressStyle::none;
-}
-
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
