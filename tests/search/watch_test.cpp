@@ -11,12 +11,16 @@
 #include <fstream>
 #include <thread>
 
+#include "schema/catalogue/catalogue.hpp"
 #include "schema/catalogue/writer_lock.hpp"
+#include "schema/files/features.hpp"
 #include "schema/files/input.hpp"
+#include "search/draws/draw_evaluator.hpp"
 #include "search/watch/connection_patience.hpp"
 #include "search/watch/file_mark.hpp"
 #include "search/watch/loopback.hpp"
 #include "search/watch/request_rule.hpp"
+#include "search/watch/watched_catalogue.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {
@@ -235,6 +239,31 @@ TEST(FileMark, NoticesCommitsReplacementAndTheWriter) {
   }
   EXPECT_FALSE(FileMark::of(path).is_written());
   EXPECT_TRUE(resting.is_like(FileMark::of(path)));
+}
+
+// Whoever has waited for a lock has kept no core busy: the next look may be soon, where as a share
+// of the clock ten seconds would ask for a rest of minutes.
+TEST(WatchedCatalogue, LooksAgainSoonAfterALockIsGoneSlow) {
+  if (!has("Node.js")) GTEST_SKIP() << "there is no page";
+  const Folder folder("watched");
+  const std::string path = folder.file("a.db");
+  {
+    const DrawEvaluator evaluator(schema::read_campaign(
+        schema::Json::parse(R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}})"),
+        "test"));
+    const schema::Catalogue made(path, evaluator.campaign(), evaluator.mechanism());
+  }
+  WatchedCatalogue watched(path, [](std::string_view name, bool) { return std::string(name); });
+  {
+    SQLite::Database other(path, SQLite::OPEN_READWRITE);
+    other.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE");
+    EXPECT_EQ(watched.live().status, 503);
+  }
+  const auto begun = std::chrono::steady_clock::now();
+  while (watched.live().status != 200) {
+    ASSERT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(60));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
 }
 
 }  // namespace
