@@ -5,7 +5,7 @@
 
 namespace misalign::schema {
 
-Json certified_json(const CertifiedSheet& sheet) {
+Json certified_json(const NamedCertificate& sheet) {
   Json json = certificate_json(sheet.row);
   json.erase("proof");
   json["bytes"] = sheet.bytes;

@@ -7,7 +7,7 @@
 namespace misalign::schema {
 
 /// The row as certificate_json has it, with "bytes" instead of the proof.
-Json certified_json(const CertifiedSheet& sheet);
+Json certified_json(const NamedCertificate& sheet);
 
 Json check_json(const CertificateCheck& check);
 

@@ -16,9 +16,9 @@ using Quad = std::array<int, 4>;
 using Point = Eigen::Vector2d;
 
 // Looks in stages; a stage that finds faults is the last.
-class SheetBuilder {
+class MeshReader {
  public:
-  SheetBuilder(const PlaneMesh& mesh, MeshFaults& faults)
+  MeshReader(const PlaneMesh& mesh, MeshFaults& faults)
       : points_(mesh.points_mm),
         edges_(mesh.edges),
         has_faces_(mesh.has_faces),
@@ -38,17 +38,17 @@ class SheetBuilder {
   }
 
  private:
-  using Stage = void (SheetBuilder::*)();
+  using Stage = void (MeshReader::*)();
 
   // Crossings are looked for before faces are. A file that has faces may have any number of edges:
   // there it waits until all of them are sides of faces.
   std::vector<Stage> stages() const {
-    std::vector<Stage> all{&SheetBuilder::check_points};
+    std::vector<Stage> all{&MeshReader::check_points};
     const auto append = [&](std::initializer_list<Stage> more) { all.insert(all.end(), more); };
-    if (!has_faces_) append({&SheetBuilder::check_crossings, &SheetBuilder::find_faces});
-    append({&SheetBuilder::check_vertices, &SheetBuilder::orient_faces, &SheetBuilder::pair_edges});
-    if (has_faces_) append({&SheetBuilder::check_crossings});
-    append({&SheetBuilder::find_gaps, &SheetBuilder::check_degrees, &SheetBuilder::place});
+    if (!has_faces_) append({&MeshReader::check_crossings, &MeshReader::find_faces});
+    append({&MeshReader::check_vertices, &MeshReader::orient_faces, &MeshReader::pair_edges});
+    if (has_faces_) append({&MeshReader::check_crossings});
+    append({&MeshReader::find_gaps, &MeshReader::check_degrees, &MeshReader::place});
     return all;
   }
 
@@ -226,7 +226,7 @@ void MeshFaults::add(const std::string& problem, const std::string& why,
 }
 
 std::optional<solver::CreasePattern> fill_sheet(PlaneMesh& mesh, MeshFaults& faults) {
-  SheetBuilder builder(mesh, faults);
+  MeshReader builder(mesh, faults);
   auto sheet = builder.build();
   if (!mesh.has_faces) mesh.faces = builder.faces();
   return sheet;

@@ -6,7 +6,7 @@
 
 namespace misalign::schema {
 
-CertifiedSheet certified_sheet(std::string name, CertificateRecord row, bool is_new) {
+NamedCertificate named_certificate(std::string name, CertificateRecord row, bool is_new) {
   const std::size_t bytes = row.proof.size();
   row.proof = {};
   return {std::move(name), std::move(row), bytes, is_new};

@@ -30,7 +30,7 @@ struct CertificateRecord {
 inline constexpr std::size_t kUsualCertificate_bytes = 20000;
 
 /// A sheet's certificate, without its proof.
-struct CertifiedSheet {
+struct NamedCertificate {
   std::string name;  ///< "draw 7", or a pattern's
   CertificateRecord row;
   std::size_t bytes;    ///< of the proof
@@ -38,7 +38,7 @@ struct CertifiedSheet {
 };
 
 /// Of a row, whose proof is taken out.
-CertifiedSheet certified_sheet(std::string name, CertificateRecord row, bool is_new);
+NamedCertificate named_certificate(std::string name, CertificateRecord row, bool is_new);
 
 /// What a check finds wrong with a certificate.
 struct CertificateFinding {

@@ -7,7 +7,7 @@
 
 namespace misalign::search {
 
-struct CandidateReport : SheetReport {
+struct CandidateReport : ShapeReport {
   /// Columns that differ, but were measured by another definition.
   std::vector<std::string> not_comparable;
 };

@@ -178,7 +178,7 @@ void make_population_again(SQLite::Database& database, Climber& climber, std::ui
         });
     const std::uint64_t end = end_of_kept(database, campaign);
     Accepted stored = stored_accepted(database, {unit, unit + schema::kNumbersOfPopulation});
-    for (const FoundSheet& found : again.found) {
+    for (const FoundCandidate& found : again.found) {
       const std::uint64_t draw = number_of(found.origin, *campaign.splitting);
       const auto kept = kept_number(
           database,

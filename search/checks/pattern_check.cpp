@@ -87,7 +87,7 @@ PatternVerification verify_pattern(const std::string& path) {
   verification.pattern = chosen.pattern;
   verification.verdict = computed["verdict"];
   verification.apart_mm = largest_difference(history.length_mm, dense.length_mm);
-  SheetReport& report = verification.report;
+  ShapeReport& report = verification.report;
   compare("dense matrices", said_of({chosen.base, sheet, dense}), computed, check.tolerances(),
           report.findings);
   if (!chosen.exported.is_null()) {
@@ -106,7 +106,7 @@ PatternVerification verify_pattern(const std::string& path) {
 }
 
 std::string pattern_verification_text(const PatternVerification& v) {
-  const SheetReport& report = v.report;
+  const ShapeReport& report = v.report;
   std::string text = findings_text(report.findings);
   text += "pattern      " + v.pattern + ", deploys from " +
           shown_number(v.verdict["deploys_from_deg"].get<double>()) +

@@ -15,7 +15,7 @@ struct PatternVerification {
   Eigen::Index shapes = 0;  ///< samples whose folded shapes were looked at
   double apart_mm = 0;      ///< largest difference of any diagonal's length between the two solvers
   bool has_claims = false;  ///< whether the file says verdict or metrics of itself: an export does
-  SheetReport report;
+  ShapeReport report;
 
   bool good() const { return report.findings.empty(); }
 };

@@ -33,7 +33,7 @@ SheetCheck::SheetCheck(const schema::Campaign& campaign)
       tolerances_{mechanism().panel_width_mm, campaign.sample_deg} {}
 
 void SheetCheck::check_shapes(const std::string& where, const solver::Sheet& sheet,
-                              Eigen::Index samples, SheetReport& report) const {
+                              Eigen::Index samples, ShapeReport& report) const {
   const solver::FlatVertices& vertices_mm = sheet.vertices_mm();
   const solver::FoldingHistory& history = sheet.history();
   const solver::Panels& panels = sheet.panels();
@@ -64,7 +64,7 @@ void SheetCheck::check_shapes(const std::string& where, const solver::Sheet& she
 }
 
 void SheetCheck::find_crossing(const solver::Sheet& sheet, Eigen::Index samples,
-                               SheetReport& report) const {
+                               ShapeReport& report) const {
   if constexpr (has("FCL")) {
     CrossingCheck check(sheet.vertices_mm(), sheet.panels().corners);
     solver::SheetGeometry<double> geometry;
@@ -84,7 +84,7 @@ void SheetCheck::find_crossing(const solver::Sheet& sheet, Eigen::Index samples,
 }
 
 void SheetCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
-                              SheetReport& report) const {
+                              ShapeReport& report) const {
   const solver::Panels& panels = sheet.panels();
   const auto motion = solver::resolved_motion(sheet);
   if (!motion) {
@@ -108,7 +108,7 @@ void SheetCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
 }
 
 void SheetCheck::add_shape_findings(const std::string& where, const solver::Panels& panels,
-                                    SheetReport& report) const {
+                                    ShapeReport& report) const {
   const double limit_rad = solver::shape_tolerance(panels);
   const double limit_mm = limit_rad * mechanism().panel_width_mm;
   const double limit_deg = limit_rad / solver::kRadPerDeg;

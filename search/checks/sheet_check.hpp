@@ -16,7 +16,7 @@
 
 namespace misalign::search {
 
-struct SheetReport {
+struct ShapeReport {
   std::vector<schema::Finding> findings;
   /// Over the samples that were looked at.
   solver::ShapeErrors shape;
@@ -55,17 +55,17 @@ class SheetCheck {
   /// and where panels first cross, if this build can tell, which is no fault. `where` names the
   /// sheet.
   void check_shapes(const std::string& where, const solver::Sheet& sheet, Eigen::Index samples,
-                    SheetReport& report) const;
+                    ShapeReport& report) const;
 
   const solver::Mechanism& mechanism() const { return model_->mechanism(); }
   const ColumnTolerances& tolerances() const { return tolerances_; }
 
  private:
   /// Nothing where this build is without FCL.
-  void find_crossing(const solver::Sheet& sheet, Eigen::Index samples, SheetReport& report) const;
-  void find_meeting(const solver::Sheet& sheet, Eigen::Index samples, SheetReport& report) const;
+  void find_crossing(const solver::Sheet& sheet, Eigen::Index samples, ShapeReport& report) const;
+  void find_meeting(const solver::Sheet& sheet, Eigen::Index samples, ShapeReport& report) const;
   void add_shape_findings(const std::string& where, const solver::Panels& panels,
-                          SheetReport& report) const;
+                          ShapeReport& report) const;
 
   const std::unique_ptr<FoldingModel> model_;
   const ColumnTolerances tolerances_;

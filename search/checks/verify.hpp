@@ -24,7 +24,7 @@ struct CheckedCandidate {
   std::uint64_t draw;
   std::optional<double> first_contact_deg;
   std::string contact;  ///< the panels that cross
-  schema::Json meet;    ///< as in SheetReport
+  schema::Json meet;    ///< as in ShapeReport
   double met_until_deg;
   std::string meet_text;
 };

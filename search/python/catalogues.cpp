@@ -52,7 +52,7 @@ class Catalogue {
     });
   }
 
-  std::shared_ptr<SheetSource> sheet() const { return source_; }
+  std::shared_ptr<PatternSource> sheet() const { return source_; }
 
   py::dict candidates(const std::string& where, const std::optional<std::string>& by,
                       const std::optional<std::uint64_t>& limit) const {
@@ -171,7 +171,7 @@ class Catalogue {
   const std::string path_;
   FileIdentity file_;
   std::string identity_;
-  std::shared_ptr<SheetSource> source_;
+  std::shared_ptr<PatternSource> source_;
 };
 
 }  // namespace

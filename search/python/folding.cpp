@@ -63,7 +63,7 @@ py::array_t<double> picked_shapes(const std::vector<Index>& rows, const solver::
 
 }  // namespace
 
-py::dict fold(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm,
+py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
               const std::optional<std::vector<double>>& stations_deg) {
   using namespace py::literals;
   const schema::Pattern& base = source.sheet.base;
@@ -104,7 +104,7 @@ py::dict fold(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm,
 void bind_foldings(py::module_& module) {
   module.def(
       "fold",
-      [](const SheetSource& source, const py::object& shifts_mm, const py::object& stations) {
+      [](const PatternSource& source, const py::object& shifts_mm, const py::object& stations) {
         const Eigen::Matrix2Xd shifts =
             shifts_mm.is_none() ? source.sheet.shifts_mm : shifts_of_one(shifts_mm, source);
         return fold(source, shifts, stations_of(stations));

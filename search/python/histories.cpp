@@ -38,7 +38,8 @@ std::vector<double> seen_deg(const solver::PathPlan& path) {
 
 }  // namespace
 
-py::tuple histories_of(const SheetSource& source, const std::vector<Eigen::Matrix2Xd>& shifts_mm) {
+py::tuple histories_of(const PatternSource& source,
+                       const std::vector<Eigen::Matrix2Xd>& shifts_mm) {
   const schema::Sampling& sampling = source.sheet.sampling;
   std::optional<solver::Model> model;
   std::unique_ptr<solver::Batch> batch;

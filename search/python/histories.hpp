@@ -5,13 +5,13 @@
 
 #include <vector>
 
-#include "search/python/sheet_source.hpp"
+#include "search/python/pattern_source.hpp"
 
 namespace misalign::search::python {
 
 /// Stations [S] in degrees, and lengths [N, S, G] in mm of the sheets with these shifts, NaN beyond
 /// a path's end: those of `misalign replay --json`.
-pybind11::tuple histories_of(const SheetSource& source,
+pybind11::tuple histories_of(const PatternSource& source,
                              const std::vector<Eigen::Matrix2Xd>& shifts_mm);
 
 }  // namespace misalign::search::python

@@ -13,7 +13,7 @@ namespace {
 
 namespace py = pybind11;
 
-using Source = std::shared_ptr<SheetSource>;
+using Source = std::shared_ptr<PatternSource>;
 
 ModelKey key_for(const Source& source, ShiftBlocks& blocks, int threshold_sample) {
   const auto& campaign = source->campaign;

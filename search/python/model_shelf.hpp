@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "search/python/sheet_source.hpp"
+#include "search/python/pattern_source.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search::python {
 
 /// What tells one model from another.
 struct ModelKey {
-  std::shared_ptr<SheetSource> source;
+  std::shared_ptr<PatternSource> source;
   std::vector<int> shifted;
   double ternary_mm;
   int threshold_sample;  ///< 0: none

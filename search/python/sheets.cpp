@@ -6,7 +6,7 @@
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
 #include "search/python/draw_numbers.hpp"
-#include "search/python/sheet_source.hpp"
+#include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "solver/kinematics/mechanism.hpp"
 
@@ -41,7 +41,7 @@ py::dict campaign_of(const schema::Campaign& campaign) {
 }
 
 // Everything at once: small, and it never changes.
-py::dict describe(const SheetSource& source) {
+py::dict describe(const PatternSource& source) {
   using namespace py::literals;
   const schema::Pattern& base = source.sheet.base;
   const solver::Mechanism mechanism =
@@ -77,7 +77,7 @@ py::dict describe(const SheetSource& source) {
           source.campaign ? py::object(campaign_of(*source.campaign)) : py::object(py::none()));
 }
 
-py::array_t<double> shifts(const SheetSource& source, const py::object& draws) {
+py::array_t<double> shifts(const PatternSource& source, const py::object& draws) {
   const std::vector<std::uint64_t> numbers = draw_numbers(draws);
   const schema::Campaign& campaign = *source.campaign;
   if (campaign.splitting) {
@@ -108,7 +108,7 @@ py::array_t<double> shifts(const SheetSource& source, const py::object& draws) {
 }  // namespace
 
 void bind_sheets(py::module_& module) {
-  py::class_<SheetSource, std::shared_ptr<SheetSource>>(module, "Sheet")
+  py::class_<PatternSource, std::shared_ptr<PatternSource>>(module, "Sheet")
       .def("describe", &describe)
       .def("shifts", &shifts, py::arg("draws"))
       .def(py::pickle(&text_of, [](const std::string& text) {

@@ -37,12 +37,13 @@ py::array array_of(const py::object& shifts_mm, const std::vector<py::ssize_t>& 
   return array;
 }
 
-std::string form_of(const SheetSource& source, const char* sheets) {
+std::string form_of(const PatternSource& source, const char* sheets) {
   return fmt::format("x and y in mm of each of the {} vertices of the sheet, [{}{}, 2]",
                      source.vertices(), sheets, source.vertices());
 }
 
-void check(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm, const std::string& whose) {
+void check(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
+           const std::string& whose) {
   for (Eigen::Index v = 0; v < shifts_mm.cols(); ++v) {
     if (shifts_mm.col(v).allFinite()) continue;
     throw schema::UserError(
@@ -64,7 +65,7 @@ void check(const SheetSource& source, const Eigen::Matrix2Xd& shifts_mm, const s
 
 }  // namespace
 
-ShiftBlocks::ShiftBlocks(const py::object& shifts_mm, const SheetSource& source)
+ShiftBlocks::ShiftBlocks(const py::object& shifts_mm, const PatternSource& source)
     : source_(source),
       array_(array_of(shifts_mm, {-1, source.vertices(), 2}, form_of(source, "N, "))),
       is_ready_(py::array_t<double, py::array::c_style>::check_(array_)),
@@ -132,7 +133,7 @@ void ShiftBlocks::check_sheet(const double* row, std::uint64_t number) const {
         fmt::format("of sheet {} ", number));
 }
 
-Eigen::Matrix2Xd shifts_of_one(const py::object& shifts_mm, const SheetSource& source) {
+Eigen::Matrix2Xd shifts_of_one(const py::object& shifts_mm, const PatternSource& source) {
   const py::array array = array_of(shifts_mm, {source.vertices(), 2}, form_of(source, ""));
   const auto doubles =
       py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);

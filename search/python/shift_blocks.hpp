@@ -5,7 +5,7 @@
 #include <pybind11/numpy.h>
 
 #include "search/draws/draw_evaluator.hpp"
-#include "search/python/sheet_source.hpp"
+#include "search/python/pattern_source.hpp"
 
 namespace misalign::search::python {
 
@@ -13,7 +13,7 @@ class ShiftBlocks {
  public:
   /// With the GIL. UserError (bad_request) for what is no such array. Numbers of other kinds, or
   /// elsewhere in memory, are made doubles block by block.
-  ShiftBlocks(const pybind11::object& shifts_mm, const SheetSource& source);
+  ShiftBlocks(const pybind11::object& shifts_mm, const PatternSource& source);
 
   std::uint64_t sheets() const { return sheets_; }
   /// The sheets from `first` on; with the GIL. Valid until the next call.
@@ -31,7 +31,7 @@ class ShiftBlocks {
  private:
   void check_sheet(const double* row, std::uint64_t number) const;
 
-  const SheetSource& source_;
+  const PatternSource& source_;
   pybind11::array array_;
   bool is_ready_;  // to be taken as it is
   pybind11::array_t<double> made_;
@@ -40,6 +40,6 @@ class ShiftBlocks {
 };
 
 /// The shifts of one sheet, [V, 2] in mm, as 2 x V. UserError (bad_request).
-Eigen::Matrix2Xd shifts_of_one(const pybind11::object& shifts_mm, const SheetSource& source);
+Eigen::Matrix2Xd shifts_of_one(const pybind11::object& shifts_mm, const PatternSource& source);
 
 }  // namespace misalign::search::python

@@ -38,7 +38,7 @@ std::optional<std::vector<double>> stations_of(const py::object& stations) {
 }
 
 schema::Sampling sampling_for(const std::optional<std::vector<double>>& stations_deg,
-                              const SheetSource& source) {
+                              const PatternSource& source) {
   schema::Sampling sampling = source.sheet.sampling;
   if (stations_deg) sampling.end_deg = std::max(sampling.end_deg, stations_deg->back());
   sampling.end_deg = std::min(sampling.end_deg, source.sheet.base.base.folding.end_deg());

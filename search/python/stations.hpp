@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "search/python/sheet_source.hpp"
+#include "search/python/pattern_source.hpp"
 
 namespace misalign::search::python {
 
@@ -17,6 +17,6 @@ std::optional<std::vector<double>> stations_of(const pybind11::object& stations)
 /// How far a path is followed to see these: beyond its own end where they lie there, but never
 /// farther than the correct sheet folds.
 schema::Sampling sampling_for(const std::optional<std::vector<double>>& stations_deg,
-                              const SheetSource& source);
+                              const PatternSource& source);
 
 }  // namespace misalign::search::python

@@ -32,16 +32,16 @@ void sent_fields(Wire& wire, Sent& sent) {
 
 std::string certify_layout() { return "certify 1"; }
 
-Bytes pack(const std::vector<SheetOrder>& orders) {
+Bytes pack(const std::vector<CertifyOrder>& orders) {
   Writer wire;
-  list(wire, orders, [&](const SheetOrder& order) { sheet_order_fields(wire, order); });
+  list(wire, orders, [&](const CertifyOrder& order) { sheet_order_fields(wire, order); });
   return wire.take();
 }
 
-std::vector<SheetOrder> unpack_orders(const Bytes& bytes) {
+std::vector<CertifyOrder> unpack_orders(const Bytes& bytes) {
   Reader wire(bytes);
-  std::vector<SheetOrder> orders;
-  list(wire, orders, [&](SheetOrder& order) { sheet_order_fields(wire, order); });
+  std::vector<CertifyOrder> orders;
+  list(wire, orders, [&](CertifyOrder& order) { sheet_order_fields(wire, order); });
   return orders;
 }
 

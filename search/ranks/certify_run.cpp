@@ -29,11 +29,11 @@ namespace {
 using schema::UserError;
 
 // A chosen candidate: what is asked of it, and what is there.
-struct Sheet {
+struct Chosen {
   std::uint64_t draw;
   double asked_deg = 0;
   Eigen::Matrix2Xd shifts_mm = {};  // of a splitting campaign; a plain one's are made again
-  std::optional<schema::CertifiedSheet> done = {};
+  std::optional<schema::NamedCertificate> done = {};
   std::string end = {};  // of the certificate that is checked
 };
 
@@ -107,7 +107,7 @@ class CertifyZero {
   int run(const MpiSession& mpi, const Heartbeat& heartbeat) {
     CertifyTask task(ready_.certifier,
                      {open_.size(), [&](std::size_t k) { return order_of(sheets_[open_[k]]); },
-                      [&](std::vector<SheetsToCertify::Done> done) { keep(std::move(done)); }},
+                      [&](std::vector<CertifyList::Done> done) { keep(std::move(done)); }},
                      mpi.ranks());
     const LongWork work("certify is under way", work_style(launched_by_mpi()),
                         spdlog::should_log(spdlog::level::debug));
@@ -119,7 +119,7 @@ class CertifyZero {
   }
 
   int conclude() {
-    for (Sheet& sheet : sheets_) {
+    for (Chosen& sheet : sheets_) {
       if (sheet.done) {
         report_.sheets.push_back(std::move(*sheet.done));
       } else if (!options_.check) {
@@ -143,7 +143,7 @@ class CertifyZero {
   }
 
   void add(std::uint64_t draw) {
-    Sheet sheet{draw};
+    Chosen sheet{draw};
     auto row = schema::read_certificate(*database_, draw);
     if (options_.check) {
       row ? open_.push_back(sheets_.size()) : void(++report_.check.without);
@@ -154,7 +154,7 @@ class CertifyZero {
     const Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database_, ready_.campaign, draw);
     if (ready_.campaign.splitting) sheet.shifts_mm = shifts_mm;
     if (row && is_good(shifts_mm, *row, sheet.asked_deg)) {
-      sheet.done = schema::certified_sheet(name_of_draw(draw), std::move(*row), false);
+      sheet.done = schema::named_certificate(name_of_draw(draw), std::move(*row), false);
     } else {
       open_.push_back(sheets_.size());
     }
@@ -172,8 +172,8 @@ class CertifyZero {
     return answers(row, asked_deg, options_.contact);
   }
 
-  SheetOrder order_of(Sheet& sheet) {
-    SheetOrder order{sheet.draw, sheet.asked_deg, sheet.shifts_mm};
+  CertifyOrder order_of(Chosen& sheet) {
+    CertifyOrder order{sheet.draw, sheet.asked_deg, sheet.shifts_mm};
     if (options_.check) {
       order.stored = schema::read_certificate(*database_, sheet.draw);
       order.shifts_mm = shifts_of_number(*database_, ready_.campaign, sheet.draw);
@@ -188,7 +188,7 @@ class CertifyZero {
     return order;
   }
 
-  void keep(std::vector<SheetsToCertify::Done> done) {
+  void keep(std::vector<CertifyList::Done> done) {
     kept_ += done.size();
     show_work(options_.check ? "candidates checked" : "candidates certified", kept_, open_.size());
     if (options_.check) {
@@ -207,8 +207,8 @@ class CertifyZero {
     const std::vector<std::uint64_t> gone = catalogue_->keep(rows);
     gone_.insert(gone_.end(), gone.begin(), gone.end());
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      Sheet& sheet = sheets_[open_[done[k].sheet]];
-      sheet.done = schema::certified_sheet(name_of_draw(sheet.draw), std::move(rows[k]), true);
+      Chosen& sheet = sheets_[open_[done[k].sheet]];
+      sheet.done = schema::named_certificate(name_of_draw(sheet.draw), std::move(rows[k]), true);
     }
   }
 
@@ -222,7 +222,7 @@ class CertifyZero {
   const CertifyOptions& options_;
   std::unique_ptr<SQLite::Database> database_;  // of a check; otherwise closed before writing
   CertifyWorkspace ready_;
-  std::vector<Sheet> sheets_;
+  std::vector<Chosen> sheets_;
   std::vector<std::size_t> open_;  // of the sheets, those that are to be worked on
   std::size_t kept_ = 0;           // of these
   std::optional<schema::Catalogue> catalogue_;

@@ -15,8 +15,8 @@ namespace misalign::search {
 
 /// What rank 0 knows in the end.
 struct CertifyReport {
-  std::vector<schema::CertifiedSheet> sheets;  ///< in their order; none of a check
-  std::uint64_t left = 0;                      ///< not done, because a signal asked to stop
+  std::vector<schema::NamedCertificate> sheets;  ///< in their order; none of a check
+  std::uint64_t left = 0;                        ///< not done, because a signal asked to stop
   schema::CertificateCheck check;
 };
 

@@ -7,7 +7,7 @@
 namespace misalign::search {
 namespace {
 
-SheetResult certify_sheet(SheetCertifier& certifier, const SheetOrder& order) {
+CertifyResult certify_sheet(SheetCertifier& certifier, const CertifyOrder& order) {
   if (order.stored) return {{}, certifier.check(order.shifts_mm, *order.stored)};
   return {certifier.certify(order.draw, order.shifts_mm, order.asked_deg), {}};
 }
@@ -20,7 +20,7 @@ void CertifyWork::run_next_block() {
   sent_.seconds += watch.seconds();
 }
 
-CertifyTask::CertifyTask(SheetCertifier& certifier, SheetsToCertify sheets, int ranks)
+CertifyTask::CertifyTask(SheetCertifier& certifier, CertifyList sheets, int ranks)
     : certifier_(certifier),
       sheets_(std::move(sheets)),
       open_(sheets_.count),
@@ -39,7 +39,7 @@ std::size_t CertifyTask::job_size(const Worker& worker) const {
 
 std::optional<Bytes> CertifyTask::assign(int worker) {
   Worker& w = workers_[worker];
-  std::vector<SheetOrder> orders;
+  std::vector<CertifyOrder> orders;
   for (std::size_t size = job_size(w); size > 0 && !open_.empty(); --size) {
     w.sheets.push_back(open_.front());
     open_.pop_front();

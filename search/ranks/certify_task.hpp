@@ -14,7 +14,7 @@ namespace misalign::search {
 /// Some sheets being worked off, one at a time.
 class CertifyWork {
  public:
-  CertifyWork(SheetCertifier& certifier, std::vector<SheetOrder> orders)
+  CertifyWork(SheetCertifier& certifier, std::vector<CertifyOrder> orders)
       : certifier_(certifier), orders_(std::move(orders)) {}
 
   bool finished() const { return sent_.results.size() == orders_.size(); }
@@ -24,18 +24,18 @@ class CertifyWork {
 
  private:
   SheetCertifier& certifier_;
-  const std::vector<SheetOrder> orders_;
+  const std::vector<CertifyOrder> orders_;
   SentResults sent_;
 };
 
 /// The sheets of a run by their numbers, from 0 on.
-struct SheetsToCertify {
+struct CertifyList {
   std::size_t count;
-  std::function<SheetOrder(std::size_t)> order_of;
+  std::function<CertifyOrder(std::size_t)> order_of;
   /// Of sheets that are done: keeps what came of them, in one transaction.
   struct Done {
     std::size_t sheet;
-    SheetResult result;
+    CertifyResult result;
   };
   std::function<void(std::vector<Done>)> keep;
 };
@@ -43,7 +43,7 @@ struct SheetsToCertify {
 class CertifyTask final : public RankTask {
  public:
   /// The certifier must outlive this object.
-  CertifyTask(SheetCertifier& certifier, SheetsToCertify sheets, int ranks);
+  CertifyTask(SheetCertifier& certifier, CertifyList sheets, int ranks);
 
   std::optional<Bytes> assign(int worker) override;
   bool has_job(int worker) const override { return !workers_[worker].sheets.empty(); }
@@ -66,11 +66,11 @@ class CertifyTask final : public RankTask {
   std::size_t job_size(const Worker& worker) const;
 
   SheetCertifier& certifier_;
-  const SheetsToCertify sheets_;
+  const CertifyList sheets_;
   std::deque<std::size_t> open_;  // ascending
   std::size_t given_out_ = 0, done_ = 0;
   std::vector<Worker> workers_;
-  std::vector<SheetsToCertify::Done> waiting_;
+  std::vector<CertifyList::Done> waiting_;
   Stopwatch watch_;
   std::optional<double> committed_s_;
 };

@@ -133,7 +133,7 @@ void ClimbTask::commit_pieces() {
 schema::UnitRecord ClimbTask::unit_of(PopulationRecord record) const {
   schema::UnitRecord unit;
   unit.range = schema::numbers_of({record.population, std::uint64_t{record.population} + 1});
-  for (FoundSheet& found : record.found) {
+  for (FoundCandidate& found : record.found) {
     found.candidate.draw = number_of(found.origin, splitting_);
     unit.candidates.push_back(std::move(found.candidate));
   }

@@ -16,8 +16,8 @@ void numbers(Wire& wire, Numbers& items) {
   list(wire, items, [&](auto& item) { wire.field(item); });
 }
 
-template <class Wire, class Sheets>
-void sheets_fields(Wire& wire, Sheets& sheets) {
+template <class Wire, class Scored>
+void sheets_fields(Wire& wire, Scored& sheets) {
   wire.field(sheets.sheets.bytes_each);
   numbers(wire, sheets.sheets.bytes);
   numbers(wire, sheets.scores);
@@ -89,7 +89,7 @@ SentPiece unpack_piece(const Bytes& bytes) {
 
 namespace {
 
-bool are_sheets(const ScoredSheets& sheets, const ShiftCode& code) {
+bool are_sheets(const ScoredParticles& sheets, const ShiftCode& code) {
   if (sheets.sheets.bytes.size() != sheets.count() * code.bytes()) return false;
   if (sheets.count() > 0 && sheets.sheets.bytes_each != code.bytes()) return false;
   constexpr std::uint8_t kMostLevel = 2;

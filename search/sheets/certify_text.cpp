@@ -55,9 +55,9 @@ auto median(std::vector<Value> values) {
 }
 
 template <class Of>
-auto median_of(const std::vector<schema::CertifiedSheet>& sheets, const Of& of) {
+auto median_of(const std::vector<schema::NamedCertificate>& sheets, const Of& of) {
   std::vector<decltype(of(sheets.front()))> values;
-  for (const schema::CertifiedSheet& sheet : sheets) values.push_back(of(sheet));
+  for (const schema::NamedCertificate& sheet : sheets) values.push_back(of(sheet));
   return median(std::move(values));
 }
 
@@ -68,11 +68,11 @@ schema::Row row_of(const std::string& end, const std::vector<double>& certified_
           shown_deg(*std::max_element(certified_deg.begin(), certified_deg.end()))};
 }
 
-std::string summary_of(const std::vector<schema::CertifiedSheet>& sheets) {
+std::string summary_of(const std::vector<schema::NamedCertificate>& sheets) {
   std::map<std::string, std::vector<double>> by_end;
   std::vector<double> all;
   std::size_t there_already = 0;
-  for (const schema::CertifiedSheet& sheet : sheets) {
+  for (const schema::NamedCertificate& sheet : sheets) {
     by_end[sheet.row.end].push_back(sheet.row.certified_deg);
     all.push_back(sheet.row.certified_deg);
     there_already += !sheet.is_new;
@@ -83,11 +83,11 @@ std::string summary_of(const std::vector<schema::CertifiedSheet>& sheets) {
   std::string text = schema::aligned(rows, {false, true, true, true, true});
   text += fmt::format(
       "in the median {:.3g} ms, {} intervals and {:.3g} kB",
-      1e3 *
-          median_of(sheets, [](const schema::CertifiedSheet& sheet) { return sheet.row.seconds; }),
-      median_of(sheets, [](const schema::CertifiedSheet& sheet) { return sheet.row.intervals; }),
+      1e3 * median_of(sheets,
+                      [](const schema::NamedCertificate& sheet) { return sheet.row.seconds; }),
+      median_of(sheets, [](const schema::NamedCertificate& sheet) { return sheet.row.intervals; }),
       1e-3 * static_cast<double>(median_of(
-                 sheets, [](const schema::CertifiedSheet& sheet) { return sheet.bytes; })));
+                 sheets, [](const schema::NamedCertificate& sheet) { return sheet.bytes; })));
   if (there_already > 0) text += fmt::format("; {} were there already", there_already);
   return text + "\n";
 }
@@ -118,7 +118,7 @@ std::string ends_text(const schema::CertificateCheck& check) {
 
 }  // namespace
 
-std::string certified_text(const schema::CertifiedSheet& sheet) {
+std::string certified_text(const schema::NamedCertificate& sheet) {
   const schema::CertificateRecord& row = sheet.row;
   std::string text = sheet.name + ": ";
   if (row.intervals == 0) return text + "nothing is certified: " + reason(row) + "\n";
@@ -134,10 +134,10 @@ std::string certified_text(const schema::CertifiedSheet& sheet) {
   return text + (sheet.is_new ? ")\n" : ", there already)\n");
 }
 
-std::string certified_text(const std::vector<schema::CertifiedSheet>& sheets) {
+std::string certified_text(const std::vector<schema::NamedCertificate>& sheets) {
   if (sheets.size() > kFew) return summary_of(sheets);
   std::string text;
-  for (const schema::CertifiedSheet& sheet : sheets) text += certified_text(sheet);
+  for (const schema::NamedCertificate& sheet : sheets) text += certified_text(sheet);
   return text;
 }
 

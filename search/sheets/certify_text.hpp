@@ -9,9 +9,9 @@
 namespace misalign::search {
 
 /// One line: "draw 7: certified from flat to 171 deg, ...".
-std::string certified_text(const schema::CertifiedSheet& sheet);
+std::string certified_text(const schema::NamedCertificate& sheet);
 /// A line each of a few, a summary of many: how many end for which reason, how far, what they cost.
-std::string certified_text(const std::vector<schema::CertifiedSheet>& sheets);
+std::string certified_text(const std::vector<schema::NamedCertificate>& sheets);
 
 std::string check_text(const schema::CertificateCheck& check);
 

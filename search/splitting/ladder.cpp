@@ -4,7 +4,7 @@ namespace misalign::search {
 
 PieceOrder order_of(std::uint32_t population, std::uint32_t level,
                     const schema::DrawRange& particles, const Bounds& bounds,
-                    const ScoredSheets& here) {
+                    const ScoredParticles& here) {
   PieceOrder order{population,
                    level,
                    static_cast<std::uint32_t>(particles.lo),

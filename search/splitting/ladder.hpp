@@ -30,7 +30,7 @@ struct Bounds {
 /// Of a population's particles at a level, those of `here`; at its beginning none.
 PieceOrder order_of(std::uint32_t population, std::uint32_t level,
                     const schema::DrawRange& particles, const Bounds& bounds,
-                    const ScoredSheets& here);
+                    const ScoredParticles& here);
 
 /// Who is copied where so few have survived: each of them as often as any other, and some once
 /// more, chosen by chance without replacement. So each has `particles` / `survivors` copies on

@@ -104,7 +104,7 @@ void LevelFinder::go_on_from(int score, const PieceResult& all) {
     end(true);
     return;
   }
-  ScoredSheets above;
+  ScoredParticles above;
   for (std::size_t k = 0; k < all.there.count(); ++k) {
     if (all.there.scores[k] >= score) above.add(all.there, k);
   }

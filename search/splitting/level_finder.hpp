@@ -51,7 +51,7 @@ class LevelFinder {
   std::uint32_t tries_ = 0;   // steps of this level without a higher one
   bool is_done_ = false, is_whole_ = false;
   LevelPieces pieces_;
-  ScoredSheets here_;
+  ScoredParticles here_;
 };
 
 }  // namespace misalign::search

@@ -32,11 +32,11 @@ Moves::Moves(const schema::Campaign& campaign)
       symmetries_(solver::shift_symmetries(campaign.pattern.base, campaign.misalignment.vertices)) {
 }
 
-void Moves::draw(StepWords words, ShiftCode::Sheet sheet) const {
+void Moves::draw(StepWords words, ShiftCode::Particle sheet) const {
   for (std::size_t k = 0; k < code_.shifts(); ++k) code_.draw(sheet, k, words.next());
 }
 
-void Moves::propose(StepWords words, ShiftCode::Sheet sheet) const {
+void Moves::propose(StepWords words, ShiftCode::Particle sheet) const {
   constexpr std::uint32_t kOneInSixteen = 15;
   const std::uint32_t kind = words.next();
   if (!symmetries_.empty() && (kind & kOneInSixteen) == 0) {
@@ -50,7 +50,7 @@ void Moves::propose(StepWords words, ShiftCode::Sheet sheet) const {
   }
 }
 
-void Moves::mirror(const solver::ShiftSymmetry& symmetry, ShiftCode::Sheet sheet) const {
+void Moves::mirror(const solver::ShiftSymmetry& symmetry, ShiftCode::Particle sheet) const {
   assert(symmetry.from.size() == code_.shifts() && symmetry.negated.size() == code_.shifts());
   const std::vector<std::uint8_t> before(sheet.begin(), sheet.end());
   for (std::size_t k = 0; k < code_.shifts(); ++k) {

@@ -35,15 +35,15 @@ class Moves {
   Moves(const schema::Campaign& campaign);
 
   /// A plain draw.
-  void draw(StepWords words, ShiftCode::Sheet sheet) const;
+  void draw(StepWords words, ShiftCode::Particle sheet) const;
   /// Instead of `sheet`: one in sixteen a mirror image, if the sheet has symmetries; otherwise one
   /// shift is redrawn, two half as often, and so forth.
-  void propose(StepWords words, ShiftCode::Sheet sheet) const;
+  void propose(StepWords words, ShiftCode::Particle sheet) const;
 
   const ShiftCode& code() const { return code_; }
 
  private:
-  void mirror(const solver::ShiftSymmetry& symmetry, ShiftCode::Sheet sheet) const;
+  void mirror(const solver::ShiftSymmetry& symmetry, ShiftCode::Particle sheet) const;
 
   ShiftCode code_;
   std::vector<solver::ShiftSymmetry> symmetries_;

@@ -15,7 +15,7 @@ ShiftCode::ShiftCode(const schema::Misalignment& misalignment)
                  ? 1
                  : sizeof(std::uint32_t)) {}
 
-std::uint32_t ShiftCode::code(ConstSheet sheet, std::size_t k) const {
+std::uint32_t ShiftCode::code(ConstParticle sheet, std::size_t k) const {
   assert(k < shifts_);
   if (is_ternary()) return sheet[k];
   std::uint32_t word;
@@ -23,7 +23,7 @@ std::uint32_t ShiftCode::code(ConstSheet sheet, std::size_t k) const {
   return word;
 }
 
-void ShiftCode::set(Sheet sheet, std::size_t k, std::uint32_t code) const {
+void ShiftCode::set(Particle sheet, std::size_t k, std::uint32_t code) const {
   assert(k < shifts_ && (!is_ternary() || code < 3));
   if (is_ternary()) {
     sheet[k] = static_cast<std::uint8_t>(code);
@@ -32,22 +32,22 @@ void ShiftCode::set(Sheet sheet, std::size_t k, std::uint32_t code) const {
   }
 }
 
-void ShiftCode::draw(Sheet sheet, std::size_t k, std::uint32_t word) const {
+void ShiftCode::draw(Particle sheet, std::size_t k, std::uint32_t word) const {
   set(sheet, k, is_ternary() ? static_cast<std::uint32_t>(ternary_level(word) + 1) : word);
 }
 
-void ShiftCode::redraw(Sheet sheet, std::size_t k, std::uint32_t word) const {
+void ShiftCode::redraw(Particle sheet, std::size_t k, std::uint32_t word) const {
   set(sheet, k, is_ternary() ? (code(sheet, k) + 1 + (word & 1)) % 3 : word);
 }
 
-void ShiftCode::copy(Sheet sheet, std::size_t k, ConstSheet source, std::size_t from,
+void ShiftCode::copy(Particle sheet, std::size_t k, ConstParticle source, std::size_t from,
                      bool negated) const {
   const std::uint32_t value = code(source, from);
   const std::uint32_t opposite = is_ternary() ? 2 - value : ~value;
   set(sheet, k, negated ? opposite : value);
 }
 
-void ShiftCode::write_mm(ConstSheet sheet, double* shifts_mm) const {
+void ShiftCode::write_mm(ConstParticle sheet, double* shifts_mm) const {
   for (std::size_t k = 0; k < shifts_; ++k) {
     const std::uint32_t value = code(sheet, k);
     shifts_mm[k] =

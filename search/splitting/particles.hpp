@@ -20,21 +20,22 @@ class ShiftCode {
   std::size_t bytes() const { return shifts_ * width_; }
   bool is_ternary() const { return width_ == 1; }
 
-  using Sheet = std::span<std::uint8_t>;
-  using ConstSheet = std::span<const std::uint8_t>;
+  using Particle = std::span<std::uint8_t>;
+  using ConstParticle = std::span<const std::uint8_t>;
   /// The k-th shift as a plain draw has it from this random word.
-  void draw(Sheet sheet, std::size_t k, std::uint32_t word) const;
+  void draw(Particle sheet, std::size_t k, std::uint32_t word) const;
   /// Another value for the k-th, from a random word, every other one as likely (of a uniform shift:
   /// any).
-  void redraw(Sheet sheet, std::size_t k, std::uint32_t word) const;
+  void redraw(Particle sheet, std::size_t k, std::uint32_t word) const;
   /// The k-th becomes the source's `from`-th, or its opposite.
-  void copy(Sheet sheet, std::size_t k, ConstSheet source, std::size_t from, bool negated) const;
+  void copy(Particle sheet, std::size_t k, ConstParticle source, std::size_t from,
+            bool negated) const;
   /// All shifts in mm.
-  void write_mm(ConstSheet sheet, double* shifts_mm) const;
+  void write_mm(ConstParticle sheet, double* shifts_mm) const;
 
  private:
-  std::uint32_t code(ConstSheet sheet, std::size_t k) const;
-  void set(Sheet sheet, std::size_t k, std::uint32_t code) const;
+  std::uint32_t code(ConstParticle sheet, std::size_t k) const;
+  void set(Particle sheet, std::size_t k, std::uint32_t code) const;
 
   schema::ShiftDistribution distribution_;
   double amplitude_mm_;
@@ -50,11 +51,13 @@ struct Particles {
     return {bytes_each, std::vector<std::uint8_t>(bytes_each * count)};
   }
   std::size_t count() const { return bytes_each > 0 ? bytes.size() / bytes_each : 0; }
-  ShiftCode::Sheet operator[](std::size_t k) { return {bytes.data() + k * bytes_each, bytes_each}; }
-  ShiftCode::ConstSheet operator[](std::size_t k) const {
+  ShiftCode::Particle operator[](std::size_t k) {
     return {bytes.data() + k * bytes_each, bytes_each};
   }
-  void add(ShiftCode::ConstSheet sheet) {
+  ShiftCode::ConstParticle operator[](std::size_t k) const {
+    return {bytes.data() + k * bytes_each, bytes_each};
+  }
+  void add(ShiftCode::ConstParticle sheet) {
     bytes_each = sheet.size();
     bytes.insert(bytes.end(), sheet.begin(), sheet.end());
   }
@@ -66,7 +69,7 @@ struct Particles {
 };
 
 /// Sheets with their scores.
-struct ScoredSheets {
+struct ScoredParticles {
   Particles sheets;
   std::vector<int> scores;
 
@@ -76,11 +79,11 @@ struct ScoredSheets {
     sheets.bytes.reserve(sheets_count * bytes_each);
     scores.reserve(sheets_count);
   }
-  void add(const ScoredSheets& others, std::size_t k) {
+  void add(const ScoredParticles& others, std::size_t k) {
     sheets.add(others.sheets[k]);
     scores.push_back(others.scores[k]);
   }
-  void add(const ScoredSheets& others) {
+  void add(const ScoredParticles& others) {
     sheets.add(others.sheets);
     scores.insert(scores.end(), others.scores.begin(), others.scores.end());
   }

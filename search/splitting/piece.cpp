@@ -100,7 +100,7 @@ void PieceWork::take_good_ones() {
     std::ranges::copy(std::as_const(tried_)[k], now_[k].begin());
     now_scores_[k] = scores[k];
     if (!order_.is_catalogued || scores[k] < accepted) continue;
-    const ShiftCode::ConstSheet sheet = std::as_const(tried_)[k];
+    const ShiftCode::ConstParticle sheet = std::as_const(tried_)[k];
     met_.push_back({step_, next_ + k, {sheet.begin(), sheet.end()}});
   }
 }

@@ -20,11 +20,11 @@ inline constexpr int kBeyondAll = std::numeric_limits<int>::max();
 struct PieceOrder {
   std::uint32_t population, level;
   std::uint32_t lo, hi;
-  int within;          ///< the least score at this level
-  int next;            ///< that of the next: who has it is wanted; kBeyondAll: nobody
-  bool is_first;       ///< its first draws, whose sheets are still to be made
-  bool is_catalogued;  ///< whether sheets that meet the campaign's criterion are kept
-  ScoredSheets here;   ///< none of the first draws
+  int within;            ///< the least score at this level
+  int next;              ///< that of the next: who has it is wanted; kBeyondAll: nobody
+  bool is_first;         ///< its first draws, whose sheets are still to be made
+  bool is_catalogued;    ///< whether sheets that meet the campaign's criterion are kept
+  ScoredParticles here;  ///< none of the first draws
 };
 
 /// A sheet that meets the criterion, and where it was met first.
@@ -41,7 +41,7 @@ struct PieceResult {
   std::uint64_t undecided = 0;   ///< of those tried
   double seconds = 0;
   std::vector<std::uint32_t> survivors;  ///< particles that have reached the next level, ascending
-  ScoredSheets there;                    ///< theirs
+  ScoredParticles there;                 ///< theirs
   std::vector<MetCandidate> met;         ///< each sheet of a piece once, where it was met first
 
   /// Those that come next.

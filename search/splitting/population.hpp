@@ -2,7 +2,7 @@
 // goes on from there. A pure state machine, without clock, file or message.
 #pragma once
 
-#include "search/splitting/found_sheets.hpp"
+#include "search/splitting/found_candidates.hpp"
 #include "search/splitting/ladder.hpp"
 #include "search/splitting/level_pieces.hpp"
 
@@ -11,8 +11,8 @@ namespace misalign::search {
 struct PopulationRecord {
   std::uint32_t population;
   std::vector<schema::LevelCount>
-      levels;                     ///< from 0 on, as far as it came; the last level's has none after
-  std::vector<FoundSheet> found;  ///< by their origins, each sheet once; not all if so wanted
+      levels;  ///< from 0 on, as far as it came; the last level's has none after
+  std::vector<FoundCandidate> found;  ///< by their origins, each sheet once; not all if so wanted
 
   double share(std::uint32_t level) const { return schema::share_reaching(level, levels); }
 };
@@ -48,9 +48,9 @@ class Population {
   std::uint32_t level_ = 0;
   bool is_done_ = false;
   LevelPieces pieces_;
-  ScoredSheets here_;  // at its level
+  ScoredParticles here_;  // at its level
   std::vector<std::uint32_t> ancestors_;
-  FoundSheets found_;
+  FoundCandidates found_;
   PopulationRecord record_;
 };
 

@@ -42,7 +42,7 @@ void show(const CertifyCall& call, const CertifyReport& report) {
   }
   if (call.json) {
     Json list = Json::array();
-    for (const schema::CertifiedSheet& sheet : report.sheets) {
+    for (const schema::NamedCertificate& sheet : report.sheets) {
       list.push_back(schema::certified_json(sheet));
       list.back()["draw"] = sheet.row.draw;
     }
@@ -140,7 +140,7 @@ int run_on_pattern(const CertifyCall& call) {
   if (call.json) {
     put_json(document_of(sheet, row));
   } else {
-    put(certified_text(schema::certified_sheet(sheet.pattern, row, true)));
+    put(certified_text(schema::named_certificate(sheet.pattern, row, true)));
   }
   return 0;
 }

@@ -11,7 +11,7 @@
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deployment_functions.hpp"
-#include "search/sheets/sheet_files.hpp"
+#include "search/sheets/export_files.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
@@ -23,7 +23,7 @@ namespace misalign::search {
 namespace {
 
 struct ExportCall {
-  SheetFilesOptions files;
+  ExportOptions files;
   Choice choice;
   OtherActuators actuators;
   ReleaseCall release;
@@ -60,10 +60,10 @@ void export_candidates(const ExportCall& call) {
   const auto stem_of = [&](std::uint64_t draw) {
     return campaign.name + "-" + std::to_string(draw);
   };
-  SheetFiles files(model, call.files);
+  ExportFiles files(model, call.files);
   make_directory(call.files.directory);
-  std::optional<SheetTables> tables;
-  if (call.files.format == SheetFormat::csv) {
+  std::optional<ExportTables> tables;
+  if (call.files.format == ExportFormat::csv) {
     const std::vector<std::uint64_t>& named = call.choice.draws;
     tables.emplace(model, call.files, named.size() == 1 ? stem_of(named[0]) : campaign.name,
                    "draw");
@@ -83,7 +83,7 @@ void export_candidates(const ExportCall& call) {
     }
     schema::Json origin = schema::origin_json(
         campaign, draw, schema::yields_json(schema::read_yields(*database, draw)));
-    if (call.files.format == SheetFormat::json) {
+    if (call.files.format == ExportFormat::json) {
       add_certificate(*database, campaign.pattern, sheet, draw, origin);
     }
     files.write(sheet, {stem_of(draw), "misalign: " + campaign.name + ", draw " + number}, origin);
@@ -96,12 +96,12 @@ void export_pattern(const ExportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.files.read_from);
   FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators),
                      call.files.look_deg());
-  SheetFiles files(model, call.files);
+  ExportFiles files(model, call.files);
   make_directory(call.files.directory);
   const solver::Sheet sheet = model.sheet(chosen.shifts_mm, chosen.pattern);
   const std::string stem = std::filesystem::path(call.files.read_from).stem().string();
-  if (call.files.format == SheetFormat::csv) {
-    SheetTables tables(model, call.files, stem, "pattern");
+  if (call.files.format == ExportFormat::csv) {
+    ExportTables tables(model, call.files, stem, "pattern");
     tables.add(sheet, chosen.pattern);
     tables.publish();
     return;
@@ -110,7 +110,7 @@ void export_pattern(const ExportCall& call) {
 }
 
 // Options that say nothing about the format that is asked for are a mistake.
-void refuse_idle_options(const SheetFilesOptions& files, const KitCall& kit, const CLI::App& verb) {
+void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const CLI::App& verb) {
   const auto only_with = [&](const char* option, bool has_sense, const char* with) {
     if (verb.count(option) == 0 || has_sense) return;
     throw schema::UserError(
@@ -118,25 +118,25 @@ void refuse_idle_options(const SheetFilesOptions& files, const KitCall& kit, con
         std::string(option) + " has no meaning without " + with + "; take it out, or add that");
   };
   only_with("--step", files.in_states(), "--format fold, obj or stl");
-  only_with("--joined", files.format == SheetFormat::fold, "--format fold");
+  only_with("--joined", files.format == ExportFormat::fold, "--format fold");
   for (const char* option : {"--creases", "--every"}) {
-    only_with(option, files.format == SheetFormat::csv, "--format csv");
+    only_with(option, files.format == ExportFormat::csv, "--format csv");
   }
   for (const char* option : {"--from", "--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
-  only_with("--thickness", files.is_simulated() || files.format == SheetFormat::stl,
+  only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl,
             "--format stl, mjcf or inp");
-  only_with("--trim", files.format == SheetFormat::stl, "--format stl");
+  only_with("--trim", files.format == ExportFormat::stl, "--format stl");
   only_with("--kit", files.is_drawn(), "--format svg or dxf");
   for (const char* option : kKitOptions) only_with(option, verb.count("--kit") > 0, "--kit");
   only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
             "--joint-bore or --spring-bore");
   only_with("--spring-at", kit.options.spring_bore_mm.has_value(), "--spring-bore");
   only_with("--dash-mm", kit.options.crease == schema::CreaseCut::dash, "--crease dash");
-  only_with("--friction", files.format == SheetFormat::mjcf, "--format mjcf");
+  only_with("--friction", files.format == ExportFormat::mjcf, "--format mjcf");
   for (const char* option : {"--mesh", "--material"}) {
-    only_with(option, files.format == SheetFormat::inp, "--format inp");
+    only_with(option, files.format == ExportFormat::inp, "--format inp");
   }
 }
 
@@ -226,7 +226,7 @@ Action export_verb(CLI::App& verb) {
   verb.footer(kExportFooter);
   auto call = std::make_shared<ExportCall>();
   Choice& choice = call->choice;
-  SheetFilesOptions& files = call->files;
+  ExportOptions& files = call->files;
   add_catalogue_or_pattern(verb, files.read_from);
   auto* group =
       verb.add_option_group("choice", "which candidates of a catalogue (at least one of these)");
@@ -241,16 +241,16 @@ Action export_verb(CLI::App& verb) {
   }
   draw->excludes(plain);
   verb.add_option("--format", files.format, "what to write, see above [json]")
-      ->transform(one_of<SheetFormat>({{"json", SheetFormat::json},
-                                       {"csv", SheetFormat::csv},
-                                       {"mat", SheetFormat::mat},
-                                       {"fold", SheetFormat::fold},
-                                       {"svg", SheetFormat::svg},
-                                       {"dxf", SheetFormat::dxf},
-                                       {"obj", SheetFormat::obj},
-                                       {"stl", SheetFormat::stl},
-                                       {"mjcf", SheetFormat::mjcf},
-                                       {"inp", SheetFormat::inp}}));
+      ->transform(one_of<ExportFormat>({{"json", ExportFormat::json},
+                                        {"csv", ExportFormat::csv},
+                                        {"mat", ExportFormat::mat},
+                                        {"fold", ExportFormat::fold},
+                                        {"svg", ExportFormat::svg},
+                                        {"dxf", ExportFormat::dxf},
+                                        {"obj", ExportFormat::obj},
+                                        {"stl", ExportFormat::stl},
+                                        {"mjcf", ExportFormat::mjcf},
+                                        {"inp", ExportFormat::inp}}));
   verb.add_option("--step", files.step_deg,
                   "fold, obj and stl: degrees of the pilot from state to state [10]")
       ->check(within(0.01, 180))

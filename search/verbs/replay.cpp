@@ -28,7 +28,7 @@ Eigen::Matrix2Xd shifts_of(SQLite::Database& database, const schema::Campaign& c
   Climber climber(campaign, solver::available_instruction_sets().back());
   const Ladder ladder = stored_ladder(campaign, schema::read_levels(database));
   const Origin origin = origin_of(call.draw, *campaign.splitting);
-  for (const FoundSheet& found : climbed(ladder, origin.population, climber).found) {
+  for (const FoundCandidate& found : climbed(ladder, origin.population, climber).found) {
     if (found.origin == origin) return found.candidate.shifts_mm;
   }
   throw schema::UserError(

@@ -51,7 +51,7 @@ void run(int argc, char** argv) {
     }
     if (record.levels.size() > ladder.top() - 1)
       ancestors += record.levels[ladder.top() - 1].ancestors;
-    for (const FoundSheet& found : record.found) {
+    for (const FoundCandidate& found : record.found) {
       const auto& s = found.candidate.shifts_mm;
       sheets.insert({s.data(), s.data() + s.size()});
     }

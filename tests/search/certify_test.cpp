@@ -24,12 +24,12 @@ schema::Campaign campaign_to_certify(bool certify = false) {
 
 class Certificates : public testing::Test {
  protected:
-  SheetOrder order_of(std::size_t sheet) const {
+  CertifyOrder order_of(std::size_t sheet) const {
     const std::uint64_t draw = 10 + sheet;
     return {draw, kAsked_deg, shifts_of_draw(campaign_, draw)};
   }
   schema::CertificateRecord certified(std::size_t sheet) {
-    const SheetOrder order = order_of(sheet);
+    const CertifyOrder order = order_of(sheet);
     return certifier_.certify(order.draw, order.shifts_mm, order.asked_deg);
   }
 
@@ -51,7 +51,7 @@ TEST_F(Certificates, OfEverySheetOnceThoughJobsAreCutShort) {
   std::vector<schema::CertificateRecord> rows(kSheets);
   CertifyTask task(certifier_,
                    {kSheets, [&](std::size_t k) { return order_of(k); },
-                    [&](std::vector<SheetsToCertify::Done> done) {
+                    [&](std::vector<CertifyList::Done> done) {
                       for (auto& one : done) {
                         ++kept[one.sheet];
                         rows[one.sheet] = std::move(*one.result.made);
@@ -88,9 +88,9 @@ TEST_F(Certificates, OfEverySheetOnceThoughJobsAreCutShort) {
 }
 
 TEST_F(Certificates, AndFindingsArriveAsTheyWereSent) {
-  SheetOrder order = order_of(3);
+  CertifyOrder order = order_of(3);
   order.stored = certified(3);
-  const std::vector<SheetOrder> orders = unpack_orders(pack(std::vector{order_of(1), order}));
+  const std::vector<CertifyOrder> orders = unpack_orders(pack(std::vector{order_of(1), order}));
   ASSERT_EQ(orders.size(), 2u);
   EXPECT_FALSE(orders[0].stored);
   EXPECT_EQ(orders[1].stored, order.stored);
@@ -117,7 +117,7 @@ TEST_F(Certificates, AndFindingsArriveAsTheyWereSent) {
 }
 
 TEST_F(Certificates, AreCheckedAndSpoiltOnesFound) {
-  const SheetOrder order = order_of(5);
+  const CertifyOrder order = order_of(5);
   const schema::CertificateRecord good = certified(5);
   EXPECT_FALSE(certifier_.check(order.shifts_mm, good));
   schema::CertificateRecord spoilt = good;
@@ -210,7 +210,7 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
   row.place = "A10-A18";
   row.intervals = 28;
   row.proof = std::string(2000, 'x');
-  const schema::CertifiedSheet sheet = schema::certified_sheet("draw 7", row, true);
+  const schema::NamedCertificate sheet = schema::named_certificate("draw 7", row, true);
   EXPECT_EQ(sheet.bytes, 2000u);
   const std::string text = certified_text(sheet);
   EXPECT_NE(text.find("to 156.1549 deg of 180;"), std::string::npos) << text;
@@ -219,13 +219,13 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
   row.certified_deg = 0;
   row.end = "flat_branch";
   EXPECT_NE(
-      certified_text(schema::certified_sheet("draw 7", row, true)).find("nothing is certified"),
+      certified_text(schema::named_certificate("draw 7", row, true)).find("nothing is certified"),
       std::string::npos);
   for (int tenths = 1; tenths < 1800; ++tenths) {
     row.certified_deg = row.asked_deg = tenths * 0.1;
     row.end = "to_the_end";
     row.intervals = 1;
-    const std::string whole = certified_text(schema::certified_sheet("draw 7", row, true));
+    const std::string whole = certified_text(schema::named_certificate("draw 7", row, true));
     EXPECT_LT(whole.find(" deg, as asked"),
               std::string("draw 7: certified from flat to 123.4x").size())
         << whole;
@@ -237,13 +237,13 @@ TEST(CertificateText, NeverSaysMoreThanIsCertified) {
 }
 
 TEST(CertificateText, OfManyIsASummary) {
-  std::vector<schema::CertifiedSheet> sheets;
+  std::vector<schema::NamedCertificate> sheets;
   for (int k = 0; k < 30; ++k) {
     schema::CertificateRecord row;
     row.end = k < 10 ? "reversal" : "to_the_end";
     row.certified_deg = k < 10 ? 150 + k : 170;
     row.intervals = 20;
-    sheets.push_back(schema::certified_sheet("draw " + std::to_string(k), row, k > 4));
+    sheets.push_back(schema::named_certificate("draw " + std::to_string(k), row, k > 4));
   }
   const std::string text = certified_text(sheets);
   for (const char* part : {"reversal", "to_the_end", "all", "; 5 were there already"}) {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/sheet_files.hpp"
+#include "search/sheets/export_files.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {
@@ -83,14 +83,14 @@ std::vector<Solid> read_stl(const std::filesystem::path& path) {
 TEST(PlateStl, IsClosedInEveryState) {
   const ChosenSheet sheet =
       sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
-  SheetFilesOptions options;
+  ExportOptions options;
   const Folder folder("plates");
   options.directory = folder.path();
-  options.format = SheetFormat::stl;
+  options.format = ExportFormat::stl;
   options.step_deg = 60;
   options.release.plates.thickness_mm = 0.3;
   FoldingModel model(sheet.base, sheet.sampling, sheet.actuators, options.look_deg());
-  SheetFiles(model, options).write(model.sheet(sheet.shifts_mm), {"sheet", "a sheet"}, {});
+  ExportFiles(model, options).write(model.sheet(sheet.shifts_mm), {"sheet", "a sheet"}, {});
   std::map<std::string, double> volumes_mm3;
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(options.directory)) {

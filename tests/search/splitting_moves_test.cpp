@@ -22,7 +22,7 @@ bool is_by_chance(double chi_square, int freedom) {
 }
 
 // What a move makes of a sheet.
-using Move = std::function<void(StepWords, ShiftCode::Sheet)>;
+using Move = std::function<void(StepWords, ShiftCode::Particle)>;
 
 // The 3^4 sheets of two vertices of a 4 x 4 Miura-ori, which a mirror exchanges: one of the whole
 // sheet, since no perforation with one degree of freedom has any.
@@ -49,7 +49,7 @@ class FewSheets {
     }
     return levels;
   }
-  static std::size_t number(ShiftCode::ConstSheet sheet) {
+  static std::size_t number(ShiftCode::ConstParticle sheet) {
     std::size_t k = 0;
     for (std::size_t i = kShifts; i-- > 0;) k = 3 * k + sheet[i];
     return k;
@@ -73,11 +73,11 @@ class FewSheets {
   Moves& moves() { return moves_; }
   LevelScorers& scorers() { return scorers_; }
   Move proposals() const {
-    return [this](StepWords words, ShiftCode::Sheet sheet) { moves_.propose(words, sheet); };
+    return [this](StepWords words, ShiftCode::Particle sheet) { moves_.propose(words, sheet); };
   }
   /// Proposals of which those are taken that stay above the level.
   Move confined(Move move, int level) const {
-    return [this, move, level](StepWords words, ShiftCode::Sheet sheet) {
+    return [this, move, level](StepWords words, ShiftCode::Particle sheet) {
       std::vector<std::uint8_t> tried(sheet.begin(), sheet.end());
       move(words, tried);
       if (scores_[number(tried)] >= level) std::ranges::copy(tried, sheet.begin());
@@ -99,13 +99,13 @@ class FewSheets {
 };
 
 // Not reversible: a level up, always.
-void go_up(StepWords words, ShiftCode::Sheet sheet) {
+void go_up(StepWords words, ShiftCode::Particle sheet) {
   std::uint8_t& level = sheet[words.next_below(sheet.size())];
   level = static_cast<std::uint8_t>((level + 1) % 3);
 }
 
 // Nearly reversible: up in 11 of 20 moves.
-void go_up_more_often(StepWords words, ShiftCode::Sheet sheet) {
+void go_up_more_often(StepWords words, ShiftCode::Particle sheet) {
   std::uint8_t& level = sheet[words.next_below(sheet.size())];
   level = static_cast<std::uint8_t>((level + (words.next_below(20) < 11 ? 1 : 2)) % 3);
 }

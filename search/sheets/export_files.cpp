@@ -1,4 +1,4 @@
-#include "search/sheets/sheet_files.hpp"
+#include "search/sheets/export_files.hpp"
 
 #include <fmt/format.h>
 
@@ -23,27 +23,27 @@
 namespace misalign::search {
 namespace {
 
-const char* ending(SheetFormat format) {
+const char* ending(ExportFormat format) {
   switch (format) {
-    case SheetFormat::json:
+    case ExportFormat::json:
       return ".json";
-    case SheetFormat::csv:
+    case ExportFormat::csv:
       return ".csv";
-    case SheetFormat::mat:
+    case ExportFormat::mat:
       return ".mat";
-    case SheetFormat::fold:
+    case ExportFormat::fold:
       return ".fold";
-    case SheetFormat::svg:
+    case ExportFormat::svg:
       return ".svg";
-    case SheetFormat::dxf:
+    case ExportFormat::dxf:
       return ".dxf";
-    case SheetFormat::stl:
+    case ExportFormat::stl:
       return ".stl";
-    case SheetFormat::obj:
+    case ExportFormat::obj:
       return ".obj";
-    case SheetFormat::mjcf:
+    case ExportFormat::mjcf:
       return ".xml";
-    case SheetFormat::inp:
+    case ExportFormat::inp:
       break;
   }
   return ".inp";
@@ -56,7 +56,7 @@ std::string of_state(double pilot_deg) {
                      rest_deg > 1e-9 ? schema::shown_number(rest_deg).substr(1) : "");
 }
 
-std::string path_of(const SheetFilesOptions& options, const std::string& stem) {
+std::string path_of(const ExportOptions& options, const std::string& stem) {
   const auto path = std::filesystem::path(options.directory) / (stem + ending(options.format));
   std::error_code error;
   if (std::filesystem::equivalent(path, options.read_from, error)) {
@@ -90,12 +90,12 @@ void make_directory(const std::string& path) {
                                                       "); choose another --output");
 }
 
-SheetFiles::SheetFiles(const FoldingModel& model, const SheetFilesOptions& options)
+ExportFiles::ExportFiles(const FoldingModel& model, const ExportOptions& options)
     : model_(model), options_(options) {
-  if (options.format == SheetFormat::mat) schema::need("matio");
-  if (options.format == SheetFormat::dxf) schema::need("dxflib");
+  if (options.format == ExportFormat::mat) schema::need("matio");
+  if (options.format == ExportFormat::dxf) schema::need("dxflib");
   const bool with_deployment =
-      options.format == SheetFormat::json || options.format == SheetFormat::fold;
+      options.format == ExportFormat::json || options.format == ExportFormat::fold;
   if (with_deployment && !has("SUNDIALS") && options.warn) {
     options.warn("no deployment is in these files: " + schema::missing_text("SUNDIALS"));
   }
@@ -105,50 +105,50 @@ SheetFiles::SheetFiles(const FoldingModel& model, const SheetFilesOptions& optio
 }
 
 // For what is followed anew: the same sheet, whatever states are written.
-const solver::Sheet& SheetFiles::at_samples(const solver::Sheet& sheet,
-                                            std::optional<solver::Sheet>& another) {
+const solver::Sheet& ExportFiles::at_samples(const solver::Sheet& sheet,
+                                             std::optional<solver::Sheet>& another) {
   if (!at_samples_) return sheet;
   return another.emplace(at_samples_->sheet(sheet.shifts_mm(), sheet.name()));
 }
 
-void SheetFiles::write(const solver::Sheet& sheet, const SheetLabel& label,
-                       const schema::Json& origin) {
+void ExportFiles::write(const solver::Sheet& sheet, const ExportLabel& label,
+                        const schema::Json& origin) {
   const std::string& stem = label.stem;
   switch (options_.format) {
-    case SheetFormat::csv:
+    case ExportFormat::csv:
       return;
-    case SheetFormat::json:
+    case ExportFormat::json:
       return write_file(stem, data_of(sheet, origin).dump(1) + "\n");
-    case SheetFormat::mat:
+    case ExportFormat::mat:
       if constexpr (has("matio")) {
         write_file(stem, schema::folded_mat(path_of(options_, stem), {model_.base(), sheet},
                                             solver::actuate(sheet, model_.actuators()),
                                             model_.sampling(), label.title, origin));
       }
       return;
-    case SheetFormat::svg:
-    case SheetFormat::dxf:
+    case ExportFormat::svg:
+    case ExportFormat::dxf:
       return write_drawings(sheet, label);
-    case SheetFormat::fold:
+    case ExportFormat::fold:
       return write_file(stem, fold_text(sheet, label, origin));
-    case SheetFormat::obj:
+    case ExportFormat::obj:
       return write_states(sheet, label);
-    case SheetFormat::mjcf:
-    case SheetFormat::inp:
+    case ExportFormat::mjcf:
+    case ExportFormat::inp:
       return write_file(stem, simulated(sheet, label));
-    case SheetFormat::stl:
+    case ExportFormat::stl:
       return write_plates(sheet, label);
   }
 }
 
-std::string SheetFiles::simulated(const solver::Sheet& sheet, const SheetLabel& label) const {
+std::string ExportFiles::simulated(const solver::Sheet& sheet, const ExportLabel& label) const {
   const schema::SimulatedSheet released = release(model_, sheet, options_.release, label.title);
-  return options_.format == SheetFormat::mjcf ? schema::mjcf_model(released, options_.mjcf)
-                                              : schema::calculix_deck(released, options_.deck);
+  return options_.format == ExportFormat::mjcf ? schema::mjcf_model(released, options_.mjcf)
+                                               : schema::calculix_deck(released, options_.deck);
 }
 
 // What comes of letting it go is null where it cannot be.
-schema::Json SheetFiles::data_of(const solver::Sheet& sheet, const schema::Json& origin) {
+schema::Json ExportFiles::data_of(const solver::Sheet& sheet, const schema::Json& origin) {
   const schema::FoldingView view(model_.base(), sheet);
   solver::DeployOptions springs;
   springs.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
@@ -162,8 +162,8 @@ schema::Json SheetFiles::data_of(const solver::Sheet& sheet, const schema::Json&
   return data;
 }
 
-std::string SheetFiles::fold_text(const solver::Sheet& sheet, const SheetLabel& label,
-                                  const schema::Json& origin) {
+std::string ExportFiles::fold_text(const solver::Sheet& sheet, const ExportLabel& label,
+                                   const schema::Json& origin) {
   const auto rows = sheet.rows_to_show(options_.step_deg);
   check_shapes(sheet, rows);
   schema::Json data = data_of(sheet, origin);
@@ -175,8 +175,8 @@ std::string SheetFiles::fold_text(const solver::Sheet& sheet, const SheetLabel& 
 }
 
 // None unless they are asked for.
-std::vector<solver::Filler> SheetFiles::fillers_of(const solver::Sheet& sheet,
-                                                   const std::vector<Eigen::Index>& rows) const {
+std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
+                                                    const std::vector<Eigen::Index>& rows) const {
   if (!options_.joined) return {};
   std::vector<const Eigen::Matrix3Xd*> shapes_mm;
   for (const Eigen::Index row : rows) {
@@ -192,10 +192,10 @@ std::vector<solver::Filler> SheetFiles::fillers_of(const solver::Sheet& sheet,
 }
 
 // A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
-void SheetFiles::write_drawings(const solver::Sheet& sheet, const SheetLabel& label) const {
+void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) const {
   const auto text_of = [&](const schema::LineDrawing& drawing) {
     if constexpr (has("dxflib")) {
-      if (options_.format == SheetFormat::dxf) return schema::dxf_of(drawing);
+      if (options_.format == ExportFormat::dxf) return schema::dxf_of(drawing);
     }
     return schema::svg_of(drawing);
   };
@@ -215,7 +215,7 @@ void SheetFiles::write_drawings(const solver::Sheet& sheet, const SheetLabel& la
   }
 }
 
-void SheetFiles::write_states(const solver::Sheet& sheet, const SheetLabel& label) const {
+void ExportFiles::write_states(const solver::Sheet& sheet, const ExportLabel& label) const {
   const auto rows = sheet.rows_to_show(options_.step_deg);
   check_shapes(sheet, rows);
   each_state(sheet, rows, [&](double pilot_deg, const Eigen::Matrix3Xd& shape_mm) {
@@ -225,7 +225,7 @@ void SheetFiles::write_states(const solver::Sheet& sheet, const SheetLabel& labe
   });
 }
 
-void SheetFiles::write_plates(const solver::Sheet& sheet, const SheetLabel& label) {
+void ExportFiles::write_plates(const solver::Sheet& sheet, const ExportLabel& label) {
   const auto rows = sheet.rows_to_show(options_.step_deg);
   check_shapes(sheet, rows);
   std::optional<solver::Sheet> another;
@@ -249,14 +249,14 @@ void SheetFiles::write_plates(const solver::Sheet& sheet, const SheetLabel& labe
   });
 }
 
-void SheetFiles::write_file(const std::string& stem, const std::string& text) const {
+void ExportFiles::write_file(const std::string& stem, const std::string& text) const {
   const std::string path = path_of(options_, stem);
   schema::write_text_file(path, text);
   put(schema::printable(path) + "\n");
 }
 
-SheetTables::SheetTables(const FoldingModel& model, const SheetFilesOptions& options,
-                         const std::string& stem, const std::string& key)
+ExportTables::ExportTables(const FoldingModel& model, const ExportOptions& options,
+                           const std::string& stem, const std::string& key)
     : model_(model),
       every_deg_(options.every_deg),
       key_{key, ""},
@@ -267,7 +267,7 @@ SheetTables::SheetTables(const FoldingModel& model, const SheetFilesOptions& opt
   creases_->file.write(schema::crease_columns(key_));
 }
 
-void SheetTables::add(const solver::Sheet& sheet, const std::string& key) {
+void ExportTables::add(const solver::Sheet& sheet, const std::string& key) {
   const schema::FoldingView view(model_.base(), sheet);
   key_.value = key;
   diagonals_.file.write(
@@ -275,12 +275,12 @@ void SheetTables::add(const solver::Sheet& sheet, const std::string& key) {
   if (creases_) creases_->file.write(schema::crease_rows(key_, view, every_deg_));
 }
 
-void SheetTables::publish() {
+void ExportTables::publish() {
   diagonals_.publish();
   if (creases_) creases_->publish();
 }
 
-void SheetTables::Table::publish() {
+void ExportTables::Table::publish() {
   file.publish();
   put(schema::printable(name) + "\n");
 }

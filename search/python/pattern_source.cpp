@@ -1,4 +1,4 @@
-#include "search/python/sheet_source.hpp"
+#include "search/python/pattern_source.hpp"
 
 #include <fstream>
 
@@ -21,8 +21,8 @@ double safe_amplitude_mm(const schema::Pattern& pattern) {
                                    Eigen::Matrix2Xd::Zero(2, pattern.base.sheet.vertex_count()));
 }
 
-std::shared_ptr<SheetSource> pattern_source(ChosenSheet sheet) {
-  SheetSource source{std::move(sheet), {}, {}, {}, "", 0};
+std::shared_ptr<PatternSource> source_of_pattern(ChosenSheet sheet) {
+  PatternSource source{std::move(sheet), {}, {}, {}, "", 0};
   source.safe_mm = safe_amplitude_mm(source.sheet.base);
   const schema::Sampling& sampling = source.sheet.sampling;
   source.criterion.bumps = sampling.between_samples;
@@ -30,12 +30,12 @@ std::shared_ptr<SheetSource> pattern_source(ChosenSheet sheet) {
   const schema::Pattern& base = source.sheet.base;
   const Eigen::Matrix2Xd none_mm = Eigen::Matrix2Xd::Zero(2, source.vertices());
   source.key = schema::pattern_json(base, none_mm).dump() + schema::sampling_json(sampling).dump();
-  return std::make_shared<SheetSource>(std::move(source));
+  return std::make_shared<PatternSource>(std::move(source));
 }
 
 }  // namespace
 
-std::shared_ptr<SheetSource> source_of(schema::Campaign campaign) {
+std::shared_ptr<PatternSource> source_of(schema::Campaign campaign) {
   ChosenSheet sheet{campaign.pattern,
                     campaign.sampling(),
                     campaign.actuators,
@@ -47,11 +47,11 @@ std::shared_ptr<SheetSource> source_of(schema::Campaign campaign) {
   std::vector<int> usual = campaign.misalignment.vertices;
   std::string key = schema::identity_json(campaign).dump();
   const double safe_mm = safe_amplitude_mm(campaign.pattern);
-  return std::make_shared<SheetSource>(SheetSource{std::move(sheet), criterion, std::move(campaign),
-                                                   std::move(usual), std::move(key), safe_mm});
+  return std::make_shared<PatternSource>(PatternSource{
+      std::move(sheet), criterion, std::move(campaign), std::move(usual), std::move(key), safe_mm});
 }
 
-std::shared_ptr<SheetSource> read_source(const std::string& path) {
+std::shared_ptr<PatternSource> read_source(const std::string& path) {
   if (is_database(path)) {
     throw schema::UserError(schema::Cause::bad_request,
                             path +
@@ -61,10 +61,10 @@ std::shared_ptr<SheetSource> read_source(const std::string& path) {
   if (schema::is_campaign(schema::read_json_file(path, schema::FileKind::regular))) {
     return source_of(schema::read_campaign_file(path));
   }
-  return pattern_source(sheet_of_pattern_file(path));
+  return source_of_pattern(sheet_of_pattern_file(path));
 }
 
-std::string text_of(const SheetSource& source) {
+std::string text_of(const PatternSource& source) {
   if (source.campaign) return schema::Json{{"campaign", campaign_json(*source.campaign)}}.dump();
   const ChosenSheet& sheet = source.sheet;
   return schema::Json{{"name", sheet.pattern},
@@ -74,7 +74,7 @@ std::string text_of(const SheetSource& source) {
       .dump();
 }
 
-std::shared_ptr<SheetSource> source_of_text(const std::string& text) {
+std::shared_ptr<PatternSource> source_of_text(const std::string& text) {
   const schema::Json json = schema::Json::parse(text);
   if (json.contains("campaign")) {
     return source_of(schema::read_campaign(json["campaign"], "a pickled campaign"));
@@ -89,13 +89,13 @@ std::shared_ptr<SheetSource> source_of_text(const std::string& text) {
   schema::read_between_samples(reader, sampling.between_samples);
   faults.refuse("a pickled pattern");
   const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
-  return pattern_source({std::move(pattern),
-                         sampling,
-                         {},
-                         shifts_mm,
-                         {},
-                         json.at("name").get<std::string>(),
-                         json.at("exported")});
+  return source_of_pattern({std::move(pattern),
+                            sampling,
+                            {},
+                            shifts_mm,
+                            {},
+                            json.at("name").get<std::string>(),
+                            json.at("exported")});
 }
 
 }  // namespace misalign::search::python

@@ -18,7 +18,7 @@ struct Origin {
   friend auto operator<=>(const Origin&, const Origin&) = default;
 };
 
-struct FoundSheet {
+struct FoundCandidate {
   Origin origin;
   schema::Candidate candidate;
 };
@@ -27,15 +27,15 @@ inline constexpr std::uint64_t kAllSheets = std::numeric_limits<std::uint64_t>::
 
 /// Of all sheets only a fingerprint is kept; of those with the least origins, so many at most, what
 /// is known of them. What comes of it does not depend on the order in which they are added.
-class FoundSheets {
+class FoundCandidates {
  public:
-  explicit FoundSheets(std::uint64_t most) : most_(most) {}
+  explicit FoundCandidates(std::uint64_t most) : most_(most) {}
 
   void add(const Origin& origin, schema::Candidate candidate);
   /// How many different ones were met at each level for the first time.
   void count(std::vector<schema::LevelCount>& levels) const;
   /// Those that were kept, by their origins; none are left.
-  std::vector<FoundSheet> take();
+  std::vector<FoundCandidate> take();
 
  private:
   /// 128 bits of a sheet's shifts, of which a table of them takes the lower half.

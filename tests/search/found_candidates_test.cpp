@@ -1,11 +1,11 @@
 // Sheets that are met again and again, in any order: against sorting all of them.
-#include "search/splitting/found_sheets.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <random>
+
+#include "search/splitting/found_candidates.hpp"
 
 namespace misalign::search {
 namespace {
@@ -36,7 +36,7 @@ std::vector<Meeting> some_meetings() {
   return meetings;
 }
 
-TEST(FoundSheets, AreThoseThatWereMetFirstWhateverTheOrder) {
+TEST(FoundCandidates, AreThoseThatWereMetFirstWhateverTheOrder) {
   std::vector<Meeting> meetings = some_meetings();
   std::map<double, Origin> first;
   for (const Meeting& meeting : meetings) {
@@ -54,12 +54,12 @@ TEST(FoundSheets, AreThoseThatWereMetFirstWhateverTheOrder) {
   for (const std::uint64_t most :
        {kAllSheets, std::uint64_t{1000}, std::uint64_t{9}, std::uint64_t{1}, std::uint64_t{0}}) {
     std::ranges::shuffle(meetings, random);
-    FoundSheets found(most);
+    FoundCandidates found(most);
     for (const Meeting& meeting : meetings) found.add(meeting.origin, candidate_of(meeting));
     std::vector<schema::LevelCount> levels(3);
     found.count(levels);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(levels[k].met, met[k]) << k << " " << most;
-    const std::vector<FoundSheet> kept = found.take();
+    const std::vector<FoundCandidate> kept = found.take();
     ASSERT_EQ(kept.size(), std::min<std::uint64_t>(most, expected.size()));
     for (std::size_t k = 0; k < kept.size(); ++k) {
       EXPECT_EQ(kept[k].origin, expected[k].origin);

@@ -10,7 +10,7 @@
 
 namespace misalign::search::python {
 
-struct SheetSource {
+struct PatternSource {
   ChosenSheet sheet;  ///< base, sampling, springs; its own shifts
   solver::Criterion criterion;
   std::optional<schema::Campaign> campaign;  ///< none for a pattern
@@ -24,13 +24,13 @@ struct SheetSource {
 
 /// A pattern file, an exported candidate, a FOLD file, or a campaign. UserError (bad_input) as
 /// those readers; (bad_request) for a catalogue.
-std::shared_ptr<SheetSource> read_source(const std::string& path);
+std::shared_ptr<PatternSource> read_source(const std::string& path);
 
 /// A catalogue's campaign.
-std::shared_ptr<SheetSource> source_of(schema::Campaign campaign);
+std::shared_ptr<PatternSource> source_of(schema::Campaign campaign);
 
 /// All of a source, for pickles: whatever file it was read from need not be there any more.
-std::string text_of(const SheetSource& source);
-std::shared_ptr<SheetSource> source_of_text(const std::string& text);
+std::string text_of(const PatternSource& source);
+std::shared_ptr<PatternSource> source_of_text(const std::string& text);
 
 }  // namespace misalign::search::python

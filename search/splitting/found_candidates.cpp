@@ -1,4 +1,4 @@
-#include "search/splitting/found_sheets.hpp"
+#include "search/splitting/found_candidates.hpp"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 
 namespace misalign::search {
 
-FoundSheets::Print FoundSheets::print_of(const schema::Candidate& candidate) {
+FoundCandidates::Print FoundCandidates::print_of(const schema::Candidate& candidate) {
   const Eigen::Matrix2Xd& shifts_mm = candidate.shifts_mm;
   const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(shifts_mm.size());
   const XXH128_hash_t hash =
@@ -14,7 +14,7 @@ FoundSheets::Print FoundSheets::print_of(const schema::Candidate& candidate) {
   return {hash.low64, hash.high64};
 }
 
-void FoundSheets::add(const Origin& origin, schema::Candidate candidate) {
+void FoundCandidates::add(const Origin& origin, schema::Candidate candidate) {
   const auto [first, is_new] = first_.try_emplace(print_of(candidate), origin);
   if (!is_new) {
     if (first->second <= origin) return;
@@ -25,12 +25,12 @@ void FoundSheets::add(const Origin& origin, schema::Candidate candidate) {
   if (kept_.size() > most_) kept_.erase(std::prev(kept_.end()));
 }
 
-void FoundSheets::count(std::vector<schema::LevelCount>& levels) const {
+void FoundCandidates::count(std::vector<schema::LevelCount>& levels) const {
   for (const auto& [print, origin] : first_) ++levels[origin.level].met;
 }
 
-std::vector<FoundSheet> FoundSheets::take() {
-  std::vector<FoundSheet> found;
+std::vector<FoundCandidate> FoundCandidates::take() {
+  std::vector<FoundCandidate> found;
   found.reserve(kept_.size());
   for (auto& [origin, candidate] : std::exchange(kept_, {})) {
     found.push_back({origin, std::move(candidate)});

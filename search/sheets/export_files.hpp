@@ -16,12 +16,12 @@
 
 namespace misalign::search {
 
-enum class SheetFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
+enum class ExportFormat { json, csv, mat, fold, svg, dxf, obj, stl, mjcf, inp };
 
-struct SheetFilesOptions {
+struct ExportOptions {
   std::string read_from;  ///< the catalogue or pattern file; is not replaced
   std::string directory;
-  SheetFormat format = SheetFormat::json;
+  ExportFormat format = ExportFormat::json;
   double step_deg = 10;    ///< between two states of `fold`, `obj` and `stl`
   bool joined = false;     ///< with `fold`: with fillers that join all panels
   bool creases = false;    ///< with `csv`: also the table of fold angles
@@ -35,10 +35,11 @@ struct SheetFilesOptions {
   std::optional<double> trim_mm;
 
   bool in_states() const {
-    return format == SheetFormat::fold || format == SheetFormat::obj || format == SheetFormat::stl;
+    return format == ExportFormat::fold || format == ExportFormat::obj ||
+           format == ExportFormat::stl;
   }
-  bool is_drawn() const { return format == SheetFormat::svg || format == SheetFormat::dxf; }
-  bool is_simulated() const { return format == SheetFormat::mjcf || format == SheetFormat::inp; }
+  bool is_drawn() const { return format == ExportFormat::svg || format == ExportFormat::dxf; }
+  bool is_simulated() const { return format == ExportFormat::mjcf || format == ExportFormat::inp; }
   /// What the sheets' history has to have between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
 };
@@ -47,7 +48,7 @@ struct SheetFilesOptions {
 void make_directory(const std::string& path);
 
 /// What a sheet's files say of whose they are.
-struct SheetLabel {
+struct ExportLabel {
   std::string stem;   ///< of their names
   std::string title;  ///< in them
 };
@@ -55,39 +56,39 @@ struct SheetLabel {
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
 /// UserError (bad_request) if one of them is the file that is read, the plates are thicker than
 /// reaches D, or no fillers join the panels.
-class SheetFiles {
+class ExportFiles {
  public:
-  SheetFiles(const FoldingModel& model, const SheetFilesOptions& options);
+  ExportFiles(const FoldingModel& model, const ExportOptions& options);
 
   /// `origin`: the keys of the campaign that drew it, if there is one.
-  void write(const solver::Sheet& sheet, const SheetLabel& label, const schema::Json& origin);
+  void write(const solver::Sheet& sheet, const ExportLabel& label, const schema::Json& origin);
 
  private:
   schema::Json data_of(const solver::Sheet& sheet, const schema::Json& origin);
-  std::string fold_text(const solver::Sheet& sheet, const SheetLabel& label,
+  std::string fold_text(const solver::Sheet& sheet, const ExportLabel& label,
                         const schema::Json& origin);
   std::vector<solver::Filler> fillers_of(const solver::Sheet& sheet,
                                          const std::vector<Eigen::Index>& rows) const;
-  std::string simulated(const solver::Sheet& sheet, const SheetLabel& label) const;
-  void write_drawings(const solver::Sheet& sheet, const SheetLabel& label) const;
-  void write_states(const solver::Sheet& sheet, const SheetLabel& label) const;
-  void write_plates(const solver::Sheet& sheet, const SheetLabel& label);
+  std::string simulated(const solver::Sheet& sheet, const ExportLabel& label) const;
+  void write_drawings(const solver::Sheet& sheet, const ExportLabel& label) const;
+  void write_states(const solver::Sheet& sheet, const ExportLabel& label) const;
+  void write_plates(const solver::Sheet& sheet, const ExportLabel& label);
   void write_file(const std::string& stem, const std::string& text) const;
   const solver::Sheet& at_samples(const solver::Sheet& sheet,
                                   std::optional<solver::Sheet>& another);
 
   const FoldingModel& model_;
-  const SheetFilesOptions& options_;
+  const ExportOptions& options_;
   std::optional<FoldingModel> at_samples_;  // of states between the samples nothing else depends
 };
 
 /// All sheets as one long table, and as another one of creases if that is asked for. A sheet's rows
 /// are written as soon as they are known: any number of sheets takes the room of one. UserError as
 /// above.
-class SheetTables {
+class ExportTables {
  public:
-  SheetTables(const FoldingModel& model, const SheetFilesOptions& options, const std::string& stem,
-              const std::string& key);
+  ExportTables(const FoldingModel& model, const ExportOptions& options, const std::string& stem,
+               const std::string& key);
 
   void add(const solver::Sheet& sheet, const std::string& key);
   /// The files are there from now on; prints their names.
