@@ -15,12 +15,12 @@ using solver::OptionFault;
 
 constexpr double kTabSlot_mm = 1;  // as it is drawn, between a tab and the panels beside it
 
-double distance_to_edges(const KitSheet& sheet, int facet, const Vector2d& point) {
-  const auto& around = sheet.base.sheet.facets[static_cast<std::size_t>(facet)];
+double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& point) {
+  const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
   double least = INFINITY;
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vector2d from = sheet.point(around[k]),
-                   along = (sheet.point(around[(k + 1) % 4]) - from).normalized();
+    const Vector2d from = sheet.point_mm(around[k]),
+                   along = (sheet.point_mm(around[(k + 1) % 4]) - from).normalized();
     const Vector2d off = point - from;
     least = std::min(least, along.x() * off.y() - along.y() * off.x());
   }
@@ -29,11 +29,11 @@ double distance_to_edges(const KitSheet& sheet, int facet, const Vector2d& point
 
 // The panel with which a diagonal's spring moves at a vertex, and whether that is a ball joint.
 struct SpringPlace {
-  SpringPlace(const KitSheet& sheet, int hole, int vertex) {
-    const std::vector<int> around = solver::facets_around(sheet.base.sheet, vertex);
+  SpringPlace(const solver::Sheet& sheet, int hole, int vertex) {
+    const std::vector<int> around = solver::facets_around(sheet.base().sheet, vertex);
     const auto here = std::find(around.begin(), around.end(), hole) - around.begin();
     const int across = around[static_cast<std::size_t>(here + 2) % 4];
-    const auto& holes = sheet.base.holes;
+    const auto& holes = sheet.base().holes;
     in_joint = std::binary_search(holes.begin(), holes.end(), across);
     facet = in_joint ? around[static_cast<std::size_t>(here + 1) % 4] : across;
   }
@@ -44,20 +44,20 @@ struct SpringPlace {
 class FittingsMaker {
  public:
   // With the diameters times `scale`.
-  FittingsMaker(const KitSheet& sheet, const KitOptions& options, double scale)
+  FittingsMaker(const solver::Sheet& sheet, const KitOptions& options, double scale)
       : sheet_(sheet), options_(options), scale_(scale) {}
 
   KitFittings make() {
     if (options_.joint_bore_mm) {
-      for (const solver::BallJoint& ball : sheet_.mechanism.balls) {
+      for (const solver::BallJoint& ball : sheet_.mechanism().balls) {
         add_bore(ball.from_facet, ball.vertex, -1, scale_ * *options_.joint_bore_mm);
         add_bore(ball.to_facet, ball.vertex, -1, scale_ * *options_.joint_bore_mm);
       }
     }
     if (!options_.spring_bore_mm) return std::move(made_);
-    for (std::size_t d = 0; d < sheet_.mechanism.diagonals.size(); ++d) {
-      const solver::Diagonal& diagonal = sheet_.mechanism.diagonals[d];
-      const int hole = sheet_.mechanism.loops[static_cast<std::size_t>(diagonal.loop)].hole;
+    for (std::size_t d = 0; d < sheet_.mechanism().diagonals.size(); ++d) {
+      const solver::Diagonal& diagonal = sheet_.mechanism().diagonals[d];
+      const int hole = sheet_.mechanism().loops[static_cast<std::size_t>(diagonal.loop)].hole;
       for (const int vertex : {diagonal.from, diagonal.to}) {
         add_end(SpringPlace(sheet_, hole, vertex), vertex, static_cast<int>(d));
       }
@@ -88,7 +88,7 @@ class FittingsMaker {
           {place.facet, vertex, spring, made_.bores.back().centre_mm, 0.5 * diameter_mm});
       return;
     }
-    const Vector2d at_mm = sheet_.point(vertex);
+    const Vector2d at_mm = sheet_.point_mm(vertex);
     const double radius_mm = 0.5 * diameter_mm + options_.bore_edge_mm,
                  clear_mm = radius_mm + kTabSlot_mm + options_.kerf_mm;
     made_.ends.push_back({place.facet, vertex, spring, at_mm, place.in_joint ? 0 : clear_mm});
@@ -97,7 +97,7 @@ class FittingsMaker {
     made_.tabs.push_back({place.facet, vertex, radius_mm, clear_mm});
   }
 
-  const KitSheet& sheet_;
+  const solver::Sheet& sheet_;
   const KitOptions& options_;
   const double scale_;
   KitFittings made_;
@@ -105,7 +105,7 @@ class FittingsMaker {
 
 constexpr double kSlack_mm = 1e-9;  // rounding of sizes of metres
 
-bool has_room(const KitSheet& sheet, const KitFittings& fittings, const Bore& bore,
+bool has_room(const solver::Sheet& sheet, const KitFittings& fittings, const Bore& bore,
               double edge_mm) {
   const double reach_mm = 0.5 * bore.diameter_mm + edge_mm - kSlack_mm;
   if (distance_to_edges(sheet, bore.facet, bore.centre_mm) < reach_mm) return false;
@@ -122,16 +122,16 @@ double distance_to_segment(const Vector2d& at, const Vector2d& p, const Vector2d
 
 // What is cut away round a tab must leave something of the panels beside it, and of what else is
 // in them.
-bool has_room(const KitSheet& sheet, const KitFittings& fittings, const SpringTab& tab,
+bool has_room(const solver::Sheet& sheet, const KitFittings& fittings, const SpringTab& tab,
               double edge_mm) {
-  const Vector2d at_mm = sheet.point(tab.vertex);
+  const Vector2d at_mm = sheet.point_mm(tab.vertex);
   const double reach_mm = tab.clear_mm + edge_mm - kSlack_mm;
-  for (const int f : solver::facets_around(sheet.base.sheet, tab.vertex)) {
-    const auto& around = sheet.base.sheet.facets[static_cast<std::size_t>(f)];
+  for (const int f : solver::facets_around(sheet.base().sheet, tab.vertex)) {
+    const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(f)];
     for (std::size_t k = 0; k < 4; ++k) {
       const int a = around[k], b = around[(k + 1) % 4];
       if (a == tab.vertex || b == tab.vertex) continue;
-      if (distance_to_segment(at_mm, sheet.point(a), sheet.point(b)) < reach_mm) return false;
+      if (distance_to_segment(at_mm, sheet.point_mm(a), sheet.point_mm(b)) < reach_mm) return false;
     }
   }
   const auto keeps_off = [&](const Vector2d& other_mm, double taken_mm) {
@@ -140,7 +140,7 @@ bool has_room(const KitSheet& sheet, const KitFittings& fittings, const SpringTa
   return std::all_of(fittings.tabs.begin(), fittings.tabs.end(),
                      [&](const SpringTab& other) {
                        return &other == &tab ||
-                              keeps_off(sheet.point(other.vertex), other.clear_mm);
+                              keeps_off(sheet.point_mm(other.vertex), other.clear_mm);
                      }) &&
          std::all_of(fittings.bores.begin(), fittings.bores.end(), [&](const Bore& bore) {
            return fittings.tab_at(bore.vertex) != nullptr ||
@@ -150,14 +150,14 @@ bool has_room(const KitSheet& sheet, const KitFittings& fittings, const SpringTa
 
 // The first bore that leaves its panel, or bore or tab that comes too close to something, in words;
 // empty if none does.
-std::string misplaced(const KitSheet& sheet, const KitFittings& fittings, double edge_mm) {
+std::string misplaced(const solver::Sheet& sheet, const KitFittings& fittings, double edge_mm) {
   for (const Bore& bore : fittings.bores) {
     if (fittings.tab_at(bore.vertex) != nullptr || has_room(sheet, fittings, bore, edge_mm)) {
       continue;
     }
     return fmt::format(
         "no room in panel {} at {} (between bores and edges {:g} mm are to be left, {})",
-        sheet.panel_label(bore.facet), solver::vertex_label(bore.vertex), edge_mm,
+        panel_label(sheet, bore.facet), solver::vertex_label(bore.vertex), edge_mm,
         parameter("bore_edge_mm"));
   }
   for (const SpringTab& tab : fittings.tabs) {
@@ -171,7 +171,7 @@ std::string misplaced(const KitSheet& sheet, const KitFittings& fittings, double
 }
 
 // The largest part of the diameters that fits.
-double fitting_scale(const KitSheet& sheet, const KitOptions& options) {
+double fitting_scale(const solver::Sheet& sheet, const KitOptions& options) {
   double fits = 0, fails = 1;
   for (int k = 0; k < 30; ++k) {
     const double middle = 0.5 * (fits + fails);
@@ -211,7 +211,7 @@ const SpringTab* KitFittings::tab_at(int vertex) const {
   return at == tabs.end() ? nullptr : &*at;
 }
 
-KitFittings kit_fittings(const KitSheet& sheet, const KitOptions& options) {
+KitFittings kit_fittings(const solver::Sheet& sheet, const KitOptions& options) {
   refuse_within_kerf("joint_bore_mm", options.joint_bore_mm, options.kerf_mm);
   refuse_within_kerf("spring_bore_mm", options.spring_bore_mm, options.kerf_mm);
   if (options.spring_bore_mm && options.spring_at == SpringAt::vertex &&

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "schema/kit/kit_options.hpp"
-#include "schema/kit/kit_sheet.hpp"
+#include "schema/kit/panel_corner.hpp"
 
 namespace misalign::schema {
 
@@ -57,6 +57,6 @@ struct KitFittings {
 /// What is asked for. UserError (bad_request), with what would fit, if a bore leaves its panel, a
 /// tab has no room in its corner, one of them comes too close to another, or a bore is no larger
 /// than the kerf.
-KitFittings kit_fittings(const KitSheet& sheet, const KitOptions& options);
+KitFittings kit_fittings(const solver::Sheet& sheet, const KitOptions& options);
 
 }  // namespace misalign::schema

@@ -35,7 +35,7 @@ std::string listed(const std::string& what, const std::vector<std::string>& name
 
 class Kit {
  public:
-  Kit(const KitSheet& sheet, const KitOptions& options, const std::string& title)
+  Kit(const solver::Sheet& sheet, const KitOptions& options, const std::string& title)
       : sheet_(sheet),
         options_(options),
         title_(title),
@@ -46,7 +46,7 @@ class Kit {
   KitDrawings drawings() {
     std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
     if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
-    if (sheet_.shifts_mm.isZero(0)) notes_.emplace_back("no vertex is shifted");
+    if (sheet_.shifts_mm().isZero(0)) notes_.emplace_back("no vertex is shifted");
     if (!springs_.empty() && options_.spring_at == SpringAt::vertex) {
       notes_.emplace_back("springs end on vertices: in a tab's bore, or in the ball joint's wire");
     }
@@ -63,7 +63,7 @@ class Kit {
   void note_loose_panels(const std::vector<KitPart>& parts) {
     std::vector<std::string> names;
     for (std::size_t p = 1; p < parts.size(); ++p) {
-      for (const int f : parts[p].facets) names.push_back(sheet_.panel_label(f));
+      for (const int f : parts[p].facets) names.push_back(panel_label(sheet_, f));
     }
     if (!names.empty()) notes_.push_back(listed("held by ball joints alone", names));
   }
@@ -147,7 +147,7 @@ class Kit {
       }
     }
     for (const KitPart& panel : divided(sheet_, part, rows, columns)) {
-      expect_room("panel " + sheet_.panel_label(panel.facets[0]), box_of(panel), room_mm);
+      expect_room("panel " + panel_label(sheet_, panel.facets[0]), box_of(panel), room_mm);
     }
     return {};  // not reached: single panels fit
   }
@@ -211,7 +211,7 @@ class Kit {
     return drawings;
   }
 
-  const KitSheet& sheet_;
+  const solver::Sheet& sheet_;
   const KitOptions& options_;
   const std::string title_;
   const KitFittings fittings_;
@@ -223,7 +223,7 @@ class Kit {
 
 }  // namespace
 
-KitDrawings kit_drawings(const KitSheet& sheet, const KitOptions& options,
+KitDrawings kit_drawings(const solver::Sheet& sheet, const KitOptions& options,
                          const std::string& title) {
   refuse_options(options);
   return Kit(sheet, options, title).drawings();

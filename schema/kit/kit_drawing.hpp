@@ -6,7 +6,7 @@
 
 #include "schema/exchange/line_drawing.hpp"
 #include "schema/kit/kit_options.hpp"
-#include "schema/kit/kit_sheet.hpp"
+#include "schema/kit/panel_corner.hpp"
 
 namespace misalign::schema {
 
@@ -17,7 +17,7 @@ struct KitDrawings {
 
 /// UserError (bad_request) if the options do not go together, a panel or a table does not fit the
 /// bed, bores or tabs do not fit a panel, or the kerf is too wide.
-KitDrawings kit_drawings(const KitSheet& sheet, const KitOptions& options,
+KitDrawings kit_drawings(const solver::Sheet& sheet, const KitOptions& options,
                          const std::string& title);
 
 }  // namespace misalign::schema

@@ -76,13 +76,13 @@ void add_blocks(const std::string& caption, const Row& heads, const std::vector<
   }
 }
 
-std::vector<Row> shift_rows(const KitSheet& sheet) {
+std::vector<Row> shift_rows(const solver::Sheet& sheet) {
   std::vector<Row> rows;
-  for (Eigen::Index v = 0; v < sheet.shifts_mm.cols(); ++v) {
-    if (sheet.shifts_mm.col(v).isZero(0)) continue;
+  for (Eigen::Index v = 0; v < sheet.shifts_mm().cols(); ++v) {
+    if (sheet.shifts_mm().col(v).isZero(0)) continue;
     rows.push_back({solver::vertex_label(static_cast<int>(v)),
-                    fmt::format("{:+.4f}", sheet.shifts_mm(0, v)),
-                    fmt::format("{:+.4f}", sheet.shifts_mm(1, v))});
+                    fmt::format("{:+.4f}", sheet.shifts_mm()(0, v)),
+                    fmt::format("{:+.4f}", sheet.shifts_mm()(1, v))});
   }
   return rows;
 }
@@ -110,11 +110,11 @@ std::vector<Row> spring_way_rows(const std::vector<KitSpring>& springs) {
 }
 
 // A few springs a table: lengths flat, every ten degrees, and at the end.
-void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
+void add_histories(const solver::Sheet& sheet, const std::vector<KitSpring>& springs,
                    double most_height_mm, std::vector<KitItem>& items) {
   constexpr std::size_t kSprings = 4;
   constexpr double kStep_deg = 10;
-  const auto shown = sheet.path.rows_to_show(kStep_deg);
+  const auto shown = sheet.rows_to_show(kStep_deg);
   for (std::size_t first = 0; first < springs.size(); first += kSprings) {
     const std::size_t end = std::min(first + kSprings, springs.size());
     Row heads = {"deg"}, flat = {"0"};
@@ -125,7 +125,7 @@ void add_histories(const KitSheet& sheet, const std::vector<KitSpring>& springs,
     std::vector<Row> rows = {flat};
     for (const Eigen::Index row : shown) {
       const auto at = static_cast<std::size_t>(row);
-      rows.push_back({fmt::format("{:.10g}", sheet.path.history().stations[at].pilot_deg)});
+      rows.push_back({fmt::format("{:.10g}", sheet.history().stations[at].pilot_deg)});
       for (std::size_t s = first; s < end; ++s) {
         rows.back().push_back(fmt::format("{:.3f}", springs[s].length_mm[at + 1]));
       }
@@ -162,24 +162,24 @@ KitItem kit_heading(const std::vector<std::string>& sentences, double width_mm) 
   return item;
 }
 
-std::vector<KitItem> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
+std::vector<KitItem> kit_tables(const solver::Sheet& sheet, const std::vector<KitSpring>& springs,
                                 const std::vector<int>& cuts, double most_height_mm) {
   std::vector<KitItem> items;
   add_blocks("shifts, mm", {"vertex", "dx", "dy"}, shift_rows(sheet), most_height_mm, items);
   add_blocks("springs, mm, flat", {"no.", "ends", "vertices", "spring"}, spring_rows(springs),
              most_height_mm, items);
-  const Eigen::Index rows = sheet.path.rows_shown();
+  const Eigen::Index rows = sheet.rows_shown();
   const double end_deg =
-      rows == 0 ? 0 : sheet.path.history().stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
+      rows == 0 ? 0 : sheet.history().stations[static_cast<std::size_t>(rows - 1)].pilot_deg;
   add_blocks(fmt::format("springs, mm, flat to {:.10g} deg", end_deg),
              {"no.", "at the end", "stroke", "spring", "diagonal"}, spring_way_rows(springs),
              most_height_mm, items);
   add_histories(sheet, springs, most_height_mm, items);
   std::vector<Row> hinges;
   for (const int c : cuts) {
-    const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];
-    hinges.push_back({solver::line_label(crease.a, crease.b), sheet.panel_label(crease.left),
-                      sheet.panel_label(crease.right)});
+    const solver::Crease& crease = sheet.mechanism().creases[static_cast<std::size_t>(c)];
+    hinges.push_back({solver::line_label(crease.a, crease.b), panel_label(sheet, crease.left),
+                      panel_label(sheet, crease.right)});
   }
   add_blocks("cut for the bed: to be hinged", {"crease", "panel", "panel"}, hinges, most_height_mm,
              items);

@@ -21,7 +21,7 @@ inline constexpr double kLeastHeading_mm = 120;
 /// its own ends; on the way to D: how long at D, its stroke, which way, and the diagonal's; their
 /// lengths every ten degrees. Of the creases (of the mechanism) that were cut for the bed a last
 /// one.
-std::vector<KitItem> kit_tables(const KitSheet& sheet, const std::vector<KitSpring>& springs,
+std::vector<KitItem> kit_tables(const solver::Sheet& sheet, const std::vector<KitSpring>& springs,
                                 const std::vector<int>& cuts, double most_height_mm);
 
 }  // namespace misalign::schema

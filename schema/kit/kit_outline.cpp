@@ -16,10 +16,10 @@ double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y(
 
 // The next vertex along an opening's side, from `from` by way of `at`: where the way branches, the
 // first edge counter-clockwise from where it came, so that what is outside stays one region.
-int next_vertex(const KitSheet& sheet, int from, int at, const std::vector<int>& ways) {
-  const Vector2d back = sheet.point(from) - sheet.point(at);
+int next_vertex(const solver::Sheet& sheet, int from, int at, const std::vector<int>& ways) {
+  const Vector2d back = sheet.point_mm(from) - sheet.point_mm(at);
   const auto turned = [&](int to) {
-    const Vector2d on = sheet.point(to) - sheet.point(at);
+    const Vector2d on = sheet.point_mm(to) - sheet.point_mm(at);
     const double angle = std::atan2(cross(back, on), back.dot(on));
     return angle > 0 ? angle : angle + 2 * std::numbers::pi;
   };
@@ -70,9 +70,9 @@ std::vector<Vector2d> moved_corner(const Ring& ring, std::size_t i, double dista
   return moved_corner(at, (at - before).normalized(), (after - at).normalized(), distance_mm);
 }
 
-Ring ring_of(const KitSheet& sheet, const std::vector<int>& walk) {
+Ring ring_of(const solver::Sheet& sheet, const std::vector<int>& walk) {
   Ring ring;
-  for (const int v : walk) ring.push_back(sheet.point(v));
+  for (const int v : walk) ring.push_back(sheet.point_mm(v));
   return ring;
 }
 
@@ -88,8 +88,8 @@ std::vector<double> arc(double from_rad, double turn_rad, double radius_mm) {
 // A part's contour where it comes to a vertex with a tab: round the disc where its panel is at this
 // corner, and where others are round what is cut away of them. `after` is the contour's next
 // vertex.
-Ring round_tab(const KitSheet& sheet, const KitPart& part, const SpringTab& tab, int after) {
-  const Vector2d at_mm = sheet.point(tab.vertex);
+Ring round_tab(const solver::Sheet& sheet, const KitPart& part, const SpringTab& tab, int after) {
+  const Vector2d at_mm = sheet.point_mm(tab.vertex);
   struct Sector {
     bool has_tab;
     double from_rad, turn_rad;  // counter-clockwise from its one edge to the other
@@ -98,12 +98,12 @@ Ring round_tab(const KitSheet& sheet, const KitPart& part, const SpringTab& tab,
   for (int edge = after; edge >= 0;) {
     int next = -1;
     for (const int f : part.facets) {
-      const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(f)];
+      const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(f)];
       for (std::size_t k = 0; k < 4; ++k) {
         if (v[k] != tab.vertex || v[(k + 1) % 4] != edge) continue;
-        const Vector2d one = sheet.point(edge) - at_mm;
+        const Vector2d one = sheet.point_mm(edge) - at_mm;
         next = v[(k + 3) % 4];
-        const Vector2d other = sheet.point(next) - at_mm;
+        const Vector2d other = sheet.point_mm(next) - at_mm;
         sectors.push_back({f == tab.facet, std::atan2(one.y(), one.x()),
                            std::atan2(cross(one, other), one.dot(other))});
       }
@@ -122,12 +122,12 @@ Ring round_tab(const KitSheet& sheet, const KitPart& part, const SpringTab& tab,
   return ring;
 }
 
-Ring ring_with_tabs(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+Ring ring_with_tabs(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                     const std::vector<int>& walk) {
   Ring ring;
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const SpringTab* tab = fittings.tab_at(walk[i]);
-    const Ring corner = tab == nullptr ? Ring{sheet.point(walk[i])}
+    const Ring corner = tab == nullptr ? Ring{sheet.point_mm(walk[i])}
                                        : round_tab(sheet, part, *tab, walk[(i + 1) % walk.size()]);
     ring.insert(ring.end(), corner.begin(), corner.end());
   }
@@ -149,8 +149,8 @@ double widest_kerf_mm(const std::vector<Ring>& rings, double too_wide_mm) {
 
 }  // namespace
 
-std::vector<std::vector<int>> part_walks(const KitSheet& sheet, const KitPart& part) {
-  const auto& pattern = sheet.base.sheet;
+std::vector<std::vector<int>> part_walks(const solver::Sheet& sheet, const KitPart& part) {
+  const auto& pattern = sheet.base().sheet;
   std::vector<bool> inside(static_cast<std::size_t>(pattern.facet_count()), false);
   for (const int f : part.facets) inside[static_cast<std::size_t>(f)] = true;
   const auto is_inside = [&](int f) { return f >= 0 && inside[static_cast<std::size_t>(f)]; };
@@ -212,8 +212,8 @@ Eigen::Vector2d PartOutline::most_mm() const {
   return most;
 }
 
-PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
-                         double kerf_mm) {
+PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,
+                         const KitFittings& fittings, double kerf_mm) {
   const std::vector<std::vector<int>> walks = part_walks(sheet, part);
   std::vector<Ring> drawn;
   for (const auto& walk : walks) drawn.push_back(ring_with_tabs(sheet, part, fittings, walk));
@@ -226,7 +226,7 @@ PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFi
           "kerf_mm", fmt::format("{:g}", kerf_mm),
           fmt::format("too wide for the contours of the part with panel {} (one of their edges "
                       "would vanish)",
-                      sheet.panel_label(part.facets[0])),
+                      panel_label(sheet, part.facets[0])),
           fmt::format("at most {:.4g} mm fit", 0.999 * widest_kerf_mm(drawn, kerf_mm))});
     }
     outline.rings.push_back(*moved);
@@ -238,7 +238,7 @@ PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFi
     }
   }
   for (const auto& [vertex, ends] : ends_at) {
-    if (ends.size() == 2) outline.slits.push_back({ends[0], sheet.point(vertex), ends[1]});
+    if (ends.size() == 2) outline.slits.push_back({ends[0], sheet.point_mm(vertex), ends[1]});
   }
   return outline;
 }

@@ -15,7 +15,7 @@ using Ring = std::vector<Eigen::Vector2d>;
 /// Vertices of the sheet along each contour of a part: the outer one first (counter-clockwise seen
 /// from +z), then each opening (clockwise). Where two openings meet in a ball joint between two
 /// panels of the part, each is a contour of its own, and they touch there.
-std::vector<std::vector<int>> part_walks(const KitSheet& sheet, const KitPart& part);
+std::vector<std::vector<int>> part_walks(const solver::Sheet& sheet, const KitPart& part);
 
 /// The contour moved off its material by a distance, its corners mitred. A corner of the material
 /// so acute that the mitre is longer than kMitreLimit distances is cut off there. Nothing if an
@@ -38,8 +38,8 @@ struct PartOutline {
 inline constexpr double kChordOff_mm = 0.005;
 
 /// UserError (bad_request) if the kerf is too wide for it.
-PartOutline part_outline(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
-                         double kerf_mm);
+PartOutline part_outline(const solver::Sheet& sheet, const KitPart& part,
+                         const KitFittings& fittings, double kerf_mm);
 
 /// Twice the area inside, positive if counter-clockwise, halved: mm^2.
 double signed_area_mm2(const Ring& ring);

@@ -12,15 +12,15 @@ namespace {
 // The facets of each part from the group that each facet is in (-1: in none): what creases within a
 // group hold together. `Joins` says whether a crease may.
 template <class Joins>
-std::vector<KitPart> joined(const KitSheet& sheet, const std::vector<int>& facets,
+std::vector<KitPart> joined(const solver::Sheet& sheet, const std::vector<int>& facets,
                             const Joins& joins) {
-  std::vector<int> leader(static_cast<std::size_t>(sheet.base.sheet.facet_count()), -1);
+  std::vector<int> leader(static_cast<std::size_t>(sheet.base().sheet.facet_count()), -1);
   for (const int f : facets) leader[static_cast<std::size_t>(f)] = f;
   const auto leader_of = [&](int f) {
     while (leader[static_cast<std::size_t>(f)] != f) f = leader[static_cast<std::size_t>(f)];
     return f;
   };
-  const auto& creases = sheet.mechanism.creases;
+  const auto& creases = sheet.mechanism().creases;
   const auto is_inside = [&](const solver::Crease& crease) {
     return leader[static_cast<std::size_t>(crease.left)] >= 0 &&
            leader[static_cast<std::size_t>(crease.right)] >= 0 && joins(crease);
@@ -59,10 +59,10 @@ struct Span {
   int cell(int value, int cells) const { return (value - least) * cells / count(); }
 };
 
-std::array<Span, 2> spans(const KitSheet& sheet, const KitPart& part) {
+std::array<Span, 2> spans(const solver::Sheet& sheet, const KitPart& part) {
   std::array<Span, 2> span;
   for (const int f : part.facets) {
-    const auto& place = sheet.base.sheet.places[static_cast<std::size_t>(f)];
+    const auto& place = sheet.base().sheet.places[static_cast<std::size_t>(f)];
     for (std::size_t k = 0; k < 2; ++k) span[k].add(place[k]);
   }
   return span;
@@ -70,15 +70,16 @@ std::array<Span, 2> spans(const KitSheet& sheet, const KitPart& part) {
 
 }  // namespace
 
-std::vector<KitPart> kit_parts(const KitSheet& sheet, CreaseCut crease) {
-  return joined(sheet, solver::kept_facets(sheet.base.sheet, sheet.base.holes),
+std::vector<KitPart> kit_parts(const solver::Sheet& sheet, CreaseCut crease) {
+  return joined(sheet, solver::kept_facets(sheet.base().sheet, sheet.base().holes),
                 [&](const solver::Crease&) { return crease != CreaseCut::cut; });
 }
 
-std::vector<KitPart> divided(const KitSheet& sheet, const KitPart& part, int down, int across) {
+std::vector<KitPart> divided(const solver::Sheet& sheet, const KitPart& part, int down,
+                             int across) {
   const auto [rows, columns] = spans(sheet, part);
   const auto cell = [&, &rows = rows, &columns = columns](int f) {  // clang 14 takes no bindings
-    const auto& [row, column] = sheet.base.sheet.places[static_cast<std::size_t>(f)];
+    const auto& [row, column] = sheet.base().sheet.places[static_cast<std::size_t>(f)];
     return rows.cell(row, down) * across + columns.cell(column, across);
   };
   return joined(sheet, part.facets, [&](const solver::Crease& crease) {
@@ -86,7 +87,7 @@ std::vector<KitPart> divided(const KitSheet& sheet, const KitPart& part, int dow
   });
 }
 
-std::array<int, 2> rows_and_columns(const KitSheet& sheet, const KitPart& part) {
+std::array<int, 2> rows_and_columns(const solver::Sheet& sheet, const KitPart& part) {
   const auto [rows, columns] = spans(sheet, part);
   return {rows.count(), columns.count()};
 }

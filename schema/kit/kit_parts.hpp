@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "schema/kit/kit_options.hpp"
-#include "schema/kit/kit_sheet.hpp"
+#include "schema/kit/panel_corner.hpp"
 
 namespace misalign::schema {
 
@@ -16,13 +16,13 @@ struct KitPart {
 
 /// What creases hold together (with CreaseCut::cut nothing): the largest first, among equals that
 /// of the least facet.
-std::vector<KitPart> kit_parts(const KitSheet& sheet, CreaseCut crease);
+std::vector<KitPart> kit_parts(const solver::Sheet& sheet, CreaseCut crease);
 
 /// A part cut along creases into a grid of about equal numbers of the sheet's rows and columns that
 /// it covers; what hangs together in a cell of it is a part.
-std::vector<KitPart> divided(const KitSheet& sheet, const KitPart& part, int down, int across);
+std::vector<KitPart> divided(const solver::Sheet& sheet, const KitPart& part, int down, int across);
 
 /// How many of the sheet's rows and columns a part covers.
-std::array<int, 2> rows_and_columns(const KitSheet& sheet, const KitPart& part);
+std::array<int, 2> rows_and_columns(const solver::Sheet& sheet, const KitPart& part);
 
 }  // namespace misalign::schema

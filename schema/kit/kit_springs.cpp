@@ -13,13 +13,14 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // A point of a panel where a shape has that panel: by its two edges at one vertex.
-Vector3d folded_point(const KitSheet& sheet, const SpringEnd& end, const Eigen::Matrix3Xd& shape) {
-  const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(end.facet)];
+Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
+                      const Eigen::Matrix3Xd& shape) {
+  const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(end.facet)];
   const auto k = static_cast<std::size_t>(std::find(v.begin(), v.end(), end.vertex) - v.begin());
   const int next = v[(k + 1) % 4], before = v[(k + 3) % 4];
-  const Vector2d at_mm = sheet.point(end.vertex);
+  const Vector2d at_mm = sheet.point_mm(end.vertex);
   Eigen::Matrix2d edges;
-  edges << sheet.point(next) - at_mm, sheet.point(before) - at_mm;
+  edges << sheet.point_mm(next) - at_mm, sheet.point_mm(before) - at_mm;
   const Vector2d share = edges.inverse() * (end.at_mm - at_mm);
   const Vector3d folded = shape.col(end.vertex);
   return folded + share.x() * (shape.col(next) - folded) + share.y() * (shape.col(before) - folded);
@@ -59,20 +60,20 @@ double KitSpring::stroke_mm() const {
   return *most - *least;
 }
 
-std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fittings) {
-  const double band_mm = solver::kInactiveBand_widths * sheet.mechanism.panel_width_mm;
-  const auto rows = static_cast<std::size_t>(sheet.path.rows_shown());
+std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings) {
+  const double band_mm = solver::kInactiveBand_widths * sheet.mechanism().panel_width_mm;
+  const auto rows = static_cast<std::size_t>(sheet.rows_shown());
   std::vector<KitSpring> springs;
   for (std::size_t e = 0; e < fittings.ends.size(); e += 2) {
     const SpringEnd &from = fittings.ends[e], &to = fittings.ends[e + 1];
     KitSpring spring{from,
                      to,
                      {(from.at_mm - to.at_mm).norm()},
-                     {(sheet.point(from.vertex) - sheet.point(to.vertex)).norm()},
+                     {(sheet.point_mm(from.vertex) - sheet.point_mm(to.vertex)).norm()},
                      {},
                      {}};
     for (std::size_t row = 0; row < rows; ++row) {
-      const Eigen::Matrix3Xd& shape = sheet.path.shapes_mm()[row];
+      const Eigen::Matrix3Xd& shape = sheet.shapes_mm()[row];
       spring.length_mm.push_back(
           (folded_point(sheet, from, shape) - folded_point(sheet, to, shape)).norm());
       spring.diagonal_mm.push_back((shape.col(from.vertex) - shape.col(to.vertex)).norm());

@@ -30,7 +30,7 @@ struct KitSpring {
 };
 
 /// In the order of diagonals; none without --spring-bore.
-std::vector<KitSpring> kit_springs(const KitSheet& sheet, const KitFittings& fittings);
+std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings& fittings);
 
 /// How many of them contradict the verdict and how, and what to do; empty if none does.
 std::string contradiction_of(const std::vector<KitSpring>& springs);

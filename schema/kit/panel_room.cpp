@@ -19,11 +19,11 @@ double text_width(const std::string& words) {
   return kLetter * static_cast<double>(words.size());
 }
 
-PanelRoom::PanelRoom(const KitSheet& sheet, int facet, const KitFittings& fittings) {
-  for (const int v : sheet.base.sheet.facets[static_cast<std::size_t>(facet)]) {
-    corners_.push_back(sheet.point(v));
+PanelRoom::PanelRoom(const solver::Sheet& sheet, int facet, const KitFittings& fittings) {
+  for (const int v : sheet.base().sheet.facets[static_cast<std::size_t>(facet)]) {
+    corners_.push_back(sheet.point_mm(v));
     if (const SpringTab* tab = fittings.tab_at(v)) {
-      fittings_.push_back({sheet.point(v), tab->clear_mm});
+      fittings_.push_back({sheet.point_mm(v), tab->clear_mm});
     }
   }
   middle_mm_ = 0.25 * (corners_[0] + corners_[1] + corners_[2] + corners_[3]);

@@ -15,7 +15,7 @@ double text_width(const std::string& words);
 class PanelRoom {
  public:
   /// A panel without what bores and tabs take of it.
-  PanelRoom(const KitSheet& sheet, int facet, const KitFittings& fittings);
+  PanelRoom(const solver::Sheet& sheet, int facet, const KitFittings& fittings);
 
   /// Words with their middle at the first of the points where they fit; they take that room.
   std::optional<DrawnText> place(const std::string& words, double height_mm,

@@ -33,7 +33,7 @@ std::vector<Vector2d> rings_round(const Vector2d& middle, double first_mm, doubl
 
 class Marks {
  public:
-  Marks(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+  Marks(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
         LineLayer& engraved)
       : sheet_(sheet), engraved_(engraved) {
     for (const int f : part.facets) rooms_.emplace(f, PanelRoom(sheet, f, fittings));
@@ -43,7 +43,7 @@ class Marks {
   void add_panel_numbers() {
     constexpr double kSmaller = 0.8, kLeast_mm = 0.5;
     for (auto& [facet, room] : rooms_) {
-      const std::string words = sheet_.panel_label(facet);
+      const std::string words = panel_label(sheet_, facet);
       std::vector<Vector2d> middles = {room.middle_mm()};
       for (const Vector2d& point :
            rings_round(room.middle_mm(), 0.05 * room.size_mm(), 0.05 * room.size_mm(), 8, 16)) {
@@ -75,7 +75,7 @@ class Marks {
     constexpr double kFarthest = 0.4;  // of a panel's size
     std::map<int, std::vector<int>> panels_at;
     for (const auto& [facet, room] : rooms_) {
-      for (const int v : sheet_.base.sheet.facets[static_cast<std::size_t>(facet)]) {
+      for (const int v : sheet_.base().sheet.facets[static_cast<std::size_t>(facet)]) {
         panels_at[v].push_back(facet);
       }
     }
@@ -103,24 +103,24 @@ class Marks {
     return text.has_value();
   }
 
-  const KitSheet& sheet_;
+  const solver::Sheet& sheet_;
   LineLayer& engraved_;
   std::map<int, PanelRoom> rooms_;
 };
 
 // Up to what is cut away round tabs.
-void add_creases(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+void add_creases(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                  const KitOptions& options, KitItem& item) {
   const auto end_mm = [&](int at, int other) {
-    const Vector2d from = sheet.point(at), along = sheet.point(other) - from;
+    const Vector2d from = sheet.point_mm(at), along = sheet.point_mm(other) - from;
     const SpringTab* tab = fittings.tab_at(at);
     return tab == nullptr ? from : Vector2d(from + tab->clear_mm * along.normalized());
   };
   const bool dashed = options.crease == CreaseCut::dash;
   for (const int c : part.creases) {
-    const solver::Crease& crease = sheet.mechanism.creases[static_cast<std::size_t>(c)];
+    const solver::Crease& crease = sheet.mechanism().creases[static_cast<std::size_t>(c)];
     const Vector2d from = end_mm(crease.a, crease.b), to = end_mm(crease.b, crease.a);
-    const bool valley = sheet.mechanism.is_valley(crease);
+    const bool valley = sheet.mechanism().is_valley(crease);
     if (!dashed) {
       item.on(valley ? KitLayer::score_valley : KitLayer::score_mountain)
           .paths.push_back({{from, to}, false});
@@ -133,7 +133,7 @@ void add_creases(const KitSheet& sheet, const KitPart& part, const KitFittings& 
 
 }  // namespace
 
-KitItem part_item(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                   const KitOptions& options) {
   const PartOutline outline = part_outline(sheet, part, fittings, options.kerf_mm);
   KitItem item = empty_item(outline.least_mm(), outline.most_mm());

@@ -10,7 +10,7 @@
 namespace misalign::schema {
 
 /// Where the sheet has it; its page is the box round its outer contour.
-KitItem part_item(const KitSheet& sheet, const KitPart& part, const KitFittings& fittings,
+KitItem part_item(const solver::Sheet& sheet, const KitPart& part, const KitFittings& fittings,
                   const KitOptions& options);
 
 /// The cuts of a perforation between two points, as they are drawn: as many of the length that is

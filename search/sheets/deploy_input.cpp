@@ -46,7 +46,7 @@ solver::HeldPanel held_panel(const solver::Sheet& sheet, const std::string& plac
   if (comma < text.size() && read_number(text.substr(0, comma), row) &&
       read_number(text.substr(comma + 1), column)) {
     for (std::size_t k = 0; k < facets.size(); ++k) {
-      const auto& at = sheet.model().base().sheet.places[static_cast<std::size_t>(facets[k])];
+      const auto& at = sheet.base().sheet.places[static_cast<std::size_t>(facets[k])];
       if (at[0] == row && at[1] == column) panel = static_cast<int>(k);
     }
   }

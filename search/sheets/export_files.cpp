@@ -204,8 +204,7 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
                       text_of(schema::crease_pattern_drawing(model_.base(), sheet.vertices_mm(),
                                                              sheet.mechanism(), label.title)));
   }
-  const schema::KitDrawings kit =
-      schema::kit_drawings(schema::KitSheet(sheet), *options_.kit, label.title);
+  const schema::KitDrawings kit = schema::kit_drawings(sheet, *options_.kit, label.title);
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
   std::vector<std::string> texts;
   for (const schema::LineDrawing& bed : kit.beds) texts.push_back(text_of(bed));

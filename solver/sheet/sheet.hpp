@@ -53,11 +53,13 @@ class Sheet {
   Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name = "the sheet");
 
   const Model& model() const { return solver_.model(); }
+  const PerforatedSheet& base() const { return model().base(); }
   const Mechanism& mechanism() const { return model().mechanism(); }
   const Panels& panels() const { return solver_.panels(); }
   const std::string& name() const { return name_; }
   const Eigen::Matrix2Xd& shifts_mm() const { return shifts_mm_; }
   const FlatVertices& vertices_mm() const { return vertices_mm_; }
+  Eigen::Vector2d point_mm(int vertex) const { return vertices_mm_.col(vertex); }
 
   /// In long steps, as a campaign's draws are measured.
   const PathRecord& record() const;

@@ -14,12 +14,12 @@ namespace {
 using Eigen::Vector2d;
 
 // Least distance to the lines of a panel's edges; negative outside.
-double depth(const KitSheet& sheet, int facet, const Vector2d& at) {
+double depth(const solver::Sheet& sheet, int facet, const Vector2d& at) {
   double least = INFINITY;
-  const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(facet)];
+  const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
   for (std::size_t k = 0; k < 4; ++k) {
     Eigen::Matrix2d m;
-    m << sheet.point(v[(k + 1) % 4]) - sheet.point(v[k]), at - sheet.point(v[k]);
+    m << sheet.point_mm(v[(k + 1) % 4]) - sheet.point_mm(v[k]), at - sheet.point_mm(v[k]);
     least = std::min(least, m.determinant() / m.col(0).norm());
   }
   return least;
@@ -70,8 +70,9 @@ TEST(KitBores, SpringsAtWholeVerticesGoOnAlongTheirDiagonals) {
         kit.mechanism.diagonals[static_cast<std::size_t>(bore.spring)];
     const int other = diagonal.from == bore.vertex ? diagonal.to : diagonal.from;
     if (bore.vertex == kit.mechanism.balls.at(0).vertex) continue;
-    const Vector2d along = (kit.sheet.point(bore.vertex) - kit.sheet.point(other)).normalized();
-    EXPECT_GT(along.dot((bore.centre_mm - kit.sheet.point(bore.vertex)).normalized()), 0.8);
+    const Vector2d along =
+        (kit.sheet.point_mm(bore.vertex) - kit.sheet.point_mm(other)).normalized();
+    EXPECT_GT(along.dot((bore.centre_mm - kit.sheet.point_mm(bore.vertex)).normalized()), 0.8);
     ++whole;
   }
   EXPECT_EQ(whole, 6);  // of eight ends two are at the ball joint
@@ -89,13 +90,13 @@ TEST(KitBores, SpringsOnVerticesHaveTheirBoresInTabs) {
   }
   ASSERT_EQ(fittings.ends.size(), 2 * kit.mechanism.diagonals.size());
   for (const SpringEnd& end : fittings.ends) {
-    EXPECT_EQ(end.at_mm, kit.sheet.point(end.vertex));
+    EXPECT_EQ(end.at_mm, kit.sheet.point_mm(end.vertex));
     EXPECT_EQ(fittings.tab_at(end.vertex) != nullptr, holes_at[end.vertex] == 1);
   }
   for (const Bore& bore : fittings.bores) {
     if (bore.spring < 0) continue;
     ++bores_at[bore.vertex];
-    EXPECT_EQ(bore.centre_mm, kit.sheet.point(bore.vertex));
+    EXPECT_EQ(bore.centre_mm, kit.sheet.point_mm(bore.vertex));
     const SpringTab* tab = fittings.tab_at(bore.vertex);
     ASSERT_NE(tab, nullptr);
     EXPECT_EQ(tab->facet, bore.facet);

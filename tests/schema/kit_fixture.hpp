@@ -24,9 +24,8 @@ struct KitFixture : solver::TestSheet {
   }
 
   const solver::OwnSheet own;
-  const solver::Sheet& path = own.sheet;
-  const Eigen::Matrix2Xd& vertices_mm = path.vertices_mm();
-  const KitSheet sheet{path};
+  const solver::Sheet& sheet = own.sheet;
+  const Eigen::Matrix2Xd& vertices_mm = sheet.vertices_mm();
 };
 
 }  // namespace misalign::schema

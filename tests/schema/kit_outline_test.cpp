@@ -28,11 +28,11 @@ double distance_to_ring(const Vector2d& at, const Ring& ring) {
 }
 
 // Of a panel, as two triangles.
-double panel_area(const KitSheet& sheet, int facet) {
-  const auto& v = sheet.base.sheet.facets[static_cast<std::size_t>(facet)];
+double panel_area(const solver::Sheet& sheet, int facet) {
+  const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
   const auto triangle = [&](int a, int b, int c) {
     Eigen::Matrix2d m;
-    m << sheet.point(b) - sheet.point(a), sheet.point(c) - sheet.point(a);
+    m << sheet.point_mm(b) - sheet.point_mm(a), sheet.point_mm(c) - sheet.point_mm(a);
     return 0.5 * std::abs(m.determinant());
   };
   return triangle(v[0], v[1], v[2]) + triangle(v[2], v[3], v[0]);
@@ -47,7 +47,7 @@ TEST(KitParts, EightPanelsOfAnEightByEightAreHeldByBallJointsAlone) {
   for (std::size_t p = 1; p < parts.size(); ++p) {
     ASSERT_EQ(parts[p].facets.size(), 1u);
     EXPECT_TRUE(parts[p].creases.empty());
-    loose.insert(kit.sheet.panel_label(parts[p].facets[0]));
+    loose.insert(panel_label(kit.sheet, parts[p].facets[0]));
   }
   EXPECT_EQ(loose, (std::set<std::string>{"r2c2", "r2c4", "r3c3", "r3c5", "r4c2", "r4c4", "r5c3",
                                           "r5c5"}));
@@ -131,7 +131,7 @@ TEST(KitOutline, SlitsJoinOpeningsThatTouch) {
   ASSERT_EQ(outline.slits.size(), 1u);
   const auto& slit = outline.slits[0];
   ASSERT_EQ(slit.size(), 3u);
-  EXPECT_EQ(slit[1], kit.sheet.point(kit.mechanism.balls.at(0).vertex));
+  EXPECT_EQ(slit[1], kit.sheet.point_mm(kit.mechanism.balls.at(0).vertex));
   for (const std::size_t end : {0u, 2u}) {
     EXPECT_NEAR(std::min(distance_to_ring(slit[end], outline.rings[1]),
                          distance_to_ring(slit[end], outline.rings[2])),
@@ -158,7 +158,7 @@ TEST(KitOutline, TabsAreDiscsThatTheirNeighboursKeepClearOf) {
       }
       const PartOutline cut = part_outline(kit.sheet, part, fittings, kKerf_mm);
       for (const SpringTab& tab : fittings.tabs) {
-        const Vector2d at = kit.sheet.point(tab.vertex);
+        const Vector2d at = kit.sheet.point_mm(tab.vertex);
         double nearest = INFINITY;
         for (const Ring& ring : cut.rings) nearest = std::min(nearest, distance_to_ring(at, ring));
         const auto& has = part.facets;
@@ -169,8 +169,8 @@ TEST(KitOutline, TabsAreDiscsThatTheirNeighboursKeepClearOf) {
           const auto& v = kit.base.sheet.facets[static_cast<std::size_t>(f)];
           const auto k = std::find(v.begin(), v.end(), tab.vertex) - v.begin();
           if (k == 4) continue;
-          const Vector2d one = kit.sheet.point(v[(k + 1) % 4]) - at,
-                         other = kit.sheet.point(v[(k + 3) % 4]) - at;
+          const Vector2d one = kit.sheet.point_mm(v[(k + 1) % 4]) - at,
+                         other = kit.sheet.point_mm(v[(k + 3) % 4]) - at;
           const double angle = std::acos(one.dot(other) / one.norm() / other.norm());
           wanted += f == tab.facet ? tab.radius_mm * tab.radius_mm * (std::numbers::pi - angle / 2)
                                    : -tab.clear_mm * tab.clear_mm * angle / 2;
@@ -179,7 +179,7 @@ TEST(KitOutline, TabsAreDiscsThatTheirNeighboursKeepClearOf) {
       // Nothing is left there for a slit.
       for (const auto& slit : cut.slits) {
         EXPECT_TRUE(std::none_of(fittings.tabs.begin(), fittings.tabs.end(), [&](const auto& tab) {
-          return kit.sheet.point(tab.vertex) == slit[1];
+          return kit.sheet.point_mm(tab.vertex) == slit[1];
         }));
       }
     }

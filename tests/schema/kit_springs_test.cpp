@@ -34,7 +34,7 @@ Eigen::Vector3d placed(const KitFixture& kit, const SpringEnd& end, const Eigen:
 TEST(KitSprings, AreAsLongAsThePanelsOfTheirEndsHaveIt) {
   for (const auto& [rows, columns] : {std::pair(4, 4), std::pair(6, 8)}) {
     const KitFixture kit(rows, columns);
-    const auto shown = kit.path.rows_shown();
+    const auto shown = kit.sheet.rows_shown();
     ASSERT_GT(shown, 0);
     const auto springs = springs_of(kit, SpringAt::panel);
     ASSERT_EQ(springs.size(), kit.mechanism.diagonals.size());
@@ -42,7 +42,7 @@ TEST(KitSprings, AreAsLongAsThePanelsOfTheirEndsHaveIt) {
       ASSERT_EQ(static_cast<Eigen::Index>(spring.length_mm.size()), shown + 1);
       double least = spring.length_mm[0], most = least;
       for (Eigen::Index row = 0; row < shown; ++row) {
-        const auto& shape = kit.path.shapes_mm()[static_cast<std::size_t>(row)];
+        const auto& shape = kit.sheet.shapes_mm()[static_cast<std::size_t>(row)];
         const double length =
             (placed(kit, spring.from, shape) - placed(kit, spring.to, shape)).norm();
         EXPECT_NEAR(spring.length_mm[static_cast<std::size_t>(row) + 1], length, 1e-7);
@@ -59,11 +59,11 @@ TEST(KitSprings, OnVerticesDoWhatTheirDiagonalsDo) {
   const auto springs = springs_of(kit, SpringAt::vertex);
   for (std::size_t d = 0; d < springs.size(); ++d) {
     const KitSpring& spring = springs[d];
-    EXPECT_NEAR(spring.length_mm[0], kit.path.history().flat_mm[d], 1e-9);
+    EXPECT_NEAR(spring.length_mm[0], kit.sheet.history().flat_mm[d], 1e-9);
     for (std::size_t row = 0; row + 1 < spring.length_mm.size(); ++row) {
       EXPECT_NEAR(spring.length_mm[row + 1],
-                  kit.path.history().length_mm(static_cast<Eigen::Index>(row),
-                                               static_cast<Eigen::Index>(d)),
+                  kit.sheet.history().length_mm(static_cast<Eigen::Index>(row),
+                                                static_cast<Eigen::Index>(d)),
                   1e-7);
     }
     EXPECT_EQ(spring.trend, spring.diagonal_trend);

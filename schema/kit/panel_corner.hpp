@@ -1,0 +1,32 @@
+// The corner of a panel at one of its vertices, and what a panel is called on a kit.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "schema/campaign/pattern_file.hpp"
+#include "solver/sheet/sheet.hpp"
+
+namespace misalign::schema {
+
+/// "r1c2" for the panel [1, 2] of pattern files and catalogues.
+inline std::string panel_label(const solver::Sheet& sheet, int facet) {
+  const auto& [row, column] = sheet.base().sheet.places[static_cast<std::size_t>(facet)];
+  return "r" + std::to_string(row) + "c" + std::to_string(column);
+}
+
+struct PanelCorner {
+  PanelCorner(const solver::Sheet& sheet, int facet, int vertex) : at_mm(sheet.point_mm(vertex)) {
+    const auto& around = sheet.base().sheet.facets[static_cast<std::size_t>(facet)];
+    const auto k =
+        static_cast<std::size_t>(std::find(around.begin(), around.end(), vertex) - around.begin());
+    const Eigen::Vector2d one = (sheet.point_mm(around[(k + 1) % 4]) - at_mm).normalized(),
+                          other = (sheet.point_mm(around[(k + 3) % 4]) - at_mm).normalized();
+    bisector = (one + other).normalized();
+    sine = 0.5 * (one - other).norm();
+  }
+  Eigen::Vector2d at_mm, bisector;  ///< which points into the panel
+  double sine;                      ///< of half its angle
+};
+
+}  // namespace misalign::schema
