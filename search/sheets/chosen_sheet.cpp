@@ -53,10 +53,16 @@ ChosenSheet sheet_of_pattern_file(const std::string& path) {
           std::move(exported)};
 }
 
-ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> draw) {
+Subject::Subject(ChosenSheet what, const OtherActuators& actuators)
+    : chosen(std::move(what)),
+      model(chosen.base, chosen.sampling, actuators.instead_of(chosen.actuators)),
+      sheet(model.sheet(chosen.shifts_mm, schema::printable(chosen.name()))) {}
+
+Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
+                     const OtherActuators& actuators) {
   if (is_pattern_file(path)) {
     if (draw) throw only_of_a_catalogue(path, "the draw " + std::to_string(*draw));
-    return sheet_of_pattern_file(path);
+    return {sheet_of_pattern_file(path), actuators};
   }
   const auto database = schema::open_for_reading(path);
   if (!draw) {
@@ -67,13 +73,14 @@ ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> d
   }
   schema::Campaign campaign = schema::read_campaign_of(*database, path);
   Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database, campaign, *draw);
-  return {campaign.pattern,
-          campaign.sampling(),
-          campaign.actuators,
-          std::move(shifts_mm),
-          ChosenSheet::Drawn{campaign, *draw},
-          "",
-          {}};
+  return {{campaign.pattern,
+           campaign.sampling(),
+           campaign.actuators,
+           std::move(shifts_mm),
+           ChosenSheet::Drawn{campaign, *draw},
+           "",
+           {}},
+          actuators};
 }
 
 schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what) {

@@ -48,9 +48,19 @@ bool is_pattern_file(const std::string& path);
 /// springs of a campaign that says nothing else. UserError (bad_input) with every fault.
 ChosenSheet sheet_of_pattern_file(const std::string& path);
 
-/// That, or a draw of a catalogue's campaign, accepted or not. UserError: 2 no draw of a catalogue,
-/// or one of a pattern file; 3 as above and as from open_for_reading.
-ChosenSheet choose_sheet(const std::string& path, std::optional<std::uint64_t> draw);
+/// A sheet to study, its model and springs, and what was chosen.
+struct Subject {
+  Subject(ChosenSheet what, const OtherActuators& actuators);
+
+  const ChosenSheet chosen;
+  FoldingModel model;
+  const solver::Sheet sheet;
+};
+
+/// That of a pattern file, or of a draw of a catalogue's campaign, accepted or not. UserError: 2 no
+/// draw of a catalogue, or one of a pattern file; 3 as above and as from open_for_reading.
+Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
+                     const OtherActuators& actuators = {});
 
 /// UserError (bad_request) with one sentence: a pattern file is one sheet, so `what` has no
 /// meaning.

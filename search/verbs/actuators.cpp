@@ -19,9 +19,7 @@ struct ActuatorsCall {
 };
 
 void show_actuators(const ActuatorsCall& call) {
-  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
-  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
-  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.actuators);
   const solver::Actuation actuation = solver::actuate(sheet, model.actuators());
   if (call.json) {
     schema::Json json = springs_json({chosen.base, sheet}, actuation);

@@ -20,9 +20,7 @@ struct ContactCall {
 };
 
 void show_contact(const ContactCall& call) {
-  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
-  FoldingModel model(chosen.base, chosen.sampling, chosen.actuators);
-  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw);
   const solver::ContactStudy study = contact_of(sheet, {call.trim_mm});
   if (call.json) {
     schema::Json json = schema::contact_study_json(chosen.base, sheet.panels(), study);

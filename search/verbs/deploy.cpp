@@ -27,9 +27,7 @@ struct DeployCall {
 };
 
 void show_deployment(const DeployCall& call) {
-  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
-  FoldingModel model(chosen.base, chosen.sampling, chosen.actuators);
-  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw);
   solver::DeployOptions options = call.input.of(sheet, chosen.actuators);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
   const solver::DeploymentStudy study = deployed(sheet, options);

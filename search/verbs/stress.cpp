@@ -14,7 +14,7 @@
 #include "search/sheets/calculix_run.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_input.hpp"
-#include "search/sheets/sheet_files.hpp"
+#include "search/sheets/export_files.hpp"
 #include "search/sheets/stress_text.hpp"
 #include "search/terminal/duration.hpp"
 #include "search/terminal/progress.hpp"
@@ -118,9 +118,7 @@ void show_stress(StressCall& call) {
   read_material(call.release, call.deck);
   call.options.deck.elements = call.deck.deck.elements;
   call.options.deck.material = call.deck.deck.material;
-  const ChosenSheet chosen = choose_sheet(call.path, call.draw);
-  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
-  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, schema::printable(chosen.name()));
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.actuators);
   const schema::SimulatedSheet released =
       release(model, sheet, call.release.release, "misalign: " + chosen.name());
   if (released.rest_deg > 0) call.options.flat_deg = 0;
