@@ -150,11 +150,12 @@ void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet) {
   const double largest_mm = solver::largest_miscut_mm(base, shifts_mm);
   if (amplitude_mm < largest_mm) return;
+  const double below_mm = schema::rounded_down(largest_mm);
   throw schema::UserError(solver::OptionFault{
       "amplitude_mm", schema::shown_number(amplitude_mm),
-      fmt::format("must be below {:g} mm (where a facet of {} can lose convexity)",
-                  schema::rounded_down(largest_mm), sheet),
-      fmt::format("try {:g}", schema::rounded_down(0.95 * largest_mm))});
+      fmt::format("must be below {:g} mm (where a facet of {} can lose convexity)", below_mm,
+                  sheet),
+      fmt::format("try {:g}", schema::rounded_down(0.95 * below_mm))});
 }
 
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,

@@ -1,11 +1,11 @@
 // Sheets that are met again and again, in any order: against sorting all of them.
+#include "search/splitting/found_candidates.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <random>
-
-#include "search/splitting/found_candidates.hpp"
 
 namespace misalign::search {
 namespace {

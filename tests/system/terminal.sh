@@ -85,7 +85,7 @@ for verb in "export json.db --where deploys_from_deg>=0 --output found-all" "rep
   "$program" $verb > quiet 2> err || fail "$verb: $(cat err)"
   # shellcheck disable=SC2086
   "$program" $verb --log-level debug > out 2> err || fail "$verb: $(cat err)"
-  cmp -s quiet out || [ "${verb%% *}" = verify ] || fail "$verb: other words on standard output"
+  cmp -s quiet out || [[ $verb = verify* || $verb = certify* ]] || fail "$verb: other words on standard output"
   grep -qE "^([0-9]+ min )?[0-9]+ s: [0-9]+ of [0-9]+ (sheets|candidates) " err || fail "$verb does not say how far it is: $(cat err)"
 done
 "$program" report json.db --output page.html --deploy --log-level debug 2>&1 | grep -q " sheets let go$" || fail "nothing of --deploy"
