@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "schema/campaign/pattern_file.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::schema {
