@@ -39,9 +39,8 @@ double critical_in_mujoco(const schema::SimulatedSheet& sheet, double expected, 
   return (low + high) / 2;
 }
 
-bool agree(const ChosenSheet& sheet, bool is_short) {
-  FoldingModel model(sheet.base, sheet.sampling, sheet.actuators);
-  const solver::Sheet folded = model.sheet(sheet.shifts_mm, sheet.name());
+bool agree(const Subject& subject, bool is_short) {
+  const auto& [sheet, model, folded] = subject;
   ReleaseOptions options;
   options.from_deg = kFrom_deg;
   const schema::SimulatedSheet released = release(model, folded, options, sheet.name());
