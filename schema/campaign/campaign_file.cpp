@@ -60,11 +60,12 @@ void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
   reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
   if (sheet && faults.count() == before) {
     const double safe = solver::largest_safe_amplitude_mm(*sheet, misalignment.vertices);
+    const double shown = rounded_down(safe);
     if (misalignment.amplitude_mm >= safe) {
       faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
-                 "must be below " + shown_number(rounded_down(safe)) +
+                 "must be below " + shown_number(shown) +
                      ", where a facet of this sheet can lose convexity",
-                 "try " + shown_number(rounded_down(0.95 * safe)));
+                 "try " + shown_number(rounded_down(0.95 * shown)));
     }
   }
   std::string levels = "ternary";

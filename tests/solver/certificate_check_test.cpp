@@ -15,8 +15,8 @@ namespace misalign::solver {
 namespace {
 
 // A sheet of 4 x 4 with shifts of 0.4 mm, some drawn before it, and its certificate as it is kept.
-struct NamedCertificate {
-  NamedCertificate(int draw, double asked_deg) : vertices_mm(sheet.base.sheet.vertices_mm) {
+struct CertifiedSheet {
+  CertifiedSheet(int draw, double asked_deg) : vertices_mm(sheet.base.sheet.vertices_mm) {
     std::mt19937 random(7);
     for (int k = 0; k <= draw; ++k) {
       vertices_mm = sheet.base.sheet.vertices_mm;
@@ -43,16 +43,16 @@ struct NamedCertificate {
 };
 
 // Of draws that end in each way.
-const NamedCertificate& reversing() {
-  static const NamedCertificate sheet(3, 180);
+const CertifiedSheet& reversing() {
+  static const CertifiedSheet sheet(3, 180);
   return sheet;
 }
-const NamedCertificate& over_folding() {
-  static const NamedCertificate sheet(52, 180);
+const CertifiedSheet& over_folding() {
+  static const CertifiedSheet sheet(52, 180);
   return sheet;
 }
-const NamedCertificate& limited() {
-  static const NamedCertificate sheet(50, 180);
+const CertifiedSheet& limited() {
+  static const CertifiedSheet sheet(50, 180);
   return sheet;
 }
 
@@ -71,7 +71,7 @@ TEST(CertificateCheck, passes_what_is_true) {
   EXPECT_EQ(over_folding().fault_of(over_folding().certificate), "");
   EXPECT_EQ(limited().certificate.end, CertificateEnd::fold_limit);
   EXPECT_EQ(limited().fault_of(limited().certificate), "");
-  const NamedCertificate to_the_end(218, 180);
+  const CertifiedSheet to_the_end(218, 180);
   EXPECT_EQ(to_the_end.certificate.end, CertificateEnd::to_the_end);
   EXPECT_EQ(to_the_end.certificate.certified_deg(), 180);
   EXPECT_EQ(to_the_end.fault_of(to_the_end.certificate), "");
@@ -90,7 +90,7 @@ TEST(CertificateCheck, passes_the_papers_sheet) {
 
 // A proof that is cut short is one, up to where it was cut; why it ends there it does not prove.
 TEST(CertificateCheck, passes_what_was_cut_short_without_proving_why) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   Certificate cut = sheet.certificate;
   cut.intervals.pop_back();
   cut.closing.reset();
@@ -130,7 +130,7 @@ TEST(CertificateCheck, proves_that_panels_do_not_meet) {
 }
 
 TEST(CertificateCheck, refuses_intervals_with_gaps_or_out_of_order) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   Certificate spoilt = sheet.certificate;
   spoilt.intervals[2].from_deg += 1e-9;
   EXPECT_EQ(sheet.fault_of(spoilt), "it does not begin where the one before ends");
@@ -152,7 +152,7 @@ TEST(CertificateCheck, refuses_intervals_with_gaps_or_out_of_order) {
 }
 
 TEST(CertificateCheck, refuses_another_end_than_it_reaches) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   Certificate spoilt = sheet.certificate;
   spoilt.end = CertificateEnd::to_the_end;
   const char* kNotTheEnd =
@@ -183,7 +183,7 @@ TEST(CertificateCheck, refuses_another_end_than_it_reaches) {
 // By that half tangent: joints are kept in single precision, which takes less than a tenth of what
 // is allowed.
 TEST(CertificateCheck, refuses_a_middle_that_is_off) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   constexpr double kAllowed = 0.8e-6, kTooMuch = 1.2e-6;
   const std::size_t pilot = static_cast<std::size_t>(sheet.sheet.mechanism.pilot);
   for (const std::size_t k : {std::size_t{0}, sheet.certificate.intervals.size() - 1}) {
@@ -212,7 +212,7 @@ TEST(CertificateCheck, refuses_a_middle_that_is_off) {
 }
 
 TEST(CertificateCheck, refuses_a_box_in_which_there_is_no_proof) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   Certificate spoilt = sheet.certificate;
   spoilt.intervals[1].box = 0.3;
   EXPECT_EQ(sheet.fault_of(spoilt), kUnproven);
@@ -222,7 +222,7 @@ TEST(CertificateCheck, refuses_a_box_in_which_there_is_no_proof) {
 
 // The mirror image of a state closes every loop as well.
 TEST(CertificateCheck, refuses_another_branch) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   const auto mirrored = [](FoldState<double> state) {
     for (HalfAngle<double>& h : state.creases) h.s = -h.s;
     for (Quaternion<double>& q : state.balls) q = {q.w, -q.x, -q.y, q.z};
@@ -234,7 +234,7 @@ TEST(CertificateCheck, refuses_another_branch) {
 }
 
 TEST(CertificateCheck, refuses_a_crease_of_the_wrong_sign) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   Mechanism other = sheet.sheet.mechanism;
   for (const std::size_t i : {std::size_t{1}, other.creases.size() - 1}) {
     ASSERT_NE(static_cast<int>(i), other.pilot);
@@ -245,7 +245,7 @@ TEST(CertificateCheck, refuses_a_crease_of_the_wrong_sign) {
 }
 
 TEST(CertificateCheck, refuses_another_sheet) {
-  NamedCertificate sheet = reversing();
+  CertifiedSheet sheet = reversing();
   sheet.vertices_mm(0, 6) += 0.01;
   EXPECT_EQ(sheet.fault_of(sheet.certificate), kMiddle);
 }
@@ -268,7 +268,7 @@ TEST(CertificateCheck, refuses_to_go_beyond_what_ends_it) {
 }
 
 TEST(CertificateCheck, refuses_an_end_that_does_not_happen) {
-  const NamedCertificate& sheet = reversing();
+  const CertifiedSheet& sheet = reversing();
   Certificate spoilt = sheet.certificate;
   spoilt.where = (spoilt.where + 1) % sheet.sheet.mechanism.diagonal_count();
   EXPECT_EQ(sheet.fault_of(spoilt), kEvent);
@@ -292,7 +292,7 @@ TEST(CertificateCheck, refuses_an_end_that_does_not_happen) {
 
 // Next to a fold limit there are two states of the same angle and signs: those on the way there,
 // and those on the way back, about as far beyond the limit's own.
-FoldState<double> on_the_way_back(const NamedCertificate& sheet, const PathInterval& interval) {
+FoldState<double> on_the_way_back(const CertifiedSheet& sheet, const PathInterval& interval) {
   const FoldState<double>& limit = sheet.certificate.intervals.back().middle;
   FoldState<double> state = interval.middle;
   for (std::size_t i = 0; i < state.creases.size(); ++i) {
@@ -312,7 +312,7 @@ FoldState<double> on_the_way_back(const NamedCertificate& sheet, const PathInter
 }
 
 TEST(CertificateCheck, refuses_intervals_that_do_not_join) {
-  const NamedCertificate& sheet = limited();
+  const CertifiedSheet& sheet = limited();
   Mechanism only_loops = sheet.sheet.mechanism;
   only_loops.diagonals.clear();  // whose slopes are of the other sign on the way back
   Certificate spoilt = sheet.certificate;
