@@ -1,7 +1,5 @@
 #include "solver/continuation/homotopy.hpp"
 
-#include <utility>
-
 namespace misalign::solver {
 namespace {
 
@@ -13,9 +11,9 @@ constexpr int kShares = 10;
 constexpr double kDifference = 1e-5;
 
 // Everything is as small as the pilot's angle at the first station.
-StepControlOptions options_for(const HalfAngle<double>& pilot) {
+CloseStepOptions options_for(const HalfAngle<double>& pilot) {
   const double unit_rad = 2 * pilot.s;
-  StepControlOptions options;
+  CloseStepOptions options;
   // Creases at the first station may turn by this share of the pilot's own angle from one share to
   // the next: what goes farther has left the branch.
   options.longest_half_sine = 0.5 * pilot.s;
@@ -42,17 +40,9 @@ PathPlan shares_of(const PathPlan& path, const Mechanism& mechanism) {
   return shares;
 }
 
-// One path, whose end is all that is wanted of it.
-struct OnePath {
-  PathStart start;
-  bool begun = false;
+struct EndOfPath {
   PathEnd end = PathEnd::start_lost;
 
-  bool next(PathStart& path, int) {
-    if (std::exchange(begun, true)) return false;
-    path = start;
-    return true;
-  }
   bool see(const Station&, int) { return true; }
   void ended(const PathResult& path, int) { end = path.end; }
 };
@@ -106,8 +96,8 @@ ShiftHomotopy::ShiftHomotopy(const Mechanism& mechanism, const PathPlan& plan,
 
 PathEnd ShiftHomotopy::find(const FlatVertices& vertices_mm) {
   equations_.begin(vertices_mm);
-  OnePath path{{&base_geometry_, &shares_.start, &shares_}};
-  follower_.run(path);
+  EndOfPath path;
+  follower_.follow({&base_geometry_, &shares_.start, &shares_}, path);
   state_ = follower_.state();
   state_.creases[mechanism_.pilot] = path_.stations.front().pilot;
   return path.end;

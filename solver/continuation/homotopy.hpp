@@ -58,7 +58,7 @@ class ShiftHomotopy {
   const PathPlan& path_;
   GrowingShifts equations_;
   const PathPlan shares_;
-  PathFollower<double, DenseClosure<GrowingShifts>> follower_;
+  PathFollower<double, CloseSteps, DenseClosure<GrowingShifts>> follower_;
   SheetGeometry<double> base_geometry_;
   FoldState<double> state_;
 };

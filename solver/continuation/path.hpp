@@ -69,6 +69,7 @@ struct PathResult {
   PathEnd end;
   double fold_limit_deg;  ///< the limit point; otherwise how far the path was solved
   int newton_solves, newton_iterations, arc_steps;
+  int forward_sign = 0;  ///< as of PathStart; 0: not known yet
 
   /// Whether the solver failed where the path may go on.
   bool lost() const { return end == PathEnd::start_lost || end == PathEnd::stalled; }

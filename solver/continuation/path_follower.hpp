@@ -2,110 +2,190 @@
 // angle; a lane takes the next sheet as soon as its own path has ended. With T = double it follows
 // one path, and that is the definition: a lane has its bits, whatever its neighbours do.
 //
-// Predictor: along the last three tangents (Adams-Bashforth). Corrector: Newton's method with the
-// pilot held. Where that fails or leaves this half of the curve, the lane goes along the arc: Euler
-// predictor, Moore-Penrose corrector (Allgower & Georg, Introduction to Numerical Continuation
-// Methods, ch. 3 and 6). StepControl decides which; the policy Closure solves the linear equations.
+// Predictor: the polynomial through the last nodes' states and tangents, in cosines and sines of
+// half angles and in quaternions. Corrector: Newton's method with the pilot held, or along the
+// shortest way to the curve (Moore-Penrose; Allgower & Georg, Introduction to Numerical
+// Continuation Methods, ch. 3 and 6). The policy Steps chooses how far and which: CloseSteps from
+// station to station, LongSteps from node to node of a function. The policy Closure solves the
+// equations.
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "solver/continuation/close_steps.hpp"
 #include "solver/continuation/lane_corrector.hpp"
-#include "solver/continuation/step_control.hpp"
+#include "solver/continuation/long_steps.hpp"
+#include "solver/continuation/node_states.hpp"
 #include "solver/kinematics/diagonals.hpp"
 
 namespace misalign::solver {
 
+/// A state that an observer of LongSteps wants: the sheet's at a point of its newest segment, as
+/// the last nodes foretell it. `state` has its size already.
+struct NearState {
+  double x;
+  FoldState<double>* state;
+};
+
 /// `Closure` is a SparseClosure<T>, or for T = double a DenseClosure.
-template <class T, class Closure = SparseClosure<T>>
+template <class T, class Steps = CloseSteps, class Closure = SparseClosure<T>>
 class PathFollower {
  public:
   static constexpr int kWidth = kLanes<T>;
+  using Options = typename Steps::Options;
 
   /// Owns its memory from the start; `mechanism` must outlive it.
-  PathFollower(const Mechanism& mechanism, Closure closure, const StepControlOptions& options = {});
+  PathFollower(const Mechanism& mechanism, Closure closure, const Options& options = {});
   /// By an elimination in its fixed order, which must outlive this object too.
   PathFollower(const Mechanism& mechanism, const Elimination& elimination,
-               const StepControlOptions& options = {})
+               const Options& options = {})
       : PathFollower(mechanism, Closure(mechanism, elimination), options) {}
 
-  /// Follows paths until `observer` has no more of them. It has
-  ///   bool next(PathStart&, int lane)   the next path, for this lane; false: none is left
+  /// Follows the paths of a queue: its `bool next(PathStart&, int lane)` gives the next one for
+  /// this lane, false: none is left. Allocates nothing. An observer has
   ///   bool see(const Station&, int lane)   at each station to be seen; false: seen enough
+  ///   or, of LongSteps, ObserverResult see(const PathFunction&, int lane)   a new segment
   ///   void ended(const PathResult&, int lane)
-  /// If it has `PathPoint& point()`, what was found at the station is there when it is told to see;
-  /// slopes, which cost more than lengths, if its `wants_slopes()`. If it has `arrivals(const T&)`,
-  /// that is called before any `see`, with 1 in each lane at a station and 0 in the others.
-  /// Allocates nothing.
+  /// and where it wants to
+  ///   void begin_path(PathStart&, int lane)   a path begins, which it may change
+  ///   void arrivals(const T&)   before any `see`, with 1 in each lane at a station, 0 in the
+  ///   others PathPoint& point(), bool wants_slopes()   to be filled in at a station before `see`;
+  ///   slopes
+  ///       cost more than lengths
+  ///   const std::vector<NearState>& near_states()   to be found after `see` and after `ended`
+  template <class Queue, class Observer>
+  void run(Queue& queue, Observer& observer) {
+    go(observer, [&](PathStart& start, int lane) { return queue.next(start, lane); });
+  }
+  /// A single path.
   template <class Observer>
-  void run(Observer& observer) {
-    for (int i = 0; i < kWidth; ++i) load(observer, i);
+  void follow(const PathStart& path, Observer& observer) {
+    const PathStart* left = &path;
+    go(observer, [&](PathStart& start, int) {
+      if (left) start = *left;
+      return std::exchange(left, nullptr) != nullptr;
+    });
+  }
+
+  const SheetGeometry<T>& geometry() const { return corrector_.geometry(); }
+  /// Of all lanes: at a station, the states that were found there.
+  const FoldState<T>& state() const { return corrector_.trial(); }
+  /// In lane i: the state of its newest node.
+  const FoldState<T>& last_state(int i) const { return nodes_.state(place(i)); }
+  /// Of LongSteps, in lane i.
+  void find_state(const NearState& near, int i) const {
+    nodes_.find_state(i, steps_[i].state_at(near.x), *near.state);
+  }
+  /// The equations there, but for the last correction (1e-12 / the Jacobian's singular values).
+  const Closure& closure() const { return corrector_.closure(); }
+
+ private:
+  template <class Observer, class Next>
+  void go(Observer& observer, const Next& next) {
+    for (int i = 0; i < kWidth; ++i) load(observer, next, i);
     while (any_under_way()) {
       iterate();
+      lengths_known_ = slopes_known_ = false;
       for (int i = 0; i < kWidth; ++i) {
-        steps_[i] = controls_[i].under_way() ? controls_[i].after(report(i)) : PathStep{};
+        now_[i] = steps_[i].under_way() ? steps_[i].after(report(i)) : PathStep{};
       }
-      believe();
       if constexpr (requires(T lanes) { observer.arrivals(lanes); }) observer.arrivals(arrivals());
       for (int i = 0; i < kWidth; ++i) {
-        if (steps_[i].arrived) go_on(observer, i);
-        if (steps_[i].ended) {
-          observer.ended(controls_[i].result(), i);
-          load(observer, i);
+        if (now_[i].uncorrected) take_prediction(i);
+        if (now_[i].keep) keep(i);
+        if (now_[i].arrived) now_[i] = see(observer, i);
+        if (now_[i].ended) {
+          observer.ended(steps_[i].result(), i);
+          find_near_states(observer, i);
+          load(observer, next, i);
         }
       }
       predict();
     }
   }
 
-  /// The sheets of all lanes, and their states at the last points they found.
-  const SheetGeometry<T>& geometry() const { return corrector_.geometry(); }
-  const FoldState<T>& state() const { return last_; }
-  /// The equations there, but for the last correction (1e-12 / the Jacobian's singular values).
-  const Closure& closure() const { return corrector_.closure(); }
-
- private:
-  template <class Observer>
-  void load(Observer& observer, int i) {
-    steps_[i] = {};
+  template <class Observer, class Next>
+  void load(Observer& observer, const Next& next, int i) {
+    now_[i] = {};
     PathStart start{};
-    if (!observer.next(start, i)) return;
-    put(start, i);
-    controls_[i].begin(*start.plan, start.first_station, start.forward_sign);
+    if (!next(start, i)) return;
+    if constexpr (requires { observer.begin_path(start, i); }) observer.begin_path(start, i);
+    corrector_.put(*start.geometry, *start.state, start.plan->stations[start.first_station].pilot,
+                   i);
+    steps_[i].begin(start);
   }
 
   template <class Observer>
-  void go_on(Observer& observer, int i) {
-    const Station& station = controls_[i].target();
-    if constexpr (requires { observer.point(); }) {
-      if (station.visit) copy_point(i, observer.wants_slopes(), observer.point());
-    }
-    if (station.visit && !observer.see(station, i)) {
-      steps_[i] = controls_[i].stop();
+  PathStep see(Observer& observer, int i) {
+    Steps& steps = steps_[i];
+    if constexpr (std::is_same_v<Steps, LongSteps>) {
+      write_node(i);
+      if (!steps.take()) return steps.take_back();
+      keep(i);
+      if (!steps.ends_segment()) return steps.proceed();
+      const ObserverResult seen = observer.see(steps.function(), i);
+      find_near_states(observer, i);
+      if (seen == ObserverResult::enough) return steps.stop(PathEnd::stopped);
+      if (seen == ObserverResult::lost) return steps.stop(PathEnd::stalled);
+      if (seen == ObserverResult::go_on) return steps.proceed();
+      const PathStep step = steps.take_back();
+      if (steps.under_way()) nodes_.go_back(i, place(i));
+      return step;
     } else {
-      steps_[i] = controls_[i].proceed();
+      const Station& station = steps.target();
+      if constexpr (requires { observer.point(); }) {
+        if (station.visit) copy_point(i, observer.wants_slopes(), observer.point());
+      }
+      return station.visit && !observer.see(station, i) ? steps.stop() : steps.proceed();
+    }
+  }
+
+  template <class Observer>
+  void find_near_states(Observer& observer, int i) {
+    if constexpr (std::is_same_v<Steps, LongSteps> && requires { observer.near_states(); }) {
+      for (const NearState& near : observer.near_states()) find_state(near, i);
     }
   }
 
   T arrivals() const {
     T arrived(0);
-    for (int i = 0; i < kWidth; ++i) lane(arrived, i) = steps_[i].arrived ? 1 : 0;
+    for (int i = 0; i < kWidth; ++i) lane(arrived, i) = now_[i].arrived ? 1 : 0;
     return arrived;
   }
-
+  T free_lanes() const {
+    T is_free(0);
+    for (int i = 0; i < kWidth; ++i) lane(is_free, i) = steps_[i].is_free() ? 1 : 0;
+    return is_free;
+  }
   bool any_under_way() const {
-    for (const StepControl& control : controls_) {
-      if (control.under_way()) return true;
+    for (const Steps& steps : steps_) {
+      if (steps.under_way()) return true;
     }
     return false;
   }
 
-  void put(const PathStart& start, int i);
-  MISALIGN_FLATTEN void iterate();
+  static Steps steps_for(const Mechanism& mechanism, const Options& options) {
+    if constexpr (std::is_same_v<Steps, LongSteps>) {
+      return LongSteps(mechanism, options);
+    } else {
+      return CloseSteps(options);
+    }
+  }
+
+  // In which of the places the newest node's state is.
+  int place(int i) const { return steps_[i].newest() % kStatePlaces; }
+  MISALIGN_FLATTEN void iterate() { corrector_.iterate(free_lanes(), nodes_.tangent()); }
   NewtonReport report(int i) const;
-  MISALIGN_FLATTEN void believe();
+  double largest_half_sine(int i) const;
+  void take_prediction(int i);
+  void keep(int i) {
+    nodes_.keep(i, place(i), now_[i].tangent_sign, corrector_.trial(), corrector_.tangent());
+  }
+  void write_node(int i);
   void predict();
   MISALIGN_FLATTEN void find_lengths();
   MISALIGN_FLATTEN void find_slopes();
@@ -114,140 +194,120 @@ class PathFollower {
   const Mechanism& mechanism_;
   const int unknowns_;
   LaneCorrector<T, Closure> corrector_;
-  FoldState<T> last_, ahead_;
-  std::vector<T> move_, lengths_, slopes_, misfits_;
-  std::array<std::vector<T>, 3> tangents_;  // newest first
-  T misfit_, largest_half_sine_;
+  std::vector<Steps> steps_;
+  std::array<PathStep, kWidth> now_;
+  NodeStates<T> nodes_;
+  std::vector<T> lengths_, slopes_, misfits_;
+  T misfit_;
   bool lengths_known_ = false, slopes_known_ = false;
-  std::array<StepControl, kWidth> controls_;
-  std::array<PathStep, kWidth> steps_;
 };
 
-template <class T, class Closure>
-PathFollower<T, Closure>::PathFollower(const Mechanism& mechanism, Closure closure,
-                                       const StepControlOptions& options)
+template <class T, class Steps, class Closure>
+PathFollower<T, Steps, Closure>::PathFollower(const Mechanism& mechanism, Closure closure,
+                                              const Options& options)
     : mechanism_(mechanism),
       unknowns_(mechanism.unknowns),
       corrector_(mechanism, std::move(closure)),
-      last_(flat_state<T>(mechanism)),
-      ahead_(last_),
-      move_(mechanism.unknowns, T(0)),
+      steps_(kWidth, steps_for(mechanism, options)),
+      nodes_(mechanism),
       lengths_(mechanism.diagonals.size(), T(0)),
       slopes_(lengths_),
-      misfits_(mechanism.equations, T(0)),
-      tangents_{move_, move_, move_} {
-  controls_.fill(StepControl(options));
-}
+      misfits_(mechanism.equations, T(0)) {}
 
-template <class T, class Closure>
-void PathFollower<T, Closure>::put(const PathStart& start, int i) {
-  corrector_.put(*start.geometry, *start.state, start.plan->stations[start.first_station].pilot, i);
-  put_lane(*start.state, last_, i);
-}
-
-// One Newton iteration of every lane, and what its step control wants to know.
-template <class T, class Closure>
-void PathFollower<T, Closure>::iterate() {
-  T on_arc(0);
-  for (int i = 0; i < kWidth; ++i) lane(on_arc, i) = controls_[i].on_arc() ? 1 : 0;
-  corrector_.iterate(on_arc, tangents_[0]);
-  const FoldState<T>& trial = corrector_.trial();
-  largest_half_sine_ = T(0);
-  for (std::size_t k = 0; k < trial.creases.size(); ++k) {
-    largest_half_sine_ = larger(largest_half_sine_,
-                                magnitude(half_sine_between(trial.creases[k], last_.creases[k])));
+template <class T, class Steps, class Closure>
+NewtonReport PathFollower<T, Steps, Closure>::report(int i) const {
+  const HalfAngle<T>& pilot = corrector_.trial().creases[mechanism_.pilot];
+  NewtonReport report{lane(corrector_.open_by(), i),
+                      lane(corrector_.largest_correction(), i),
+                      lane(corrector_.orientation(), i) < 0 ? -1 : 1,
+                      lane(corrector_.tangent()[unknowns_ - 1], i),
+                      lane(corrector_.cosine(), i),
+                      {lane(pilot.c, i), lane(pilot.s, i)}};
+  if constexpr (std::is_same_v<Steps, CloseSteps>) {
+    if (steps_[i].asks_for_turn(report.open_by)) report.largest_half_sine = largest_half_sine(i);
   }
+  return report;
 }
 
-template <class T, class Closure>
-NewtonReport PathFollower<T, Closure>::report(int i) const {
-  const auto pilot_of = [&](const FoldState<T>& state) {
-    const HalfAngle<T>& pilot = state.creases[mechanism_.pilot];
-    return HalfAngle<double>{lane(pilot.c, i), lane(pilot.s, i)};
-  };
-  return {lane(corrector_.open_by(), i),
-          lane(corrector_.largest_correction(), i),
-          lane(corrector_.determinant_sign(), i) < 0 ? -1 : 1,
-          lane(corrector_.orientation(), i) < 0 ? -1 : 1,
-          lane(corrector_.tangent()[unknowns_ - 1], i),
-          lane(corrector_.cosine(), i),
-          lane(largest_half_sine_, i),
-          pilot_of(last_),
-          pilot_of(corrector_.trial())};
+template <class T, class Steps, class Closure>
+double PathFollower<T, Steps, Closure>::largest_half_sine(int i) const {
+  if (steps_[i].newest() < 0) return 0;
+  const FoldState<T>&now = corrector_.trial(), &last = last_state(i);
+  double largest = 0;
+  for (std::size_t k = 0; k < now.creases.size(); ++k) {
+    const HalfAngle<T>&a = now.creases[k], &b = last.creases[k];
+    largest = larger(largest, std::abs(lane(a.s, i) * lane(b.c, i) - lane(a.c, i) * lane(b.s, i)));
+  }
+  return largest;
 }
 
-// Keeps the states, tangents and diagonals of the lanes that found a point of their curve.
-template <class T, class Closure>
-void PathFollower<T, Closure>::believe() {
-  T believed(0), sign(1);
-  bool any = false;
+// Instead of its first correction.
+template <class T, class Steps, class Closure>
+void PathFollower<T, Steps, Closure>::take_prediction(int i) {
+  T here(0);
+  lane(here, i) = 1;
+  const HalfAngle<T> pilot = corrector_.trial().creases[mechanism_.pilot];
+  replace(here, nodes_.ahead(), corrector_.trial());
+  corrector_.hold({lane(pilot.c, i), lane(pilot.s, i)}, i);
+}
+
+template <class T, class Steps, class Closure>
+void PathFollower<T, Steps, Closure>::write_node(int i) {
+  if (!slopes_known_) find_slopes();
+  PathNode& node = steps_[i].vacant();
+  const double sign = now_[i].tangent_sign;
+  const FoldState<T>& state = corrector_.trial();
+  for (std::size_t k = 0; k < node.creases.size(); ++k) {
+    node.creases[k] = {lane(state.creases[k].c, i), lane(state.creases[k].s, i)};
+    node.crease_rates[k] = sign * lane(corrector_.tangent()[mechanism_.creases[k].column], i);
+  }
+  for (std::size_t d = 0; d < node.lengths.size(); ++d) {
+    node.lengths[d] = lane(lengths_[d], i);
+    node.slopes[d] = sign * lane(slopes_[d], i);
+  }
+  node.misfit = lane(misfit_, i);
+}
+
+// Sets the lanes that depart on their way.
+template <class T, class Steps, class Closure>
+void PathFollower<T, Steps, Closure>::predict() {
+  if (!nodes_.predict(now_)) return;
+  T departs(0);
+  for (int i = 0; i < kWidth; ++i) lane(departs, i) = now_[i].depart ? 1 : 0;
+  replace(departs, nodes_.ahead(), corrector_.trial());
   for (int i = 0; i < kWidth; ++i) {
-    lane(believed, i) = steps_[i].believe ? 1 : 0;
-    lane(sign, i) = steps_[i].tangent_sign;
-    any = any || steps_[i].believe;
-  }
-  if (!any) return;
-  replace(believed, corrector_.trial(), last_);
-  const auto chosen = believed > T(0);
-  for (int j = 0; j < unknowns_; ++j) {
-    tangents_[2][j] = select(chosen, tangents_[1][j], tangents_[2][j]);
-    tangents_[1][j] = select(chosen, tangents_[0][j], tangents_[1][j]);
-    tangents_[0][j] = select(chosen, sign * corrector_.tangent()[j], tangents_[0][j]);
-  }
-  lengths_known_ = slopes_known_ = false;
-}
-
-// Sets the lanes that depart on their way: `last` moved along the tangents. A turn by d is entered
-// as 2 tan(d / 2), to third order, because `advance` turns by 2 atan of half its entry.
-template <class T, class Closure>
-void PathFollower<T, Closure>::predict() {
-  T departs(0), along[3] = {T(0), T(0), T(0)};
-  bool any = false;
-  for (int i = 0; i < kWidth; ++i) {
-    lane(departs, i) = steps_[i].depart ? 1 : 0;
-    for (int k = 0; k < 3; ++k) lane(along[k], i) = steps_[i].along[k];
-    any = any || steps_[i].depart;
-  }
-  if (!any) return;
-  for (int j = 0; j < unknowns_; ++j) {
-    const T turn =
-        along[0] * tangents_[0][j] + along[1] * tangents_[1][j] + along[2] * tangents_[2][j];
-    move_[j] = turn + turn * turn * turn * T(1.0 / 12);
-  }
-  ahead_ = last_;
-  advance(mechanism_, move_.data(), ahead_);
-  replace(departs, ahead_, corrector_.trial());
-  for (int i = 0; i < kWidth; ++i) {
-    if (steps_[i].hold) corrector_.hold(steps_[i].pilot, i);
+    if (now_[i].hold) corrector_.hold(now_[i].pilot, i);
   }
 }
 
-template <class T, class Closure>
-void PathFollower<T, Closure>::find_lengths() {
-  folded_lengths(mechanism_, corrector_.geometry(), last_, lengths_.data());
+template <class T, class Steps, class Closure>
+void PathFollower<T, Steps, Closure>::find_lengths() {
+  folded_lengths(mechanism_, corrector_.geometry(), corrector_.trial(), lengths_.data());
   lengths_known_ = true;
 }
 
-template <class T, class Closure>
-void PathFollower<T, Closure>::find_slopes() {
-  folded_lengths_and_slopes(mechanism_, corrector_.geometry(), last_, tangents_[0].data(),
-                            lengths_.data(), slopes_.data(), misfits_.data());
+template <class T, class Steps, class Closure>
+void PathFollower<T, Steps, Closure>::find_slopes() {
+  folded_lengths_and_slopes(mechanism_, corrector_.geometry(), corrector_.trial(),
+                            corrector_.tangent().data(), lengths_.data(), slopes_.data(),
+                            misfits_.data());
   misfit_ = T(0);
   for (const T& rest : misfits_) misfit_ = larger(misfit_, magnitude(rest));
   lengths_known_ = slopes_known_ = true;
 }
 
 // What follows from the states is found for all lanes at once, on first demand.
-template <class T, class Closure>
-void PathFollower<T, Closure>::copy_point(int i, bool with_slopes, PathPoint& point) {
-  copy_lane(last_, i, point.state);
-  point.pilot_rate = lane(tangents_[0][unknowns_ - 1], i);
+template <class T, class Steps, class Closure>
+void PathFollower<T, Steps, Closure>::copy_point(int i, bool with_slopes, PathPoint& point) {
+  copy_lane(corrector_.trial(), i, point.state);
+  const double pilot_rate = lane(corrector_.tangent()[unknowns_ - 1], i);  // either direction's
+  point.pilot_rate = std::abs(pilot_rate);
   if (with_slopes && !slopes_known_) find_slopes();
   if (!lengths_known_) find_lengths();
   for (std::size_t k = 0; k < lengths_.size(); ++k) point.lengths[k] = lane(lengths_[k], i);
   if (!with_slopes) return;
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
-    point.slopes[k] = lane(slopes_[k], i) / point.pilot_rate;
+    point.slopes[k] = lane(slopes_[k], i) / pilot_rate;
   }
   point.misfit = lane(misfit_, i) / point.pilot_rate;
 }

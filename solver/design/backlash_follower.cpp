@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -20,7 +21,7 @@ constexpr double kOneStation_deg = 1e-9;
 
 // Of the first correction from the sheet's own state: all of it together, as a share of the pilot's
 // angle. What is farther is found by letting the play grow.
-constexpr double kLongestStartShare = 0.1;
+constexpr double kLongestLooseShare = 0.1;
 
 // The play grows by no less than this share of it at a time.
 constexpr double kLeastGrowth = 1.0 / 256;
@@ -28,9 +29,9 @@ constexpr double kLeastGrowth = 1.0 / 256;
 // Near flat all branches are close: steps along the arc stay below a degree of all joints together.
 constexpr double kLongestArc_rad = 0.02;
 
-StepControlOptions step_options() {
-  StepControlOptions options;
-  options.longest_start_share = kLongestStartShare;
+CloseStepOptions step_options() {
+  CloseStepOptions options;
+  options.longest_start_share = kLongestLooseShare;
   options.arc.longest_step_rad = kLongestArc_rad;
   return options;
 }
@@ -83,8 +84,8 @@ struct BacklashFollower::Followers {
         dense(model.mechanism(), DenseClosure(equations), step_options()) {}
 
   LooseEquations equations;
-  PathFollower<double, LooseClosure> sparse;
-  PathFollower<double, DenseClosure<LooseEquations>> dense;
+  PathFollower<double, CloseSteps, LooseClosure> sparse;
+  PathFollower<double, CloseSteps, DenseClosure<LooseEquations>> dense;
 };
 
 // One path, up or down, and what is seen on it.
@@ -99,23 +100,19 @@ class BacklashFollower::Branch {
         lengths_(mechanism_.diagonals.size()),
         half_sines_(mechanism_.creases.size()) {}
 
-  // Of the follower whose states it will see.
-  void begin(const FoldState<double>& state) {
-    state_ = &state;
-    begun_ = false;
+  // By the sheet's follower, sparse or dense.
+  template <class Follower>
+  void follow(Follower& follower) {
+    state_ = [&]() -> const FoldState<double>& { return follower.last_state(0); };
     fault_ = Fault::none;
     looked_ = 0;
     one_way_deg_ = last_deg_ = follower_.sheet_.start_deg;
     flipped_deg_ = -1;
     gap_ = 0;
+    follower.follow({&follower_.loose_, &follower_.start_, &plan_}, *this);
   }
 
   // For the follower.
-  bool next(PathStart& start, int) {
-    if (std::exchange(begun_, true)) return false;
-    start = {&follower_.loose_, &follower_.start_, &plan_};
-    return true;
-  }
   void ended(const PathResult& path, int) {
     path_ = path;
     if (!is_up_ && path.end == PathEnd::fold_limit) look_before_the_turn();
@@ -123,7 +120,7 @@ class BacklashFollower::Branch {
   bool see(const Station& station, int) {
     const double start_deg = follower_.sheet_.start_deg, from_deg = follower_.options_.from_deg;
     const double pilot_deg = is_up_ ? station.pilot_deg : start_deg - station.pilot_deg;
-    if (looked_ == 0) first_ = *state_;
+    if (looked_ == 0) first_ = state_();
     const Fault of_creases = look_at_creases(pilot_deg);
     const bool counts = pilot_deg > from_deg - kOneStation_deg;
     if (counts) {
@@ -132,7 +129,7 @@ class BacklashFollower::Branch {
         fault_ = of_creases == Fault::none ? of_diagonals : of_creases;
         if (fault_ == Fault::none) one_way_deg_ = pilot_deg;
       }
-      if (!only_whether_) gap_ = std::max(gap_, vertex_gap(mechanism_, follower_.loose_, *state_));
+      if (!only_whether_) gap_ = std::max(gap_, vertex_gap(mechanism_, follower_.loose_, state_()));
     }
     ++looked_;
     last_deg_ = pilot_deg;
@@ -177,7 +174,7 @@ class BacklashFollower::Branch {
     double flipped_deg = -1;
     for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
       if (!is_up_ && i == mechanism_.pilot) continue;
-      const HalfAngle<double>& rho = state_->creases[i];
+      const HalfAngle<double>& rho = state_().creases[i];
       const double now = rho.s * mechanism_.creases[i].assignment;
       const double before = std::exchange(half_sines_[i], now);
       if (rho.c < kLeastCosine) fault = Fault::over_folded;
@@ -196,7 +193,7 @@ class BacklashFollower::Branch {
     const double limit_deg = follower_.sheet_.start_deg - path_.fold_limit_deg;
     for (int i = 0; i < static_cast<int>(mechanism_.creases.size()); ++i) {
       if (i == mechanism_.pilot) continue;
-      const double now = state_->creases[i].s * mechanism_.creases[i].assignment;
+      const double now = state_().creases[i].s * mechanism_.creases[i].assignment;
       if (now > 0) continue;
       const double share = now / (now - half_sines_[i]);
       const double passed_deg = limit_deg + share * share * (last_deg_ - limit_deg);
@@ -207,7 +204,7 @@ class BacklashFollower::Branch {
   Fault look_at_diagonals() {
     std::swap(lengths_, last_lengths_);
     lengths_.resize(last_lengths_.size());
-    folded_lengths(mechanism_, follower_.loose_, *state_, lengths_.data());
+    folded_lengths(mechanism_, follower_.loose_, state_(), lengths_.data());
     if (looked_ == 0) return Fault::none;
     const int up = is_up_ ? 1 : -1;
     for (std::size_t k = 0; k < lengths_.size(); ++k) {
@@ -221,8 +218,7 @@ class BacklashFollower::Branch {
   const Mechanism& mechanism_;
   const PathPlan& plan_;
   const bool is_up_, only_whether_;
-  const FoldState<double>* state_ = nullptr;
-  bool begun_ = false;
+  std::function<const FoldState<double>&()> state_;  // the last one that was believed
   int looked_ = 0;
   Fault fault_ = Fault::none;
   double one_way_deg_ = 0, last_deg_ = 0, flipped_deg_ = 0, gap_ = 0;
@@ -281,12 +277,8 @@ BacklashFollower::~BacklashFollower() = default;
 
 // In the fixed order, or where that is lost densely.
 PathResult BacklashFollower::follow(Branch& branch) {
-  branch.begin(followers_->sparse.state());
-  followers_->sparse.run(branch);
-  if (branch.path().lost()) {
-    branch.begin(followers_->dense.state());
-    followers_->dense.run(branch);
-  }
+  branch.follow(followers_->sparse);
+  if (branch.path().lost()) branch.follow(followers_->dense);
   return branch.path();
 }
 

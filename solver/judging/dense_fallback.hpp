@@ -37,23 +37,23 @@ class DenseFallback {
   /// Of the second: whether the dense verdict counts. It does where the first pass is undecided, or
   /// where this one decided; what was seen before a path was lost stays said.
   bool counts(int sheet, const Verdict& dense) const;
-  /// Follows the sheets that were kept once more, for an observer that takes them from `queue`.
+  /// Follows the sheets that were kept once more.
   template <class Observer>
   void run(SheetQueue& queue, Observer& observer) {
     if (candidates_.empty()) return;
     queue.begin_again(sheets());
     under_way_ = true;
-    follow(observer);
+    follow(queue, observer);
     under_way_ = false;
   }
-  /// Follows what the observer hands out, whatever was kept.
+  /// Follows what the queue hands out, whatever was kept.
   template <class Observer>
-  void follow(Observer& observer) {
-    follower().run(observer);
+  void follow(SheetQueue& queue, Observer& observer) {
+    follower().run(queue, observer);
   }
 
  private:
-  using Follower = PathFollower<double, DenseClosure<ClosureSystem>>;
+  using Follower = PathFollower<double, CloseSteps, DenseClosure<ClosureSystem>>;
   struct Candidate {
     int sheet;
     bool was_lost, was_undecided;

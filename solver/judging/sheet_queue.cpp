@@ -45,19 +45,34 @@ void SheetQueue::begin(const SheetBlock& block) {
   block_ = &block;
   waiting_.resize(static_cast<std::size_t>(block.sheets()));
   std::iota(waiting_.begin(), waiting_.end(), 0);
+  starts_ = nullptr;
   next_ = far_count_ = 0;
 }
 
 void SheetQueue::begin_again(const std::vector<int>& sheets) {
   assert(block_);  // begun before
   waiting_ = sheets;
+  starts_ = nullptr;
   next_ = 0;
 }
 
-bool SheetQueue::put_next(PathStart& start, int lane) {
+void SheetQueue::begin_from(const std::vector<QueuedStart>& starts) {
+  assert(block_);
+  starts_ = &starts;
+  next_ = 0;
+}
+
+bool SheetQueue::next(PathStart& start, int lane) {
   assert(block_ && lane >= 0 && static_cast<std::size_t>(lane) < sheet_of_lane_.size());
-  if (next_ == waiting_.size()) return false;
-  const SheetGeometry<double>& geometry = put(waiting_[next_++], lane);
+  if (next_ == (starts_ ? starts_->size() : waiting_.size())) return false;
+  const QueuedStart* const from = starts_ ? &(*starts_)[next_] : nullptr;
+  sheet_of_lane_[lane] = from ? from->sheet : waiting_[next_];
+  ++next_;
+  const SheetGeometry<double>& geometry = geometry_of_lane(lane);
+  if (from) {
+    start = {&geometry, from->state, from->plan, from->first_station, from->forward_sign};
+    return true;
+  }
   const FarSheet* const far = far_sheet(of_lane(lane));
   const bool is_found = far && far->end == PathEnd::end_reached;
   start = {&geometry, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
@@ -97,13 +112,8 @@ const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet) {
   return far;
 }
 
-const SheetGeometry<double>& SheetQueue::put(int sheet, int lane) {
-  assert(block_ && sheet >= 0 && sheet < block_->sheets());
-  sheet_of_lane_[lane] = sheet;
-  return geometry_of_lane(lane);
-}
-
 const SheetGeometry<double>& SheetQueue::geometry_of_lane(int lane) {
+  assert(of_lane(lane) >= 0 && of_lane(lane) < block_->sheets());
   return placed_.of(*block_, of_lane(lane));
 }
 
@@ -112,11 +122,9 @@ QueueObserver::QueueObserver(const Model& model, int lanes)
 
 QueueObserver::~QueueObserver() = default;
 
-bool QueueObserver::next(PathStart& start, int lane) {
-  if (!queue_.put_next(start, lane)) return false;
+void QueueObserver::begin_path(PathStart& start, int lane) {
   flat_lengths(model_.mechanism(), *start.geometry, flat_.data());
   begin_sheet(start, lane);
-  return true;
 }
 
 }  // namespace misalign::solver

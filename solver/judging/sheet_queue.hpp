@@ -41,6 +41,15 @@ class PlacedSheet {
   SheetGeometry<double> geometry_;
 };
 
+/// A sheet of a block, and where on a plan its path is to begin; all must outlive the path.
+struct QueuedStart {
+  int sheet;
+  const FoldState<double>* state;
+  const PathPlan* plan;
+  std::size_t first_station;
+  int forward_sign;
+};
+
 /// Hands out sheets one after the other, each with the state it starts from: of the base folding,
 /// or where that is too far off, found from there.
 class SheetQueue {
@@ -52,13 +61,14 @@ class SheetQueue {
   void begin(const SheetBlock& block);
   /// Only these of the block once more; starts that were found, and known failures, are kept.
   void begin_again(const std::vector<int>& sheets);
-  /// Puts the next sheet into this lane, to start along the model's path; false: there is none.
-  bool put_next(PathStart& start, int lane);
+  /// Only these of the block, from states of their own.
+  void begin_from(const std::vector<QueuedStart>& starts);
+  /// Puts the next sheet into this lane, to start along the model's path if none else is said;
+  /// false: there is none.
+  bool next(PathStart& start, int lane);
   /// The path of this lane's sheet has ended. False if it only lost its start, and will go again
   /// from a better one; where there is none, `path` says that it cannot fold next to flat.
   bool has_ended(PathResult& path, int lane);
-  /// Puts this sheet into this lane.
-  const SheetGeometry<double>& put(int sheet, int lane);
   int of_lane(int lane) const { return sheet_of_lane_[lane]; }
   /// Of the sheet in this lane, until another one is asked for.
   const SheetGeometry<double>& geometry_of_lane(int lane);
@@ -67,6 +77,7 @@ class SheetQueue {
   const Model& model_;
   const SheetBlock* block_ = nullptr;
   std::vector<int> waiting_;
+  const std::vector<QueuedStart>* starts_ = nullptr;  // of those, if not along the model's path
   std::size_t next_ = 0;
   std::vector<int> sheet_of_lane_;
   std::unique_ptr<ShiftHomotopy> homotopy_;  // made when first needed
@@ -89,13 +100,15 @@ class QueueObserver {
  public:
   virtual ~QueueObserver();
 
-  /// For the follower: the queue's next sheet.
-  bool next(PathStart& start, int lane);
+  SheetQueue& queue() { return queue_; }
   const Effort& effort() const { return effort_; }
+
+  /// For the follower: a sheet of the queue has been put into this lane.
+  void begin_path(PathStart& start, int lane);
 
  protected:
   QueueObserver(const Model& model, int lanes);
-  /// A sheet has been put into this lane; flat_ has the lengths of its diagonals (panel widths).
+  /// flat_ has the lengths of its diagonals (panel widths).
   virtual void begin_sheet(PathStart& start, int lane) = 0;
 
   const Model& model_;

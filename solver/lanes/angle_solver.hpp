@@ -12,7 +12,6 @@
 #include <optional>
 #include <vector>
 
-#include "solver/continuation/step_control.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/kinematics/lane_state.hpp"
 #include "solver/linear/held_correction.hpp"
@@ -55,8 +54,7 @@ class AngleSolver {
   /// trusted: Newton did not converge, or it lies on another branch than the base folding.
   std::optional<double> length_error(int angle, int i) const;
   /// The same of a state that was solved ahead, which must be on the same curve as before.
-  std::optional<double> length_error_ahead(int angle, int i,
-                                           const StepControlOptions& options) const;
+  std::optional<double> length_error_ahead(int angle, int i) const;
 
  private:
   T correct(bool new_factors);
@@ -221,12 +219,11 @@ std::optional<double> AngleSolver<T>::length_error(int angle, int i) const {
 }
 
 template <class T>
-std::optional<double> AngleSolver<T>::length_error_ahead(int angle, int i,
-                                                         const StepControlOptions& options) const {
+std::optional<double> AngleSolver<T>::length_error_ahead(int angle, int i) const {
   const double corrected_rad =
       lane(predictor_correction_, i) + lane(first_correction_, i) + lane(second_correction_, i);
-  if (!(corrected_rad <= options.longest_correction_rad) ||
-      !(lane(largest_half_sine_, i) <= options.longest_half_sine)) {
+  if (!(corrected_rad <= kRejection.longest_correction_rad) ||
+      !(lane(largest_half_sine_, i) <= kRejection.longest_half_sine)) {
     return std::nullopt;
   }
   return length_error(angle, i);

@@ -20,7 +20,7 @@ class LaneBatch final : public Batch {
         functions_(model, kLanes<T>),
         judging_(model, kLanes<T>),
         approach_(model, kLanes<T>),
-        node_follower_(model.mechanism(), model.elimination()),
+        long_follower_(model.mechanism(), model.elimination()),
         follower_(model.mechanism(), model.elimination()),
         approach_follower_(model.mechanism(), model.elimination(), approach_options()),
         single_test_(model, model.tests()),
@@ -39,8 +39,7 @@ class LaneBatch final : public Batch {
     }
     if (!model_.tests().empty()) run_tests(block);
     if (!model_.approach().stations.empty()) {
-      approach_.follow(open_);
-      approach_follower_.run(approach_);
+      approach_follower_.run(approach_.queue_of(open_), approach_);
     }
     return rejection_.results();
   }
@@ -50,10 +49,10 @@ class LaneBatch final : public Batch {
     judging_.begin(sheets);
     if (model_.bumps() != BumpRule::by_cubic) {
       functions_.begin(sheets, judging_.verdicts());
-      node_follower_.run(functions_);
+      long_follower_.run(functions_.queue(), functions_);
       judging_.only(functions_.left());
     }
-    follower_.run(judging_);
+    follower_.run(judging_.queue(), judging_);
     judging_.fall_back();
     return judging_.verdicts();
   }
@@ -94,7 +93,7 @@ class LaneBatch final : public Batch {
   // Large, and not needed by those who ask for verdicts alone.
   struct Recorders {
     explicit Recorders(LaneBatch& batch)
-        : of_functions(batch.model_, batch.node_follower_, batch.follower_),
+        : of_functions(batch.model_, batch.long_follower_, batch.follower_),
           of_samples(batch.model_, batch.follower_) {}
     FunctionRecorder<T> of_functions;
     Recorder<T> of_samples;
@@ -160,7 +159,7 @@ class LaneBatch final : public Batch {
   FunctionObserver functions_;
   JudgingObserver judging_;
   ApproachObserver approach_;
-  NodeFollower<T> node_follower_;
+  PathFollower<T, LongSteps> long_follower_;
   PathFollower<T> follower_, approach_follower_;
   std::optional<Recorders> recorders_;                      // made when first needed
   std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed

@@ -54,7 +54,6 @@ class LaneTest {
   FoldState<T> start_;
   std::vector<T> flat_, rates_;
   std::vector<double> lane_flat_, lane_lengths_, lane_slopes_;
-  StepControlOptions options_;
   Effort effort_;
 };
 
@@ -68,8 +67,7 @@ LaneTest<T>::LaneTest(const Model& model, const std::vector<TestAngle>& angles)
       rates_(mechanism_.unknowns, T(0)),
       lane_flat_(flat_.size()),
       lane_lengths_(flat_.size()),
-      lane_slopes_(flat_.size()),
-      options_(approach_options()) {
+      lane_slopes_(flat_.size()) {
   for (const TestAngle& angle : angles) {
     rounding_.push_back(
         rounding_error(std::numeric_limits<Scalar<T>>::epsilon(), model.extent(), angle));
@@ -137,7 +135,7 @@ void LaneTest<T>::run_ahead(int angle, const ShiftBlock& block, std::vector<Open
         2 * half_sine_between(angles_[angle].pilot, approach.keep(sheets[0]).angle->pilot);
     solver_.solve_ahead(start_, rates_, by_rad, angle);
     for (int i = 0; i < count; ++i) {
-      const auto error = solver_.length_error_ahead(angle, i, options_);
+      const auto error = solver_.length_error_ahead(angle, i);
       if (!report(angle, sheets[i].sheet, i, error, rules)) continue;
       auto& kept = approach.keep(sheets[i]);
       keep(angle, i, kept);

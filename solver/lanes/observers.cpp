@@ -89,18 +89,15 @@ void JudgingObserver::fall_back() { fallback_.run(queue_, *this); }
 // the way on is wanted.
 constexpr double kStationClosure = 1e-7, kArcClosure = 1e-3;
 
-// What two thirds of a step's way to 150 degrees and steps of 5 degrees beyond it move the creases
-// of paths that stay on their curve, with room (rad; sine of half of it).
-constexpr double kLongestHalfSine = 0.5, kLongestCorrection_rad = 0.15;
-
-StepControlOptions approach_options() {
-  StepControlOptions options;
+CloseStepOptions approach_options() {
+  CloseStepOptions options;
   options.closure_tolerance = kStationClosure;
   options.arc_closure_tolerance = kArcClosure;
+  options.least_corrections = 0;
   options.arc.limit_tolerance_rad = kRejection.approach_limit_deg * kRadPerDeg;
   options.limit_certain_share = 0.5;  // half the way to the threshold
-  options.longest_half_sine = kLongestHalfSine;
-  options.longest_correction_rad = kLongestCorrection_rad;
+  options.longest_half_sine = kRejection.longest_half_sine;
+  options.longest_correction_rad = kRejection.longest_correction_rad;
   options.least_tangent_cosine = 0;
   return options;
 }
@@ -113,7 +110,6 @@ ApproachObserver::~ApproachObserver() = default;
 void ApproachObserver::begin(const SheetBlock& block, RejectionTest& rejection) {
   queue_.begin(block);
   rejection_ = &rejection;
-  next_ = 0;
   kept_count_ = 0;
 }
 
@@ -127,19 +123,20 @@ ApproachObserver::Kept& ApproachObserver::keep(OpenSheet& sheet) {
   return kept_[sheet.kept_state];
 }
 
-bool ApproachObserver::next(PathStart& start, int lane) {
-  while (next_ < open_->size() && (*open_)[next_].kept_state < 0) ++next_;
-  if (next_ == open_->size()) return false;
-  const auto [sheet, kept_state] = (*open_)[next_++];
-  const Kept& kept = kept_[kept_state];
+SheetQueue& ApproachObserver::queue_of(const std::vector<OpenSheet>& open) {
   const auto& stations = model_.approach().stations;
-  const auto first = std::find_if(stations.begin(), stations.end(), [&](const Station& station) {
-    return station.sample == kept.angle->sample;
-  });
-  assert(first != stations.end() && kept.angle);
-  start = {&queue_.put(sheet, lane), &kept.state, &model_.approach(),
-           static_cast<std::size_t>(first - stations.begin()), kept.angle->determinant_sign};
-  return true;
+  starts_.clear();
+  for (const auto [sheet, kept_state] : open) {
+    if (kept_state < 0) continue;
+    const Kept& kept = kept_[kept_state];
+    const auto first = std::ranges::find(stations, kept.angle->sample, &Station::sample);
+    assert(first != stations.end() && kept.angle);
+    starts_.push_back({sheet, &kept.state, &model_.approach(),
+                       static_cast<std::size_t>(first - stations.begin()),
+                       kept.angle->determinant_sign});
+  }
+  queue_.begin_from(starts_);
+  return queue_;
 }
 
 bool ApproachObserver::see(const Station& station, int lane) {

@@ -76,7 +76,7 @@ struct OpenSheet {
 };
 
 /// The step control of the approach: a fold limit is known well enough within a tenth of a degree.
-StepControlOptions approach_options();
+CloseStepOptions approach_options();
 
 /// The way from the last test to the threshold, of the sheets that no test has rejected.
 class ApproachObserver {
@@ -96,9 +96,8 @@ class ApproachObserver {
   bool is_kept_at(const TestAngle& angle, const OpenSheet& sheet) const {
     return sheet.kept_state >= 0 && kept_[sheet.kept_state].angle == &angle;
   }
-  /// Hands out those that have a state kept, to be followed from it on.
-  void follow(const std::vector<OpenSheet>& open) { open_ = &open; }
-  bool next(PathStart& start, int lane);
+  /// Those that have a state kept, to be followed from it on.
+  SheetQueue& queue_of(const std::vector<OpenSheet>& open);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return true; }
   bool see(const Station& station, int lane);
@@ -112,8 +111,7 @@ class ApproachObserver {
   RejectionTest* rejection_ = nullptr;
   std::vector<Kept> kept_;  // grows to what a block needs
   int kept_count_ = 0;
-  const std::vector<OpenSheet>* open_ = nullptr;
-  std::size_t next_ = 0;
+  std::vector<QueuedStart> starts_;
   PathPoint point_;
   Effort effort_;
 };

@@ -38,6 +38,9 @@ struct RejectionTolerances {
   /// has the base folding's weights. Beside the floors 1.9 were seen in double precision, 4.0 in
   /// single, in 150,000 cases.
   double slope_safety = 5;
+  /// What two thirds of the way to 150 degrees, and steps of 5 degrees beyond it, move the creases
+  /// of paths that stay on their curve, with room: sine of half of a turn, and all corrections.
+  double longest_half_sine = 0.5, longest_correction_rad = 0.15;
 };
 inline constexpr RejectionTolerances kRejection;
 

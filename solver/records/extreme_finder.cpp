@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "solver/verdict/from_flat.hpp"
+#include "solver/verdict/between.hpp"
 
 namespace misalign::solver {
 

@@ -1,12 +1,11 @@
-// Records of paths from a node follower of any width: the paths as functions, then the states that
-// their records want exactly, those of as many sheets as there are lanes side by side.
+// Records of paths from a follower of any width: the paths as functions, then the states that their
+// records want exactly, those of as many sheets as there are lanes side by side.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "solver/continuation/node_follower.hpp"
 #include "solver/records/record_builder.hpp"
 #include "solver/records/recorder.hpp"
 
@@ -16,7 +15,8 @@ template <class T>
 class FunctionRecorder {
  public:
   /// All must outlive this object; the close follower has the last degrees of some paths.
-  FunctionRecorder(const Model& model, NodeFollower<T>& follower, PathFollower<T>& close_follower)
+  FunctionRecorder(const Model& model, PathFollower<T, LongSteps>& follower,
+                   PathFollower<T>& close_follower)
       : model_(model),
         mechanism_(model.mechanism()),
         follower_(follower),
@@ -31,9 +31,9 @@ class FunctionRecorder {
       records_.leave_all();  // cubics between solved samples judge bumps
       return records_.left();
     }
-    follower_.run(*this);
+    follower_.run(records_.queue(), records_);
     RecordBuilder::Ends ends(records_);
-    close_follower_.run(ends);
+    close_follower_.run(records_.queue_of_ends(), ends);
     const std::vector<int>& complete = records_.complete();
     for (std::size_t first = 0; first < complete.size(); first += kLanes<T>) {
       solve_wanted(block, complete, first);
@@ -46,19 +46,6 @@ class FunctionRecorder {
   }
 
   const Effort& effort() const { return records_.effort(); }
-
-  // For the follower.
-  bool next(PathStart& start, int lane) { return records_.next(start, lane); }
-  ObserverResult see(const PathFunction& function, int lane) {
-    return records_.see(function, lane, [&](double x, FoldState<double>& state) {
-      follower_.find_state(x, lane, state);
-    });
-  }
-  void ended(const PathResult& path, int lane) {
-    records_.ended(
-        path, follower_.function(lane), follower_.forward_sign(lane), lane,
-        [&](double x, FoldState<double>& state) { follower_.find_state(x, lane, state); });
-  }
 
  private:
   static constexpr int kMostReversalRounds = 5;
@@ -138,7 +125,7 @@ class FunctionRecorder {
 
   const Model& model_;
   const Mechanism& mechanism_;
-  NodeFollower<T>& follower_;
+  PathFollower<T, LongSteps>& follower_;
   PathFollower<T>& close_follower_;
   RecordBuilder records_;
   StateMeasure<T> measure_;

@@ -18,7 +18,7 @@ FoldingHistory record_densely(const Model& model, const FlatVertices& vertices_m
   DenseFallback dense(model.mechanism());
   const SheetBlock sheet(vertices_mm);
   observer.begin(sheet);
-  dense.follow(observer);
+  dense.follow(observer.queue(), observer);
   return std::move(observer.histories().front());
 }
 

@@ -38,9 +38,9 @@ PathRecord record_of(const FoldingHistory& history, const Mechanism& mechanism) 
 }
 
 PathRecord record_path(const Model& model, const FlatVertices& vertices_mm) {
-  NodeFollower<double> node_follower(model.mechanism(), model.elimination());
+  PathFollower<double, LongSteps> long_follower(model.mechanism(), model.elimination());
   PathFollower<double> follower(model.mechanism(), model.elimination());
-  FunctionRecorder<double> functions(model, node_follower, follower);
+  FunctionRecorder<double> functions(model, long_follower, follower);
   Recorder<double> recorder(model, follower);
   return measure_paths(SheetBlock(vertices_mm), functions, recorder).front();
 }

@@ -43,13 +43,14 @@ RecordBuilder::~RecordBuilder() = default;
 void RecordBuilder::begin(const SheetBlock& block) {
   records_.resize(static_cast<std::size_t>(block.sheets()));
   queue_.begin(block);
-  unfinished_.clear();
-  next_unfinished_ = 0;
+  ends_.clear();
+  ends_near_.clear();
 }
 
 void RecordBuilder::begin_sheet(PathStart& start, int lane) {
   Lane& one = lanes_[lane];
   one.judge.begin(*start.plan, flat_);
+  one.function = nullptr;
   one.record = {};
   one.record.record.flat = flat_;
   one.record.wanted.resize(model_.margin_samples().size() + kWantedBesideMargin);
@@ -59,9 +60,10 @@ void RecordBuilder::begin_sheet(PathStart& start, int lane) {
   one.finder.begin(flat_);
 }
 
-ObserverResult RecordBuilder::look(const PathFunction& function, int lane) {
-  requests_.clear();
+ObserverResult RecordBuilder::see(const PathFunction& function, int lane) {
+  near_states_.clear();
   Lane& one = lanes_[lane];
+  one.function = &function;
   const double end_deg = function.pilot(function.end()) / kRadPerDeg + 1e-9;
   if (one.fault_seen) {
     look_up_to(end_deg, function, one);
@@ -160,12 +162,11 @@ void RecordBuilder::want(int index, double pilot_deg, double x, Lane& lane) {
   wanted.pilot = half_angle_of_deg(pilot_deg);
   wanted.near.creases.resize(model_.mechanism().creases.size());
   wanted.near.balls.resize(model_.mechanism().balls.size());
-  requests_.push_back({index, x});
+  near_states_.push_back({x, &wanted.near});
 }
 
-// Says where the state is wanted from which an unfinished path goes on.
-std::optional<double> RecordBuilder::conclude(const PathResult& path, const PathFunction& function,
-                                              int forward_sign, int lane) {
+void RecordBuilder::ended(const PathResult& path, int lane) {
+  near_states_.clear();
   effort_.add(path);
   Lane& one = lanes_[lane];
   const int sheet = queue_.of_lane(lane);
@@ -173,7 +174,7 @@ std::optional<double> RecordBuilder::conclude(const PathResult& path, const Path
   const std::optional<Verdict> verdict = one.judge.conclude(path);
   made = std::move(one.record);
   made.is_sure = verdict.has_value();
-  if (!verdict) return std::nullopt;
+  if (!verdict) return;
   PathRecord& record = made.record;
   record.verdict = *verdict;
   record.path = path;
@@ -182,7 +183,7 @@ std::optional<double> RecordBuilder::conclude(const PathResult& path, const Path
   made.slopes.begin(one.finder);
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();
-  if (!made.is_accepted) return std::nullopt;
+  if (!made.is_accepted) return;
   const double* const lengths = one.judge.lengths_at(1);
   record.lengths.assign(lengths, lengths + static_cast<std::size_t>(in_order) * flat_.size());
   // What never came to be wanted is as good as another state that is.
@@ -190,27 +191,30 @@ std::optional<double> RecordBuilder::conclude(const PathResult& path, const Path
   for (WantedState& wanted : made.wanted) {
     if (wanted.pilot_deg == 0) wanted = at_d;
   }
-  if (!path.lost()) return std::nullopt;
+  if (path.lost()) go_on_later(path, sheet, *one.function);
+}
+
+// A reversal must have been found before, or is looked for in close steps.
+void RecordBuilder::go_on_later(const PathResult& path, int sheet, const PathFunction& function) {
+  UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const auto& stations = model_.path().stations;
   const double last_deg =
       std::min(function.pilot(function.at(0)) / kRadPerDeg, kLastHandedOver_deg);
-  const auto next = std::upper_bound(
-      stations.begin(), stations.end(), last_deg,
-      [](double angle_deg, const Station& station) { return angle_deg < station.pilot_deg; });
+  const auto next = std::ranges::upper_bound(stations, last_deg, {}, &Station::pilot_deg);
   const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
-  // A reversal must have been found before, or is looked for in close steps.
-  made.is_sure = next != stations.begin() && stations[station].sample >= in_order &&
+  made.is_sure = next != stations.begin() &&
+                 stations[station].sample >= made.record.verdict.deploys_from_sample &&
                  made.slopes.has_reversal();
-  if (!made.is_sure) return std::nullopt;
-  unfinished_.push_back({sheet, station, forward_sign, near_});
-  return function.locate(stations[station].pilot_deg * kRadPerDeg);
+  if (!made.is_sure) return;
+  ends_near_.push_back(near_);
+  ends_.push_back({sheet, &ends_near_.back(), &model_.path(), station, path.forward_sign});
+  near_states_.push_back(
+      {function.locate(stations[station].pilot_deg * kRadPerDeg), &ends_near_.back()});
 }
 
-bool RecordBuilder::next_unfinished(PathStart& start, int lane) {
-  if (next_unfinished_ == unfinished_.size()) return false;
-  const Unfinished& one = unfinished_[next_unfinished_++];
-  start = {&queue_.put(one.sheet, lane), &one.near, &model_.path(), one.station, one.forward_sign};
-  return true;
+SheetQueue& RecordBuilder::queue_of_ends() {
+  queue_.begin_from(ends_);
+  return queue_;
 }
 
 void RecordBuilder::finish(const PathResult& path, int lane) {

@@ -2,10 +2,11 @@
 // solved exactly.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
-#include "solver/continuation/node_control.hpp"
+#include "solver/continuation/path_follower.hpp"
 #include "solver/judging/dense_fallback.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/model/model.hpp"
@@ -58,32 +59,23 @@ class RecordBuilder final : public QueueObserver {
   ~RecordBuilder() override;
 
   void begin(const SheetBlock& block);
-  /// `find_state(x, state)` gives a state near the path's at a point of the function.
-  template <class FindState>
-  ObserverResult see(const PathFunction& function, int lane, const FindState& find_state) {
-    const ObserverResult seen = look(function, lane);
-    for (const Request& request : requests_) find_state(request.x, wanted_near(request, lane));
-    return seen;
-  }
-  template <class FindState>
-  void ended(const PathResult& path, const PathFunction& function, int forward_sign, int lane,
-             const FindState& find_state) {
-    const std::optional<double> x = conclude(path, function, forward_sign, lane);
-    if (x) find_state(*x, unfinished_.back().near);
-  }
+  ObserverResult see(const PathFunction& function, int lane);
+  void ended(const PathResult& path, int lane);
+  /// What is to be solved of the path that was just seen, and where it goes on if it is unfinished.
+  const std::vector<NearState>& near_states() const { return near_states_; }
 
-  /// Paths whose nodes ended after the verdict, but before the path did: for a close follower, from
-  /// the last station before.
+  /// Paths whose nodes ended after the verdict, but before the path did: for close steps, from the
+  /// last station before.
   class Ends {
    public:
     explicit Ends(RecordBuilder& records) : records_(records) {}
-    bool next(PathStart& start, int lane) { return records_.next_unfinished(start, lane); }
     bool see(const Station&, int) { return true; }
     void ended(const PathResult& path, int lane) { records_.finish(path, lane); }
 
    private:
     RecordBuilder& records_;
   };
+  SheetQueue& queue_of_ends();
 
   /// Every sheet of the block is for the close steps.
   void leave_all();
@@ -103,15 +95,12 @@ class RecordBuilder final : public QueueObserver {
   const std::vector<PathRecord>& merge(const std::vector<FoldingHistory>& left);
 
  private:
-  struct Request {
-    int index;  // of wanted
-    double x;
-  };
   struct Lane {
     FunctionJudge judge;
     ExtremeFinder finder;
     UnfinishedRecord record{};
-    std::size_t next = 0;  // station
+    const PathFunction* function = nullptr;  // once it was seen
+    std::size_t next = 0;                    // station
     bool fault_seen = false;
     double least_step = 0;
 
@@ -121,12 +110,9 @@ class RecordBuilder final : public QueueObserver {
   void begin_sheet(PathStart& start, int lane) override;
   bool is_the_same(const PathRecord& record, const WantedState& wanted,
                    const SolvedState& solved) const;
-  std::optional<double> conclude(const PathResult& path, const PathFunction& function,
-                                 int forward_sign, int lane);
-  bool next_unfinished(PathStart& start, int lane);
+  void go_on_later(const PathResult& path, int sheet, const PathFunction& function);
   void finish(const PathResult& path, int lane);
   static bool ends_are_least(const std::vector<double>& singular_values, int in_order);
-  ObserverResult look(const PathFunction& function, int lane);
   void look_up_to(double end_deg, const PathFunction& function, Lane& lane);
   void want_d(int sample, const PathFunction& function, Lane& lane);
   void note_least_step(const Station& station, Lane& lane);
@@ -136,9 +122,6 @@ class RecordBuilder final : public QueueObserver {
     return static_cast<int>(model_.margin_samples().size()) + static_cast<int>(wanted);
   }
   const Station& station_of(int sample) const { return *samples_[sample - 1]; }
-  FoldState<double>& wanted_near(const Request& request, int lane) {
-    return lanes_[lane].record.wanted[request.index].near;
-  }
 
   std::vector<const Station*> samples_;  // of the model's path
   std::vector<Lane> lanes_;
@@ -146,15 +129,9 @@ class RecordBuilder final : public QueueObserver {
   std::vector<PathRecord> merged_;
   std::vector<std::vector<SolvedState>> solved_;  // of lanes
   std::vector<int> complete_, left_;
-  struct Unfinished {
-    int sheet;
-    std::size_t station;
-    int forward_sign;
-    FoldState<double> near;
-  };
-  std::vector<Unfinished> unfinished_;
-  std::size_t next_unfinished_ = 0;
-  std::vector<Request> requests_;
+  std::vector<QueuedStart> ends_;
+  std::deque<FoldState<double>> ends_near_;  // their states, which stay where they are
+  std::vector<NearState> near_states_;
   PathEstimate here_;
   const FoldState<double> near_;  // of the size that a state has
 };

@@ -41,9 +41,9 @@ class Recorder {
   const Effort& effort() const { return observer_.effort(); }
 
   // For the follower.
-  bool next(PathStart& start, int lane) {
+  void begin_path(PathStart& start, int lane) {
     measure_.restart(lane);
-    return observer_.next(start, lane);
+    observer_.begin_path(start, lane);
   }
   void arrivals(const T& arrived) {
     bool again = false;
@@ -64,7 +64,7 @@ class Recorder {
 
  private:
   std::vector<FoldingHistory>& record_waiting(const SheetBlock& block) {
-    follower_.run(*this);
+    follower_.run(observer_.queue(), *this);
     observer_.fall_back();
     const std::size_t all = model_.margin_samples().size();
     with_margin_.clear();

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/verdict/from_flat.hpp"
-
 namespace misalign::solver {
 namespace {
 

@@ -54,7 +54,7 @@ struct SheetSolver::Workspace {
         functions(model, follower, close_follower),
         recorder(model, close_follower, &keep) {}
 
-  NodeFollower<double> follower;
+  PathFollower<double, LongSteps> follower;
   PathFollower<double> close_follower;
   FunctionRecorder<double> functions;
   std::vector<WayStation> states;  // of the path that is recorded

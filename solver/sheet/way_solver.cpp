@@ -28,8 +28,8 @@ FoldState<double> in_proportion(const FoldState<double>& state, double share) {
 // From either follower.
 class PathOutliner {
  public:
-  PathOutliner(const Model& model, const FlatVertices& vertices_mm, NodeFollower<double>& follower,
-               PathFollower<double>& close_follower)
+  PathOutliner(const Model& model, const FlatVertices& vertices_mm,
+               PathFollower<double, LongSteps>& follower, PathFollower<double>& close_follower)
       : queue_(model, 1),
         sheet_(vertices_mm),
         follower_(follower),
@@ -38,19 +38,19 @@ class PathOutliner {
 
   PathOutline find() {
     queue_.begin(sheet_);
-    follower_.run(*this);
+    follower_.run(queue_, *this);
     if (!outline_.path.lost()) return outline_;
     outline_.near_deg = 0;
     queue_.begin(sheet_);
-    close_follower_.run(*this);
+    close_follower_.run(queue_, *this);
     return outline_;
   }
 
   // For the followers.
-  bool next(PathStart& start, int lane) { return queue_.put_next(start, lane); }
-  ObserverResult see(const PathFunction& function, int lane) {
+  ObserverResult see(const PathFunction& function, int) {
+    near_states_.clear();
     if (!outline_.has_near() && function.pilot(function.end()) > kFirst_deg * kRadPerDeg) {
-      follower_.find_state(function.locate(kFirst_deg * kRadPerDeg), lane, outline_.near);
+      near_states_.push_back({function.locate(kFirst_deg * kRadPerDeg), &outline_.near});
       outline_.near_deg = kFirst_deg;
     }
     return ObserverResult::go_on;
@@ -62,15 +62,18 @@ class PathOutliner {
     return true;
   }
   void ended(PathResult path, int lane) {
+    near_states_.clear();
     if (queue_.has_ended(path, lane)) outline_.path = path;
   }
+  const std::vector<NearState>& near_states() const { return near_states_; }
 
  private:
   SheetQueue queue_;
   const SheetBlock sheet_;
-  NodeFollower<double>& follower_;
+  PathFollower<double, LongSteps>& follower_;
   PathFollower<double>& close_follower_;
   PathOutline outline_;
+  std::vector<NearState> near_states_;
 };
 
 // The states of one path at a plan's stations, closed once more, and their rates.
@@ -86,16 +89,11 @@ class StationKeeper {
         turn_(residual_) {}
 
   std::vector<WayStation> keep() {
-    follower_.run(*this);
+    follower_.follow(start_, *this);
     return std::move(stations_);
   }
 
   // For the follower.
-  bool next(PathStart& start, int) {
-    if (handed_out_) return false;
-    start = start_;
-    return handed_out_ = true;
-  }
   bool see(const Station&, int) {
     WayStation& here = stations_.emplace_back(WayStation{follower_.state(), residual_});
     correct_held(mechanism_, *start_.geometry, true, factors_, residual_, work_, turn_, here.state);
@@ -109,7 +107,6 @@ class StationKeeper {
   const Mechanism& mechanism_;
   const PathStart start_;
   PathFollower<double>& follower_;
-  bool handed_out_ = false;
   SparseLu<double> factors_;
   std::vector<double> residual_, work_, turn_;
   std::vector<WayStation> stations_;
@@ -118,7 +115,8 @@ class StationKeeper {
 }  // namespace
 
 PathOutline outline_path(const Model& model, const FlatVertices& vertices_mm,
-                         NodeFollower<double>& follower, PathFollower<double>& close_follower) {
+                         PathFollower<double, LongSteps>& follower,
+                         PathFollower<double>& close_follower) {
   return PathOutliner(model, vertices_mm, follower, close_follower).find();
 }
 

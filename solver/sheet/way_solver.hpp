@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "solver/continuation/node_follower.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/sheet/folding_way.hpp"
 
@@ -20,7 +19,8 @@ struct PathOutline {
 
 /// Of the path to the end of the model's as a function, or where that is lost in close steps.
 PathOutline outline_path(const Model& model, const FlatVertices& vertices_mm,
-                         NodeFollower<double>& follower, PathFollower<double>& close_follower);
+                         PathFollower<double, LongSteps>& follower,
+                         PathFollower<double>& close_follower);
 
 /// Nothing where the path is lost, a numerical failure. Where it is lost only behind half of the
 /// stations it ends at the last one that was solved.

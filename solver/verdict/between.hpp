@@ -79,4 +79,16 @@ CubicBetween cubic_between(const LengthAndSlope& here, const LengthAndSlope& nex
 BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
                             double slowing, int direction);
 
+/// The way from flat to a first sample: there lengths are even in the pilot's angle,
+/// a rho^2 + b rho^4. By how much each part of them has moved a diagonal in its direction, panel
+/// widths.
+struct FromFlat {
+  double square, fourth;
+
+  FromFlat(double on, double slope, double pilot_rad)
+      : square(2 * on - slope * pilot_rad / 2), fourth(slope * pilot_rad / 2 - on) {}
+  /// By more than rates of change are known to.
+  bool sets_out_back() const { return square < -kBumpBand_widths; }
+};
+
 }  // namespace misalign::solver

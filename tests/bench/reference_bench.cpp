@@ -130,16 +130,7 @@ BENCHMARK(solve_with_factors);
 
 // A path to its end, in one lane.
 struct OnePath {
-  const solver::SheetGeometry<double>& geometry;
-  const solver::PathPlan& plan;
   solver::PathPoint& place;
-  bool started = false;
-  bool next(solver::PathStart& start, int) {
-    if (started) return false;
-    started = true;
-    start = {&geometry, &plan.start, &plan};
-    return true;
-  }
   solver::PathPoint& point() { return place; }
   bool wants_slopes() const { return false; }
   bool see(const solver::Station&, int) { return true; }
@@ -152,8 +143,8 @@ void full_path_sparse(benchmark::State& state) {
   solver::PathPoint point(p.mechanism);
   for (auto _ : state) {
     solver::place(p.mechanism, p.next(), p.geometry);
-    OnePath path{p.geometry, p.plan, point};
-    follower.run(path);
+    OnePath path{point};
+    follower.follow({&p.geometry, &p.plan.start, &p.plan}, path);
   }
 }
 BENCHMARK(full_path_sparse)->Unit(benchmark::kMillisecond)->Iterations(200);

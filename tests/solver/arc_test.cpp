@@ -1,4 +1,4 @@
-// Step control along the arc of a curve that is known: the pilot as a parabola over one other
+// Close steps along the arc of a curve that is known: the pilot as a parabola over one other
 // unknown, with a top, a forward half and a backward half. The test is its corrector.
 #include <gtest/gtest.h>
 
@@ -7,12 +7,18 @@
 #include <optional>
 #include <vector>
 
-#include "solver/continuation/step_control.hpp"
+#include "solver/continuation/close_steps.hpp"
 
 namespace misalign::solver {
 namespace {
 
 constexpr ArcOptions kArc;
+// A station is believed as soon as it closes.
+constexpr CloseStepOptions kUsual = [] {
+  CloseStepOptions options;
+  options.least_corrections = 0;
+  return options;
+}();
 
 PathPlan stations_at(const std::vector<double>& angles_deg) {
   PathPlan plan;
@@ -35,6 +41,20 @@ struct Parabola {
   double tangent_pilot(double u) const { return slope(u) * tangent_u(u); }
 };
 
+PathStart start_of(const PathPlan& plan, int forward_sign = 0) {
+  return {nullptr, nullptr, &plan, 0, forward_sign};
+}
+
+/// How far a step goes along the newest node's tangent, and nothing else.
+double along(const PathStep& step, const CloseSteps& control) {
+  const int newest = control.newest() % kStatePlaces;
+  for (int place = 0; place < kStatePlaces; ++place) {
+    EXPECT_EQ(step.of_values[place], place == newest ? 1 : 0);
+    EXPECT_TRUE(place == newest || step.of_rates[place] == 0);
+  }
+  return step.of_rates[newest];
+}
+
 HalfAngle<double> half_angle_of_rad(double angle) {
   return {std::cos(0.5 * angle), std::sin(0.5 * angle)};
 }
@@ -42,7 +62,7 @@ HalfAngle<double> half_angle_of_rad(double angle) {
 /// Makes the steps of a control on a parabola, as a path follower would with exact arithmetic.
 class ArcWalker {
  public:
-  ArcWalker(const Parabola& curve, const StepControlOptions& options = {})
+  ArcWalker(const Parabola& curve, const CloseStepOptions& options = kUsual)
       : curve_(curve), control_(options) {}
 
   const PathResult& result() const { return control_.result(); }
@@ -50,17 +70,20 @@ class ArcWalker {
   double below_top_deg() const { return curve_.top_deg - curve_.pilot(last_) / kRadPerDeg; }
   double longest_step() const { return longest_step_; }
   int tries_beyond_top() const { return tries_beyond_top_; }
+  int tries_ahead() const { return tries_ahead_; }
 
+  /// A station beyond the top has a solution straight ahead.
+  void close_ahead() { closes_ahead_ = true; }
   /// A station beyond the top has a solution, which Newton finds this far (rad) from the top.
   void close_beyond_top(double away) { closes_at_ = away; }
 
   /// From 10 degrees to where the path ends, or the last station.
   void follow(const PathPlan& plan) {
     last_ = trial_ = curve_.forward_at(plan.stations[0].pilot_deg);
-    control_.begin(plan, 0, +1);
+    control_.begin(start_of(plan, +1));
     PathStep move = control_.after(reading());
     while (!move.ended) {
-      if (move.believe) last_ = trial_;
+      if (move.keep) last_ = trial_;
       if (move.arrived) {
         move = control_.proceed();
         // No solution there, or too far for Newton with the pilot held: it says so.
@@ -69,20 +92,20 @@ class ArcWalker {
         move = control_.after(depart(move));
       }
     }
-    if (move.believe) last_ = trial_;
+    if (move.keep) last_ = trial_;
   }
 
  private:
   NewtonReport depart(const PathStep& move) {
     EXPECT_TRUE(move.depart);
     if (move.hold) {
-      EXPECT_FALSE(control_.on_arc());
+      EXPECT_FALSE(control_.is_free());
       if (control_.target().pilot_deg > curve_.top_deg) return beyond_top(move);
       trial_ = curve_.forward_at(control_.target().pilot_deg);
     } else {
-      EXPECT_TRUE(control_.on_arc());
-      longest_step_ = std::max(longest_step_, move.along[0]);
-      trial_ = last_ + move.along[0] * curve_.tangent_u(last_);
+      EXPECT_TRUE(control_.is_free());
+      longest_step_ = std::max(longest_step_, along(move, control_));
+      trial_ = last_ + along(move, control_) * curve_.tangent_u(last_);
     }
     return reading();
   }
@@ -93,17 +116,22 @@ class ArcWalker {
                           curve_.tangent_pilot(last_) * curve_.tangent_pilot(trial_);
     return {0,
             0,
-            curve_.tangent_pilot(trial_) > 0 ? 1 : -1,
             sign,
             sign * curve_.tangent_pilot(trial_),
             sign * cosine,
-            std::abs(std::sin(0.5 * (trial_ - last_))),
-            half_angle_of_rad(curve_.pilot(last_)),
-            half_angle_of_rad(curve_.pilot(trial_))};
+            half_angle_of_rad(curve_.pilot(trial_)),
+            std::abs(std::sin(0.5 * (trial_ - last_)))};
   }
   NewtonReport beyond_top(const PathStep& move) {
+    const bool is_ahead = move.of_values[control_.newest() % kStatePlaces] == 0;
+    if (is_ahead) ++tries_ahead_;
+    if (is_ahead && !closes_ahead_) return lost();
+    if (is_ahead) {
+      trial_ = 0;
+      return reading();
+    }
     ++tries_beyond_top_;
-    EXPECT_EQ(move.along[0], 0) << "from the last point believed";
+    EXPECT_EQ(along(move, control_), 0) << "from the last point believed";
     trial_ = closes_at_.value_or(0);
     return closes_at_ ? reading() : lost();
   }
@@ -114,9 +142,10 @@ class ArcWalker {
   }
 
   Parabola curve_;
-  StepControl control_;
+  CloseSteps control_;
   double last_ = 0, trial_ = 0, longest_step_ = 0;
-  int readings_ = 0, tries_beyond_top_ = 0;
+  int readings_ = 0, tries_beyond_top_ = 0, tries_ahead_ = 0;
+  bool closes_ahead_ = false;
   std::optional<double> closes_at_;
 };
 
@@ -125,7 +154,7 @@ class ArcWalker {
 TEST(Arc, FoldLimitIsTheParabolasTop) {
   const PathPlan plan = stations_at({10, 60});
   for (const double tolerance_deg : {kArc.limit_tolerance_rad / kRadPerDeg, 0.1}) {
-    StepControlOptions options;
+    CloseStepOptions options = kUsual;
     options.arc.limit_tolerance_rad = tolerance_deg * kRadPerDeg;
     double worst = 0;
     for (const double height_deg : {1e-5, 1e-3, 0.1, 1.0, 7.0, 30.0, 49.9}) {
@@ -150,7 +179,7 @@ TEST(Arc, FoldLimitIsTheParabolasTop) {
 TEST(Arc, FarFromTheEndALimitPointIsKnownToAShareOfTheWay) {
   constexpr double kEnd_deg = 60;
   for (const double share : {0.5, 0.9, 0.99}) {
-    StepControlOptions options;
+    CloseStepOptions options = kUsual;
     options.limit_certain_share = share;
     int roughly = 0;
     for (const double top_deg : {10.1, 17.0, 40.0, 59.9}) {
@@ -189,7 +218,7 @@ TEST(Arc, LandsOnStationsBelowTheTop) {
 // A limit point next to a station may be the station itself, where the equations are singular: it
 // is tried once with the pilot held.
 TEST(Arc, ALimitPointNextToASingularStation) {
-  StepControlOptions options;
+  CloseStepOptions options = kUsual;
   options.arc.singular_gap_rad = 1e-5 * kRadPerDeg;
   const auto followed = [&](double below_deg, std::optional<double> away) {
     ArcWalker arc({30 - below_deg, 1}, options);
@@ -202,6 +231,12 @@ TEST(Arc, ALimitPointNextToASingularStation) {
   EXPECT_EQ(reached.result().fold_limit_deg, 30);
   EXPECT_EQ(refused.result().end, PathEnd::fold_limit);
   EXPECT_NEAR(refused.result().fold_limit_deg, 30 - 0.9e-5, 1e-7);
+  ArcWalker ahead({30 - 0.9e-5, 1}, options);
+  ahead.close_ahead();
+  ahead.follow(stations_at({10, 30}));
+  EXPECT_EQ(ahead.result().end, PathEnd::end_reached);
+  EXPECT_EQ(ahead.tries_ahead(), 1);
+  EXPECT_EQ(ahead.tries_beyond_top(), 0);
   const ArcWalker too_far = followed(1.1e-5, 0);
   EXPECT_EQ(too_far.result().end, PathEnd::fold_limit);
   // sin(half of it) is 0.005, but for the 1e-4 from the last point believed to the top.
@@ -215,58 +250,57 @@ TEST(Arc, ALimitPointNextToASingularStation) {
 // After an arc the rates before it say nothing: the next extrapolation is a straight line.
 TEST(Arc, ForgetsTheRatesBeforeIt) {
   const PathPlan plan = stations_at({10, 20, 30, 40});
-  const NewtonReport at_10 = {0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(10)};
-  StepControl control;
-  control.begin(plan, 0, 0);
+  const NewtonReport at_10 = {0, 0, 1, 0.25, 1, half_angle_of_deg(10)};
+  CloseSteps control(kUsual);
+  control.begin(start_of(plan));
   control.after(at_10);
   control.proceed();
   NewtonReport reading = at_10;
   reading.pilot = half_angle_of_deg(20);
   control.after(reading);
-  EXPECT_NE(control.proceed().along[1], 0);
-  reading.last_pilot = reading.pilot;
+  EXPECT_NE(control.proceed().of_rates[0], 0);
   reading.open_by = std::nan("");
   control.after(reading);
-  ASSERT_TRUE(control.on_arc());
+  ASSERT_TRUE(control.is_free());
   reading.open_by = 0;
   reading.pilot = half_angle_of_deg(30.5);
   const PathStep landing = control.after(reading);
   EXPECT_TRUE(landing.hold);
   // 10 of the 10.5 degrees; of half angles' sines, to a part in a thousand.
-  EXPECT_NEAR(landing.along[0], kArc.longest_step_rad * 10 / 10.5, 1e-3 * kArc.longest_step_rad);
+  EXPECT_NEAR(along(landing, control), kArc.longest_step_rad * 10 / 10.5,
+              1e-3 * kArc.longest_step_rad);
   reading.pilot = half_angle_of_deg(30);
   EXPECT_TRUE(control.after(reading).arrived);
   const PathStep next = control.proceed();
-  EXPECT_NEAR(next.along[0], 10 * kRadPerDeg / 0.25, 1e-15);
-  EXPECT_EQ(next.along[1], 0);
-  EXPECT_EQ(next.along[2], 0);
+  EXPECT_NEAR(along(next, control), 10 * kRadPerDeg / 0.25, 1e-15);
 }
 
 class ArcStepTest : public testing::Test {
  protected:
   ArcStepTest() {
-    control_.begin(plan_, 0, 0);
-    control_.after(on_curve_);
+    control_.begin(start_of(plan_));
+    NewtonReport first = on_curve_;
+    first.pilot = half_angle_of_deg(10);
+    control_.after(first);
     control_.proceed();
     NewtonReport lost = on_curve_;
     lost.open_by = std::nan("");
-    step_ = control_.after(lost).along[0];
+    step_ = along(control_.after(lost), control_);
     EXPECT_EQ(step_, kArc.longest_step_rad);
   }
   void expect_half_a_step(const NewtonReport& reading) {
     const PathStep move = control_.after(reading);
-    EXPECT_TRUE(move.depart && control_.on_arc());
-    EXPECT_FALSE(move.believe || move.hold || move.ended);
+    EXPECT_TRUE(move.depart && control_.is_free());
+    EXPECT_FALSE(move.keep || move.hold || move.ended);
     step_ *= 0.5;
-    EXPECT_EQ(move.along[0], step_);
+    EXPECT_EQ(along(move, control_), step_);
   }
 
   const PathPlan plan_ = stations_at({10, 40});
-  StepControl control_;
+  CloseSteps control_{kUsual};
   double step_;
   // Found along the arc: 2 degrees on.
-  const NewtonReport on_curve_ = {
-      0, 0, 1, 1, 0.25, 1, 0, half_angle_of_deg(10), half_angle_of_deg(12)};
+  const NewtonReport on_curve_ = {0, 0, 1, 0.25, 1, half_angle_of_deg(12)};
 };
 
 TEST_F(ArcStepTest, HalvesWhereTheCorrectorFails) {
@@ -294,9 +328,9 @@ TEST_F(ArcStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
   NewtonReport reading = on_curve_;
   reading.tangent_cosine = kArc.least_tangent_cosine;
   PathStep move = control_.after(reading);
-  EXPECT_TRUE(move.believe && move.depart);
+  EXPECT_TRUE(move.keep && move.depart);
   EXPECT_EQ(move.tangent_sign, 1);
-  EXPECT_EQ(move.along[0], kArc.longest_step_rad);  // no longer than that
+  EXPECT_EQ(along(move, control_), kArc.longest_step_rad);  // no longer than that
 
   expect_half_a_step([&] {
     NewtonReport lost = on_curve_;
@@ -307,9 +341,9 @@ TEST_F(ArcStepTest, BelievesAndStretchesWithinTheCosineEitherWayRound) {
   reading.orientation = -1;
   reading.tangent_pilot = -0.25;
   move = control_.after(reading);
-  EXPECT_TRUE(move.believe);
+  EXPECT_TRUE(move.keep);
   EXPECT_EQ(move.tangent_sign, -1);
-  EXPECT_EQ(move.along[0], 1.5 * step_);
+  EXPECT_EQ(along(move, control_), 1.5 * step_);
 }
 
 // A landing is believed within the step that led over the station, on the forward half.
@@ -324,11 +358,11 @@ TEST_F(ArcStepTest, LandingFromBothSidesOfItsBound) {
 
   EXPECT_TRUE(control_.after(beyond).hold);
   landed.largest_half_sine = 0;
-  landed.determinant_sign = -1;
+  landed.orientation = -1;
   expect_half_a_step(landed);
 
   EXPECT_TRUE(control_.after(beyond).hold);
-  landed.determinant_sign = 1;
+  landed.orientation = 1;
   landed.largest_half_sine = step_;
   EXPECT_TRUE(control_.after(landed).arrived);
   EXPECT_EQ(control_.result().fold_limit_deg, 40);
@@ -346,7 +380,7 @@ TEST_F(ArcStepTest, StallsBelowTheShortestStep) {
 }
 
 TEST_F(ArcStepTest, StallsAfterTooManySteps) {
-  for (int k = 1; k < kArc.most_steps; ++k) ASSERT_TRUE(control_.after(on_curve_).believe);
+  for (int k = 1; k < kArc.most_steps; ++k) ASSERT_TRUE(control_.after(on_curve_).keep);
   EXPECT_TRUE(control_.after(on_curve_).ended);
   EXPECT_EQ(control_.result().end, PathEnd::stalled);
   EXPECT_EQ(control_.result().arc_steps, kArc.most_steps + 1);

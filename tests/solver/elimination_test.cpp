@@ -332,16 +332,8 @@ TEST(Elimination, TwoPlansOfASheetAreEqual) {
 }
 
 struct OneRun {
-  const SheetGeometry<double>& geometry;
-  const PathPlan& plan;
-  bool given = false;
   PathResult result{};
 
-  bool next(PathStart& start, int) {
-    if (std::exchange(given, true)) return false;
-    start = {&geometry, &plan.start, &plan};
-    return true;
-  }
   bool see(const Station&, int) { return true; }
   void ended(const PathResult& path, int) { result = path; }
 };
@@ -366,8 +358,8 @@ TEST(SparseLu, NewtonConvergesOnALargeMisalignedSheet) {
     for (int k = first_deg; k <= first_deg + 5; ++k) {
       plan.stations.push_back({1.0 * k, half_angle_of_deg(k), k, true});
     }
-    OneRun path{geometry, plan};
-    follower.run(path);
+    OneRun path;
+    follower.follow({&geometry, &plan.start, &plan}, path);
     EXPECT_EQ(path.result.end, PathEnd::end_reached);
     EXPECT_EQ(path.result.arc_steps, 0);
     EXPECT_LE(path.result.newton_iterations, 4 * path.result.newton_solves);

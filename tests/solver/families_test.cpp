@@ -162,18 +162,11 @@ class Walked {
  public:
   Walked(const CarriedFamily& family, const SheetGeometry<double>& geometry, const PathPlan& plan,
          const FoldState<double>& start)
-      : geometry_(geometry),
-        plan_(plan),
-        start_(start),
-        elimination_(
+      : elimination_(
             plan_elimination(family.mechanism, family.base.folding, family.base.sheet.vertices_mm)),
         follower_(family.mechanism, elimination_),
         point_(family.mechanism) {
-    follower_.run(*this);
-  }
-  bool next(PathStart& start, int) {
-    start = {&geometry_, &start_, &plan_};
-    return !std::exchange(started_, true);
+    follower_.follow({&geometry, &start, &plan}, *this);
   }
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
@@ -187,13 +180,9 @@ class Walked {
   PathResult path{};
 
  private:
-  const SheetGeometry<double>& geometry_;
-  const PathPlan& plan_;
-  const FoldState<double>& start_;
   const Elimination elimination_;
   PathFollower<double> follower_;
   PathPoint point_;
-  bool started_ = false;
 };
 
 // Up to nine tenths of the way and back down, degree by degree: every crease at every station is

@@ -51,14 +51,9 @@ class ObservedPath {
 
 /// The observer of a single sheet's path.
 struct OnePath : ObservedPath {
-  OnePath(const Mechanism& mechanism, const SheetGeometry<double>& geometry, const PathPlan& plan)
-      : ObservedPath(mechanism, geometry), plan_(plan), point_(mechanism) {}
+  OnePath(const Mechanism& mechanism, const SheetGeometry<double>& geometry)
+      : ObservedPath(mechanism, geometry), point_(mechanism) {}
 
-  bool next(PathStart& start, int) {
-    if (given_) return false;
-    start = {&geometry_, &plan_.start, &plan_, 0, 0};
-    return given_ = true;
-  }
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
   bool see(const Station& station, int) {
@@ -68,9 +63,7 @@ struct OnePath : ObservedPath {
   void ended(const PathResult& path, int) { conclude(path); }
 
  private:
-  const PathPlan& plan_;
   PathPoint point_;
-  bool given_ = false;
 };
 
 /// Both ways of following a sheet's path.
@@ -86,8 +79,8 @@ class TwoFollowers {
 
   Followed by_follower(const FlatVertices& vertices_mm) {
     place(sheet_.mechanism, vertices_mm, geometry_);
-    OnePath one(sheet_.mechanism, geometry_, plan_);
-    follower_.run(one);
+    OnePath one(sheet_.mechanism, geometry_);
+    follower_.follow({&geometry_, &plan_.start, &plan_}, one);
     return one.followed();
   }
   Followed by_reference(const FlatVertices& vertices_mm) {

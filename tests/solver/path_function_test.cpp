@@ -33,12 +33,7 @@ class Comparison {
     place(model.mechanism(), vertices_mm, geometry_);
   }
 
-  bool next(PathStart& start, int) {
-    if (started_) return false;
-    started_ = true;
-    start = {&geometry_, &model_.path().start, &model_.path(), 0, 0};
-    return true;
-  }
+  PathStart start() const { return {&geometry_, &model_.path().start, &model_.path()}; }
   ObserverResult see(const PathFunction& function, int) {
     const double end_rad = function.pilot(function.end());
     for (; row_ < history_.length_mm.rows(); ++row_) {
@@ -75,7 +70,6 @@ class Comparison {
   const FoldingHistory history_;
   PathEstimate estimate_;
   SheetGeometry<double> geometry_;
-  bool started_ = false;
   Eigen::Index row_ = 0;
   PathResult path_{};
   int compared_ = 0;
@@ -86,12 +80,12 @@ TEST_P(PathFunctions, AreWithinTheirBoundsOfWhatIsSolved) {
   PathPlanOptions to_175;
   to_175.end_deg = 175;
   const Model model(sheets_.base, to_175);
-  NodeFollower<double> follower(model.mechanism(), model.elimination());
+  PathFollower<double, LongSteps> follower(model.mechanism(), model.elimination());
   int ended = 0, compared = 0;
   for (int i = 0; i < block_.sheets; ++i) {
     SCOPED_TRACE(i);
     Comparison comparison(model, sheets_.vertices(block_, i));
-    follower.run(comparison);
+    follower.follow(comparison.start(), comparison);
     compared += comparison.compared();
     // Bounds are worth something: a tenth of a millionth of a panel's width away from limits.
     if (comparison.path().lost()) continue;
@@ -156,7 +150,7 @@ TEST_P(PathFunctions, RecordsAreThoseOfTheHistory) {
 // are left for close steps it is a cubic's.)
 TEST_P(PathFunctions, ReverseWhereARateOfChangeIsZero) {
   const Model model = sheets_.with_threshold(60);
-  NodeFollower<double> follower(model.mechanism(), model.elimination());
+  PathFollower<double, LongSteps> follower(model.mechanism(), model.elimination());
   PathFollower<double> close_follower(model.mechanism(), model.elimination());
   FunctionRecorder<double> functions(model, follower, close_follower);
   int reversed = 0;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "schema/campaign/campaign_file.hpp"
-#include "solver/continuation/node_follower.hpp"
+#include "solver/continuation/path_follower.hpp"
 #include "solver/judging/function_bumps.hpp"
 #include "solver/linear/newton.hpp"
 #include "solver/model/dense_state.hpp"
@@ -45,19 +45,12 @@ class Errors {
       for (int k = 0; k < kAngles; ++k) angles_deg_.push_back(campaign_.end_deg * share());
       std::sort(angles_deg_.begin(), angles_deg_.end());
       next_ = 0;
-      started_ = false;
-      follower_.run(*this);
+      follower_.follow({&geometry_, &model_.path().start, &model_.path()}, *this);
       ++sheets_;
     }
   }
 
   // For the follower.
-  bool next(solver::PathStart& start, int) {
-    if (started_) return false;
-    started_ = true;
-    start = {&geometry_, &model_.path().start, &model_.path(), 0, 0};
-    return true;
-  }
   solver::ObserverResult see(const solver::PathFunction& function, int lane) {
     const double end_rad = function.pilot(function.end());
     if (bumps_.can_look(function)) bumps_.begin_segment(function);
@@ -98,7 +91,7 @@ class Errors {
   void compare(const solver::PathFunction& function, double pilot_rad, int lane) {
     const double x = function.locate(pilot_rad);
     function.look(x, estimate_);
-    follower_.find_state(x, lane, near_);
+    follower_.find_state({x, &near_}, lane);
     near_.creases[model_.mechanism().pilot] =
         solver::half_angle_of_deg(pilot_rad / solver::kRadPerDeg);
     solver_.find(geometry_, near_, solved_);
@@ -132,7 +125,7 @@ class Errors {
 
   const schema::Campaign& campaign_;
   const solver::Model model_;
-  solver::NodeFollower<double> follower_;
+  solver::PathFollower<double, solver::LongSteps> follower_;
   solver::DenseState solver_;
   solver::FunctionBumps bumps_;
   solver::PathEstimate estimate_;
@@ -143,7 +136,6 @@ class Errors {
   solver::SheetGeometry<double> geometry_;
   std::vector<double> angles_deg_;
   std::size_t next_ = 0;
-  bool started_ = false;
   int sheets_ = 0, compared_ = 0, above_ = 0, unsolved_ = 0, iterations_ = 0, lost_ = 0;
   int rates_above_ = 0;
   double largest_rate_error_ = 0, largest_rate_share_ = 0;

@@ -64,10 +64,10 @@ Row measure(int panels, int rounds) {
   row.refusal_s = refusal_seconds(panels);
   row.operations = elimination.operations();
   row.slots = elimination.slots;
-  solver::NodeFollower<double> nodes(sheets.mechanism, elimination);
+  solver::PathFollower<double, solver::LongSteps> nodes(sheets.mechanism, elimination);
   solver::PathFollower<double> close(sheets.mechanism, elimination);
-  solver::PathFollower<double, EigenClosure> eigen(sheets.mechanism,
-                                                   EigenClosure(sheets.mechanism));
+  solver::PathFollower<double, solver::CloseSteps, EigenClosure> eigen(
+      sheets.mechanism, EigenClosure(sheets.mechanism));
   for (int round = 0; round < rounds; ++round) {
     keep_quicker(follow(nodes, sheets, 1), row.nodes);
     keep_quicker(follow(close, sheets, 1), row.close);

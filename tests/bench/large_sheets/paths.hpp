@@ -3,7 +3,6 @@
 
 #include <ctime>
 
-#include "solver/continuation/node_follower.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "solver/pattern/perforation.hpp"
 
@@ -56,7 +55,7 @@ template <class Follower>
 Followed follow(Follower& follower, const LargeSheets& sheets, int paths) {
   WholePaths observer(sheets, paths);
   const double begin_s = cpu_now_s();
-  follower.run(observer);
+  follower.run(observer, observer);
   observer.took(cpu_now_s() - begin_s);
   return observer.followed();
 }

@@ -9,7 +9,7 @@ using Register = xsimd::batch<double, xsimd::avx512f>;
 
 Followed follow_nodes_avx512(const LargeSheets& sheets, const solver::Elimination& elimination,
                              int paths) {
-  solver::NodeFollower<Register> follower(sheets.mechanism, elimination);
+  solver::PathFollower<Register, solver::LongSteps> follower(sheets.mechanism, elimination);
   return follow(follower, sheets, paths);
 }
 

@@ -1,9 +1,8 @@
 // The production solvers as methods of the study, on one sheet after another or on as many as a
-// register has lanes: solver::PathFollower, whose every station is a sample, and
-// solver::NodeFollower, of whose polynomials samples are asked.
+// register has lanes: solver::PathFollower in close steps, whose every station is a sample, and in
+// long ones, of whose polynomials samples are asked.
 #pragma once
 
-#include "solver/continuation/node_follower.hpp"
 #include "solver/continuation/path_follower.hpp"
 #include "tests/bench/work_precision/problem.hpp"
 
@@ -41,13 +40,13 @@ class StationObserver : public ProblemObserver {
  public:
   StationObserver(const Problem& problem, const Demand& demand, int lanes);
 
-  const solver::StepControlOptions& options() const { return options_; }
+  const solver::CloseStepOptions& options() const { return options_; }
   solver::PathPoint& point() { return point_; }
   bool wants_slopes() const { return false; }
   bool see(const solver::Station&, int lane);
 
  private:
-  solver::StepControlOptions options_;
+  solver::CloseStepOptions options_;
   solver::PathPoint point_;
 };
 
@@ -57,12 +56,12 @@ class FunctionObserver : public ProblemObserver {
  public:
   FunctionObserver(const Problem& problem, const Demand& demand, int lanes);
 
-  const solver::NodeControlOptions& options() const { return options_; }
+  const solver::LongStepOptions& options() const { return options_; }
   solver::ObserverResult see(const solver::PathFunction& function, int lane);
 
  private:
   const std::size_t diagonals_;
-  solver::NodeControlOptions options_;
+  solver::LongStepOptions options_;
   solver::PathEstimate estimate_;
 };
 
@@ -75,7 +74,7 @@ class Tracking {
 
   void follow(std::vector<Track>& tracks) {
     observer_.begin(tracks);
-    follower_.run(observer_);
+    follower_.run(observer_, observer_);
   }
 
  private:
@@ -86,7 +85,7 @@ class Tracking {
 template <class T>
 using StationTracking = Tracking<solver::PathFollower<T>, StationObserver>;
 template <class T>
-using FunctionTracking = Tracking<solver::NodeFollower<T>, FunctionObserver>;
+using FunctionTracking = Tracking<solver::PathFollower<T, solver::LongSteps>, FunctionObserver>;
 
 Run track_one_by_one(const Problem& problem, const Demand& demand);
 Run functions_one_by_one(const Problem& problem, const Demand& demand);

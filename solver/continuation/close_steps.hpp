@@ -1,11 +1,9 @@
-// Step control of a path: what it does next, decided from a few numbers after each Newton
-// iteration. It reaches the next station with the pilot held, or goes along the arc until the pilot
-// comes to it or reaches a limit point. No mechanism, no vector: the same decisions for a single
-// path, for a lane among others and for a homotopy, whatever solves the equations.
+// Steps from station to station: a path follower's next station is reached with the pilot held, or
+// along the arc until the pilot comes to it or reaches a limit point.
 #pragma once
 
 #include "solver/continuation/path.hpp"
-#include "solver/linear/newton.hpp"
+#include "solver/continuation/step.hpp"
 
 namespace misalign::solver {
 
@@ -24,26 +22,31 @@ struct ArcOptions {
   /// singular, as 180 degrees where another branch crosses: it is tried once with the pilot held.
   /// 0: never.
   double singular_gap_rad = 0;
+  /// From a node that is at least this far below it: straight ahead from there is off by the square
+  /// of that, and where that closes all loops nothing is better. A correction is off by the
+  /// rounding errors over the least singular value.
+  double try_from_rad = 1e-6;
   /// Of a crease in that try, sin(half of its turn). The curve's own solution is at a distance like
   /// the root of the gap: 4e-4 rad from 1e-5 degrees.
   double longest_try_half_sine = 5e-3;
 };
 
-struct StepControlOptions {
+struct CloseStepOptions {
   double closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// The same of the points between stations, on the arc.
   double arc_closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// Extrapolated stations converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
+  /// Of a station before it is believed: its tangent is that of the state before the last one.
+  int least_corrections = 1;
+  /// Of a correction next to a solution, see Correction: double ones are for the arc.
+  double least_gain = 8;
   /// Of a crease from one station to the next, sin(half of it), and of all its corrections together
   /// (rad): what has gone farther is looked for along the arc. Steps of 1 degree move a crease by 1
   /// to 3 degrees, more only within 0.1 of a fold limit; 20 degrees is a jump to another branch.
   double longest_half_sine = 0.17364817766693033;
   double longest_correction_rad = 2 * kPi;
-  /// Of a path's first station, unless that is flat: all corrections together, as a share of the
-  /// pilot's angle there. What is farther from the base folding may belong to another branch: of
-  /// 2,400 sheets with sector angles of 20 to 89.5 degrees the nearest such start was 0.73 off.
-  double longest_start_share = 0.5;
+  double longest_start_share = kLongestStartShare;
   /// Between the tangents of neighbouring stations: where they differ more, a limit point may lie
   /// between them. As on the arc, 15 degrees.
   double least_tangent_cosine = ArcOptions{}.least_tangent_cosine;
@@ -53,77 +56,71 @@ struct StepControlOptions {
   ArcOptions arc;
 };
 
-/// What is known after an iteration; `state` is the corrected one, `last` the last one believed.
-struct NewtonReport {
-  double open_by;            ///< before the correction
-  double correction_rad;     ///< its largest entry
-  int determinant_sign;      ///< of the Jacobian without the pilot's column
-  int orientation;           ///< sign of det [J; t] for the unit tangent as it was computed
-  double tangent_pilot;      ///< that tangent's pilot entry
-  double tangent_cosine;     ///< with the tangent at `last`, as it was oriented
-  double largest_half_sine;  ///< of a crease's turn from `last` to `state`
-  HalfAngle<double> last_pilot, pilot;
-};
-
-/// What to do with the lane now.
-struct PathStep {
-  bool believe = false;     ///< `state` becomes `last`, its tangent the newest
-  double tangent_sign = 1;  ///< with which the tangent is kept
-  bool arrived = false;     ///< at the station: to be seen before `proceed`
-  bool ended = false;       ///< result() says how
-  bool depart = false;      ///< from `last` by along[k] times the k-th newest tangent (rad)
-  double along[3] = {0, 0, 0};
-  bool hold = false;  ///< put the pilot at `pilot` after departing
-  HalfAngle<double> pilot{1, 0};
-};
-
-class StepControl {
+class CloseSteps {
  public:
-  explicit StepControl(const StepControlOptions& options = {}) : options_(options) {}
+  using Options = CloseStepOptions;
+  /// That states are extrapolated from.
+  static constexpr int kNodes = 2;
+
+  explicit CloseSteps(const Options& options = {}) : options_(options) {}
 
   /// A path whose start lies near the plan's station number `first_station`. Stations ascend, or
   /// descend where the arc is not needed. `forward_sign` is the determinant's on this half of the
   /// curve, 0 if it is not known yet.
-  void begin(const PathPlan& plan, std::size_t first_station, int forward_sign);
+  void begin(const PathStart& start);
   PathStep after(const NewtonReport& report);
   /// From the station where it arrived to the next one.
   PathStep proceed();
   /// The visitor has seen enough.
   PathStep stop() { return end(PathEnd::stopped); }
 
+  /// Whether it asks how far the creases have turned: where every loop closes at a station.
+  bool asks_for_turn(double open_by) const {
+    return !is_free() && open_by <= options_.closure_tolerance;
+  }
   bool under_way() const { return phase_ != Phase::idle; }
   /// Whether the corrector is free to move the pilot.
-  bool on_arc() const { return phase_ == Phase::arc; }
+  bool is_free() const { return phase_ == Phase::arc; }
   const Station& target() const { return plan_->stations[station_]; }
-  int forward_sign() const { return forward_sign_; }
+  /// The newest node's number, from 0 on.
+  int newest() const { return kept_ - 1; }
   const PathResult& result() const { return result_; }
 
  private:
-  enum class Phase { idle, stepping, arc, landing, last_try };
+  enum class Phase { idle, stepping, arc, landing, ahead, last_try };
+  struct Node {
+    HalfAngle<double> pilot;
+    double at_rad;  // the same, of stations
+    double rate;    // the pilot's, of the unit tangent
+  };
 
+  Correction::Options correction() const;
+  double longest_half_sine() const;
   PathStep converged(const NewtonReport& report);
   PathStep found_on_arc(const NewtonReport& report);
   PathStep arrive(const NewtonReport& report, double tangent_sign);
-  PathStep not_there(const NewtonReport& report);
-  PathStep begin_arc(const NewtonReport& report);
-  PathStep go_along(const HalfAngle<double>& last_pilot);
+  void note(const NewtonReport& report, double rate);
+  PathStep not_there();
+  PathStep begin_arc();
+  PathStep go_along();
   double next_along_arc(double tangent_pilot) const;
-  PathStep at_limit_point(double rise_rad, const HalfAngle<double>& last_pilot);
-  PathStep no_way_on(PathEnd why, const HalfAngle<double>& last_pilot);
+  PathStep at_limit_point(double rise_rad);
+  PathStep no_way_on(PathEnd why);
+  PathStep try_station(int from);
   PathStep end(PathEnd end);
+  const Node& node(int k) const { return nodes_[k % kStatePlaces]; }
+  const Node& last() const { return node(newest()); }
+  double gap_rad(int k) const;
 
-  StepControlOptions options_;
+  Options options_;
   const PathPlan* plan_ = nullptr;
   std::size_t station_ = 0;
   Phase phase_ = Phase::idle;
-  int forward_sign_ = 0;
-  int corrections_ = 0;
-  double last_open_ = 0;
-  double corrected_rad_ = 0;             // since departing
-  int tangents_ = 0;                     // known at the stations before, newest first
-  double tangent_pilot_[3] = {1, 1, 1};  // their pilot entries
-  double step_rad_[2] = {0, 0};          // pilot steps between those stations
-  double ds_ = 0;                        // on the arc: the next step
+  Correction correction_;
+  int kept_ = 0;                   // nodes, of stations and on the arc
+  int stations_ = 0;               // of these, the newest ones that states are extrapolated from
+  Node nodes_[kStatePlaces] = {};  // by place
+  double ds_ = 0;                  // on the arc: the next step
   double bend_ = 0;    // fall of the tangent's pilot entry per unit of length, past a limit point
   int arc_steps_ = 0;  // since the last station
   PathResult result_{};
