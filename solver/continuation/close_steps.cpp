@@ -6,6 +6,13 @@
 #include <limits>
 
 namespace misalign::solver {
+namespace {
+
+// Where sheets fold flat other branches cross. (Next to the flat sheet they do too, and there
+// Newton's method is slow on the right one.)
+constexpr double kDoubleFrom_deg = 179;
+
+}  // namespace
 
 void CloseSteps::begin(const PathStart& start) {
   assert(start.first_station < start.plan->stations.size());
@@ -37,11 +44,13 @@ Correction::Options CloseSteps::correction() const {
   if (is_free()) return {options_.arc_closure_tolerance, 0, options_.max_corrections, kAny};
   if (phase_ == Phase::ahead) return {options_.closure_tolerance, 0, 0, kAny};
   const double start_rad = target().pilot_deg * kRadPerDeg;
+  const bool may_be_double = target().pilot_deg > kDoubleFrom_deg;
   const double longest_rad = kept_ > 0       ? options_.longest_correction_rad
                              : start_rad > 0 ? options_.longest_start_share * start_rad
                                              : kAny;
-  return {options_.closure_tolerance, options_.least_corrections, options_.max_corrections,
-          longest_rad, kept_ > 0 && phase_ != Phase::last_try ? options_.least_gain : 0};
+  return {options_.closure_tolerance, kept_ > 0 ? options_.least_corrections : 0,
+          options_.max_corrections, longest_rad,
+          kept_ > 0 && phase_ != Phase::last_try && may_be_double ? options_.least_gain : 0};
 }
 
 double CloseSteps::longest_half_sine() const {

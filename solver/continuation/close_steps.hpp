@@ -37,7 +37,8 @@ struct CloseStepOptions {
   double arc_closure_tolerance = NewtonOptions{}.closure_tolerance;
   /// Extrapolated stations converge in one or two corrections; more have lost the branch.
   int max_corrections = 10;
-  /// Of a station before it is believed: its tangent is that of the state before the last one.
+  /// Of a station before it is believed, but for the first: its tangent is that of the state before
+  /// the last one.
   int least_corrections = 1;
   /// Of a correction next to a solution, see Correction: double ones are for the arc.
   double least_gain = 8;

@@ -92,11 +92,12 @@ TEST_F(CloseStepsTest, ClosureToleranceFromBothSides) {
   EXPECT_TRUE(control.after(open_by(kUsual.closure_tolerance, at_10_)).arrived);
 }
 
+// But for the first one: near flat a correction that is not needed does harm.
 TEST_F(CloseStepsTest, StationIsCorrectedBeforeItIsBelieved) {
   CloseSteps control;
-  control.begin(start_of(plan_));
-  EXPECT_TRUE(does_nothing(control.after(at_10_)));
-  EXPECT_TRUE(control.after(at_10_).arrived);
+  arrive_at_first_station(control);
+  EXPECT_TRUE(does_nothing(control.after(at_20_)));
+  EXPECT_TRUE(control.after(at_20_).arrived);
 }
 
 // From the base folding the second correction may open the loops again, the third not.
