@@ -52,10 +52,9 @@ class PathFollower {
   ///   void ended(const PathResult&, int lane)
   /// and where it wants to
   ///   void begin_path(PathStart&, int lane)   a path begins, which it may change
-  ///   void arrivals(const T&)   before any `see`, with 1 in each lane at a station, 0 in the
-  ///   others PathPoint& point(), bool wants_slopes()   to be filled in at a station before `see`;
-  ///   slopes
-  ///       cost more than lengths
+  ///   void arrivals(const T&)   before any `see`: 1 in each lane at a station, 0 in the others
+  ///   PathPoint& point()   to be filled in at a station before `see`
+  ///   bool wants_slopes()   in it too, which cost more than lengths
   ///   const std::vector<NearState>& near_states()   to be found after `see` and after `ended`
   template <class Queue, class Observer>
   void run(Queue& queue, Observer& observer) {

@@ -34,9 +34,9 @@ void PathStep::extrapolate(const double* at, const double* rates, int count, int
   depart = true;
 }
 
-void PathStep::go_along(int newest, double length) {
-  of_values[newest % kStatePlaces] = 1;
-  of_rates[newest % kStatePlaces] = length;
+void PathStep::go_along(int node, double length) {
+  of_values[node % kStatePlaces] = 1;
+  of_rates[node % kStatePlaces] = length;
   depart = true;
 }
 

@@ -51,8 +51,8 @@ struct PathStep {
   /// `at` with these rates of the variable per unit of arc length; and through flat, at 0.
   void extrapolate(const double* at, const double* rates, int count, int newest, bool from_flat,
                    double x);
-  /// From the newest node along its tangent (Euler).
-  void go_along(int newest, double length);
+  /// From a node along its tangent (Euler).
+  void go_along(int node, double length);
 };
 
 /// One run of the corrector, from departing until its state closes all loops or is given up.
@@ -74,9 +74,7 @@ class Correction {
   /// than its error in the joints lets the second, so that one may open them again.
   Now after(const NewtonReport& report, const Options& options, bool is_first);
 
-  /// How many were needed; all of them together; the first one.
-  int count() const { return count_; }
-  double rad() const { return corrected_rad_; }
+  /// How far off the prediction was, as the first of them has it.
   double first_rad() const { return first_rad_; }
 
  private:
