@@ -40,7 +40,8 @@ struct CloseStepOptions {
   /// Of a station before it is believed, but for the first: its tangent is that of the state before
   /// the last one.
   int least_corrections = 1;
-  /// Of a correction next to a solution, see Correction: double ones are for the arc.
+  /// Of a correction next to a solution beyond 179 degrees, see Correction: double ones are for the
+  /// arc.
   double least_gain = 8;
   /// Of a crease from one station to the next, sin(half of it), and of all its corrections together
   /// (rad): what has gone farther is looked for along the arc. Steps of 1 degree move a crease by 1

@@ -62,9 +62,8 @@ class LaneCorrector {
   const T& largest_correction() const { return largest_correction_; }
   /// Of the angle between the tangent and the last one.
   const T& cosine() const { return cosine_; }
-  /// Signs of det [J; t] for the tangent as it is, and of the Jacobian without the pilot's column.
+  /// Sign of det [J; t] for the tangent as it is.
   const T& orientation() const { return orientation_; }
-  const T& determinant_sign() const { return determinant_sign_; }
 
  private:
   void find_correction(const T& is_free, const std::vector<T>& last_tangent) {
@@ -85,7 +84,6 @@ class LaneCorrector {
       null_[j] = null_[j] * scale;
     }
     orientation_ = closure_.orientation();
-    determinant_sign_ = select(null_[unknowns_ - 1] < T(0), -orientation_, orientation_);
   }
 
   const Mechanism& mechanism_;
@@ -94,7 +92,7 @@ class LaneCorrector {
   SheetGeometry<T> geometry_;
   FoldState<T> trial_;
   std::vector<T> correction_, null_;
-  T open_, largest_correction_, cosine_, orientation_, determinant_sign_;
+  T open_, largest_correction_, cosine_, orientation_;
 };
 
 }  // namespace misalign::solver
