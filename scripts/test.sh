@@ -10,11 +10,11 @@ stage() {  # ends the last stage with how long it took, and begins the next
   [ -z "${begun_s-}" ] || echo "== $stage: $((SECONDS - begun_s)) s"
   stage=$1 begun_s=$SECONDS
 }
-configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON > /dev/null; }
+configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON "$@" > /dev/null; }
 
 quick() {
   stage "packages and layout"
-  need_packages $build_packages $test_packages
+  need_packages $build_packages $quick_packages
   scripts/check.sh
   stage "build"
   configure
@@ -34,14 +34,21 @@ sanitized() {
 }
 
 all() {
+  # What the core and the whole program compile alike is compiled once.
+  once=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_DIR=$PWD/build/ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_MAXSIZE=1G
   stage "packages and layout"
-  need_packages $build_packages $test_packages $hosts_packages
+  need_packages $build_packages $quick_packages ccache
   scripts/check.sh
   stage "ESLint"
   scripts/check.sh --lint
-  stage "build"
-  configure
+  stage "build; packages of the other tests beside it"
+  mkdir -p build
+  need_packages $test_packages $hosts_packages > build/packages.log 2>&1 &
+  packages=$!
+  configure $once
   cmake --build --preset release
+  wait $packages || { cat build/packages.log; exit 1; }
   # Beside the tests of the release, of which many wait.
   stage "release: every test; sanitizers beside it"
   log=build/sanitizers.log
@@ -57,7 +64,7 @@ all() {
   stage "studies, which are built on request"
   cmake --build --preset release --target studies
   stage "the core alone"
-  bash tests/system/core.sh "$PWD/build/release/misalign" "$PWD" -DMISALIGN_WERROR=ON
+  bash tests/system/core.sh "$PWD/build/release/misalign" "$PWD" -DMISALIGN_WERROR=ON $once
 }
 
 case "${1-}" in
