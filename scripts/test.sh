@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds with warnings as errors and runs every unit test and the system tests that are
-# quick. --all: every test there is, ESLint, what is built on request only, and the unit tests once more
-# under the address and undefined-behaviour sanitizers.
+# quick. --all: every test there is, ESLint, clang-tidy of the solver's first rooms, what is built on request only, and
+# the unit tests once more under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -49,6 +49,8 @@ all() {
   configure $once
   cmake --build --preset release
   wait $packages || { cat build/packages.log; exit 1; }
+  stage "clang-tidy of the rooms of a draw's way"
+  scripts/check.sh --tidy 'solver/(pattern|kinematics|linear|continuation|verdict|model|judging|records)'
   # Beside the tests of the release, of which many wait.
   stage "release: every test; sanitizers beside it"
   log=build/sanitizers.log
@@ -75,4 +77,5 @@ esac
 stage "done"
 echo "== in all: $SECONDS s"
 [ "${1-}" = --all ] || echo "scripts/test.sh --all adds: the long system tests (Python, browser, cluster, packages," \
-  "core alone), sanitizers, ESLint and the programs of the studies. clang-tidy: scripts/check.sh --tidy."
+  "core alone), sanitizers, ESLint, clang-tidy of the solver's first rooms and the programs of the studies." \
+  "clang-tidy of all rooms: scripts/check.sh --tidy."
