@@ -19,9 +19,11 @@ fi
 # The manual as a site (scripts/site.sh), and the figures of its gallery.
 site_packages="python3-sphinx python3-myst-parser python3-sphinx-gallery furo python3-numpy python3-pandas
   python3-matplotlib"
-test_packages="$site_packages libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev calculix-ccx sqlite3
-  clang-format procps mandoc zsh chromium python3 mypy python3-ezdxf octave curl
-  codespell"
+# What tests that are quick need beside a build, and the others.
+quick_packages="libgtest-dev libbenchmark-dev libvalijson-dev libmpfi-dev libmujoco-dev sqlite3 clang-format codespell
+  python3 octave"
+test_packages="$site_packages calculix-ccx procps mandoc zsh chromium mypy python3-ezdxf curl
+  clang-tidy"
 hosts_packages="iproute2 mount"  # tests/cluster
 slurm_packages="slurmctld slurmd slurm-client munge"  # tests/cluster
 

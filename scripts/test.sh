@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds with warnings as errors and runs every unit test and the system tests that are
-# quick. --all: every test there is, ESLint, what is built on request only, and the unit tests once more
-# under the address and undefined-behaviour sanitizers.
+# quick. --all: every test there is, ESLint, clang-tidy of the solver's first rooms, what is built on request only, and
+# the unit tests once more under the address and undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -10,11 +10,11 @@ stage() {  # ends the last stage with how long it took, and begins the next
   [ -z "${begun_s-}" ] || echo "== $stage: $((SECONDS - begun_s)) s"
   stage=$1 begun_s=$SECONDS
 }
-configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON > /dev/null; }
+configure() { cmake --preset release -DMISALIGN_TESTS=ON -DMISALIGN_WERROR=ON -DMISALIGN_PYTHON=ON "$@" > /dev/null; }
 
 quick() {
   stage "packages and layout"
-  need_packages $build_packages $test_packages
+  need_packages $build_packages $quick_packages
   scripts/check.sh
   stage "build"
   configure
@@ -34,14 +34,23 @@ sanitized() {
 }
 
 all() {
+  # What the core and the whole program compile alike is compiled once.
+  once=-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_DIR=$PWD/build/ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_MAXSIZE=1G
   stage "packages and layout"
-  need_packages $build_packages $test_packages $hosts_packages
+  need_packages $build_packages $quick_packages ccache
   scripts/check.sh
   stage "ESLint"
   scripts/check.sh --lint
-  stage "build"
-  configure
+  stage "build; packages of the other tests beside it"
+  mkdir -p build
+  need_packages $test_packages $hosts_packages > build/packages.log 2>&1 &
+  packages=$!
+  configure $once
   cmake --build --preset release
+  wait $packages || { cat build/packages.log; exit 1; }
+  stage "clang-tidy of the rooms of a draw's way"
+  scripts/check.sh --tidy 'solver/(pattern|kinematics|linear|continuation|verdict|model|judging|records)'
   # Beside the tests of the release, of which many wait.
   stage "release: every test; sanitizers beside it"
   log=build/sanitizers.log
@@ -57,7 +66,7 @@ all() {
   stage "studies, which are built on request"
   cmake --build --preset release --target studies
   stage "the core alone"
-  bash tests/system/core.sh "$PWD/build/release/misalign" "$PWD" -DMISALIGN_WERROR=ON
+  bash tests/system/core.sh "$PWD/build/release/misalign" "$PWD" -DMISALIGN_WERROR=ON $once
 }
 
 case "${1-}" in
@@ -68,4 +77,5 @@ esac
 stage "done"
 echo "== in all: $SECONDS s"
 [ "${1-}" = --all ] || echo "scripts/test.sh --all adds: the long system tests (Python, browser, cluster, packages," \
-  "core alone), sanitizers, ESLint and the programs of the studies. clang-tidy: scripts/check.sh --tidy."
+  "core alone), sanitizers, ESLint, clang-tidy of the solver's first rooms and the programs of the studies." \
+  "clang-tidy of all rooms: scripts/check.sh --tidy."

@@ -9,7 +9,7 @@ python3 -c 'import matplotlib' 2> /dev/null || need_packages python3-matplotlib
 here=results/work-precision
 
 if [ "${1:-}" != draw ]; then
-  need_packages $build_packages $test_packages libsundials-dev
+  need_packages $build_packages $quick_packages $test_packages libsundials-dev
   cmake --preset release -DMISALIGN_TESTS=ON > /dev/null
   cmake --build --preset release --target work_precision
   program=build/release/tests/work_precision

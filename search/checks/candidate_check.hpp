@@ -2,7 +2,7 @@
 // and the folded shapes by their coordinates.
 #pragma once
 
-#include "search/checks/sheet_check.hpp"
+#include "search/checks/folded_check.hpp"
 #include "solver/records/metrics.hpp"
 
 namespace misalign::search {
@@ -33,7 +33,7 @@ class CandidateCheck {
                      CandidateReport& report) const;
 
   const schema::Campaign& campaign_;
-  const SheetCheck sheets_;
+  const FoldedCheck sheets_;
 };
 
 }  // namespace misalign::search

@@ -78,7 +78,7 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 PatternVerification verify_pattern(const std::string& path) {
   const ChosenSheet chosen = sheet_of_pattern_file(path);
-  const SheetCheck check(chosen.base, chosen.sampling);
+  const FoldedCheck check(chosen.base, chosen.sampling);
   const solver::Sheet sheet = check.sheet(chosen.shifts_mm);
   const solver::FoldingHistory& history = sheet.history();
   const auto dense = solver::record_densely(sheet.model(), sheet.vertices_mm());

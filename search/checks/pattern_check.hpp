@@ -5,7 +5,7 @@
 #include <string>
 
 #include "schema/pattern/pattern_file.hpp"
-#include "search/checks/sheet_check.hpp"
+#include "search/checks/folded_check.hpp"
 
 namespace misalign::search {
 

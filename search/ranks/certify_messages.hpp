@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "search/ranks/wire.hpp"
-#include "search/sheets/sheet_certifier.hpp"
+#include "search/sheets/row_certifier.hpp"
 
 namespace misalign::search {
 

@@ -73,7 +73,7 @@ struct CertifyWorkspace {
 
   const schema::Campaign campaign;
   const solver::Model model;
-  SheetCertifier certifier;
+  RowCertifier certifier;
 };
 
 // Private to rank 0: the catalogue, the progress and what is left to do.

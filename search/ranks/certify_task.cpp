@@ -7,7 +7,7 @@
 namespace misalign::search {
 namespace {
 
-CertifyResult certify_sheet(SheetCertifier& certifier, const CertifyOrder& order) {
+CertifyResult certify_sheet(RowCertifier& certifier, const CertifyOrder& order) {
   if (order.stored) return {{}, certifier.check(order.shifts_mm, *order.stored)};
   return {certifier.certify(order.draw, order.shifts_mm, order.asked_deg), {}};
 }
@@ -20,7 +20,7 @@ void CertifyWork::run_next_block() {
   sent_.seconds += watch.seconds();
 }
 
-CertifyTask::CertifyTask(SheetCertifier& certifier, CertifyList sheets, int ranks)
+CertifyTask::CertifyTask(RowCertifier& certifier, CertifyList sheets, int ranks)
     : certifier_(certifier),
       sheets_(std::move(sheets)),
       open_(sheets_.count),

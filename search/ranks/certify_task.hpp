@@ -14,7 +14,7 @@ namespace misalign::search {
 /// Some sheets being worked off, one at a time.
 class CertifyWork {
  public:
-  CertifyWork(SheetCertifier& certifier, std::vector<CertifyOrder> orders)
+  CertifyWork(RowCertifier& certifier, std::vector<CertifyOrder> orders)
       : certifier_(certifier), orders_(std::move(orders)) {}
 
   bool finished() const { return sent_.results.size() == orders_.size(); }
@@ -23,7 +23,7 @@ class CertifyWork {
   SentResults take() { return std::move(sent_); }
 
  private:
-  SheetCertifier& certifier_;
+  RowCertifier& certifier_;
   const std::vector<CertifyOrder> orders_;
   SentResults sent_;
 };
@@ -43,7 +43,7 @@ struct CertifyList {
 class CertifyTask final : public RankTask {
  public:
   /// The certifier must outlive this object.
-  CertifyTask(SheetCertifier& certifier, CertifyList sheets, int ranks);
+  CertifyTask(RowCertifier& certifier, CertifyList sheets, int ranks);
 
   std::optional<Bytes> assign(int worker) override;
   bool has_job(int worker) const override { return !workers_[worker].sheets.empty(); }
@@ -65,7 +65,7 @@ class CertifyTask final : public RankTask {
   };
   std::size_t job_size(const Worker& worker) const;
 
-  SheetCertifier& certifier_;
+  RowCertifier& certifier_;
   const CertifyList sheets_;
   std::deque<std::size_t> open_;  // ascending
   std::size_t given_out_ = 0, done_ = 0;

@@ -19,7 +19,7 @@
 #include "search/ranks/run_info.hpp"
 #include "search/ranks/stop_signal.hpp"
 #include "search/ranks/worker.hpp"
-#include "search/sheets/sheet_certifier.hpp"
+#include "search/sheets/row_certifier.hpp"
 #include "search/terminal/count_text.hpp"
 #include "search/terminal/ladder_text.hpp"
 #include "search/terminal/nothing_found.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 using schema::UserError;
 
-void refuse_backlash(const ToleranceCall& call, const ChosenSheets& sheets,
+void refuse_backlash(const ToleranceCall& call, const ToleranceTargets& sheets,
                      const BacklashStudy& study) {
   for (std::size_t k = 0; k < study.sheets().size(); ++k) {
     const std::string name = sheets.key(k).name();
@@ -49,7 +49,7 @@ void check_backlash(const ToleranceCall& call) {
   }
 }
 
-void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets) {
+void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets) {
   const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash);
   refuse_backlash(call, sheets, study);
   std::vector<solver::Backlash> answers =

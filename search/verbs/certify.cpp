@@ -11,7 +11,7 @@
 #include "search/ranks/mpi_session.hpp"
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/sheet_certifier.hpp"
+#include "search/sheets/row_certifier.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
@@ -109,7 +109,7 @@ int run_on_pattern(const CertifyCall& call) {
   const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
-  SheetCertifier certifier(sheet.base, model, call.options.contact);
+  RowCertifier certifier(sheet.base, model, call.options.contact);
   if (call.options.check) {
     const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
     if (!row) {

@@ -21,9 +21,8 @@
 #include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
 #include "search/verbs/log.hpp"
-#include "search/verbs/options.hpp"
 #include "search/verbs/usage.hpp"
-#include "search/verbs/verbs.hpp"
+#include "search/verbs/validators.hpp"
 #include "solver/lanes/batch.hpp"
 
 namespace misalign::search {
@@ -93,7 +92,7 @@ bool shows_itself(const std::string& verb) {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(int argc, char** argv, std::vector<Verb> (*verbs)(const Words&)) {
   CLI::App app("Searches for misaligned origami that simple springs deploy.", "misalign");
   app.set_version_flag("--version", version_text(),
                        "print version, commit, compiler, libraries and end");
@@ -118,7 +117,7 @@ int run_command_line(int argc, char** argv) {
                                      {"never", ColorMode::never}}));
   const Words typed(argv, argv + argc);
   std::map<const CLI::App*, Action> actions;
-  for (const Verb& each : all_verbs(typed)) {
+  for (const Verb& each : verbs(typed)) {
     CLI::App* verb = app.add_subcommand(each.name);
     actions[verb] = each.set_up(*verb);
   }

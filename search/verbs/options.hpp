@@ -1,45 +1,16 @@
-// Options that several verbs share: which values they take, and which sheets they choose.
+// Options that several verbs share: which sheets they choose, and how these are let go.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "schema/exchange/calculix_deck.hpp"
 #include "search/sheets/release.hpp"
+#include "search/verbs/validators.hpp"
 
 namespace misalign::search {
-
-/// A number within bounds, which NaN is not.
-CLI::Validator within(double least, double most);
-
-/// A share of one within bounds; what was meant as percent is told from it.
-CLI::Validator a_share(double least, double most);
-
-/// A whole number within bounds, written as one: not 1e6.
-CLI::Validator counted(std::uint64_t least, std::uint64_t most);
-/// Any number of a draw, or of draws.
-CLI::Validator a_draw();
-
-/// What is typed, and what it stands for.
-template <class Value>
-using Names = std::vector<std::pair<std::string, Value>>;
-
-/// One of the names, of an enum's values; `where` ends the sentence about any other.
-CLI::Validator one_of_words(const Names<std::string>& names, const std::string& where);
-template <class Enum>
-CLI::Validator one_of(const Names<Enum>& names, const std::string& where = "") {
-  Names<std::string> numbers;  // which CLI11 makes the enum's value of
-  for (const auto& [name, value] : names) {
-    numbers.emplace_back(name, std::to_string(static_cast<int>(value)));
-  }
-  return one_of_words(numbers, where);
-}
-
-/// One of the words, of which the nearest is suggested for any other: "x is no verb".
-CLI::Validator known_word(const std::string& kind, const std::vector<std::string>& known);
 
 /// The first argument of verbs that look at one sheet, and the second that some of them take.
 void add_catalogue_or_pattern(CLI::App& verb, std::string& path);

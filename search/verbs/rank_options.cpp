@@ -3,7 +3,7 @@
 #include "search/ranks/mpi_session.hpp"
 #include "search/ranks/rank_starter.hpp"
 #include "search/ranks/run_info.hpp"
-#include "search/verbs/options.hpp"
+#include "search/verbs/validators.hpp"
 
 namespace misalign::search {
 namespace {

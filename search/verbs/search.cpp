@@ -10,8 +10,8 @@
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
 #include "search/verbs/help_format.hpp"
-#include "search/verbs/options.hpp"
 #include "search/verbs/rank_options.hpp"
+#include "search/verbs/validators.hpp"
 #include "search/verbs/verbs.hpp"
 
 namespace misalign::search {

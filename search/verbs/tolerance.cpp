@@ -46,7 +46,7 @@ schema::Yield yield_of(std::uint64_t draw, const solver::Tolerance& tolerance) {
           tolerance.copies.undecided};
 }
 
-void print(const ToleranceCall& call, const ChosenSheets& sheets,
+void print(const ToleranceCall& call, const ToleranceTargets& sheets,
            const std::vector<solver::Tolerance>& tolerances) {
   const bool single = is_single(call, sheets);
   std::string text;
@@ -70,7 +70,7 @@ void print(const ToleranceCall& call, const ChosenSheets& sheets,
   call.json ? put_json(text) : put(text);
 }
 
-void run_miscuts(ToleranceCall& call, const ChosenSheets& sheets) {
+void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
   call.study.amplitude_mm = *call.amplitude_mm;
   for (std::size_t k = 0; k < sheets.shifts_mm.size(); ++k) {
     check_miscut(call.study.amplitude_mm, sheets.campaign.pattern.base.sheet, sheets.shifts_mm[k],
@@ -94,7 +94,7 @@ int run(ToleranceCall call) {
   call.study.set = solver::available_instruction_sets().back();
   call.study.jobs = call.jobs.value_or(usable_threads());
   // Closes the catalogue again, before the writer's lock: see WriterLock.
-  const ChosenSheets sheets = choose_sheets(call);
+  const ToleranceTargets sheets = choose_sheets(call);
   if (call.backlash_mm) {
     run_backlash(call, sheets);
   } else {

@@ -10,14 +10,14 @@ namespace {
 
 using schema::UserError;
 
-ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
+ToleranceTargets sheets_of_catalogue(const ToleranceCall& call) {
   const auto database = schema::open_for_reading(call.path);
   if (!call.choice.chooses()) {
     throw UserError(schema::Cause::bad_request,
                     "tolerance: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K or --where SQL");
   }
-  ChosenSheets sheets{schema::read_campaign_of(*database, call.path), {}, {}, ""};
+  ToleranceTargets sheets{schema::read_campaign_of(*database, call.path), {}, {}, ""};
   sheets.draws = chosen_draws(*database, call.choice);
   for (const std::uint64_t draw : sheets.draws) {
     sheets.shifts_mm.push_back(shifts_of_number(*database, sheets.campaign, draw));
@@ -27,9 +27,9 @@ ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
 
 // As a campaign of its own, from whose threshold the sheet itself just deploys. The seed is the
 // default one: an exported candidate does not say its campaign's.
-ChosenSheets sheet_of_file(const ToleranceCall& call) {
+ToleranceTargets sheet_of_file(const ToleranceCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
-  ChosenSheets sheets{{}, {chosen.shifts_mm}, {}, chosen.pattern};
+  ToleranceTargets sheets{{}, {chosen.shifts_mm}, {}, chosen.pattern};
   schema::Campaign& campaign = sheets.campaign;
   campaign.pattern = chosen.base;
   campaign.sample_deg = chosen.sampling.sample_deg;
@@ -54,11 +54,11 @@ ChosenSheets sheet_of_file(const ToleranceCall& call) {
 
 }  // namespace
 
-ChosenSheets choose_sheets(const ToleranceCall& call) {
+ToleranceTargets choose_sheets(const ToleranceCall& call) {
   return is_pattern_file(call.path) ? sheet_of_file(call) : sheets_of_catalogue(call);
 }
 
-bool is_single(const ToleranceCall& call, const ChosenSheets& sheets) {
+bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets) {
   return sheets.draws.empty() || call.choice.draws.size() == 1;
 }
 

@@ -24,7 +24,7 @@ struct ToleranceCall {
 };
 
 /// The candidates that are chosen of a catalogue, or the one sheet of a pattern file.
-struct ChosenSheets {
+struct ToleranceTargets {
   schema::Campaign campaign;
   std::vector<Eigen::Matrix2Xd> shifts_mm;
   std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
@@ -36,10 +36,10 @@ struct ChosenSheets {
 };
 
 /// Those that are asked about. UserError (2, 3) with one sentence.
-ChosenSheets choose_sheets(const ToleranceCall& call);
+ToleranceTargets choose_sheets(const ToleranceCall& call);
 
 /// Whether one that was named is an answer of its own; what a choice finds is a list.
-bool is_single(const ToleranceCall& call, const ChosenSheets& sheets);
+bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);
 
 /// Says how many are judged.
 void show_copies(const CopiesDone& copies);
@@ -47,6 +47,6 @@ void show_copies(const CopiesDone& copies);
 /// The study of backlash: UserError (2) for what no study can be made of, found before the sheets
 /// are and after, and the study with its answer on standard output.
 void check_backlash(const ToleranceCall& call);
-void run_backlash(const ToleranceCall& call, const ChosenSheets& sheets);
+void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets);
 
 }  // namespace misalign::search

@@ -179,7 +179,7 @@ class Checker {
 
   bool holds_middle(const ProvenInterval& interval) const {
     const FoldState<double>& state = interval.interval.middle;
-    JointPlaces places;
+    IntervalProver::JointPlaces places;
     for (const HalfAngle<double>& h : state.creases) {
       places.creases.push_back({ArbNumber(h.c), ArbNumber(h.s)});
     }
@@ -221,7 +221,8 @@ class Checker {
   bool joins(const ProvenInterval& next) const {
     if (last_.subintervals.empty()) return next.interval.from_deg == 0;
     const ArbNumber tau = half_tangent(ArbNumber(next.interval.from_deg));
-    const JointPlaces places = prover_.places(last_, last_.unknowns_at(last_.to), tau);
+    const IntervalProver::JointPlaces places =
+        prover_.places(last_, last_.unknowns_at(last_.to), tau);
     return is_within(next.subintervals.front(), next.from, prover_.unknowns(next, places, tau));
   }
 

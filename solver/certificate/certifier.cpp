@@ -113,7 +113,7 @@ class TubeContinuation {
   bool begin_with(double to_deg, FoldState<double> middle) {
     PathTube tube;
     const PathInterval interval{0, to_deg, true, 0, std::move(middle)};
-    if (prover_.prove(interval, kLargestBox, tube) != TubeEnd::proven) return false;
+    if (prover_.prove(interval, kLargestBox, tube) != TubeProver::End::proven) return false;
     const std::vector<PathModel> slopes = prover_.find_slopes(tube);
     directions_.clear();
     for (const PathModel& slope : slopes) {
@@ -178,11 +178,12 @@ class TubeContinuation {
     assert(tries_ <= kMostTries);
     PathTube tube;
     const double width = to - at_deg();
-    const TubeEnd end =
+    const TubeProver::End end =
         prover_.prove(interval_to(to), kLargestBox * std::clamp(width, 0.01, 1.0), tube);
-    if (end == TubeEnd::proven && join(last_, tube)) return look_at(std::move(tube));
-    shorten(width, width * (end == TubeEnd::proven ? kShorterInterval
-                                                   : std::min(0.8, prover_.better_length())));
+    if (end == TubeProver::End::proven && join(last_, tube)) return look_at(std::move(tube));
+    shorten(width,
+            width * (end == TubeProver::End::proven ? kShorterInterval
+                                                    : std::min(0.8, prover_.better_length())));
     return true;
   }
 

@@ -28,7 +28,7 @@ std::vector<Condition> conditions_of(const Mechanism& mechanism, const PathTube&
   for (int i = 0; i < static_cast<int>(mechanism.creases.size()); ++i) {
     if (i == mechanism.pilot) continue;
     const Crease& crease = mechanism.creases[i];
-    const CreaseChart& at = tube.chart.joints().creases[i];
+    const Chart::Crease& at = tube.chart.joints().creases[i];
     const PathModel x = tube.path[crease.column];
     conditions.push_back(
         {CertificateEnd::sign_changed, i,

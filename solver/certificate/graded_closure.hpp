@@ -21,24 +21,17 @@ namespace misalign::solver {
 
 /// How joints are written in their unknowns x, all of which are 0 in the middle of an interval.
 /// Coefficients are exact, whatever they came from.
-struct CreaseChart {
-  double c, c_rate, s,
-      s_rate;  ///< q = (c + c_rate x) - sense (s + s_rate x) u, u the crease's axis
-};
-struct BallChart {
-  GradedQuaternion<double> middle;
-  std::array<GradedQuaternion<double>, 3> rate;
-};
 struct Chart {
-  std::vector<CreaseChart> creases;
-  std::vector<BallChart> balls;
-};
-
-/// A joint at its unknowns: the quaternion of a passage of sense +1, of a crease without its axis.
-template <class T>
-struct JointValue {
-  GradedQuaternion<T> q;  ///< of a crease w = c and x = s
-  T inverse;              ///< 1 / |q|^2
+  struct Crease {
+    double c, c_rate, s,
+        s_rate;  ///< q = (c + c_rate x) - sense (s + s_rate x) u, u the crease's axis
+  };
+  struct Ball {
+    GradedQuaternion<double> middle;
+    std::array<GradedQuaternion<double>, 3> rate;
+  };
+  std::vector<Crease> creases;
+  std::vector<Ball> balls;
 };
 
 /// Coordinates in T of a sheet that is known in S.
@@ -64,18 +57,25 @@ std::vector<JacobianColumn> columns_of(const Mechanism& mechanism);
 template <class T, class Sigma>
 class GradedClosure {
  public:
+  /// A joint at its unknowns: the quaternion of a passage of sense +1, of a crease without its
+  /// axis.
+  struct Joint {
+    GradedQuaternion<T> q;  ///< of a crease w = c and x = s
+    T inverse;              ///< 1 / |q|^2
+  };
+
   /// All must outlive this object. `x`: one for each unknown, the pilot's last.
   GradedClosure(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Chart& chart,
                 const Sigma& sigma, const T* x)
       : mechanism_(mechanism), geometry_(geometry), chart_(chart), sigma_(sigma) {
     for (std::size_t i = 0; i < chart.creases.size(); ++i) {
-      const CreaseChart& at = chart.creases[i];
+      const Chart::Crease& at = chart.creases[i];
       const T& turn = x[mechanism.creases[i].column];
       const T c = T(at.c) + at.c_rate * turn, s = T(at.s) + at.s_rate * turn;
       creases_.push_back({{c, s, T(0.0), T(0.0)}, reciprocal(c * c + sigma(s * s))});
     }
     for (std::size_t i = 0; i < chart.balls.size(); ++i) {
-      const BallChart& at = chart.balls[i];
+      const Chart::Ball& at = chart.balls[i];
       const T* turn = x + mechanism.balls[i].column;
       GradedQuaternion<T> q{T(at.middle.w), T(at.middle.x), T(at.middle.y), T(at.middle.z)};
       for (int k = 0; k < 3; ++k) {
@@ -88,8 +88,8 @@ class GradedClosure {
     }
   }
 
-  const std::vector<JointValue<T>>& creases() const { return creases_; }
-  const std::vector<JointValue<T>>& balls() const { return balls_; }
+  const std::vector<Joint>& creases() const { return creases_; }
+  const std::vector<Joint>& balls() const { return balls_; }
 
   /// How far the loops are open, one for each equation; and the Jacobian's structural nonzeros in
   /// the order of jacobian_entries, those of the pilot left out, unless `values` is null.
@@ -162,7 +162,7 @@ class GradedClosure {
     frames[root].at = point(corners.front()[0]);
     for (const FoldedShape::Branch& branch : tree) {
       const Frame& parent = frames.at(branch.parent);
-      const JointValue<T> joint = passed(branch.joint);
+      const Joint joint = passed(branch.joint);
       frames[branch.facet] = {then(parent.turn, branch.joint, joint),
                               parent.inverse * joint.inverse, branch.joint.vertex,
                               placed(parent, branch.joint.vertex)};
@@ -195,7 +195,7 @@ class GradedClosure {
     for (std::size_t j = loop.arrival[at]; j < end_of_corner(loop, at); ++j) {
       corner.before.push_back(q);
       corner.inverse.push_back(inverse);
-      const JointValue<T> joint = passed(loop.passages[j]);
+      const Joint joint = passed(loop.passages[j]);
       q = corner.before.size() == 1 ? joint.q : then(q, loop.passages[j], joint);
       inverse = inverse * joint.inverse;
     }
@@ -232,19 +232,19 @@ class GradedClosure {
     return {geometry_.x[to] - geometry_.x[from], geometry_.y[to] - geometry_.y[from], T(0.0)};
   }
 
-  JointValue<T> passed(const Passage& passage) const {
+  Joint passed(const Passage& passage) const {
     if (passage.ball) {
-      const JointValue<T>& joint = balls_[passage.joint];
-      return passage.sense > 0 ? joint : JointValue<T>{joint.q.conjugate(), joint.inverse};
+      const Joint& joint = balls_[passage.joint];
+      return passage.sense > 0 ? joint : Joint{joint.q.conjugate(), joint.inverse};
     }
-    const JointValue<T>& joint = creases_[passage.joint];
+    const Joint& joint = creases_[passage.joint];
     const T s = passage.sense > 0 ? -joint.q.x : joint.q.x;
     const GradedVector<T> u = axis(passage);
     return {{joint.q.w, s * u.x, s * u.y, T(0.0)}, joint.inverse};
   }
 
   GradedQuaternion<T> then(const GradedQuaternion<T>& before, const Passage& passage,
-                           const JointValue<T>& joint) const {
+                           const Joint& joint) const {
     return passage.ball ? product(sigma_, before, joint.q)
                         : product_in_plane(sigma_, before, joint.q);
   }
@@ -254,7 +254,7 @@ class GradedClosure {
     walk.before.push_back(identity());
     walk.inverse.push_back(T(1.0));
     for (const Passage& passage : loop.passages) {
-      const JointValue<T> joint = passed(passage);
+      const Joint joint = passed(passage);
       const bool first = walk.before.size() == 1;
       walk.before.push_back(first ? joint.q : then(walk.before.back(), passage, joint));
       walk.inverse.push_back(first ? joint.inverse : walk.inverse.back() * joint.inverse);
@@ -270,15 +270,15 @@ class GradedClosure {
   // How a joint turns what comes after it while one of its unknowns grows at rate 1: q' q^-1, half
   // the angular velocity as its vector and how fast the length grows as its scalar part.
   GradedQuaternion<T> turning(const Passage& passage, int unknown) const {
-    const JointValue<T> joint = passed(passage);
+    const Joint joint = passed(passage);
     if (passage.ball) {
       const GradedQuaternion<double>& r = chart_.balls[passage.joint].rate[unknown];
       GradedQuaternion<T> rate{T(r.w), T(r.x), T(r.y), T(r.z)};
       if (passage.sense < 0) rate = rate.conjugate();
       return scaled(joint.inverse, product(sigma_, rate, joint.q.conjugate()));
     }
-    const CreaseChart& at = chart_.creases[passage.joint];
-    const JointValue<T>& value = creases_[passage.joint];
+    const Chart::Crease& at = chart_.creases[passage.joint];
+    const Joint& value = creases_[passage.joint];
     const T turn = at.s_rate * value.q.w - at.c_rate * value.q.x;
     const T growth = at.c_rate * value.q.w + sigma_(at.s_rate * value.q.x);
     const T along = passage.sense > 0 ? -turn : turn;
@@ -340,7 +340,7 @@ class GradedClosure {
   const SheetGeometry<T>& geometry_;
   const Chart& chart_;
   const Sigma sigma_;
-  std::vector<JointValue<T>> creases_, balls_;
+  std::vector<Joint> creases_, balls_;
 };
 
 }  // namespace misalign::solver

@@ -25,7 +25,7 @@ Ball squared_tangent_of(double angle_deg) {
   return tangent * tangent;
 }
 
-BallChart turned_from(const Quaternion<double>& q) {
+Chart::Ball turned_from(const Quaternion<double>& q) {
   return {{q.w, q.x, q.y, q.z},
           {{{-q.x, q.w, -q.z, q.y}, {-q.y, q.z, q.w, -q.x}, {-q.z, -q.y, q.x, q.w}}}};
 }
@@ -93,8 +93,8 @@ void IntervalChart::place_joints() {
   for (const HalfAngle<double>& h : interval_.middle.creases) {
     const bool is_pilot = static_cast<int>(joints_.creases.size()) == mechanism_->pilot;
     if (is_graded()) {
-      joints_.creases.push_back(is_pilot ? CreaseChart{1, 0, 1, 0}
-                                         : CreaseChart{1, 0, h.s / (h.c * tau), 1});
+      joints_.creases.push_back(is_pilot ? Chart::Crease{1, 0, 1, 0}
+                                         : Chart::Crease{1, 0, h.s / (h.c * tau), 1});
     } else {
       const HalfAngle<double>& at = is_pilot ? pilot_ : h;
       joints_.creases.push_back({at.c, -at.s, at.s, at.c});
@@ -102,8 +102,8 @@ void IntervalChart::place_joints() {
   }
   for (const Quaternion<double>& q : interval_.middle.balls) {
     joints_.balls.push_back(
-        is_graded() ? BallChart{{1, q.x / (q.w * tau), q.y / (q.w * tau), q.z / (q.w * sigma_)},
-                                {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}
+        is_graded() ? Chart::Ball{{1, q.x / (q.w * tau), q.y / (q.w * tau), q.z / (q.w * sigma_)},
+                                  {{{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}
                     : turned_from(q));
   }
 }
@@ -111,13 +111,13 @@ void IntervalChart::place_joints() {
 void IntervalChart::recentre(const double* x) {
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
     if (static_cast<int>(i) == mechanism_->pilot) continue;
-    CreaseChart& at = joints_.creases[i];
+    Chart::Crease& at = joints_.creases[i];
     const double turn = x[mechanism_->creases[i].column];
     const HalfAngle<double> h{at.c + at.c_rate * turn, at.s + at.s_rate * turn};
-    at = is_graded() ? CreaseChart{1, 0, h.s, 1} : CreaseChart{h.c, -h.s, h.s, h.c};
+    at = is_graded() ? Chart::Crease{1, 0, h.s, 1} : Chart::Crease{h.c, -h.s, h.s, h.c};
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
-    BallChart& at = joints_.balls[i];
+    Chart::Ball& at = joints_.balls[i];
     GradedQuaternion<double> q = at.middle;
     for (int k = 0; k < 3; ++k) {
       const double turn = x[mechanism_->balls[i].column + k];
@@ -133,7 +133,7 @@ FoldState<double> IntervalChart::state_at(const double* x, double s) const {
   FoldState<double> state;
   const double sigma = is_graded() ? sigma_ + half_width_ * s : 1, tau = std::sqrt(sigma);
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
-    const CreaseChart& at = joints_.creases[i];
+    const Chart::Crease& at = joints_.creases[i];
     const bool is_pilot = static_cast<int>(i) == mechanism_->pilot;
     const double own = x == nullptr ? 0 : x[mechanism_->creases[i].column];
     const double turn = is_pilot ? half_width_ * s : own;
@@ -142,7 +142,7 @@ FoldState<double> IntervalChart::state_at(const double* x, double s) const {
     state.creases.push_back({c / length, t / length});
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
-    const BallChart& at = joints_.balls[i];
+    const Chart::Ball& at = joints_.balls[i];
     GradedQuaternion<double> q = at.middle;
     for (int k = 0; x != nullptr && k < 3; ++k) {
       const double turn = x[mechanism_->balls[i].column + k];
@@ -176,13 +176,13 @@ IntervalChart::PlainState IntervalChart::plain(const std::vector<Ball>& x, doubl
   const Ball tau = is_graded() ? tangent_of(pilot_deg) : Ball(1.0), sigma = tau * tau;
   PlainState state;
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
-    const CreaseChart& at = joints_.creases[i];
+    const Chart::Crease& at = joints_.creases[i];
     const bool is_pilot = static_cast<int>(i) == mechanism_->pilot;
     const Ball turn = is_pilot ? Ball(0.0) : x[mechanism_->creases[i].column];
     state.creases.push_back({Ball(at.c) + at.c_rate * turn, tau * (Ball(at.s) + at.s_rate * turn)});
   }
   for (std::size_t i = 0; i < joints_.balls.size(); ++i) {
-    const BallChart& at = joints_.balls[i];
+    const Chart::Ball& at = joints_.balls[i];
     Quaternion<Ball> q{at.middle.w, at.middle.x, at.middle.y, at.middle.z};
     for (int k = 0; k < 3; ++k) {
       const Ball& turn = x[mechanism_->balls[i].column + k];
@@ -199,7 +199,7 @@ std::vector<Ball> IntervalChart::unknowns(const PlainState& state, double pilot_
   std::vector<Ball> x(mechanism_->equations);
   for (std::size_t i = 0; i < joints_.creases.size(); ++i) {
     if (static_cast<int>(i) == mechanism_->pilot) continue;
-    const CreaseChart& at = joints_.creases[i];
+    const Chart::Crease& at = joints_.creases[i];
     x[mechanism_->creases[i].column] =
         is_graded() ? quotient(state.creases[i].s, state.creases[i].c * tau) - Ball(at.s)
                     : turn_between({at.c, at.s}, state.creases[i]);

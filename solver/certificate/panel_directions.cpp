@@ -40,10 +40,6 @@ Vector3d best_direction(const std::array<Vector3d, 4>& points) {
   return best;
 }
 
-int corner_of(const std::array<int, 4>& corners, int vertex) {
-  return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-}
-
 }  // namespace
 
 std::vector<ComparedPanels> compared_panels(const Panels& panels) {

@@ -15,19 +15,19 @@
 
 namespace misalign::solver {
 
+using FourParts = std::array<double, 4>;
 /// How an interval's joints are written in its unknowns x: graded a crease is cos : sin = c : tau s
 /// of half its angle and a ball's quaternion (w, tau x, tau y, sigma z), otherwise with tau = 1.
-struct CreaseLine {
-  double c, s, c_rate, s_rate;
-};
-using FourParts = std::array<double, 4>;
-struct BallLine {
-  FourParts q;
-  std::array<FourParts, 3> rate;
-};
 struct JointLines {
-  std::vector<CreaseLine> creases;
-  std::vector<BallLine> balls;
+  struct Crease {
+    double c, s, c_rate, s_rate;
+  };
+  struct Ball {
+    FourParts q;
+    std::array<FourParts, 3> rate;
+  };
+  std::vector<Crease> creases;
+  std::vector<Ball> balls;
 };
 
 /// A model in T has coordinates of the sheet in NumberOf<T>, and `scaled` for products of both.
@@ -52,7 +52,7 @@ class PoseClosure {
               const JointLines& lines, const Grading<T>& sigma, const std::vector<T>& x)
       : mechanism_(mechanism), geometry_(geometry), lines_(lines), sigma_(sigma) {
     for (std::size_t i = 0; i < lines.creases.size(); ++i) {
-      const CreaseLine& line = lines.creases[i];
+      const JointLines::Crease& line = lines.creases[i];
       const T& turn = x[mechanism.creases[i].column];
       const T c = T(line.c) + scaled(line.c_rate, turn), s = T(line.s) + scaled(line.s_rate, turn);
       creases_.push_back({c, s, inverse_of(c * c + sigma(s * s))});
@@ -247,7 +247,7 @@ class PoseClosure {
       // Half the angle turns at (c s' - s c') / (c^2 + sigma s^2); sin and 1 - cos by the chain
       // rule.
       const CreaseValue& at = creases_[passage.joint];
-      const CreaseLine& line = lines_.creases[passage.joint];
+      const JointLines::Crease& line = lines_.creases[passage.joint];
       const T turn = (scaled(line.s_rate, at.c) - scaled(line.c_rate, at.s)) * at.inverse;
       const T twice = (turn + turn) * at.inverse;
       m = about_axis(passage, twice * (at.c * at.c - sigma_(at.s * at.s)),

@@ -101,8 +101,8 @@ void IntervalProver::begin_joints(ProvenInterval& interval, const HalfAngle<doub
     if (!interval.interval.graded) {
       interval.lines.creases.push_back({h.c, h.s, -h.s, h.c});
     } else {
-      interval.lines.creases.push_back(is_pilot ? CreaseLine{1, 1, 0, 0}
-                                                : CreaseLine{1, h.s / (h.c * tau), 0, 1});
+      interval.lines.creases.push_back(is_pilot ? JointLines::Crease{1, 1, 0, 0}
+                                                : JointLines::Crease{1, h.s / (h.c * tau), 0, 1});
     }
   }
   for (const Quaternion<double>& h : state.balls) {
@@ -116,19 +116,19 @@ void IntervalProver::begin_joints(ProvenInterval& interval, const HalfAngle<doub
   }
 }
 
-JointPlaces IntervalProver::places(const ProvenInterval& interval,
-                                   const std::vector<ArbNumber>& unknowns,
-                                   const ArbNumber& tau) const {
+IntervalProver::JointPlaces IntervalProver::places(const ProvenInterval& interval,
+                                                   const std::vector<ArbNumber>& unknowns,
+                                                   const ArbNumber& tau) const {
   const ArbNumber order = interval.interval.graded ? tau : ArbNumber(1.0);
   JointPlaces places;
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
-    const CreaseLine& line = interval.lines.creases[i];
+    const JointLines::Crease& line = interval.lines.creases[i];
     const ArbNumber& x = unknowns[mechanism_.creases[i].column];
     places.creases.push_back({ArbNumber(line.c) + ArbNumber(line.c_rate) * x,
                               order * (ArbNumber(line.s) + ArbNumber(line.s_rate) * x)});
   }
   for (std::size_t i = 0; i < mechanism_.balls.size(); ++i) {
-    const BallLine& line = interval.lines.balls[i];
+    const JointLines::Ball& line = interval.lines.balls[i];
     std::array<ArbNumber, 4> q;
     for (int part = 0; part < 4; ++part) {
       q[part] = ArbNumber(line.q[part]);
@@ -148,7 +148,7 @@ std::vector<ArbNumber> IntervalProver::unknowns(const ProvenInterval& interval,
                                                 const ArbNumber& tau) const {
   std::vector<ArbNumber> x(mechanism_.unknowns);
   for (std::size_t i = 0; i < mechanism_.creases.size(); ++i) {
-    const CreaseLine& line = interval.lines.creases[i];
+    const JointLines::Crease& line = interval.lines.creases[i];
     const auto& [c, s] = places.creases[i];
     const ArbNumber c0(line.c), s0(line.s);
     x[mechanism_.creases[i].column] =

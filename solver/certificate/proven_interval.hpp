@@ -44,18 +44,18 @@ struct ProvenInterval {
   std::vector<ArbNumber> unknowns_at(const ArbNumber& s) const;
 };
 
-/// Joints in numbers that do not depend on an interval: half a crease's angle, a ball's quaternion,
-/// each times any number.
-struct JointPlaces {
-  std::vector<std::array<ArbNumber, 2>> creases;
-  std::vector<std::array<ArbNumber, 4>> balls;
-};
-
 /// tan(angle / 4) for the half of half an angle, and tan(angle / 2); by arb.
 ArbNumber half_tangent(const ArbNumber& angle_deg);
 
 class IntervalProver {
  public:
+  /// Joints in numbers that do not depend on an interval: half a crease's angle, a ball's
+  /// quaternion, each times any number.
+  struct JointPlaces {
+    std::vector<std::array<ArbNumber, 2>> creases;
+    std::vector<std::array<ArbNumber, 4>> balls;
+  };
+
   /// Both must outlive this object.
   IntervalProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 

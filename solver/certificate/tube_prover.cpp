@@ -245,28 +245,28 @@ Eigen::VectorXd TubeProver::times_deviation(const Eigen::VectorXd& radii) const 
   return rounded_up(sum);
 }
 
-TubeEnd TubeProver::prove(const PathInterval& interval, double box, PathTube& tube) {
+TubeProver::End TubeProver::prove(const PathInterval& interval, double box, PathTube& tube) {
   tube.chart = IntervalChart(mechanism_, interval);
   error_ = contraction_ = kInfinite;
-  if (!solve_middle(tube.chart)) return TubeEnd::no_state;
+  if (!solve_middle(tube.chart)) return End::no_state;
   tube.path = find_path(tube.chart);
   const std::vector<PathModel> residual =
       residual_of(tube.chart, path_sheet_, tube.path, PathModel::line(0, 1));
   error_ = estimate_error(residual);
-  if (!(error_ < kLargestError)) return TubeEnd::too_curved;
+  if (!(error_ < kLargestError)) return End::too_curved;
 
   find_inverse(tube);
   const Eigen::VectorXd misfit = bound_product(residual);
   find_deviation(tube, box);
-  if (!deviation_.allFinite()) return TubeEnd::not_unique;
+  if (!deviation_.allFinite()) return End::not_unique;
   tube.radii = box * find_weights(deviation_);
   const Eigen::VectorXd image = times_deviation(tube.radii);
   tube.contraction = contraction_ = kUp * (image.array() / tube.radii.array()).maxCoeff();
-  if (!(contraction_ < kLargestContraction)) return TubeEnd::not_unique;
-  if (!(rounded_up(misfit + image).array() < tube.radii.array()).all()) return TubeEnd::too_curved;
+  if (!(contraction_ < kLargestContraction)) return End::not_unique;
+  if (!(rounded_up(misfit + image).array() < tube.radii.array()).all()) return End::too_curved;
   const Eigen::VectorXd errors = bound_solution(tube, misfit);
   for (int j = 0; j < mechanism_.equations; ++j) tube.path[j].radius = errors[j];
-  return TubeEnd::proven;
+  return End::proven;
 }
 
 // How far p is from the path, by C in the middle: no proof.

@@ -17,21 +17,21 @@
 
 namespace misalign::solver {
 
-enum class TubeEnd {
-  proven,
-  no_state,    ///< Newton's method finds no state from the middle that was given
-  too_curved,  ///< the path is no polynomial to within the box: a shorter interval may be
-  not_unique   ///< C J is too far from I: it may be nearer on a shorter interval, or in a smaller
-               ///< box
-};
-
 class TubeProver {
  public:
+  enum class End {
+    proven,
+    no_state,    ///< Newton's method finds no state from the middle that was given
+    too_curved,  ///< the path is no polynomial to within the box: a shorter interval may be
+    not_unique   ///< C J is too far from I: it may be nearer on a shorter interval, or in a smaller
+                 ///< box
+  };
+
   /// Of the sheet with these vertices. `mechanism` must outlive this object.
   TubeProver(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
   /// Proves an interval; `box` is the largest of r. Unless proven `tube` is of no use.
-  TubeEnd prove(const PathInterval& interval, double box, PathTube& tube);
+  End prove(const PathInterval& interval, double box, PathTube& tube);
   /// Of the last interval, proven or not: by which factor it should have been longer.
   double better_length() const;
 

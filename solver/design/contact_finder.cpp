@@ -13,12 +13,6 @@ using Eigen::Vector3d;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Where a vertex comes in a panel's corners.
-int corner_of(const Panels& panels, int panel, int vertex) {
-  const std::array<int, 4>& corners = panels.corners[static_cast<std::size_t>(panel)];
-  return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-}
-
 // The corners before and after one, seen from it.
 std::array<Vector3d, 2> arms_of(const PolygonCorners& corners, int at) {
   return {corners.col((at + 3) % 4) - corners.col(at), corners.col((at + 1) % 4) - corners.col(at)};
@@ -55,27 +49,6 @@ double bounding_radius(const PolygonCorners& corners, const Vector3d& centre) {
 
 }  // namespace
 
-std::vector<PanelPair> pairs_of(const Panels& panels) {
-  std::vector<PanelPair> pairs;
-  const auto count = static_cast<int>(panels.corners.size());
-  for (int a = 0; a < count; ++a) {
-    for (int b = a + 1; b < count; ++b) {
-      PanelPair pair{ContactKind::apart, a, b, -1};
-      for (const int vertex : panels.corners[static_cast<std::size_t>(a)]) {
-        if (corner_of(panels, b, vertex) < 4) pair = {ContactKind::vertex, a, b, vertex};
-      }
-      for (std::size_t crease = 0; crease < panels.folds.size(); ++crease) {
-        const FoldLine& fold = panels.folds[crease];
-        if (std::minmax(fold.left, fold.right) == std::minmax(a, b)) {
-          pair = {ContactKind::crease, a, b, static_cast<int>(crease)};
-        }
-      }
-      pairs.push_back(pair);
-    }
-  }
-  return pairs;
-}
-
 ContactFinder::ContactFinder(const Panels& panels, const PanelMotion& motion, double touch_mm)
     : panels_(panels), motion_(motion), touch_mm_(touch_mm), pairs_(pairs_of(panels)) {}
 
@@ -86,8 +59,8 @@ std::unique_ptr<GapWalk> ContactFinder::walk_of(const PanelPair& pair) const {
     return std::make_unique<PolygonWalk>(motion_, pair.a, pair.b, a, b);
   }
   // Two sectors with one apex meet where the one's chord, b's diagonal, meets the other.
-  const int at_a = corner_of(panels_, pair.a, pair.joint);
-  const int at_b = corner_of(panels_, pair.b, pair.joint);
+  const int at_a = corner_of(panels_.corners[pair.a], pair.joint);
+  const int at_b = corner_of(panels_.corners[pair.b], pair.joint);
   const auto [before, after] = arms_of(b, at_b);
   PolygonCorners chord(3, 2);
   chord << b.col((at_b + 3) % 4), b.col((at_b + 1) % 4);
@@ -130,7 +103,7 @@ double ContactFinder::vertex_angle_rad(const PanelPair& pair, double x) const {
   const PanelPose a = motion_.pose(x, pair.a), b = motion_.pose(x, pair.b);
   const auto rays = [&](int panel, const PanelPose& pose) {
     std::array<Vector3d, 2> arms =
-        arms_of(motion_.corners_mm(panel), corner_of(panels_, panel, pair.joint));
+        arms_of(motion_.corners_mm(panel), corner_of(panels_.corners[panel], pair.joint));
     for (Vector3d& arm : arms) arm = pose.rotation * arm.normalized();
     return arms;
   };

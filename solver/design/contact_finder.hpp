@@ -6,24 +6,9 @@
 #include <vector>
 
 #include "solver/design/gap_walk.hpp"
+#include "solver/design/panel_pairs.hpp"
 
 namespace misalign::solver {
-
-enum class ContactKind {
-  apart,   ///< panels without a common vertex: their distance is 0
-  vertex,  ///< with one common vertex: a ray from it lies in both
-  crease   ///< with a common crease: its fold angle is +-180 degrees
-};
-
-/// Two panels that might meet.
-struct PanelPair {
-  ContactKind kind;
-  int a, b;   ///< panels, a < b
-  int joint;  ///< the common vertex, or the crease's index; -1 apart
-};
-
-/// Every two panels, each with what they have in common.
-std::vector<PanelPair> pairs_of(const Panels& panels);
 
 /// Panels this close touch. Above what the shapes are off by (results/deployment/contact.md).
 inline constexpr double kTouch_mm = 1e-6;

@@ -17,8 +17,9 @@ ArcLength::ArcLength(const Mechanism& mechanism, const ArcLengthOptions& options
       trial_(flat_state<double>(mechanism)),
       landing_(trial_) {}
 
-ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle<double>& target,
-                          int forward_sign, Newton& newton, FoldState<double>& state) {
+ArcLength::Result ArcLength::walk(const SheetGeometry<double>& geometry,
+                                  const HalfAngle<double>& target, int forward_sign, Newton& newton,
+                                  FoldState<double>& state) {
   const Mechanism& mechanism = system_.mechanism();
   const int pilot = mechanism.pilot;
   const Eigen::Index p = mechanism.unknowns - 1;
@@ -35,9 +36,9 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
   for (int steps = 1; steps <= options_.max_steps; ++steps) {
     if (bend > 0 && ds * tangent_[p] < options_.turn_tolerance_rad) {
       const double limit = angle_deg(state.creases[pilot]) + 0.5 * ds * tangent_[p] / kRadPerDeg;
-      return {ArcEnd::turned, limit, steps};
+      return {End::turned, limit, steps};
     }
-    if (ds < options_.shortest_step_rad) return {ArcEnd::stalled, 0, steps};
+    if (ds < options_.shortest_step_rad) return {End::stalled, 0, steps};
     if (!step(geometry, state, ds)) {
       ds *= 0.5;
       continue;
@@ -45,14 +46,14 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
     if (half_sine_between(trial_.creases[pilot], target) >= 0) {
       if (land(geometry, target, forward_sign, ds, state, newton)) {
         state = landing_;
-        return {ArcEnd::reached, 0, steps};
+        return {End::reached, 0, steps};
       }
       ds *= 0.5;
       continue;
     }
     if (next_tangent_[p] <= 0) {
       if (ds * std::max(tangent_[p], -next_tangent_[p]) < options_.turn_tolerance_rad) {
-        return {ArcEnd::turned, angle_deg(state.creases[pilot]), steps};
+        return {End::turned, angle_deg(state.creases[pilot]), steps};
       }
       bend = (tangent_[p] - next_tangent_[p]) / ds;
       ds = std::clamp(tangent_[p] / bend, 0.1 * ds, 0.9 * ds);
@@ -62,7 +63,7 @@ ArcResult ArcLength::walk(const SheetGeometry<double>& geometry, const HalfAngle
     std::swap(tangent_, next_tangent_);
     ds = bend > 0 ? tangent_[p] / bend : std::min(1.5 * ds, options_.longest_step_rad);
   }
-  return {ArcEnd::stalled, 0, options_.max_steps};
+  return {End::stalled, 0, options_.max_steps};
 }
 
 // From `from` by `ds` along tangent_ to the next point of the same curve, in trial_ with its

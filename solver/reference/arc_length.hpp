@@ -17,28 +17,28 @@ struct ArcLengthOptions {
   double turn_tolerance_rad = 1e-9;
 };
 
-enum class ArcEnd {
-  reached,  ///< the pilot came to the target
-  turned,   ///< the pilot's tangent changed sign before it
-  stalled   ///< steps shorter than shortest_step_rad, or more than max_steps
-};
-
-struct ArcResult {
-  ArcEnd end;
-  double limit_deg;  ///< the pilot's largest angle if it turned
-  int steps;
-};
-
 class ArcLength {
  public:
+  enum class End {
+    reached,  ///< the pilot came to the target
+    turned,   ///< the pilot's tangent changed sign before it
+    stalled   ///< steps shorter than shortest_step_rad, or more than max_steps
+  };
+
+  struct Result {
+    End end;
+    double limit_deg;  ///< the pilot's largest angle if it turned
+    int steps;
+  };
+
   explicit ArcLength(const Mechanism& mechanism, const ArcLengthOptions& options = {});
 
   /// Walks from `state`, a solution whose pilot is below `target`, in the direction of growing
   /// pilot. `forward_sign` is the determinant's sign on this half of the curve; `newton` lands on
   /// the target. On `reached` `state` is the solution there, otherwise the last one on the forward
   /// half.
-  ArcResult walk(const SheetGeometry<double>& geometry, const HalfAngle<double>& target,
-                 int forward_sign, Newton& newton, FoldState<double>& state);
+  Result walk(const SheetGeometry<double>& geometry, const HalfAngle<double>& target,
+              int forward_sign, Newton& newton, FoldState<double>& state);
 
  private:
   bool step(const SheetGeometry<double>& geometry, const FoldState<double>& from, double ds);

@@ -28,14 +28,15 @@ bool PathTracker::advance_to(const SheetGeometry<double>& geometry, const Statio
       result_.end = PathEnd::start_lost;
       return false;
     }
-    const ArcResult arc = arc_length_.walk(geometry, station.pilot, forward_sign_, newton_, state_);
+    const ArcLength::Result arc =
+        arc_length_.walk(geometry, station.pilot, forward_sign_, newton_, state_);
     result_.arc_steps += arc.steps;
-    if (arc.end == ArcEnd::turned) {
+    if (arc.end == ArcLength::End::turned) {
       result_.end = PathEnd::fold_limit;
       result_.fold_limit_deg = arc.limit_deg;
       return false;
     }
-    if (arc.end == ArcEnd::stalled) {
+    if (arc.end == ArcLength::End::stalled) {
       result_.end = PathEnd::stalled;
       return false;
     }

@@ -67,20 +67,6 @@ class Words(unittest.TestCase):
                               capture_output=True, text=True)
         self.assertIn("python3-numpy", done.stdout.split())
 
-    def test_the_words_of_the_figures(self):
-        """What can be said at once is: nothing is drawn."""
-        def figures(*arguments):
-            return subprocess.run([sys.executable, SOURCE / "scripts/figures.py", *arguments], capture_output=True,
-                                  text=True, env={**os.environ, "PYTHONPATH": str(PACKAGE)})
-        done = figures("--help")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, "^usage: figures.py .*CATALOGUE")
-        for arguments, words in ((["none.db"], "none.db: there is no such file"), (["a", "b"], "unrecognized arguments: b"),
-                                 (["search/patterns/table1.json"], "is no catalogue"), (["--fast"], "--fast")):
-            done = figures(*arguments)
-            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
-            self.assertRegex(done.stderr.splitlines()[-1], f"^figures.py: error: .*{words}")
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -36,7 +36,7 @@ class Certificates : public testing::Test {
   static constexpr double kAsked_deg = 20;
   const schema::Campaign campaign_ = campaign_to_certify();
   const solver::Model model_ = model_of(campaign_);
-  SheetCertifier certifier_{campaign_.pattern, model_};
+  RowCertifier certifier_{campaign_.pattern, model_};
 };
 
 // Without the seconds that it took.
@@ -140,7 +140,7 @@ TEST(FarFromTheBase, CertificatesBeginWithThePathsOwnStates) {
   const schema::Campaign campaign =
       schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/turned-quads-6x6.json");
   const solver::Model model = model_of(campaign);
-  SheetCertifier certifier(campaign.pattern, model, false);
+  RowCertifier certifier(campaign.pattern, model, false);
   for (const std::uint64_t draw : {102617u, 208194u}) {
     const auto row = certifier.certify(draw, shifts_of_draw(campaign, draw), 60);
     EXPECT_EQ(row.certified_deg, 60) << draw;
@@ -158,7 +158,7 @@ TEST(NextToAFoldLimit, CertificatesEnd) {
         MISALIGN_SOURCE_DIR "/search/campaigns/" + std::string(name) + ".json");
     const solver::Model model = model_of(campaign);
     const Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, draw);
-    SheetCertifier certifier(campaign.pattern, model);
+    RowCertifier certifier(campaign.pattern, model);
     const schema::CertificateRecord row = certifier.certify(draw, shifts_mm, 180);
     EXPECT_EQ(row.end, "unclear_slope") << name;
     // What the path's own turning point says, whose angle is found by arc length.
@@ -290,7 +290,7 @@ TEST(CertificateText, OfACheckSaysWhichEndsAreProven) {
 TEST(CertifiedDraws, AreTheCandidatesAndAsOtherwise) {
   const schema::Campaign campaign = campaign_to_certify(true);
   const solver::Model model = model_of(campaign);
-  SheetCertifier certifier(campaign.pattern, model);
+  RowCertifier certifier(campaign.pattern, model);
   DrawEvaluator certifying(campaign), plain(campaign_to_certify());
   for (DrawEvaluator* evaluator : {&certifying, &plain}) certify_if_asked(*evaluator);
   const schema::UnitRecord unit = work_off(certifying, {0, 40}), other = work_off(plain, {0, 40});

@@ -12,7 +12,7 @@
 #include "schema/catalogue/ledger_check.hpp"
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
-#include "search/sheets/sheet_certifier.hpp"
+#include "search/sheets/row_certifier.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::search {
@@ -112,7 +112,7 @@ TEST_F(WriteFaults, OfCertificates) {
   begun_from_ = folder_.file("found.db");
   climb_on(begun_from_, climber, schema::kRun, 1, 1000);
   const solver::Model model = model_of(campaign);
-  SheetCertifier certifier(campaign.pattern, model);
+  RowCertifier certifier(campaign.pattern, model);
   std::vector<schema::CertificateRecord> made;
   {
     const auto database = schema::open_for_reading(begun_from_);

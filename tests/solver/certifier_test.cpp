@@ -60,7 +60,8 @@ TEST(Certifier, holds_the_states_of_newtons_method) {
   TubeProver prover(sheet.mechanism, sheet.vertices_mm);
   for (const PathInterval& interval : sheet.certificate.intervals) {
     PathTube tube;
-    ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeEnd::proven) << interval.from_deg;
+    ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeProver::End::proven)
+        << interval.from_deg;
     for (const double part : {0.05, 0.3, 0.5, 0.8, 1.0}) {
       const double at_deg = interval.from_deg + part * (interval.to_deg - interval.from_deg);
       const Ball s = tube.chart.place_of(at_deg);
@@ -86,7 +87,7 @@ TEST(Certifier, has_the_slopes_of_its_lengths) {
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}, std::size_t{12}, std::size_t{22}}) {
     const PathInterval& interval = sheet.certificate.intervals.at(k);
     PathTube tube;
-    ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeEnd::proven);
+    ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeProver::End::proven);
     const std::vector<PathModel> slopes = prover.find_slopes(tube);
     const double at_deg = 0.3 * interval.from_deg + 0.7 * interval.to_deg;
     constexpr double kStep_deg = 1e-3;

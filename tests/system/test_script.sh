@@ -3,7 +3,7 @@
 . "$(dirname "$0")/lib.sh"
 mkdir -p scripts bin build
 cp "$source_dir/scripts/test.sh" scripts
-echo 'need_packages() { :; }; build_packages= test_packages= hosts_packages=' > scripts/packages.sh
+echo 'need_packages() { :; }; build_packages= quick_packages= test_packages= hosts_packages=' > scripts/packages.sh
 echo 'echo check.sh "$@" >> calls' > scripts/check.sh
 # A compiler of the sanitizers' build, which writes down its number and works for an hour.
 cat > bin/cmake << 'END'

@@ -32,7 +32,7 @@ for word; do
   [ "\$previous" = -o ] && out=\$word
   previous=\$word
 done
-case \$out in misalign | python/misalign/_misalign.*) ;; *) exec "\$@" ;; esac
+case \$out in misalign | first/misalign | python/misalign/_misalign.*) ;; *) exec "\$@" ;; esac
 cp "$work/stand-ins/\$(basename "\$out")" "\$out"
 END
 cp "$program" stand-ins/misalign

@@ -1,4 +1,4 @@
-#include "search/checks/sheet_check.hpp"
+#include "search/checks/folded_check.hpp"
 
 #include <fmt/format.h>
 
@@ -24,16 +24,16 @@ Finding exceeds(const std::string& where, const std::string& what, double value,
 
 }  // namespace
 
-SheetCheck::SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling)
+FoldedCheck::FoldedCheck(const schema::Pattern& base, const schema::Sampling& sampling)
     : model_(std::make_unique<FoldingModel>(base, sampling, solver::Actuators())),
       tolerances_{mechanism().panel_width_mm, sampling.sample_deg} {}
 
-SheetCheck::SheetCheck(const schema::Campaign& campaign)
+FoldedCheck::FoldedCheck(const schema::Campaign& campaign)
     : model_(std::make_unique<FoldingModel>(campaign)),
       tolerances_{mechanism().panel_width_mm, campaign.sample_deg} {}
 
-void SheetCheck::check_shapes(const std::string& where, const solver::Sheet& sheet,
-                              Eigen::Index samples, ShapeReport& report) const {
+void FoldedCheck::check_shapes(const std::string& where, const solver::Sheet& sheet,
+                               Eigen::Index samples, ShapeReport& report) const {
   const solver::FlatVertices& vertices_mm = sheet.vertices_mm();
   const solver::FoldingHistory& history = sheet.history();
   const solver::Panels& panels = sheet.panels();
@@ -63,8 +63,8 @@ void SheetCheck::check_shapes(const std::string& where, const solver::Sheet& she
   find_meeting(sheet, samples, report);
 }
 
-void SheetCheck::find_crossing(const solver::Sheet& sheet, Eigen::Index samples,
-                               ShapeReport& report) const {
+void FoldedCheck::find_crossing(const solver::Sheet& sheet, Eigen::Index samples,
+                                ShapeReport& report) const {
   if constexpr (has("FCL")) {
     CrossingCheck check(sheet.vertices_mm(), sheet.panels().corners);
     solver::SheetGeometry<double> geometry;
@@ -83,8 +83,8 @@ void SheetCheck::find_crossing(const solver::Sheet& sheet, Eigen::Index samples,
   }
 }
 
-void SheetCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
-                              ShapeReport& report) const {
+void FoldedCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
+                               ShapeReport& report) const {
   const solver::Panels& panels = sheet.panels();
   const auto motion = solver::resolved_motion(sheet);
   if (!motion) {
@@ -107,8 +107,8 @@ void SheetCheck::find_meeting(const solver::Sheet& sheet, Eigen::Index samples,
                   schema::panels_text(model_->base(), panels, contact->pair), contact->pilot_deg);
 }
 
-void SheetCheck::add_shape_findings(const std::string& where, const solver::Panels& panels,
-                                    ShapeReport& report) const {
+void FoldedCheck::add_shape_findings(const std::string& where, const solver::Panels& panels,
+                                     ShapeReport& report) const {
   const double limit_rad = solver::shape_tolerance(panels);
   const double limit_mm = limit_rad * mechanism().panel_width_mm;
   const double limit_deg = limit_rad / solver::kRadPerDeg;

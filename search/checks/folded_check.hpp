@@ -40,14 +40,14 @@ std::string no_contacts_text();
 std::string worst_text(const solver::ShapeErrors& shape, double diagonal_mm);
 schema::Json worst_json(const solver::ShapeErrors& shape, double diagonal_mm);
 
-class SheetCheck {
+class FoldedCheck {
  public:
   /// `base` must outlive this object.
-  SheetCheck(const schema::Pattern& base, const schema::Sampling& sampling);
+  FoldedCheck(const schema::Pattern& base, const schema::Sampling& sampling);
   /// Of a campaign's draws; it must outlive this object.
-  explicit SheetCheck(const schema::Campaign& campaign);
-  SheetCheck(const SheetCheck&) = delete;
-  SheetCheck& operator=(const SheetCheck&) = delete;
+  explicit FoldedCheck(const schema::Campaign& campaign);
+  FoldedCheck(const FoldedCheck&) = delete;
+  FoldedCheck& operator=(const FoldedCheck&) = delete;
 
   /// With these shifts, one column per vertex.
   solver::Sheet sheet(const Eigen::Matrix2Xd& shifts_mm) const { return model_->sheet(shifts_mm); }

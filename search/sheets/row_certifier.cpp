@@ -1,4 +1,4 @@
-#include "search/sheets/sheet_certifier.hpp"
+#include "search/sheets/row_certifier.hpp"
 
 #include "schema/files/features.hpp"
 #include "search/terminal/stopwatch.hpp"
@@ -6,13 +6,12 @@
 
 namespace misalign::search {
 
-SheetCertifier::SheetCertifier(const schema::Pattern& base, const solver::Model& model,
-                               bool contact)
+RowCertifier::RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact)
     : base_(base), model_(model), certifier_(model, {contact}) {}
 
-schema::CertificateRecord SheetCertifier::certify(std::uint64_t draw,
-                                                  const Eigen::Matrix2Xd& shifts_mm,
-                                                  double asked_deg) {
+schema::CertificateRecord RowCertifier::certify(std::uint64_t draw,
+                                                const Eigen::Matrix2Xd& shifts_mm,
+                                                double asked_deg) {
   const Stopwatch watch;
   const solver::FlatVertices vertices_mm = base_.base.sheet.vertices_mm + shifts_mm;
   const solver::Certificate certificate = certifier_.certify(vertices_mm, asked_deg);
@@ -20,14 +19,14 @@ schema::CertificateRecord SheetCertifier::certify(std::uint64_t draw,
                                  watch.seconds());
 }
 
-std::optional<schema::CertificateFinding> SheetCertifier::row_fault(
+std::optional<schema::CertificateFinding> RowCertifier::row_fault(
     const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
   const auto fault = schema::certificate_fault(base_, model_.mechanism(), shifts_mm, row);
   if (!fault) return std::nullopt;
   return schema::CertificateFinding{row.draw, {}, *fault};
 }
 
-std::optional<schema::CertificateFinding> SheetCertifier::check(
+std::optional<schema::CertificateFinding> RowCertifier::check(
     const Eigen::Matrix2Xd& shifts_mm, const schema::CertificateRecord& row) const {
   schema::need("FLINT");
   if (const auto fault = row_fault(shifts_mm, row)) return fault;
@@ -50,7 +49,7 @@ bool answers(const schema::CertificateRecord& row, double asked_deg, bool contac
 void certify_if_asked(DrawEvaluator& evaluator) {
   if (!evaluator.campaign().certify) return;
   const auto certifier =
-      std::make_shared<SheetCertifier>(evaluator.campaign().pattern, evaluator.model());
+      std::make_shared<RowCertifier>(evaluator.campaign().pattern, evaluator.model());
   evaluator.certify_with(
       [certifier](std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm, double deploys_from_deg) {
         return certifier->certify(draw, shifts_mm, deploys_from_deg);

@@ -11,10 +11,10 @@
 
 namespace misalign::search {
 
-class SheetCertifier {
+class RowCertifier {
  public:
   /// Both must outlive this object; shifts of the base itself do not matter.
-  SheetCertifier(const schema::Pattern& base, const solver::Model& model, bool contact = false);
+  RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact = false);
 
   /// From flat to `asked_deg`, or as far as there is a proof. One column of shifts per vertex.
   schema::CertificateRecord certify(std::uint64_t draw, const Eigen::Matrix2Xd& shifts_mm,
