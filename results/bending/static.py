@@ -130,7 +130,8 @@ class Deck:
 
 
 def run(program, directory, chosen):
-    for name, sheet, t, k, a in cases():
+    rank = {name: sum(other[1] == sheet for other in cases()[:i]) for i, (name, sheet, *_) in enumerate(cases())}
+    for name, sheet, t, k, a in sorted(cases(), key=lambda case: rank[case[0]]):  # a case of each sheet, and again
         result = directory / f"{name}.json"
         if result.exists() or (chosen and sheet not in chosen):
             continue
@@ -153,6 +154,41 @@ def run(program, directory, chosen):
         (directory / name).rmdir()
 
 
+def told(program, sheet, t, k, a):
+    """The program's energy, its change by the creases' sum, and its method."""
+    out = subprocess.run([program, "deploy", HERE / "sheets" / f"{sheet}.json", "--panels", "bend", "--json", "--from", str(a),
+                          "--thickness", str(t), "--stiffness", str(k)], check=True, capture_output=True, text=True).stdout
+    bent = json.loads(out)["bent"]
+    return bent["bent_energy_n_mm"], bent["margins"][0]["available_n_mm_per_mm"], bent["method"], bent["angles_not_converged"]
+
+
+def table(program, directory):
+    print("| sheet | t mm | k N/mm | from | rigid N mm | CalculiX | program | method | off |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    off, lost, missing = {}, [], []
+    for name, sheet, t, k, a in cases():
+        result = directory / f"{name}.json"
+        found = json.loads(result.read_text()) if result.exists() else None
+        if not found or "failed" in found:
+            (lost if found else missing).append(name)
+            continue
+        energy, moment, method, unsure = told(program, sheet, t, k, a)
+        energy += moment * (found["turned_mm"] - found["rigid_turned_mm"])
+        calculix = found["panels_n_mm"] + found["springs_n_mm"]
+        off.setdefault(method, []).append((energy / calculix - 1, name))
+        sure = f" ({unsure} angles not converged)" if unsure else ""
+        print(f"| {sheet} | {t:g} | {k} | {a}° | {found['rigid_n_mm']:.4g} | {calculix:.5g} | {energy:.5g} | {method}{sure} "
+              f"| {100 * (energy / calculix - 1):+.1f} % |")
+    off["all"] = sum(off.values(), [])
+    print()
+    for method, each in off.items():
+        worst = max(each, key=lambda one: abs(one[0]))
+        rms = np.sqrt(np.mean([one[0] ** 2 for one in each]))
+        print(f"{method}: {len(each)} cases, rms {100 * rms:.2f} %, most {100 * worst[0]:+.1f} % ({worst[1]})")
+    print(f"\nCalculiX did not converge: {len(lost)}: " + ", ".join(lost))
+    print(f"\nnot run: {len(missing)}: " + ", ".join(missing))
+
+
 if __name__ == "__main__":
     program, directory, what, *chosen = sys.argv[1:]
     Path(directory).mkdir(parents=True, exist_ok=True)
@@ -160,3 +196,5 @@ if __name__ == "__main__":
         print("\n".join(name for name, *_ in cases()))
     elif what == "run":
         run(str(Path(program).resolve()), Path(directory).resolve(), chosen)
+    elif what == "table":
+        table(str(Path(program).resolve()), Path(directory).resolve())
