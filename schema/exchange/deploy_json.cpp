@@ -27,10 +27,12 @@ Json springs_json(const solver::Mechanism& mechanism, const solver::Springs& spr
   for (const auto& [diagonal, rest_deg] : springs.other_rests_deg) {
     others[diagonal_label(mechanism, diagonal)] = rest_deg;
   }
-  return {{"stiffness_n_per_mm", springs.stiffness_n_per_mm},
-          {"rest_deg", springs.rest_deg},
-          {"other_rests_deg", others},
-          {"pull_only", springs.pull_only}};
+  Json json = {{"stiffness_n_per_mm", springs.stiffness_n_per_mm},
+               {"rest_deg", springs.rest_deg},
+               {"other_rests_deg", others},
+               {"pull_only", springs.pull_only}};
+  if (springs.preload_n != 0) json["preload_n"] = springs.preload_n;
+  return json;
 }
 
 Json joints_json(const solver::JointResistance& joints) {

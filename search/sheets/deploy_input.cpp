@@ -86,4 +86,13 @@ solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::Deplo
                    "`misalign fold` says how far it is known");
 }
 
+solver::BentPanels bent_panels(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+                               const solver::BentPanelsOptions& options) {
+  return found(
+      solver::bend_panels(sheet, deploying, options),
+      sheet.name() +
+          ": its folding path is lost (a numerical failure), so its panels cannot be bent; "
+          "`misalign fold` says how far it is known");
+}
+
 }  // namespace misalign::search

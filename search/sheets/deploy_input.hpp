@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "search/sheets/folding_model.hpp"
-#include "solver/design/deploy.hpp"
+#include "solver/design/bent_panels.hpp"
 
 namespace misalign::search {
 
@@ -23,5 +23,9 @@ struct DeployInput {
 
 /// The sheet let go. UserError: 2 where an option does not fit it, 1 where its path is lost.
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options);
+
+/// Its panels bent. UserError as above.
+solver::BentPanels bent_panels(const solver::Sheet& sheet, const solver::DeployOptions& deploying,
+                               const solver::BentPanelsOptions& options);
 
 }  // namespace misalign::search

@@ -26,6 +26,10 @@ std::string released_sheet_text(const DeploymentStudy& study) {
       when_flat ? "when flat" : fmt::format("at {:g} deg", springs.rest_deg),
       springs.other_rests_deg.empty() ? "" : " (some elsewhere)", plates.thickness_mm,
       study.mass_t * 1e6, study.sheet.held ? "one panel held" : "free in space");
+  if (springs.preload_n != 0) {
+    text += fmt::format("preload: {:g} N in each at flat, so they are relaxed {:.4g} mm off that\n",
+                        springs.preload_n, springs.preload_n / springs.stiffness_n_per_mm);
+  }
   const solver::JointResistance& joints = study.sheet.joints;
   std::string hinges;
   const auto add = [&](double value, const char* what) {

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "schema/catalogue/study_table.hpp"
+#include "schema/exchange/bent_panels_json.hpp"
 #include "schema/exchange/deploy_json.hpp"
+#include "search/sheets/bent_panels_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_text.hpp"
 #include "search/terminal/terminal.hpp"
@@ -17,28 +19,74 @@ namespace misalign::search {
 namespace {
 
 enum class Forces { in_motion, held };
+enum class PanelKind { rigid, bend };
 
 struct DeployCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
   DeployInput input;
   std::optional<Forces> forces;
+  std::optional<PanelKind> panels;  // none: they bend where a material is named
+  std::string material_file;
+  double margin_to_deg = solver::BentPanelsOptions{}.to_deg;
+  CLI::Option* density = nullptr;
   bool json = false;
+
+  bool bends() const { return panels ? *panels == PanelKind::bend : !material_file.empty(); }
 };
+
+// What is found of panels that bend.
+struct Bent {
+  schema::Material material;
+  solver::BentPanels panels;
+  solver::BentAdvice advice;
+  std::optional<solver::PreloadStudy> preload;
+};
+
+schema::Material read_material(const DeployCall& call) {
+  if (call.material_file.empty()) return {};
+  return schema::read_material_file(call.material_file);
+}
+
+Bent bent(const DeployCall& call, const schema::Material& material, const solver::Sheet& sheet,
+          const solver::DeployOptions& options) {
+  solver::BentPanelsOptions bending;
+  bending.material = {material.e_gpa, material.poisson};
+  bending.to_deg = call.margin_to_deg;
+  solver::BentPanels panels = bent_panels(sheet, options, bending);
+  std::optional<solver::PreloadStudy> preload;
+  if (options.sheet.springs.preload_n != 0) preload = study_preload(sheet, options, panels);
+  const solver::BentAdvice advice = advise(sheet, options, panels);
+  return {material, std::move(panels), advice, preload};
+}
 
 void show_deployment(const DeployCall& call) {
   const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw);
   solver::DeployOptions options = call.input.of(sheet, chosen.actuators);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
+  const schema::Material material = read_material(call);
+  if (call.density->count() == 0) {
+    options.sheet.plates.density_g_per_cm3 = material.density_g_per_cm3;
+  }
+  std::optional<Bent> bending;
+  if (call.bends()) bending = bent(call, material, sheet, options);
   const solver::DeploymentStudy study = deployed(sheet, options);
   if (call.json) {
     schema::Json json = schema::deployment_history_json(sheet.mechanism(), study);
     json.update(chosen.key().json());
     json["deploys_from_deg"] = sheet.deploys_from_deg();
+    if (bending) {
+      json["bent"] =
+          schema::bent_panels_json(material, bending->panels, bending->advice, bending->preload);
+    }
     put_json(json);
     return;
   }
   put("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
+  if (bending) {
+    put(bent_panels_text(material, bending->panels, bending->advice, bending->preload,
+                         study.friction));
+  }
   put(deployment_text(sheet.mechanism(), study));
 }
 
@@ -60,14 +108,37 @@ Action deploy_verb(CLI::App& verb) {
       "by letting it go again and again, otherwise from its energies.\n"
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
+      "Panels that bend (--panels bend, or --material): each into a saddle, creases straight, "
+      "with\n"
+      "springs and panels in balance at every angle. Its numbers come first; all that follows, "
+      "the\n"
+      "motion too, is of rigid panels, an upper bound: a sudden release also shakes panels\n"
+      "(`misalign stress`). The static margin is what drives the sheet over what resists, less 1, "
+      "the\n"
+      "least from the start down to --margin-to. --preload leaves a force in the springs at flat,\n"
+      "without which every friction stalls the sheet close to flat.\n"
       "Needs a program built with SUNDIALS (misalign --version).\n\n"
       "Examples:\n  misalign deploy search/patterns/table1.json\n"
       "  misalign deploy results/miura-6x6-1a2b3c4d.db 1234 --friction 0.001\n"
-      "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.05");
+      "  misalign deploy search/patterns/table1.json --rest-deg 60 --from 120 --damping 0.05\n"
+      "  misalign deploy search/patterns/table1.json --panels bend --thickness 4 --preload 3");
   auto call = std::make_shared<DeployCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  add_deployment(verb, call->input);
+  call->density = add_deployment(verb, call->input);
+  verb.add_option("--panels", call->panels,
+                  "rigid, or as plates that bend [rigid, with --material bend]")
+      ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
+  verb.add_option("--material", call->material_file,
+                  "JSON file with name, e_gpa, poisson, density_g_per_cm3 [aluminium]")
+      ->type_name("FILE");
+  constexpr double kLeastMarginTo_deg = 0.1;
+  verb.add_option(
+          "--margin-to", call->margin_to_deg,
+          fmt::format("with panels that bend: the angle down to which margins are asked [{:g}]",
+                      call->margin_to_deg))
+      ->check(within(kLeastMarginTo_deg, 180))
+      ->type_name("DEG");
   verb.add_option("--forces", call->forces,
                   "also what hinges and ball joints carry: in the motion, or with the sheet held "
                   "at each angle by its pilot crease [none]")

@@ -15,17 +15,18 @@ CLI::Option* add_number(CLI::App& verb, const std::string& name, double& value,
       ->type_name(unit);
 }
 
-constexpr double kMostAngle_deg = 180, kMostResistance = 1e9;
+constexpr double kMostAngle_deg = 180, kMostResistance = 1e9, kMostPreload_n = 1e6;
 
 }  // namespace
 
-void add_deployment(CLI::App& verb, DeployInput& input) {
+CLI::Option* add_deployment(CLI::App& verb, DeployInput& input) {
   constexpr double kLeastFrom_deg = 1e-3;
   add_from(verb, input.options.from_deg, kLeastFrom_deg);
   add_stiffness(verb, input.stiffness_n_per_mm);
   add_thickness(verb, input.options.sheet.plates);
-  add_number(verb, "--density", input.options.sheet.plates.density_g_per_cm3,
-             "of the panels, g/cm^3", kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3, "G_PER_CM3");
+  CLI::Option* const density = add_number(
+      verb, "--density", input.options.sheet.plates.density_g_per_cm3, "of the panels, g/cm^3",
+      kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3, "G_PER_CM3");
   solver::JointResistance& joints = input.options.sheet.joints;
   const auto resistance = [&](const char* name, double& value, const char* meaning,
                               const char* unit) {
@@ -49,6 +50,11 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("DIAGONAL=DEG");
+  add_number(
+      verb, "--preload", springs.preload_n,
+      "force of each spring at flat, N: pulling where diagonals lengthen as it folds, pushing "
+      "where they shorten",
+      0, kMostPreload_n, "N");
   verb.add_flag("--pull-only", springs.pull_only, "wires: springs that only pull");
   auto* const held = verb.add_option("--hold", input.held,
                                      "hold this panel [none: free in space, without momentum]");
@@ -71,6 +77,7 @@ void add_deployment(CLI::App& verb, DeployInput& input) {
       ->type_name("N");
   add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
              1e6, "S");
+  return density;
 }
 
 }  // namespace misalign::search

@@ -43,6 +43,23 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const DeployOptions& 
   return fault;
 }
 
+// A preload stands for where springs are relaxed.
+std::optional<OptionFault> preload_fault(const Springs& springs) {
+  if (springs.preload_n == 0) return {};
+  const std::string value = shown("%g", springs.preload_n);
+  if (springs.rest_deg != 0 || !springs.other_rests_deg.empty()) {
+    return OptionFault{"preload_n", value,
+                       "is what springs are left with at flat, and these are relaxed at an angle",
+                       "give one of the two"};
+  }
+  if (springs.pull_only) {
+    return OptionFault{"preload_n", value,
+                       "needs springs that push on the diagonals that shorten, and wires only pull",
+                       "leave out one of the two"};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<double> DeploymentStudy::deploy_time_s() const {
@@ -117,21 +134,30 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
   return arriving;
 }
 
-Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
-  if constexpr (!has("SUNDIALS")) return {};
-  const FoldingWay* const way = sheet.way();
-  if (!way) return {};
+Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options) {
+  if (!sheet.way()) return {};
   DeployOptions from = options;
   from.motion.from_deg = options.from_deg.value_or(kDeployFrom_deg);
   if (!options.from_deg && sheet.deploys_from_deg() > 0) {
     from.motion.from_deg = std::min(from.motion.from_deg, sheet.deploys_from_deg());
   }
   if (auto fault = angle_fault(sheet, from)) return *fault;
+  if (auto fault = preload_fault(options.sheet.springs)) return *fault;
+  return from;
+}
+
+Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
+  if constexpr (!has("SUNDIALS")) return {};
+  const Studied<DeployOptions> fitted = fitted_release(sheet, options);
+  if (fitted.fault) return *fitted.fault;
+  if (!fitted.study) return {};
+  const FoldingWay* const way = sheet.way();
+  const DeploymentOptions& motion = fitted.study->motion;
   DeploymentStudy study =
-      study_deployment(*way, sheet.model(), options.sheet, from.motion, options.forces);
+      study_deployment(*way, sheet.model(), options.sheet, motion, options.forces);
   if (options.sheet.joints.damping_n_mm_s_per_mm > 0) {
     study.friction.critical_n_mm_per_mm =
-        critical_friction_in_motion(*way, sheet.model(), options.sheet, from.motion);
+        critical_friction_in_motion(*way, sheet.model(), options.sheet, motion);
   }
   return study;
 }

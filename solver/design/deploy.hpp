@@ -6,6 +6,7 @@
 #include "solver/design/equilibria.hpp"
 #include "solver/design/joint_forces.hpp"
 #include "solver/design/studied.hpp"
+#include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 
@@ -52,6 +53,11 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
                                                   const DeployingSheetOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative = 1e-4);
+
+/// The same with the start that is meant (in `motion`), where it lies on the sheet's way as all
+/// other angles do, and springs can have their preload: what studies of a release begin with.
+/// Nothing where its path is lost.
+Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options);
 
 /// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
 /// not lie on its way. With damping the critical friction is the one in motion. Nothing also where

@@ -20,6 +20,9 @@ struct Springs {
   double rest_deg = 0;
   std::vector<std::pair<int, double>> other_rests_deg;
   bool pull_only = false;  ///< wires: no force where they are shorter than relaxed
+  /// What each is left with at flat instead of being relaxed there: those on diagonals that
+  /// lengthen as the sheet folds pull, those on diagonals that shorten push.
+  double preload_n = 0;
 };
 
 /// Resistance of the joints.
@@ -66,6 +69,8 @@ class DeployingSheet {
   const FoldingWay& way() const { return way_; }
   const DeployingSheetOptions& options() const { return options_; }
   double mass_t() const { return mass_t_; }
+  /// How long each spring is without force.
+  const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
 
   SheetAt at(double x) const;
   /// An energy and its derivative: the springs' if they had 1 N/mm, and that of all else.

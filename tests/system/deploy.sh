@@ -49,6 +49,25 @@ done << 'END'
 --time-limit 0.01|time_limit|still moves
 END
 
+# Panels that bend: less than rigid ones, whose numbers stay as they are; thicker, more. What programs
+# that share no code found of Table 1: 0.1265 N mm at 36 deg (4 x 4 elements a panel), 1.1e-4 N mm/mm.
+"$program" deploy "$table1" --panels bend --json > bent.json || fail "--panels bend"
+json_test bent.json "abs(json_extract(j, '\$.bent.bent_energy_n_mm') / 0.1265 - 1) < 0.03" || fail "bent energy"
+json_test bent.json "abs(json_extract(j, '\$.bent.bent_critical_friction_n_mm_per_mm') / 1.1e-4 - 1) < 0.05" ||
+  fail "bent critical friction"
+[ "$(field bent.json critical_friction_n_mm_per_mm)" = "$critical" ] || fail "--panels bend changes rigid numbers"
+json_test bent.json "json_extract(j, '\$.bent.static_margin') IS NULL" || fail "a margin without friction"
+echo '{ "e_gpa": 7e5 }' > rock.json
+"$program" deploy "$table1" --material rock.json --friction 0.0001 --json > some.json || fail "--material"
+json_test some.json "json_extract(j, '\$.bent.material.name') = 'rock' AND
+  json_extract(j, '\$.bent.bent_critical_friction_n_mm_per_mm') / json_extract(j, '\$.critical_friction_n_mm_per_mm')
+  BETWEEN 0.97 AND 1" || fail "panels like rock"
+json_test some.json "json_extract(j, '\$.bent.static_margin') < 0 AND
+  json_extract(j, '\$.bent.static_stall_deg') BETWEEN 1 AND 36" || fail "the static margin"
+"$program" deploy "$table1" --panels bend --thickness 4 --preload 3 > words || fail "--preload"
+grep -q '^flat is not held by it: [89] of the 18 ways' words || fail "modes at flat"
+grep -q '^preload: 3 N in each at flat' words || fail "the preload in words"
+
 # Of a draw: functions in SQL give what the verb gives, and choose.
 "$program" deploy a.db "$draw" --json > drawn.json || fail "deploy of a draw"
 "$program" query a.db --json "SELECT deploy_time_s(draw) AS t, critical_friction_n_mm_per_mm(draw, 36) AS f
@@ -75,6 +94,7 @@ refused() {
   [ $? = "$code" ] && [ ! -s out.txt ] && [ "$(wc -l < err)" = 1 ] && grep -q -- "$words" err ||
     fail "$*: $(cat err)"
 }
+echo '{ "e_gpa": -1 }' > wrong.json
 refused 2 "reaches its fold limit at 156.34" deploy "$table1" --from 156.4
 refused 2 "--rest-deg 160: table1 reaches" deploy "$table1" --rest-deg 160
 refused 2 "is not a number from" deploy "$table1" --from 0
@@ -86,6 +106,13 @@ refused 2 "--gravity" deploy "$table1" --hold 0,0 --gravity 0,0
 refused 2 "write it as A11-A17=60" deploy "$table1" --rest A11-A18=60
 refused 2 "write it as A11-A17=60" deploy "$table1" --rest A11-A17
 refused 2 "'still' is none of motion, held" deploy "$table1" --forces still
+refused 2 "'soft' is none of rigid, bend" deploy "$table1" --panels soft
+refused 2 "--preload 1: is what springs are left with at flat" deploy "$table1" --preload 1 --rest-deg 20
+refused 2 "--preload 1: needs springs that push" deploy "$table1" --preload 1 --pull-only
+refused 2 "--pull-only: panels are bent by springs that pull and push" deploy "$table1" --panels bend --pull-only
+refused 2 "--margin-to 40: margins are asked from the start, 36 deg" deploy "$table1" --panels bend --margin-to 40
+refused 2 "is not a number from" deploy "$table1" --preload -1
+refused 3 "e_gpa" deploy "$table1" --material wrong.json
 refused 2 "no DRAW is given" deploy a.db
 refused 2 "can only be chosen from a catalogue" deploy "$table1" 7
 refused 3 "no such file" deploy nothing.json

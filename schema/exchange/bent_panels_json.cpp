@@ -1,0 +1,74 @@
+#include "schema/exchange/bent_panels_json.hpp"
+
+#include "schema/files/json_values.hpp"
+
+namespace misalign::schema {
+namespace {
+
+Json bent_angles_json(const solver::BentPanels& study) {
+  Json list = Json::array();
+  for (const solver::BentAngle& angle : study.angles) {
+    list.push_back({{"pilot_deg", angle.pilot_deg},
+                    {"energy_n_mm", angle.rigid_n_mm},
+                    {"bent_energy_n_mm", angle.bent.n_mm},
+                    {"largest_saddle_mm", angle.largest_saddle_mm},
+                    {"largest_stress_mpa", angle.largest_stress_mpa},
+                    {"is_sure", angle.is_sure}});
+  }
+  return list;
+}
+
+Json margins_json(const solver::BentFriction& friction) {
+  Json list = Json::array();
+  for (const solver::StaticMargin& row : friction.rows) {
+    list.push_back({{"pilot_deg", row.pilot_deg},
+                    {"available_n_mm_per_mm", row.available_n},
+                    {"static_margin", or_null(row.margin)}});
+  }
+  return list;
+}
+
+Json preload_json(const solver::PreloadStudy& study) {
+  return {{"preload_n", study.preload_n},
+          {"flat_stiffness_n_mm_per_rad2", study.at_flat.stiffness_n_mm(study.preload_n)},
+          {"stiffest_flat_n", study.at_flat.best_n()},
+          {"none_left_n", study.at_flat.none_left_n()},
+          {"best_n", study.best.preload_n},
+          {"best_static_friction_n_mm_per_mm", study.best.static_n_mm_per_mm},
+          {"rigid_modes_at_flat", study.modes.rigid},
+          {"unstable_modes_at_flat", study.modes.unstable}};
+}
+
+}  // namespace
+
+Json bent_panels_json(const Material& material, const solver::BentPanels& study,
+                      const solver::BentAdvice& advice,
+                      const std::optional<solver::PreloadStudy>& preload) {
+  const solver::BentFriction& friction = study.friction;
+  const solver::BentAngle& most = study.most_bent();
+  Json json = {{"material", material_json(material)},
+               {"thickness_mm", study.thickness_mm},
+               {"from_deg", study.from_deg},
+               {"to_deg", study.options.to_deg},
+               {"method", study.method == solver::BendMethod::linear ? "linear" : "newton"},
+               {"newton_over_linear", study.newton_over_linear},
+               {"angles_not_converged", study.unsure()},
+               {"bent_energy_n_mm", study.angles.back().bent.n_mm},
+               {"bent_critical_friction_n_mm_per_mm", or_null(friction.critical_n_mm_per_mm)},
+               {"static_friction_n_mm_per_mm", friction.static_n_mm_per_mm},
+               {"static_friction_deg", friction.static_deg},
+               {"static_margin", or_null(friction.static_margin)},
+               {"static_stall_deg", or_null(friction.static_stall_deg)},
+               {"largest_saddle_mm", most.largest_saddle_mm},
+               {"largest_stress_mpa", most.largest_stress_mpa},
+               {"largest_stress_deg", most.pilot_deg},
+               {"useful_stiffness_n_per_mm", or_null(advice.useful_stiffness_n_per_mm)},
+               {"wanted_static_margin", advice.wanted_margin},
+               {"least_thickness_mm", or_null(advice.least_thickness_mm)},
+               {"angles", bent_angles_json(study)},
+               {"margins", margins_json(friction)}};
+  if (preload) json["preload"] = preload_json(*preload);
+  return json;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,298 @@
+#include "solver/design/bent_panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::VectorXd;
+
+// How far below the lowest angle that is asked for the first of the angles lies.
+constexpr double kBelow = 0.9;
+// Angles in proportion to each other at which friction is looked at.
+constexpr int kRows = 40;
+
+std::vector<Matrix3Xd> shapes_at(const Sheet& sheet, const VectorXd& pilot_deg) {
+  const FoldingWay& way = *sheet.way();
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
+  FoldState<double> state = way.stations().front().state;
+  std::vector<Matrix3Xd> shapes_mm;
+  for (const double angle_deg : pilot_deg) {
+    way.find_state(way.x_of(angle_deg), state);
+    shapes_mm.push_back(sheet.model().shape().vertices_mm(geometry, state));
+  }
+  return shapes_mm;
+}
+
+OtherMomentsAt other_moments(const DeployingSheet& sheet) {
+  const double flat_n_mm = sheet.all_else(0).energy;
+  return [&sheet, flat_n_mm](double pilot_deg) {
+    const double x = sheet.way().x_of(pilot_deg);
+    const DeployingSheet::Potential rest = sheet.all_else(x);
+    const DeployingSheet::Turning turning = sheet.turning(x);
+    return OtherMoments{
+        rest.energy - flat_n_mm, rest.slope / turning.creases_mm,
+        sheet.options().joints.ball_friction_n_mm * turning.balls / turning.creases_mm};
+  };
+}
+
+double angle_of_row(double from_deg, double to_deg, int row, int rows) {
+  return from_deg * std::pow(to_deg / from_deg, static_cast<double>(row) / rows);
+}
+
+// The first place down from the start, between two rows, where a moment is no longer enough.
+double stall_between(const EnergyCurve& curve, const OtherMomentsAt& others, double friction,
+                     double moves_deg, double held_deg) {
+  for (int k = 0; k < 40; ++k) {
+    const double middle_deg = (moves_deg + held_deg) / 2;
+    const OtherMoments other = others(middle_deg);
+    const bool moves = curve.at(middle_deg).moment_n + other.moment_n > friction + other.balls_n;
+    (moves ? moves_deg : held_deg) = middle_deg;
+  }
+  return held_deg;
+}
+
+// The largest friction of the creases with which it gets from the start to flat.
+void find_critical(const EnergyCurve& curve, const OtherMomentsAt& others, BentFriction& found) {
+  const double from_deg = curve.most_deg();
+  constexpr int kSteps = 200;
+  const EnergyCurve::At start = curve.at(from_deg);
+  const OtherMoments other = others(from_deg);
+  double least = start.moment_n + other.moment_n - other.balls_n, least_deg = from_deg;
+  double balls_n_mm = 0, balls_n = other.balls_n, turned_mm = start.turned_mm;
+  const auto see = [&](double energy_n_mm, double turned_here_mm, double at_deg) {
+    const double value =
+        (start.n_mm + other.n_mm - energy_n_mm - balls_n_mm) / (start.turned_mm - turned_here_mm);
+    if (value < least) least = value, least_deg = at_deg;
+  };
+  for (int k = 1; k <= kSteps; ++k) {
+    const double at_deg = angle_of_row(from_deg, curve.least_deg(), k, kSteps);
+    const EnergyCurve::At here = curve.at(at_deg);
+    const OtherMoments rest = others(at_deg);
+    balls_n_mm += (balls_n + rest.balls_n) / 2 * (turned_mm - here.turned_mm);
+    balls_n = rest.balls_n;
+    turned_mm = here.turned_mm;
+    see(here.n_mm + rest.n_mm, here.turned_mm, at_deg);
+  }
+  balls_n_mm += balls_n * turned_mm;
+  see(0, 0, 0);
+  if (least <= 0) return;
+  found.critical_n_mm_per_mm = least;
+  found.critical_deg = least_deg;
+}
+
+double critical_of(const EnergyCurve& curve) {
+  BentFriction found;
+  find_critical(
+      curve,
+      [](double) {
+        return OtherMoments{0, 0, 0};
+      },
+      found);
+  return found.critical_n_mm_per_mm.value_or(0);
+}
+
+// A stiffness so large that panels alone give.
+constexpr double kStiffSprings = 1e3;  // over the panels' own at the start
+
+std::optional<double> least_thickness(const Sheet& sheet, const BentPanels& study,
+                                      const DiagonalSprings& springs, double friction,
+                                      double wanted_margin, const OtherMomentsAt& others) {
+  const double to_deg = study.options.to_deg;
+  const auto suffices = [&](double thickness_mm) {
+    const BentWay way(sheet, study.options.material, thickness_mm, to_deg, study.from_deg,
+                      study.options.angles);
+    const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
+    const auto margin = find_bent_friction(curve, to_deg, friction, others).static_margin;
+    return margin && *margin >= wanted_margin;
+  };
+  double enough_mm = kMostThick_mm, little_mm = 1e-3;
+  if (!suffices(enough_mm)) return {};
+  while (enough_mm > 1.003 * little_mm) {
+    const double middle_mm = std::sqrt(enough_mm * little_mm);
+    (suffices(middle_mm) ? enough_mm : little_mm) = middle_mm;
+  }
+  return enough_mm;
+}
+
+}  // namespace
+
+BentWay::BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm,
+                 double to_deg, double from_deg, int angles)
+    : panels_(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals, material,
+              thickness_mm),
+      least_deg_(kBelow * to_deg),
+      from_deg_(from_deg),
+      pilot_deg_(EnergyCurve::angles_deg(least_deg_, from_deg, angles)),
+      folded_mm_(shapes_at(sheet, pilot_deg_)) {
+  for (const Matrix3Xd& folded_mm : folded_mm_) {
+    compliances_.push_back(find_compliance(panels_, folded_mm));
+  }
+}
+
+std::vector<BentAngle> BentWay::bend(const DiagonalSprings& springs, BendMethod method) const {
+  std::vector<BentAngle> angles;
+  for (std::size_t k = 0; k < compliances_.size(); ++k) {
+    const Compliance& compliance = compliances_[k];
+    const double rigid_n_mm =
+        springs.n_per_mm / 2 * (compliance.lengths_mm - springs.relaxed_mm).squaredNorm();
+    BentAngle angle{pilot_deg_(static_cast<Index>(k)),
+                    rigid_n_mm,
+                    solver::bend(compliance, springs),
+                    0,
+                    0,
+                    true};
+    if (method == BendMethod::newton) {
+      const FarBentState far = bend_far(panels_, folded_mm_[k], compliance.turned_mm, springs);
+      angle.is_sure = far.has_converged && far.is_stable;
+      if (angle.is_sure) angle.bent = far;
+    }
+    const VectorXd saddles_mm = angle.bent.saddles_mm.cwiseAbs();
+    angle.largest_saddle_mm = saddles_mm.maxCoeff();
+    angle.largest_stress_mpa = saddles_mm.cwiseProduct(panels_.stress_mpa_per_mm()).maxCoeff();
+    angles.push_back(std::move(angle));
+  }
+  return angles;
+}
+
+EnergyCurve BentWay::curve(const DiagonalSprings& springs,
+                           const std::vector<BentAngle>& angles) const {
+  const VectorXd pulled_mm = panels_.flat_lengths_mm() - springs.relaxed_mm;
+  const double flat_n_mm = springs.n_per_mm / 2 * pulled_mm.squaredNorm();
+  VectorXd above(pilot_deg_.size()), reference(pilot_deg_.size()), turned(pilot_deg_.size());
+  for (Index k = 0; k < pilot_deg_.size(); ++k) {
+    const Compliance& compliance = compliances_[static_cast<std::size_t>(k)];
+    above(k) = angles[static_cast<std::size_t>(k)].bent.n_mm - flat_n_mm;
+    turned(k) = compliance.turned_mm;
+    const Eigen::ArrayXd longer = (compliance.lengths_mm - panels_.flat_lengths_mm()).array();
+    const Eigen::ArrayXd give = compliance.mm_per_n.diagonal().array() + 1 / springs.n_per_mm;
+    reference(k) = ((longer.square() / 2 + (pulled_mm.array() * longer).abs()) / give).sum();
+  }
+  return {least_deg_, from_deg_, above, reference, turned};
+}
+
+BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
+                                double friction_n_mm_per_mm, const OtherMomentsAt& others) {
+  BentFriction found;
+  find_critical(curve, others, found);
+  found.static_n_mm_per_mm = std::numeric_limits<double>::infinity();
+  const double from_deg = curve.most_deg();
+  for (int row = 0; row <= kRows; ++row) {
+    const double at_deg = angle_of_row(from_deg, to_deg, row, kRows);
+    const OtherMoments other = others(at_deg);
+    StaticMargin here{at_deg, curve.at(at_deg).moment_n + other.moment_n, {}};
+    if (here.available_n - other.balls_n < found.static_n_mm_per_mm) {
+      found.static_n_mm_per_mm = here.available_n - other.balls_n;
+      found.static_deg = at_deg;
+    }
+    const double resisting = friction_n_mm_per_mm + other.balls_n;
+    if (resisting > 0) {
+      here.margin = here.available_n / resisting - 1;
+      found.static_margin = std::min(found.static_margin.value_or(*here.margin), *here.margin);
+      if (*here.margin <= 0 && !found.static_stall_deg) {
+        found.static_stall_deg = row == 0 ? at_deg
+                                          : stall_between(curve, others, friction_n_mm_per_mm,
+                                                          found.rows.back().pilot_deg, at_deg);
+      }
+    }
+    found.rows.push_back(here);
+  }
+  return found;
+}
+
+std::optional<double> useful_stiffness_n_per_mm(const BentWay& way) {
+  const auto critical = [&](double n_per_mm) {
+    const DiagonalSprings springs{n_per_mm, way.panels().flat_lengths_mm()};
+    return critical_of(way.curve(springs, way.bend(springs, BendMethod::linear)));
+  };
+  const double own_n_per_mm = 1 / way.compliances().back().mm_per_n.diagonal().minCoeff();
+  double much = kStiffSprings * own_n_per_mm, little = 1e-6 * own_n_per_mm;
+  const double most = critical(much);
+  if (most <= 0) return {};
+  while (much > 1.003 * little) {
+    const double middle = std::sqrt(much * little);
+    (critical(middle) >= kUseful * most ? much : little) = middle;
+  }
+  return much;
+}
+
+const BentAngle& BentPanels::most_bent() const {
+  return *std::max_element(angles.begin(), angles.end(), [](const auto& a, const auto& b) {
+    return a.largest_stress_mpa < b.largest_stress_mpa;
+  });
+}
+
+int BentPanels::unsure() const {
+  return static_cast<int>(std::count_if(angles.begin(), angles.end(),
+                                        [](const auto& angle) { return !angle.is_sure; }));
+}
+
+Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+                                const BentPanelsOptions& options) {
+  const Studied<DeployOptions> fitted = fitted_release(sheet, deploying);
+  if (fitted.fault) return *fitted.fault;
+  if (!fitted.study) return {};
+  const double from_deg = fitted.study->motion.from_deg;
+  const DeployingSheetOptions& held = deploying.sheet;
+  if (held.springs.pull_only) {
+    return OptionFault{"pull_only",
+                       {},
+                       "panels are bent by springs that pull and push",
+                       "leave it out, or take panels that do not bend"};
+  }
+  if (options.to_deg >= from_deg) {
+    return OptionFault{
+        "margin_to_deg", shown("%g", options.to_deg),
+        "margins are asked from the start, " + shown("%g", from_deg) + " deg, down to this angle",
+        "name a smaller one, such as 1"};
+  }
+  const double thickness_mm = held.plates.thickness_mm;
+  const BentWay way(sheet, options.material, thickness_mm, options.to_deg, from_deg,
+                    options.angles);
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
+  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
+  BendMethod method = options.method.value_or(BendMethod::linear);
+  double newton_over_linear = 1;
+  if (!options.method) {
+    const std::size_t last = way.compliances().size() - 1;
+    const Compliance& start = way.compliances()[last];
+    const FarBentState far = bend_far(way.panels(), way.folded_mm(last), start.turned_mm, springs);
+    if (far.has_converged) newton_over_linear = far.n_mm / bend(start, springs).n_mm;
+    const bool is_near = far.has_converged && std::abs(newton_over_linear - 1) <= kLinearError;
+    method = is_near ? BendMethod::linear : BendMethod::newton;
+  }
+  std::vector<BentAngle> angles = way.bend(springs, method);
+  const EnergyCurve curve = way.curve(springs, angles);
+  const OtherMomentsAt others = other_moments(rigid);
+  const double friction = held.joints.friction_n_mm_per_mm;
+  return BentPanels{options,
+                    from_deg,
+                    thickness_mm,
+                    method,
+                    newton_over_linear,
+                    std::move(angles),
+                    curve,
+                    find_bent_friction(curve, options.to_deg, friction, others)};
+}
+
+BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
+                  double wanted_margin) {
+  const DeployingSheetOptions& held = deploying.sheet;
+  const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
+                    study.from_deg, study.options.angles);
+  BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};
+  const double friction = held.joints.friction_n_mm_per_mm;
+  if (friction <= 0) return advice;
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), held);
+  const DiagonalSprings springs{held.springs.stiffness_n_per_mm, rigid.relaxed_mm()};
+  advice.least_thickness_mm =
+      least_thickness(sheet, study, springs, friction, wanted_margin, other_moments(rigid));
+  return advice;
+}
+
+}  // namespace misalign::solver

@@ -1,0 +1,133 @@
+// The study of a sheet whose panels bend: what its springs still do, and what friction they
+// overcome.
+//
+// Rigid panels flatter: on the way from its springs to its creases most of the energy of a thin
+// sheet goes into its panels. Everything here has its rigid counterpart in `deploy`, which is an
+// upper bound.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "solver/design/bent_state.hpp"
+#include "solver/design/deploy.hpp"
+#include "solver/design/energy_curve.hpp"
+
+namespace misalign::solver {
+
+enum class BendMethod { linear, newton };
+
+struct BentPanelsOptions {
+  PanelMaterial material;
+  double to_deg = 1;                 ///< margins are asked from the start down to this angle
+  int angles = 16;                   ///< at which the panels are bent
+  std::optional<BendMethod> method;  ///< none: as kLinearError says
+};
+
+/// Linear is right where Newton's method, at the start, changes the energy by no more than this
+/// share: of all angles it bends the panels most there. 3 % rms against CalculiX is wanted.
+inline constexpr double kLinearError = 0.02;
+
+/// At one of the angles.
+struct BentAngle {
+  double pilot_deg;
+  double rigid_n_mm;  ///< energy of the springs if panels were rigid
+  BentState bent;
+  double largest_saddle_mm, largest_stress_mpa;
+  bool is_sure;  ///< Newton's method has converged to a minimum; true where it was not asked
+};
+
+/// A sheet at the angles, for any springs: its panels of one thickness and material.
+class BentWay {
+ public:
+  /// `sheet` must have a way that reaches from_deg, and outlive this object.
+  BentWay(const Sheet& sheet, const PanelMaterial& material, double thickness_mm, double to_deg,
+          double from_deg, int angles);
+
+  const ElasticSheet& panels() const { return panels_; }
+  const Eigen::VectorXd& pilot_deg() const { return pilot_deg_; }
+  const std::vector<Compliance>& compliances() const { return compliances_; }
+  const Eigen::Matrix3Xd& folded_mm(std::size_t angle) const { return folded_mm_[angle]; }
+
+  /// At every angle, linear or by Newton's method.
+  std::vector<BentAngle> bend(const DiagonalSprings& springs, BendMethod method) const;
+  EnergyCurve curve(const DiagonalSprings& springs, const std::vector<BentAngle>& angles) const;
+
+ private:
+  ElasticSheet panels_;
+  double least_deg_, from_deg_;
+  Eigen::VectorXd pilot_deg_;
+  std::vector<Eigen::Matrix3Xd> folded_mm_;
+  std::vector<Compliance> compliances_;
+};
+
+/// What else than springs and creases' friction acts at an angle of the rigid way: the energy of
+/// elastic creases and weight, its change and that of ball joints' friction by the creases' sum.
+struct OtherMoments {
+  double n_mm, moment_n, balls_n;
+};
+using OtherMomentsAt = std::function<OtherMoments(double pilot_deg)>;
+
+/// Of one angle between the start and `to_deg`: N mm of moment for each mm of crease.
+struct StaticMargin {
+  double pilot_deg;
+  double available_n;  ///< what drives it to flat
+  /// available / resisting - 1; none without friction.
+  std::optional<double> margin;
+};
+
+struct BentFriction {
+  /// The largest friction of the creases with which a sheet let go at the start gets to flat: the
+  /// energy margin is this over its own friction, less 1. None: it does not get there.
+  std::optional<double> critical_n_mm_per_mm;
+  double critical_deg = 0;
+  /// The largest friction with which it moves on at every angle, however slowly, and where that is
+  /// decided; not positive where it does not by itself.
+  double static_n_mm_per_mm = 0, static_deg = 0;
+  /// With its own friction: the least static margin, and the first angle from which it does not
+  /// move on; none without friction, none where it moves on down to `to_deg`.
+  std::optional<double> static_margin, static_stall_deg;
+  std::vector<StaticMargin> rows;  ///< from the start down, at some forty angles
+};
+
+BentFriction find_bent_friction(const EnergyCurve& curve, double to_deg,
+                                double friction_n_mm_per_mm, const OtherMomentsAt& others);
+
+/// The stiffness (N/mm) from which on the critical friction is at least kUseful of what infinitely
+/// stiff springs have, relaxed on the flat sheet: linear. None where they do not drive it to flat.
+inline constexpr double kUseful = 0.9;
+std::optional<double> useful_stiffness_n_per_mm(const BentWay& way);
+
+struct BentPanels {
+  BentPanelsOptions options;
+  double from_deg, thickness_mm;
+  BendMethod method;
+  double newton_over_linear;      ///< energies at the start; 1 where Newton's method was not asked
+  std::vector<BentAngle> angles;  ///< ascending
+  EnergyCurve curve;
+  BentFriction friction;
+  const BentAngle& most_bent() const;  ///< the largest stress
+  int unsure() const;                  ///< angles where Newton's method did not converge
+};
+/// Faults: of the angles as `deploy`, springs that only pull, an angle `to_deg` that does not lie
+/// below the start. Nothing where the path is lost.
+Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deploying,
+                                const BentPanelsOptions& options = {});
+
+/// What would do better, by linear bending: a dozen thicknesses more are bent for it.
+struct BentAdvice {
+  std::optional<double> useful_stiffness_n_per_mm;
+  /// The least thickness (mm) with which the static margin is `wanted_margin`; none without
+  /// friction, or where none of up to kMostThick_mm does. Weight stays as it is.
+  double wanted_margin;
+  std::optional<double> least_thickness_mm;
+};
+inline constexpr double kMostThick_mm = 50;
+inline constexpr double kWantedMargin = 1;  ///< AIAA S-114: 1 at every position
+
+/// `study`: of this sheet and these options.
+BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
+                  double wanted_margin = kWantedMargin);
+
+}  // namespace misalign::solver

@@ -1,0 +1,132 @@
+#include "solver/design/preload.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// So close to flat L2 and C2 are known to (angle / 3)^2, and panels so much stiffer in their planes
+// that these give less than 1e-3 of what bending does there.
+constexpr double kNearFlat_deg = 1, kStiffer = 1e4;
+// Below this, of the largest eigenvalue, a panel does not bend; and of the stiffest panel's, a
+// force does not push.
+constexpr double kNoPush = 1e-9;
+
+// The flat sheet as its springs' forces leave it in its plane.
+Matrix3Xd settled_in_plane(const ElasticSheet& sheet, const DiagonalSprings& springs) {
+  Matrix3Xd at_mm = sheet.flat_shape_mm();
+  const std::vector<int> held = sheet.supports(at_mm);
+  std::vector<int> free;
+  for (int i = 0; i < sheet.coordinates(); ++i) {
+    if (i % 3 != 2 && !std::binary_search(held.begin(), held.end(), i)) free.push_back(i);
+  }
+  for (int step = 0; step < 4; ++step) {
+    ElasticEnergy energy = sheet.panels_energy(at_mm);
+    sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
+    const MatrixXd bend = energy.bend(free, free);
+    const VectorXd slope = energy.slope(free), moved = bend.ldlt().solve(slope);
+    for (Index i = 0; i < moved.size(); ++i) {
+      const int at = free[static_cast<std::size_t>(i)];
+      at_mm(at % 3, at / 3) -= moved(i);
+    }
+  }
+  return at_mm;
+}
+
+}  // namespace
+
+PreloadAtFlat preload_at_flat(const Sheet& sheet, const PanelMaterial& material,
+                              double thickness_mm) {
+  const ElasticSheet panels(sheet.vertices_mm(), sheet.panels(), sheet.mechanism().diagonals,
+                            material, thickness_mm, kStiffer);
+  const FoldingWay& way = *sheet.way();
+  SheetGeometry<double> geometry;
+  place(sheet.mechanism(), sheet.vertices_mm(), geometry);
+  FoldState<double> state = way.stations().front().state;
+  way.find_state(way.x_of(kNearFlat_deg), state);
+  const Compliance near =
+      find_compliance(panels, sheet.model().shape().vertices_mm(geometry, state));
+  const double square = std::pow(kNearFlat_deg * kRadPerDeg, 2);
+  const VectorXd longer = near.lengths_mm - panels.flat_lengths_mm(), signs = longer.cwiseSign();
+  return {longer.cwiseAbs().sum() / square, signs.dot(near.mm_per_n * signs) / square};
+}
+
+FlatModes find_flat_modes(const ElasticSheet& sheet, const DiagonalSprings& springs) {
+  const Matrix3Xd at_mm = settled_in_plane(sheet, springs);
+  ElasticEnergy energy = sheet.panels_energy(at_mm);
+  sheet.add_springs(at_mm, springs.n_per_mm, springs.relaxed_mm, energy);
+  const Index count = sheet.vertices();
+  MatrixXd across(count, count), saddles(sheet.panels(), count);
+  const MatrixXd slopes = sheet.saddle_slopes(at_mm);
+  for (Index v = 0; v < count; ++v) {
+    saddles.col(v) = slopes.col(3 * v + 2);
+    for (Index w = 0; w < count; ++w) across(v, w) = energy.bend(3 * v + 2, 3 * w + 2);
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> bending(saddles.transpose() * saddles);
+  const double least = kNoPush * bending.eigenvalues().maxCoeff();
+  const Index rigid = (bending.eigenvalues().array() < least).count();
+  const MatrixXd modes = bending.eigenvectors().leftCols(rigid);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> pushed(modes.transpose() * across * modes);
+  const double push = kNoPush * sheet.saddle_n_per_mm().maxCoeff();
+  constexpr int kOfSpace = 3;  // a shift and two turns
+  return {static_cast<int>(rigid) - kOfSpace,
+          static_cast<int>((pushed.eigenvalues().array() < -push).count())};
+}
+
+BestPreload best_preload(const BentWay& way, double n_per_mm, double to_deg,
+                         const PreloadAtFlat& at_flat) {
+  const VectorXd signs =
+      (way.compliances().front().lengths_mm - way.panels().flat_lengths_mm()).cwiseSign();
+  const auto with = [&](double preload_n) {
+    const DiagonalSprings springs{n_per_mm,
+                                  way.panels().flat_lengths_mm() - preload_n / n_per_mm * signs};
+    const EnergyCurve curve = way.curve(springs, way.bend(springs, BendMethod::linear));
+    return find_bent_friction(curve, to_deg, 0,
+                              [](double) {
+                                return OtherMoments{0, 0, 0};
+                              })
+        .static_n_mm_per_mm;
+  };
+  // One maximum in between: golden sections.
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double low = 0, high = at_flat.none_left_n();
+  double one = high - golden * (high - low), other = low + golden * (high - low);
+  double with_one = with(one), with_other = with(other);
+  for (int k = 0; k < 24; ++k) {
+    if (with_one >= with_other) {
+      high = other, other = one, with_other = with_one;
+      one = high - golden * (high - low);
+      with_one = with(one);
+    } else {
+      low = one, one = other, with_one = with_other;
+      other = low + golden * (high - low);
+      with_other = with(other);
+    }
+  }
+  const double best_n = (low + high) / 2, best = with(best_n);
+  const double without = with(0);
+  return best > without ? BestPreload{best_n, best} : BestPreload{0, without};
+}
+
+PreloadStudy study_preload(const Sheet& sheet, const DeployOptions& deploying,
+                           const BentPanels& bent) {
+  const Springs& springs = deploying.sheet.springs;
+  const PanelMaterial& material = bent.options.material;
+  const BentWay way(sheet, material, bent.thickness_mm, bent.options.to_deg, bent.from_deg,
+                    bent.options.angles);
+  const DeployingSheet rigid(*sheet.way(), sheet.model().shape(), sheet.base(), deploying.sheet);
+  const double n_per_mm = springs.stiffness_n_per_mm;
+  const PreloadAtFlat at_flat = preload_at_flat(sheet, material, bent.thickness_mm);
+  return {springs.preload_n, at_flat, find_flat_modes(way.panels(), {n_per_mm, rigid.relaxed_mm()}),
+          best_preload(way, n_per_mm, bent.options.to_deg, at_flat)};
+}
+
+}  // namespace misalign::solver

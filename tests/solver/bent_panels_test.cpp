@@ -1,0 +1,354 @@
+// Panels that bend, against closed forms, differences and the rigid sheet.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "families.hpp"
+#include "own_sheet.hpp"
+#include "sheets.hpp"
+#include "solver/design/preload.hpp"
+
+namespace misalign::solver {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double kNu = 0.33;
+
+std::array<Vector2d, 4> rectangle(double a, double b) {
+  return {Vector2d(0, 0), Vector2d(a, 0), Vector2d(a, b), Vector2d(0, b)};
+}
+
+// w = q x y / (a b): no moment, no shear force at any edge, so that nothing relaxes it.
+TEST(SaddlePlate, RectanglesTwist) {
+  for (const bool straight : {true, false}) {
+    const SaddlePlate saddle =
+        bend_into_saddle(rectangle(60, 90), {straight, straight, straight, straight}, kNu);
+    EXPECT_NEAR(saddle.stiffness, 2 * (1 - kNu) / 5400, 1e-12);
+    EXPECT_NEAR(saddle.stress, std::sqrt(3.0) * (1 - kNu) / 5400, 1e-12);
+    EXPECT_NEAR(saddle.area_mm2, 5400, 1e-9);
+    EXPECT_NEAR(saddle.perimeter_mm, 300, 1e-9);
+  }
+}
+
+// The same place and size whichever corner is first, and seen from any side.
+TEST(SaddlePlate, KnowsNoDirections) {
+  std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 3), Vector2d(121, 84),
+                                  Vector2d(38, 79)};
+  std::array<bool, 4> straight{true, true, false, true};
+  const double one = bend_into_saddle(corners, straight, kNu).stiffness;
+  std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  std::rotate(straight.begin(), straight.begin() + 1, straight.end());
+  for (Vector2d& corner : corners) corner = Eigen::Rotation2Dd(0.7) * corner + Vector2d(5, -8);
+  EXPECT_NEAR(bend_into_saddle(corners, straight, kNu).stiffness / one, 1, 1e-9);
+}
+
+// A softer plate has more freedom; and few polynomials are enough.
+TEST(SaddlePlate, FewPolynomialsAreEnough) {
+  double worst = 0;
+  for (const double lean : {20.0, 40.0}) {
+    const std::array<Vector2d, 4> corners{Vector2d(0, 0), Vector2d(80, 0), Vector2d(80 + lean, 80),
+                                          Vector2d(lean, 80)};
+    double last = 1e300;
+    for (const int free : {0, 1, 2}) {
+      const std::array<bool, 4> straight{free < 1, free < 2, true, true};
+      const double few = bend_into_saddle(corners, straight, kNu).stiffness,
+                   many = bend_into_saddle(corners, straight, kNu, 7).stiffness;
+      EXPECT_LE(many, few * (1 + 1e-12));
+      worst = std::max(worst, few / many - 1);
+      EXPECT_LT(few, last);
+      last = few;
+    }
+  }
+  RecordProperty("worst", scientific(worst));
+  EXPECT_LT(worst, 0.02);  // energies may be off by 3 %
+}
+
+// Two rectangles on one crease, folded by phi, and a spring across from corner to corner.
+struct TwoBentPanels {
+  static constexpr double kA = 60, kB = 90;
+  TwoBentPanels() {
+    flat_mm.resize(2, 6);
+    flat_mm << 0, kA, 2 * kA, 0, kA, 2 * kA, 0, 0, 0, kB, kB, kB;
+    panels.facets = {0, 1};
+    panels.corners = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+    panels.folds = {{1, 4, 0, 1, 1}};
+  }
+  ElasticSheet sheet(double thickness_mm, double stiffer) const {
+    return {flat_mm, panels, {{0, 0, 0, 0, 2}}, {70, kNu}, thickness_mm, stiffer};
+  }
+  Matrix3Xd folded(double phi) const {
+    const double c = kA * std::cos(phi / 2), s = kA * std::sin(phi / 2);
+    Matrix3Xd at(3, 6);
+    at << -c, 0, c, -c, 0, c, 0, 0, 0, kB, kB, kB, s, 0, s, s, 0, s;
+    return at;
+  }
+  static double saddle_n_per_mm(double t) {
+    const double rigidity = 70e3 * t * t * t / 12 / (1 - kNu * kNu);
+    return rigidity * 2 * (1 - kNu) / (kA * kB) / (1 + kFreeEdge * t * 2 * (kA + kB) / (kA * kB));
+  }
+  FlatVertices flat_mm;
+  Panels panels;
+};
+
+// With the mean normals held a corner goes off its plane by q / 2; the spring sees sin(phi / 2) of
+// it, of both panels: C = sin^2(phi / 2) / 2 K.
+TEST(BentState, TwoPanelsByHand) {
+  constexpr double kInPlane = 1e-5;  // panels give 1e-8 mm/N there, of 2e-3 and more in bending
+  const TwoBentPanels two;
+  const double thickness_mm = 1.5, k_saddle = TwoBentPanels::saddle_n_per_mm(thickness_mm);
+  const ElasticSheet sheet = two.sheet(thickness_mm, 1e4);
+  for (const double phi : {0.3, 1.2, 2.5}) {
+    const Compliance give = find_compliance(sheet, two.folded(phi));
+    const double by_hand = std::pow(std::sin(phi / 2), 2) / (2 * k_saddle);
+    EXPECT_NEAR(give.mm_per_n(0, 0) / by_hand, 1, kInPlane);
+    EXPECT_NEAR(give.turned_mm, TwoBentPanels::kB * phi, 1e-9);
+    EXPECT_NEAR(std::abs(give.saddle_mm_per_n(0, 0)), std::sin(phi / 2) / (2 * k_saddle),
+                kInPlane / k_saddle);
+    const double longer = 2 * TwoBentPanels::kA * (std::cos(phi / 2) - 1);
+    const BentState state = bend(give, {3, sheet.flat_lengths_mm()});
+    EXPECT_NEAR(state.n_mm / (longer * longer / 2 / (1 / 3.0 + by_hand)), 1, kInPlane);
+  }
+}
+
+// A square bent into a saddle, its sides as long as flat: to the energy of twist come the 3.78e-4
+// E t q^4 / 2 a^2 of a clamped square's volume (0.00133 a^4 high in the middle; Timoshenko &
+// Woinowsky-Krieger, table 35: 0.00126).
+TEST(ElasticSheet, SquareStretchesInALargeSaddle) {
+  FlatVertices flat_mm(2, 4);
+  flat_mm << 0, 80, 80, 0, 0, 0, 80, 80;
+  Panels panels;
+  panels.facets = {0};
+  panels.corners = {{0, 1, 2, 3}};
+  const double q = 3, e = 70e3, t = 0.5;
+  const ElasticSheet sheet(flat_mm, panels, {}, {70, kNu}, t);
+  Matrix3Xd at_mm = sheet.flat_shape_mm();
+  at_mm.row(2) << q / 4, -q / 4, q / 4, -q / 4;  // each side rises by q / 2
+  at_mm.topRows<2>() *= std::sqrt(1 - std::pow(q / 2 / 80, 2));
+  const double seen_mm = sheet.saddles_mm(at_mm)(0);  // over a plan that is smaller
+  const double twist = sheet.saddle_n_per_mm()(0) / 2 * seen_mm * seen_mm;
+  const double stretch = 3.78e-4 * e * t * std::pow(seen_mm, 4) / 2 / 6400;
+  EXPECT_NEAR((sheet.panels_energy(at_mm).n_mm - twist) / stretch, 1, 2e-3);
+}
+
+struct Bent : testing::Test {
+  Bent() : own(TestSheet(6, 6).base, shifts()) {}
+  static Eigen::Matrix2Xd shifts() {
+    const TestSheet sheet(6, 6);
+    return sheet.shifted(golden("table1_odd.json")["displacements_mm"]) -
+           sheet.base.sheet.vertices_mm;
+  }
+  ElasticSheet panels(double thickness_mm = 1, double stiffer = 1) const {
+    return {own.sheet.vertices_mm(),
+            own.sheet.panels(),
+            own.sheet.mechanism().diagonals,
+            {},
+            thickness_mm,
+            stiffer};
+  }
+  Matrix3Xd folded(double pilot_deg) const {
+    const FoldingWay& way = *own.sheet.way();
+    SheetGeometry<double> geometry;
+    place(own.sheet.mechanism(), own.sheet.vertices_mm(), geometry);
+    FoldState<double> state = way.stations().front().state;
+    way.find_state(way.x_of(pilot_deg), state);
+    return own.model.shape().vertices_mm(geometry, state);
+  }
+  BentPanels bent(const DeployOptions& deploying, const BentPanelsOptions& options = {}) const {
+    return *bend_panels(own.sheet, deploying, options).study;
+  }
+  const OwnSheet own;
+};
+
+// Gradients and second derivatives by differences, of a sheet that is out of every shape.
+TEST_F(Bent, Derivatives) {
+  const ElasticSheet sheet = panels();
+  std::mt19937 random(38);
+  std::normal_distribution<double> off_mm(0, 0.3);
+  Matrix3Xd at_mm = folded(50);
+  for (Index i = 0; i < at_mm.size(); ++i) at_mm.data()[i] += off_mm(random);
+  const VectorXd relaxed_mm = 0.99 * sheet.flat_lengths_mm();
+  const auto energy_at = [&](const Matrix3Xd& place_mm) {
+    ElasticEnergy energy = sheet.panels_energy(place_mm);
+    sheet.add_springs(place_mm, 20, relaxed_mm, energy);
+    return energy;
+  };
+  ElasticEnergy energy = energy_at(at_mm);
+  MatrixXd turned = MatrixXd::Zero(sheet.coordinates(), sheet.coordinates());
+  sheet.add_turned_bend(at_mm, 1, turned);
+  const VectorXd turned_slope = sheet.turned_slope(at_mm), saddles = sheet.saddles_mm(at_mm);
+  const MatrixXd saddle_slopes = sheet.saddle_slopes(at_mm),
+                 length_slopes = sheet.length_slopes(at_mm);
+  constexpr double kStep = 1e-4;  // errors of its square, 1e-8 of what bends within a mm
+  for (Index i = 0; i < at_mm.size(); i += 5) {
+    Matrix3Xd above = at_mm, below = at_mm;
+    above.data()[i] += kStep;
+    below.data()[i] -= kStep;
+    const ElasticEnergy up = energy_at(above), down = energy_at(below);
+    EXPECT_NEAR((up.n_mm - down.n_mm) / (2 * kStep), energy.slope(i), 1e-6 * energy.slope.norm());
+    EXPECT_LT(((up.slope - down.slope) / (2 * kStep) - energy.bend.col(i)).norm(),
+              1e-6 * energy.bend.norm());
+    EXPECT_NEAR((sheet.turned_mm(above) - sheet.turned_mm(below)) / (2 * kStep), turned_slope(i),
+                1e-6 * turned_slope.norm());
+    EXPECT_LT(
+        ((sheet.turned_slope(above) - sheet.turned_slope(below)) / (2 * kStep) - turned.col(i))
+            .norm(),
+        1e-5 * turned.norm());
+    EXPECT_LT(
+        ((sheet.saddles_mm(above) - sheet.saddles_mm(below)) / (2 * kStep) - saddle_slopes.col(i))
+            .norm(),
+        1e-6);
+    EXPECT_LT(
+        ((sheet.lengths_mm(above) - sheet.lengths_mm(below)) / (2 * kStep) - length_slopes.col(i))
+            .norm(),
+        1e-6);
+  }
+}
+
+// A rigid folded sheet has no energy, and its creases' sum is that of the fold angles.
+TEST_F(Bent, FoldedSheetIsRelaxed) {
+  const ElasticSheet sheet = panels();
+  const Matrix3Xd at_mm = folded(36);
+  const ElasticEnergy energy = sheet.panels_energy(at_mm);
+  EXPECT_LT(energy.n_mm, 1e-12);
+  EXPECT_LT(energy.slope.norm(), 1e-5);
+  VectorXd angles, rates;
+  own.sheet.way()->find_creases(own.sheet.way()->x_of(36), angles, rates);
+  double sum = 0;
+  for (std::size_t k = 0; k < own.sheet.mechanism().creases.size(); ++k) {
+    const Crease& crease = own.sheet.mechanism().creases[k];
+    sum += std::abs(angles(static_cast<Index>(k))) *
+           (own.sheet.point_mm(crease.a) - own.sheet.point_mm(crease.b)).norm();
+  }
+  EXPECT_NEAR(sheet.turned_mm(at_mm) / sum, 1, 1e-10);
+}
+
+// With weak springs both methods agree, to what is of second order; with strong ones Newton's
+// method is at rest, and its multiplier is how the energy changes.
+TEST_F(Bent, NewtonAndLinear) {
+  const ElasticSheet sheet = panels();
+  const auto bent_at = [&](double pilot_deg, double n_per_mm) {
+    const Matrix3Xd at_mm = folded(pilot_deg);
+    return bend_far(sheet, at_mm, sheet.turned_mm(at_mm), {n_per_mm, sheet.flat_lengths_mm()});
+  };
+  const DiagonalSprings weak{1e-4, sheet.flat_lengths_mm()};
+  const FarBentState far = bent_at(36, 1e-4);
+  EXPECT_TRUE(far.has_converged && far.is_stable);
+  EXPECT_NEAR(far.n_mm / bend(find_compliance(sheet, folded(36)), weak).n_mm, 1, 1e-5);
+  const FarBentState middle = bent_at(36, 50), above = bent_at(36.01, 50),
+                     below = bent_at(35.99, 50);
+  EXPECT_TRUE(middle.has_converged && middle.is_stable);
+  const double turned_mm = sheet.turned_mm(folded(36.01)) - sheet.turned_mm(folded(35.99));
+  EXPECT_NEAR((above.n_mm - below.n_mm) / turned_mm / middle.moment_n, 1, 1e-5);
+  EXPECT_NEAR(sheet.turned_mm(middle.at_mm), sheet.turned_mm(folded(36)), 1e-8);
+  // At rest: what is left of all forces is the multiplier's.
+  ElasticEnergy energy = sheet.panels_energy(middle.at_mm);
+  sheet.add_springs(middle.at_mm, 50, sheet.flat_lengths_mm(), energy);
+  const VectorXd left_n = energy.slope - middle.moment_n * sheet.turned_slope(middle.at_mm);
+  EXPECT_LT(left_n.norm(), 1e-7 * middle.forces_n.norm());
+}
+
+// As stiff as rock it is the rigid sheet; soft, what is left goes with the thickness's cube, but
+// for edges (1.5 % a mm) and what panels give in their planes.
+TEST_F(Bent, FromRigidToSoft) {
+  DeployOptions deploying;
+  BentPanelsOptions rock;
+  rock.material.e_gpa = 1e11;
+  rock.method = BendMethod::linear;
+  const BentPanels rigid = bent(deploying, rock);
+  const DeployingSheet as_rigid(*own.sheet.way(), own.model.shape(), own.model.base(), {});
+  EXPECT_NEAR(*rigid.friction.critical_n_mm_per_mm /
+                  *find_friction_limits(as_rigid, 36).critical_n_mm_per_mm,
+              1, 1e-4);
+  EXPECT_NEAR(rigid.angles.back().bent.n_mm / rigid.angles.back().rigid_n_mm, 1, 1e-6);
+  deploying.sheet.springs.stiffness_n_per_mm = 1e5;
+  BentPanelsOptions linear;
+  linear.method = BendMethod::linear;
+  deploying.sheet.plates.thickness_mm = 0.5;
+  const double thin = *bent(deploying, linear).friction.critical_n_mm_per_mm;
+  deploying.sheet.plates.thickness_mm = 1;
+  EXPECT_NEAR(*bent(deploying, linear).friction.critical_n_mm_per_mm / thin, 8, 0.16);
+}
+
+// E = c S^4 / (1 + S^2 / d^2), S = a rho: from the fourth power to the second.
+TEST(EnergyCurve, ThroughTheBend) {
+  const double a = 30, c = 1e-9, d = 100;
+  const VectorXd angles_deg = EnergyCurve::angles_deg(0.9, 36, 16);
+  const Eigen::ArrayXd s = a * angles_deg.array();
+  const VectorXd energy = c * s.pow(4) / (1 + s.square() / (d * d));
+  const EnergyCurve curve(0.9, 36, energy, 0.3 * energy, s);
+  for (const double at_deg : {0.95, 1.0, 2.0, 5.0, 17.0, 35.5}) {
+    const double sum = a * at_deg, soft = 1 + sum * sum / (d * d);
+    const EnergyCurve::At at = curve.at(at_deg);
+    EXPECT_NEAR(at.turned_mm / sum, 1, 1e-9);
+    EXPECT_NEAR(at.n_mm / (c * std::pow(sum, 4) / soft), 1, 1e-4);
+    const double slope =
+        c * (4 * std::pow(sum, 3) * soft - std::pow(sum, 5) * 2 / (d * d)) / soft / soft;
+    EXPECT_NEAR(at.moment_n / slope, 1, 1e-3);
+  }
+}
+
+// E = b S^2 / 2: a moment b S. Critical b S / 2 from the start; static b S at the end; stalls where
+// b S is the friction.
+TEST(BentFriction, OfAQuadraticEnergy) {
+  const double a = 25, b = 2e-5;
+  const VectorXd angles_deg = EnergyCurve::angles_deg(0.9, 40, 12);
+  const VectorXd sums = a * angles_deg, energy = b / 2 * sums.array().square();
+  const EnergyCurve curve(0.9, 40, energy, energy, sums);
+  const auto nothing = [](double) { return OtherMoments{0, 0, 0}; };
+  const BentFriction found = find_bent_friction(curve, 1, b * a * 10, nothing);
+  EXPECT_NEAR(*found.critical_n_mm_per_mm / (b * a * 40 / 2), 1, 1e-9);
+  EXPECT_NEAR(found.critical_deg, 0, 1e-9);
+  EXPECT_NEAR(found.static_n_mm_per_mm / (b * a), 1, 1e-9);
+  EXPECT_NEAR(*found.static_margin, 0.1 - 1, 1e-9);
+  EXPECT_NEAR(*found.static_stall_deg, 10, 1e-6);
+  // Ball joints with the half of it: stalls earlier, and what is left for creases is less.
+  const auto balls = [&](double) { return OtherMoments{0, 0, b * a * 5}; };
+  const BentFriction with_balls = find_bent_friction(curve, 1, b * a * 10, balls);
+  EXPECT_NEAR(*with_balls.static_stall_deg, 15, 1e-6);
+  EXPECT_NEAR(*with_balls.critical_n_mm_per_mm / (b * a * (20 - 5)), 1, 1e-3);
+}
+
+// What programs that share no code found of Table 1: 1 mm best with 0.05 N, none left at 0.10; 4 mm
+// 3 and 6; of 18 ways to leave flat eight or nine are unstable with any preload.
+TEST_F(Bent, PreloadOfTable1) {
+  const PreloadAtFlat thin = preload_at_flat(own.sheet, {}, 1),
+                      thick = preload_at_flat(own.sheet, {}, 4);
+  EXPECT_NEAR(thin.best_n(), 0.05, 0.005);
+  EXPECT_NEAR(thick.best_n(), 3, 0.3);
+  const ElasticSheet sheet = panels();
+  const VectorXd signs = (sheet.lengths_mm(folded(5)) - sheet.flat_lengths_mm()).cwiseSign();
+  for (const double preload_n : {0.001, 0.05, 1.0}) {
+    const FlatModes modes =
+        find_flat_modes(sheet, {50, sheet.flat_lengths_mm() - preload_n / 50 * signs});
+    EXPECT_EQ(modes.rigid, 18);
+    EXPECT_GE(modes.unstable, 8);
+    EXPECT_LE(modes.unstable, 9);
+  }
+  EXPECT_EQ(find_flat_modes(sheet, {50, sheet.flat_lengths_mm()}).unstable, 0);
+}
+
+// The rigid sheet's moment grows with the angle under preload, and the bent one's too.
+TEST_F(Bent, PreloadMovesItOnNearFlat) {
+  DeployOptions deploying;
+  deploying.sheet.plates.thickness_mm = 4;
+  const double without = bent(deploying).friction.static_n_mm_per_mm;
+  deploying.sheet.springs.preload_n = 3;
+  const BentPanels with = bent(deploying);
+  EXPECT_GT(with.friction.static_n_mm_per_mm, 20 * without);
+  const BentWay way(own.sheet, {}, 4, 1, 36, 16);
+  const PreloadAtFlat at_flat = preload_at_flat(own.sheet, {}, 4);
+  const BestPreload best = best_preload(way, 50, 1, at_flat);
+  EXPECT_GE(best.static_n_mm_per_mm, with.friction.static_n_mm_per_mm * (1 - 1e-6));
+  deploying.sheet.springs.rest_deg = 20;
+  EXPECT_EQ(bend_panels(own.sheet, deploying, {}).fault->name, "preload_n");
+}
+
+}  // namespace
+}  // namespace misalign::solver
