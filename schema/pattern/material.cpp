@@ -1,4 +1,4 @@
-#include "schema/exchange/material.hpp"
+#include "schema/pattern/material.hpp"
 
 #include <filesystem>
 
