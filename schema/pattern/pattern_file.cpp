@@ -273,20 +273,28 @@ PatternFile read_sampled_pattern_file(const std::string& path, Perforations perf
                                           "it, and its \"pattern\" alone can be folded");
   }
   PatternFile read;
+  const auto read_its_design = [&](const Json& beside) {
+    const auto design = beside.is_object() ? beside.find("design") : beside.end();
+    if (design != beside.end()) read.design = read_design(*design, "design", faults);
+  };
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.exported = document.value("misalign:data", Json::object());
     read.sampling = read_sampling(read.exported, faults);
+    read_its_design(read.exported);
   } else if (has("pattern")) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
                                 perforations);
     read.exported = document;
     read.sampling = read_sampling(document, faults);
+    read_its_design(document);
   } else {
     const bool is_mesh = has("vertices_coords");
+    if (!is_mesh) read_its_design(document);
+    Json pattern = is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document;
+    if (pattern.is_object()) pattern.erase("design");
     read.pattern =
-        read_pattern(is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document, "",
-                     Displacements::allowed, file.parent_path(), faults, perforations);
+        read_pattern(pattern, "", Displacements::allowed, file.parent_path(), faults, perforations);
   }
   faults.refuse(path);
   if (!read.exported.is_object()) read.exported = nullptr;

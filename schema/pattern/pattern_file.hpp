@@ -6,6 +6,7 @@
 #include <string>
 
 #include "schema/files/input.hpp"
+#include "schema/pattern/design.hpp"
 #include "schema/pattern/pattern.hpp"
 
 namespace misalign::schema {
@@ -34,6 +35,7 @@ bool is_campaign(const Json& document);
 struct PatternFile {
   Pattern pattern;
   Sampling sampling;  ///< an exported candidate's is its campaign's
+  Design design;      ///< "design" beside the pattern; nothing where there is none
   Json exported;  ///< what an export says of it (candidate.schema.json); null for other patterns
 };
 

@@ -162,10 +162,11 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most,
 
 Json report_yields_json(SQLite::Database& database, std::uint64_t most,
                         const std::vector<std::uint64_t>& draws) {
-  return rows_of(database,
-                 "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
-                 "FROM yields",
-                 most, draws, "draw, amplitude_mm");
+  return rows_of(
+      database,
+      "draw, amplitude_mm, from_deg, trials, survivors, undecided, share, share_low, share_high "
+      "FROM yields",
+      most, draws, "draw, amplitude_mm, from_deg");
 }
 
 Json report_certificates_json(SQLite::Database& database, std::uint64_t most,

@@ -101,10 +101,10 @@ class Catalogue {
   std::string springs(const py::object& number) const {
     const std::uint64_t draw = draw_number(number);
     return unlocked([&] {
-      FoldingModel model(*source_->campaign);
+      const schema::Campaign& campaign = *source_->campaign;
+      FoldingModel model(campaign, station_of_use(campaign.design, campaign.sampling()));
       const solver::Sheet sheet = model.sheet(shifts_of({draw}).front());
-      schema::Json json =
-          springs_json({model.base(), sheet}, solver::actuate(sheet, model.actuators()));
+      schema::Json json = springs_json({model.base(), sheet}, actuated(sheet, model.design()));
       json["draw"] = draw;
       return json.dump();
     });

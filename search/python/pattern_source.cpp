@@ -38,7 +38,7 @@ std::shared_ptr<PatternSource> source_of_pattern(ChosenSheet sheet) {
 std::shared_ptr<PatternSource> source_of(schema::Campaign campaign) {
   ChosenSheet sheet{campaign.pattern,
                     campaign.sampling(),
-                    campaign.actuators,
+                    campaign.design,
                     campaign.pattern.shifts_mm,
                     {},
                     campaign.name,

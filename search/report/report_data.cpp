@@ -104,11 +104,11 @@ Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mec
 }
 
 // The options that were given, for the page's commands.
-std::string options_of(const OtherActuators& actuators) {
+std::string options_of(const schema::Design& design) {
   std::string text;
-  if (const auto& k = actuators.stiffness_n_per_mm)
-    text += " --stiffness " + schema::shown_number(*k);
-  if (const auto& limit = actuators.stroke_limit) {
+  if (design.from_deg) text += " --from " + schema::shown_number(*design.from_deg);
+  if (const auto& k = design.stiffness_n_per_mm) text += " --stiffness " + schema::shown_number(*k);
+  if (const auto& limit = design.stroke_limit) {
     text += " --stroke-limit " + schema::shown_number(*limit);
   }
   return text;
@@ -149,7 +149,7 @@ Json commands_json(const ReportCall& call) {
   return {{"misalign", "misalign"},
           {"catalogue", shell_path(call.path)},
           {"choice", choice},
-          {"springs", options_of(call.actuators)},
+          {"springs", options_of(call.design)},
           {"output", shell_path(call.output)}};
 }
 
@@ -170,12 +170,12 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 
 // What is folded, and by what.
 Json folding_json(const FoldingModel& model) {
-  const auto& limit = model.actuators().stroke_limit;
+  const solver::Actuators actuators = model.actuators();
   return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
           {"diagonals", diagonals_json(model.base(), model.mechanism())},
           {"actuators",
-           {{"stiffness_n_per_mm", model.actuators().stiffness_n_per_mm},
-            {"stroke_limit", schema::or_null(limit)}}}};
+           {{"stiffness_n_per_mm", actuators.stiffness_n_per_mm},
+            {"stroke_limit", schema::or_null(actuators.stroke_limit)}}}};
 }
 
 // The manual's site, seen from the page: of this machine's folders no more than that says.
@@ -222,7 +222,7 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
 Json report_of_catalogue(const ReportCall& call) {
   const auto database = schema::open_for_reading(call.path);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
-  campaign.actuators = call.actuators.instead_of(campaign.actuators);
+  campaign.design = call.design.instead_of(campaign.design);
   FoldingModel model(campaign);
   add_deployment_functions(*database, campaign, model);
   const ReportDetails details(model, call.detail);
@@ -249,7 +249,7 @@ Json detail_of_draw(const ReportCall& call, std::uint64_t draw) {
 
 Json report_of_pattern(const ReportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
-  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
+  FoldingModel model(chosen.base, chosen.sampling, call.design.instead_of(chosen.design));
   const ReportDetails details(model, call.detail);
   details.check_stress(call.path, chosen.whose()["sheet"]);
   Json data = origin_json(call);

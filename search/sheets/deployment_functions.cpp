@@ -9,6 +9,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/terminal/long_work.hpp"
 #include "solver/design/deploy.hpp"
 
@@ -34,11 +35,11 @@ class DeploymentCache {
     }
     draw_ = draw;
     from_deg_ = from_deg;
-    solver::DeployOptions options;
-    options.from_deg = from_deg;
-    options.sheet.springs.stiffness_n_per_mm = model_->actuators().stiffness_n_per_mm;
+    solver::DeployOptions options = deploy_options(model_->design(), *sheet_);
+    if (from_deg) options.from_deg = from_deg;
     // A candidate's D is not less than the threshold: mostly that is known to be enough.
-    if (campaign_->threshold_deg >= solver::kDeployFrom_deg && !from_deg && is_candidate(draw)) {
+    if (campaign_->threshold_deg >= solver::kDeployFrom_deg && !options.from_deg &&
+        is_candidate(draw)) {
       options.from_deg = solver::kDeployFrom_deg;
     }
     study_ = solver::deploy(*sheet_, options).study;

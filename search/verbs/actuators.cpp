@@ -14,13 +14,13 @@ namespace {
 struct ActuatorsCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
-  OtherActuators actuators;
+  schema::Design design;
   bool json = false;
 };
 
 void show_actuators(const ActuatorsCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.actuators);
-  const solver::Actuation actuation = solver::actuate(sheet, model.actuators());
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.design);
+  const solver::Actuation actuation = actuated(sheet, model.design());
   if (call.json) {
     schema::Json json = springs_json({chosen.base, sheet}, actuation);
     json.update(chosen.key().json());
@@ -52,15 +52,17 @@ Action actuators_verb(CLI::App& verb) {
       "  advantage    newtons on the sheet's span for each newton in every diagonal\n"
       "  deployment   (180 - pilot)/180: 1 when flat\n"
       "Before it: where the moment is least, and the fewest diagonals that keep half of that\n"
-      "moment. After it: the force on each diagonal at D. Forces and elongations are positive\n"
+      "moment. After it: the force on each diagonal at D, or where --from says. Forces and "
+      "elongations are positive\n"
       "where a spring is longer than when flat, and pulls.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
-      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08\n"
+      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --from 140 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json");
   auto call = std::make_shared<ActuatorsCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  add_other_actuators(verb, call->actuators);
+  add_from(verb, call->design.from_deg);
+  add_springs(verb, call->design);
   verb.add_flag("--json", call->json, "as JSON, with all histories");
   return [call] {
     show_actuators(*call);

@@ -130,8 +130,9 @@ int run_on_pattern(const CertifyCall& call) {
     call.json ? put_json(schema::check_json(check)) : put(check_text(check));
     return check.findings.empty() ? 0 : exit_code_of(schema::Cause::check_failed);
   }
-  const double asked_deg =
-      call.options.to_deg ? *call.options.to_deg : deploys_from_deg(call, sheet, model);
+  const double asked_deg = call.options.to_deg     ? *call.options.to_deg
+                           : sheet.design.from_deg ? *sheet.design.from_deg
+                                                   : deploys_from_deg(call, sheet, model);
   const Json& exported = sheet.exported;
   const bool has_draw =
       exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
@@ -204,8 +205,9 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
     all->excludes(other);
   }
   draws->excludes(all);
-  auto* to = verb.add_option("--to", options.to_deg,
-                             "prove up to this pilot angle, degrees [the sheet's own D]");
+  auto* to = verb.add_option("--from,--to", options.to_deg,
+                             "the sheet is used between this pilot angle and flat: prove up to it "
+                             "[the design's, or the sheet's own D]");
   to->check(within(0.01, 180))->type_name("DEG");
   auto* contact = verb.add_flag("--contact", options.contact, "prove that no panels meet, too");
   auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");

@@ -27,10 +27,11 @@ struct DeployCall {
 };
 
 void show_deployment(const DeployCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw);
-  solver::DeployOptions options = call.input.of(sheet, chosen.actuators);
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.input.design);
+  solver::DeployOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
   const solver::DeploymentStudy study = deployed(sheet, options);
+  warn_beyond_d(sheet, options.from_deg);
   if (call.json) {
     schema::Json json = schema::deployment_history_json(sheet.mechanism(), study);
     json.update(chosen.key().json());

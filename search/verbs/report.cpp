@@ -108,7 +108,8 @@ Action report_verb(CLI::App& verb) {
   for (CLI::Option* many : {chosen.best, chosen.diverse}) {
     many->check(counted(1, kMostDetails))->excludes(details);
   }
-  add_other_actuators(verb, call->actuators);
+  add_from(verb, call->design.from_deg, "[the design's, or 36 to let go and D for contact]");
+  add_springs(verb, call->design);
   for (const schema::StudyEntry& study : schema::study_table()) {
     if (study.in_report) {
       verb.add_flag(fmt::format("--{}", study.name), call->studies[study.name], study.in_report);
