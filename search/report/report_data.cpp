@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,11 +15,12 @@
 #include "schema/report/report.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deployment_functions.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/site.hpp"
+#include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
 namespace {
@@ -130,7 +132,21 @@ std::vector<std::string_view> functions_of(const ReportCall& call) {
   for (const auto& [name, is_asked] : call.studies) {
     if (!is_asked) continue;
     for (const schema::StudyColumn& column : schema::study_named(name).columns) {
-      functions.push_back(column.name);
+      if (column.in_report) functions.push_back(column.name);
+    }
+  }
+  for (const std::string& name : call.columns) {
+    const schema::StudyColumn* const column = schema::study_column(name);
+    if (!column) {
+      throw schema::UserError(
+          schema::Cause::bad_request,
+          fmt::format("{}: {}; choose one of {}", schema::parameter("column"),
+                      unknown_word(schema::printable(name), "function of a sheet",
+                                   schema::study_functions()),
+                      fmt::join(schema::study_functions(), ", ")));
+    }
+    if (std::ranges::find(functions, column->name) == functions.end()) {
+      functions.push_back(column->name);
     }
   }
   return functions;
@@ -146,6 +162,7 @@ Json commands_json(const ReportCall& call) {
   for (const auto& [name, is_asked] : call.studies) {
     if (is_asked) choice += fmt::format(" --{}", name);
   }
+  for (const std::string& name : call.columns) choice += " --column " + name;
   return {{"misalign", "misalign"},
           {"catalogue", shell_path(call.path)},
           {"choice", choice},
@@ -156,11 +173,13 @@ Json commands_json(const ReportCall& call) {
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     const ReportCall& call, DetailedDraws& detailed) {
+  const std::vector<std::string_view> functions = functions_of(call);
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
+    look_ahead(database, schema::candidates_sql(call.rows, functions));
     Json json = {{"state", schema::page_state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
-                 {"candidates", schema::candidates_json(database, call.rows, functions_of(call))}};
+                 {"candidates", schema::candidates_json(database, call.rows, functions)}};
     detailed = detailed_draws(database, json["candidates"], call);
     json["yields"] = schema::report_yields_json(database, call.rows, detailed.draws);
     json["certificates"] = schema::report_certificates_json(database, call.rows, detailed.draws);
@@ -224,7 +243,7 @@ Json report_of_catalogue(const ReportCall& call) {
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
   campaign.design = call.design.instead_of(campaign.design);
   FoldingModel model(campaign);
-  add_deployment_functions(*database, campaign, model);
+  add_study_functions(*database, campaign);
   const ReportDetails details(model, call.detail);
   const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
   DetailedDraws detailed;

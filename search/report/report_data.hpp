@@ -22,6 +22,7 @@ struct ReportCall {
   Choice choice;                     ///< whom to look at instead; of `where` alone, `details` many
   schema::Design design;             ///< goes before the campaign's
   std::map<std::string_view, bool> studies;  ///< of the table of studies, those that were asked for
+  std::vector<std::string> columns;          ///< functions of sheets that the table has besides
   DetailOptions detail;
 };
 

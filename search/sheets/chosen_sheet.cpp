@@ -38,6 +38,15 @@ schema::Json ChosenSheet::whose() const {
   return json;
 }
 
+schema::Campaign ChosenSheet::as_campaign() const {
+  schema::Campaign campaign;
+  campaign.pattern = base;
+  campaign.sample_deg = campaign.threshold_deg = sampling.sample_deg;
+  campaign.end_deg = sampling.end_deg;
+  campaign.between_samples = sampling.between_samples;
+  return campaign;
+}
+
 bool is_pattern_file(const std::string& path) {
   std::error_code ignored;
   const auto kind = std::filesystem::status(path, ignored).type();
@@ -56,13 +65,19 @@ bool is_pattern_file(const std::string& path) {
 }
 
 ChosenSheet sheet_of_pattern_file(const std::string& path) {
-  auto [pattern, sampling, design, exported] = schema::read_sampled_pattern_file(path);
-  sampling.end_deg = std::min(sampling.end_deg, pattern.base.folding.end_deg());
-  const std::string stem = std::filesystem::path(path).stem().string();
-  const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
-  return {std::move(pattern), sampling, design,
-          shifts_mm,          {},       schema::printable(schema::utf8(stem)),
-          std::move(exported)};
+  const std::filesystem::path file(path);
+  return sheet_of_pattern_document(schema::read_json_file(path), path, file.parent_path(),
+                                   schema::printable(schema::utf8(file.stem().string())));
+}
+
+ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::string& source,
+                                      const std::filesystem::path& directory,
+                                      const std::string& name) {
+  schema::PatternFile read = schema::read_sampled_pattern(document, source, directory);
+  read.sampling.end_deg = std::min(read.sampling.end_deg, read.pattern.base.folding.end_deg());
+  const Eigen::Matrix2Xd shifts_mm = read.pattern.shifts_mm;
+  return {std::move(read.pattern), read.sampling, read.design, shifts_mm, {}, name,
+          std::move(read.exported)};
 }
 
 Subject::Subject(ChosenSheet what, const schema::Design& options)

@@ -1,6 +1,7 @@
 // The sheet that a verb is about: a draw of a catalogue's campaign, or a pattern file's.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,10 @@ struct ChosenSheet {
   std::string pattern;    ///< as in its key
   schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
 
+  /// As a campaign of its own, from whose threshold the least sample on, with the default seed: an
+  /// exported candidate does not say its campaign's.
+  schema::Campaign as_campaign() const;
+
   SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
   /// The same, beyond doubt: also the draw's "campaign", or a fingerprint of the pattern's "sheet".
   schema::Json whose() const;
@@ -47,6 +52,11 @@ bool is_pattern_file(const std::string& path);
 /// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with its
 /// design. UserError (bad_input) with every fault.
 ChosenSheet sheet_of_pattern_file(const std::string& path);
+
+/// The same of a document that was read.
+ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::string& source,
+                                      const std::filesystem::path& directory,
+                                      const std::string& name);
 
 /// A sheet to study, its model and design, and what was chosen.
 struct Subject {

@@ -3,7 +3,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "search/sheets/actuators_text.hpp"
-#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -19,14 +19,10 @@ struct ActuatorsCall {
 };
 
 void show_actuators(const ActuatorsCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.design);
+  const Subject subject = choose_sheet(call.path, call.draw, call.design);
+  if (call.json) return put_json(actuators_said(subject));
+  const auto& [chosen, model, sheet] = subject;
   const solver::Actuation actuation = actuated(sheet, model.design());
-  if (call.json) {
-    schema::Json json = springs_json({chosen.base, sheet}, actuation);
-    json.update(chosen.key().json());
-    put_json(json);
-    return;
-  }
   const solver::Verdict& verdict = sheet.history().verdict;
   const double deploys_from_deg = sheet.sample_deg(verdict.deploys_from_sample);
   const char* decision = "";

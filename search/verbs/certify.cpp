@@ -12,6 +12,7 @@
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/sheet_certifier.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
@@ -70,6 +71,7 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
     return run_on_ranks(count, typed, false);
   }
   options.choose = [&call](SQLite::Database& database) {
+    add_study_functions(database, call.options.path);
     return chosen_draws(database, call.choice);
   };
   options.show = [&call](const CertifyReport& report) { show(call, report); };

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/exchange/contact_json.hpp"
-#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_text.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -21,14 +20,10 @@ struct ContactCall {
 };
 
 void show_contact(const ContactCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.design);
+  const Subject subject = choose_sheet(call.path, call.draw, call.design);
+  if (call.json) return put_json(contact_said(subject, call.trim_mm));
+  const auto& [chosen, model, sheet] = subject;
   const solver::ContactStudy study = contact_of(sheet, {call.trim_mm, model.design().from_deg});
-  if (call.json) {
-    schema::Json json = schema::contact_study_json(chosen.base, sheet.panels(), study);
-    json.update(chosen.key().json());
-    put_json(json);
-    return;
-  }
   put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
   put(contact_text(chosen.base, sheet.panels(), study));
 }

@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/exchange/deploy_json.hpp"
-#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_text.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/deploy_options.hpp"
 #include "search/verbs/options.hpp"
@@ -27,18 +26,17 @@ struct DeployCall {
 };
 
 void show_deployment(const DeployCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.input.design);
+  const Subject subject = choose_sheet(call.path, call.draw, call.input.design);
+  const auto& [chosen, model, sheet] = subject;
   solver::DeployOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
+  if (call.json) {
+    const schema::Json json = deploy_said(subject, options);
+    warn_beyond_d(sheet, options.from_deg);
+    return put_json(json);
+  }
   const solver::DeploymentStudy study = deployed(sheet, options);
   warn_beyond_d(sheet, options.from_deg);
-  if (call.json) {
-    schema::Json json = schema::deployment_history_json(sheet.mechanism(), study);
-    json.update(chosen.key().json());
-    json["deploys_from_deg"] = sheet.deploys_from_deg();
-    put_json(json);
-    return;
-  }
   put("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
   put(deployment_text(sheet.mechanism(), study));
 }

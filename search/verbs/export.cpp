@@ -10,8 +10,8 @@
 #include "schema/exchange/plain_export.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deployment_functions.hpp"
 #include "search/sheets/export_files.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
@@ -70,7 +70,7 @@ void add_certificate(SQLite::Database& database, const schema::Pattern& base,
 // the campaign and the draw, or a table of several after the campaign.
 void export_candidates(ExportCall& call) {
   const auto database = schema::open_for_reading(call.files.read_from);
-  add_deployment_functions(*database, call.files.read_from);
+  add_study_functions(*database, call.files.read_from);
   const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.files.read_from);
   campaign.design = call.release.design.instead_of(campaign.design);

@@ -1,14 +1,10 @@
 #include "search/verbs/tolerance_call.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
-#include "solver/design/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {
@@ -24,6 +20,7 @@ ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
   }
   ChosenSheets sheets{schema::read_campaign_of(*database, call.path), {}, {}, {}, ""};
   sheets.design = sheets.campaign.design;
+  add_study_functions(*database, sheets.campaign);
   sheets.draws = chosen_draws(*database, call.choice);
   for (const std::uint64_t draw : sheets.draws) {
     sheets.shifts_mm.push_back(shifts_of_number(*database, sheets.campaign, draw));
@@ -36,12 +33,7 @@ ChosenSheets sheets_of_catalogue(const ToleranceCall& call) {
 ChosenSheets sheet_of_file(const ToleranceCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
   ChosenSheets sheets{{}, chosen.design, {chosen.shifts_mm}, {}, chosen.pattern};
-  schema::Campaign& campaign = sheets.campaign;
-  campaign.pattern = chosen.base;
-  campaign.sample_deg = chosen.sampling.sample_deg;
-  campaign.end_deg = chosen.sampling.end_deg;
-  campaign.between_samples = chosen.sampling.between_samples;
-  campaign.threshold_deg = campaign.sample_deg;
+  schema::Campaign& campaign = sheets.campaign = chosen.as_campaign();
   ToleranceOptions itself = call.study;
   itself.trials = 0;
   itself.vertices = false;
@@ -58,38 +50,13 @@ ChosenSheets sheet_of_file(const ToleranceCall& call) {
   return sheets;
 }
 
-// Copies are judged at samples: the angle of use must be one.
-void check_is_sample(double from_deg, double sample_deg) {
-  constexpr double kMultipleTolerance = 1e-9;  // as campaign files have it
-  const double samples = from_deg / sample_deg;
-  if (std::abs(samples - std::round(samples)) <= kMultipleTolerance * std::max(1.0, samples))
-    return;
-  throw UserError(solver::OptionFault{
-      "from_deg", schema::shown_number(from_deg),
-      fmt::format("must be a whole multiple of sample_deg = {} (copies are judged at samples)",
-                  schema::shown_number(sample_deg)),
-      "try " + schema::shown_number(std::max(1.0, std::round(samples)) * sample_deg)});
-}
-
 }  // namespace
 
 schema::Campaign campaign_of_use(const ToleranceCall& call, const ChosenSheets& sheets) {
-  schema::Campaign campaign = sheets.campaign;
   const auto from_deg = call.from_deg ? call.from_deg : sheets.design.from_deg;
-  if (!from_deg) return campaign;
-  check_is_sample(*from_deg, campaign.sample_deg);
-  ToleranceOptions alone = call.study;
-  alone.trials = 0;
-  alone.vertices = false;
-  alone.progress = nullptr;
-  campaign.threshold_deg = *from_deg;
-  const auto themselves = study_tolerance(campaign, sheets.shifts_mm, alone);
-  for (std::size_t k = 0; k < themselves.size(); ++k) {
-    if (themselves[k].own_sample >= campaign.threshold_sample()) continue;
-    throw UserError(solver::beyond_d_fault(sheets.key(k).name(), *from_deg,
-                                           themselves[k].own_sample * campaign.sample_deg));
-  }
-  return campaign;
+  if (!from_deg) return sheets.campaign;
+  return used_from(sheets.campaign, *from_deg, sheets.shifts_mm, call.study,
+                   [&](std::size_t k) { return sheets.key(k).name(); });
 }
 
 ChosenSheets choose_sheets(const ToleranceCall& call) {

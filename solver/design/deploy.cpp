@@ -43,6 +43,16 @@ std::optional<OptionFault> angle_fault(const Sheet& sheet, const DeployOptions& 
   return fault;
 }
 
+// With the angle at which it is let go.
+DeployOptions with_start(const Sheet& sheet, const DeployOptions& options) {
+  DeployOptions from = options;
+  from.motion.from_deg = options.from_deg.value_or(kDeployFrom_deg);
+  if (!options.from_deg && sheet.deploys_from_deg() > 0) {
+    from.motion.from_deg = std::min(from.motion.from_deg, sheet.deploys_from_deg());
+  }
+  return from;
+}
+
 }  // namespace
 
 std::optional<double> DeploymentStudy::deploy_time_s() const {
@@ -117,15 +127,22 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
   return arriving;
 }
 
+Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options) {
+  const FoldingWay* const way = sheet.way();
+  if (!way) return {};
+  const DeployOptions from = with_start(sheet, options);
+  if (auto fault = angle_fault(sheet, from)) return *fault;
+  const DeployingSheet deploying(*way, sheet.model().shape(), sheet.model().base(), options.sheet);
+  const double from_deg = from.motion.from_deg;
+  return Standstill{from_deg, deploying.at(way->x_of(from_deg)).springs_n_mm,
+                    find_friction_limits(deploying, from_deg)};
+}
+
 Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
   if constexpr (!has("SUNDIALS")) return {};
   const FoldingWay* const way = sheet.way();
   if (!way) return {};
-  DeployOptions from = options;
-  from.motion.from_deg = options.from_deg.value_or(kDeployFrom_deg);
-  if (!options.from_deg && sheet.deploys_from_deg() > 0) {
-    from.motion.from_deg = std::min(from.motion.from_deg, sheet.deploys_from_deg());
-  }
+  const DeployOptions from = with_start(sheet, options);
   if (auto fault = angle_fault(sheet, from)) return *fault;
   DeploymentStudy study =
       study_deployment(*way, sheet.model(), options.sheet, from.motion, options.forces);

@@ -39,6 +39,12 @@ struct DeploymentStudy {
   std::optional<double> barrier_n_mm() const;
 };
 
+/// What holds at its start, and no motion is needed for.
+struct Standstill {
+  double from_deg, springs_n_mm;  ///< where it is let go, and the energy of the springs there
+  FrictionLimits friction;
+};
+
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
@@ -52,6 +58,9 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
                                                   const DeployingSheetOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative = 1e-4);
+
+/// The same without the motion, and so at a tenth of the cost. Faults as those of deploy().
+Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options = {});
 
 /// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
 /// not lie on its way. With damping the critical friction is the one in motion. Nothing also where

@@ -36,7 +36,8 @@ TEST(Design, IsWrittenAsItIsRead) {
   EXPECT_EQ(said_design_json(read(Json::object())), Json::object());
   EXPECT_EQ(read(design_json({})).from_deg, std::nullopt);
   // Each key alone is said, and nothing else is.
-  for (const auto& [at, value] : full().flatten().items()) {
+  const Json flat = full().flatten();
+  for (const auto& [at, value] : flat.items()) {
     if (at.starts_with("/material") || at.starts_with("/hold") || at.starts_with("/gravity")) {
       continue;
     }
