@@ -1,7 +1,7 @@
--- The catalogue of one campaign, version 7. Angles in degrees, lengths in mm; draws are half-open
+-- The catalogue of one campaign, version 8. Angles in degrees, lengths in mm; draws are half-open
 -- ranges. No row per rejected draw: `misalign replay` makes any of them again.
 PRAGMA application_id = 0x4D53414C;  -- "MSAL"
-PRAGMA user_version = 7;
+PRAGMA user_version = 8;
 
 CREATE TABLE campaign (
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -184,10 +184,12 @@ CREATE TABLE piece (
 ) STRICT, WITHOUT ROWID;
 
 -- What `misalign tolerance` found: of copies of a candidate whose vertices are off by up to
--- amplitude_mm, in x and in y, how many still deploy from the campaign's threshold.
+-- amplitude_mm, in x and in y, how many still deploy from from_deg. Since version 8 that may be another
+-- angle than the campaign's threshold.
 CREATE TABLE yield (
   draw INTEGER NOT NULL REFERENCES candidate (draw),
   amplitude_mm REAL NOT NULL CHECK (amplitude_mm >= 0),
+  from_deg REAL NOT NULL CHECK (from_deg > 0),
   -- Copies 0 to trials - 1; copy t has the same errors for every candidate.
   trials INTEGER NOT NULL CHECK (trials > 0),
   survivors INTEGER NOT NULL CHECK (survivors >= 0),
@@ -197,7 +199,7 @@ CREATE TABLE yield (
   share_high REAL NOT NULL CHECK (share_high BETWEEN share_low AND 1),
   "commit" TEXT NOT NULL,   -- of the build that judged them
   made_at TEXT NOT NULL,    -- UTC, ISO 8601
-  PRIMARY KEY (draw, amplitude_mm),
+  PRIMARY KEY (draw, amplitude_mm, from_deg),
   CHECK (survivors + undecided <= trials)
 ) STRICT, WITHOUT ROWID;
 
@@ -220,12 +222,15 @@ CREATE TABLE certificate (
 
 -- For people.
 
--- Yields at the amplitude that most candidates were tried with (the larger of equals): so that they
--- can be compared.
+-- Yields from the campaign's threshold, at the amplitude that most candidates were tried with (the
+-- larger of equals): so that they can be compared.
 CREATE VIEW common_yield AS
 SELECT draw, amplitude_mm, share, share_low FROM yield
-WHERE amplitude_mm = (SELECT amplitude_mm FROM yield GROUP BY amplitude_mm
-                      ORDER BY count(*) DESC, amplitude_mm DESC LIMIT 1);
+WHERE abs(from_deg - (SELECT json_extract(configuration, '$.accept.deploys_from_deg') FROM campaign)) < 1e-9
+  AND amplitude_mm = (SELECT amplitude_mm FROM yield
+                      WHERE abs(from_deg - (SELECT json_extract(configuration, '$.accept.deploys_from_deg')
+                                            FROM campaign)) < 1e-9
+                      GROUP BY amplitude_mm ORDER BY count(*) DESC, amplitude_mm DESC LIMIT 1);
 
 -- goes_back: whether a diagonal goes back between two samples, or on the last degree before D.
 CREATE VIEW candidates AS
@@ -244,7 +249,7 @@ SELECT draw, deploys_from_deg, fold_limit_deg, miscut_margin_mm, slope_min_mm_pe
 FROM candidate;
 
 CREATE VIEW yields AS
-SELECT draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high,
+SELECT draw, amplitude_mm, from_deg, trials, survivors, undecided, share, share_low, share_high,
        deploys_from_deg, miscut_margin_mm
 FROM yield JOIN candidate USING (draw);
 

@@ -10,9 +10,9 @@
 #include "schema/campaign/draw_range.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "schema/campaign/stop_rule.hpp"
+#include "schema/pattern/design.hpp"
 #include "schema/pattern/pattern.hpp"
 #include "solver/continuation/path.hpp"
-#include "solver/design/actuators.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::schema {
@@ -50,7 +50,7 @@ struct Campaign {
   std::optional<Splitting> splitting;         ///< nothing: plain draws
   std::uint64_t seed = 1;
   StopRule stop;
-  solver::Actuators actuators;  ///< outside the identity: what is shown of candidates
+  Design design;  ///< outside the identity: what is asked of candidates
   /// Whether the search makes each candidate's certificate as it goes; outside the identity.
   bool certify = false;
 

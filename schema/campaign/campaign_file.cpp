@@ -140,17 +140,6 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   }
 }
 
-void read_actuators(ObjectReader reader, solver::Actuators& actuators) {
-  reader.number("stiffness_n_per_mm", actuators.stiffness_n_per_mm, kLeastStiffness_n_per_mm,
-                kMostStiffness_n_per_mm, "try 50, the paper's springs");
-  if (const Json* limit = reader.find("stroke_limit"); limit && !limit->is_null()) {
-    actuators.stroke_limit = 0.0;
-    reader.number("stroke_limit", *actuators.stroke_limit, kLeastStroke, kMostStroke,
-                  "write a share of the flat length, 0.08 for Ti-Ni wires, or null for no limit");
-  }
-  reader.refuse_unknown_keys();
-}
-
 void read_certify(ObjectReader& reader, bool is_splitting, bool& certify) {
   const Json* value = reader.find("certify");
   if (!value) return;
@@ -218,7 +207,8 @@ Campaign read_campaign(const Json& value, const std::string& source,
                                    campaign.threshold_deg, campaign.sample_deg);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
-  read_actuators(ObjectReader(part("actuators"), "actuators", faults), campaign.actuators);
+  campaign.design = read_design(part("design"), "design", faults)
+                        .instead_of(read_springs(part("actuators"), "actuators", faults));
   read_certify(reader, campaign.splitting.has_value(), campaign.certify);
   reader.refuse_unknown_keys();
   faults.refuse(source);
@@ -270,16 +260,15 @@ Json campaign_json(const Campaign& campaign) {
       {"search", search_json(campaign.splitting)},
       {"seed", campaign.seed},
       {"stop", stop_json(campaign.stop)},
-      {"actuators",
-       {{"stiffness_n_per_mm", campaign.actuators.stiffness_n_per_mm},
-        {"stroke_limit", or_null(campaign.actuators.stroke_limit)}}},
+      {"design", design_json(campaign.design)},
       {"certify", campaign.certify}};
 }
 
 Json stored_configuration(const Campaign& campaign) {
   static const Json defaults = campaign_json(default_campaign());
   Json configuration = campaign_json(campaign);
-  if (configuration["actuators"] == defaults["actuators"]) configuration.erase("actuators");
+  configuration["design"] = said_design_json(campaign.design);
+  if (configuration["design"].empty()) configuration.erase("design");
   if (!campaign.certify) configuration.erase("certify");
   if (!campaign.splitting) {
     configuration.erase("search");
@@ -298,7 +287,7 @@ Json identity_json(const Campaign& campaign) {
   Json identity = campaign_json(campaign);
   identity.erase("name");
   identity.erase("stop");
-  identity.erase("actuators");
+  identity.erase("design");
   identity.erase("certify");
   leave_out_defaults(identity, defaults);
   return identity;

@@ -15,10 +15,6 @@ Campaign read_campaign(const Json& value, const std::string& source,
                        const std::optional<std::filesystem::path>& directory = {});
 Campaign read_campaign_file(const std::string& path);
 
-/// The bounds of a stiffness and of a stroke limit, here and on the command line.
-inline constexpr double kLeastStiffness_n_per_mm = 1e-6, kMostStiffness_n_per_mm = 1e9;
-inline constexpr double kLeastStroke = 1e-6, kMostStroke = 1;
-
 /// The default campaign: the paper's.
 Campaign default_campaign();
 

@@ -21,6 +21,12 @@ SqlTokens lower_tokens(const std::string& sql) {
 
 bool is_costly(const std::string& token) { return study_column(token); }
 
+// 0 of what is no function of a sheet; the dearer the larger.
+int cost_of(const std::string& token) {
+  const StudyColumn* const column = study_column(token);
+  return column ? 1 + static_cast<int>(column->cost) : 0;
+}
+
 // Where a condition begins, and what may follow it.
 bool begins_condition(const std::string& token) { return token == "where" || token == "on"; }
 bool ends_condition(const std::string& token) {
@@ -62,7 +68,7 @@ std::string in_subqueries(const std::string& sql, bool is_condition) {
 
 struct Term {
   std::string text;
-  bool is_costly = false;
+  int cost = 0;
 };
 
 // What AND joins, outside of all brackets; the whole where OR joins something there.
@@ -71,25 +77,25 @@ std::vector<Term> terms_of(const std::string& condition) {
   std::vector<Term> terms;
   std::vector<std::string> open;  // brackets, CASE, and BETWEEN, whose AND joins no terms
   std::size_t first = 0;
-  bool costly = false;
+  int cost = 0;
   const auto end_term = [&](std::size_t end) {
     if (end == first) return;
     const std::size_t begin = text.begins[first];
     const std::size_t stop = text.begins[end - 1] + text.tokens[end - 1].size();
-    terms.push_back({condition.substr(begin, stop - begin), costly});
+    terms.push_back({condition.substr(begin, stop - begin), cost});
     first = end + 1;
-    costly = false;
+    cost = 0;
   };
   for (std::size_t k = 0; k < text.tokens.size(); ++k) {
     const std::string& token = text.tokens[k];
     const std::string closes = open.empty() ? "" : open.back();
-    costly = costly || is_costly(token);
+    cost = std::max(cost, cost_of(token));
     if (token == "(" || token == "case" || token == "between") {
       open.push_back(token == "(" ? ")" : token == "case" ? "end" : "and");
     } else if (token == closes) {
       open.pop_back();
     } else if (open.empty() && token == "or") {
-      return {{condition, true}};
+      return {{condition, 1}};
     } else if (open.empty() && token == "and") {
       end_term(k);
     }
@@ -102,10 +108,38 @@ std::vector<Term> terms_of(const std::string& condition) {
 
 std::string costly_in_subqueries(const std::string& query) { return in_subqueries(query, false); }
 
+bool calls_costly(const std::string& sql) {
+  const SqlTokens text = lower_tokens(sql);
+  return std::ranges::any_of(text.tokens, is_costly);
+}
+
+bool has_limit(const std::string& sql) {
+  const SqlTokens text = lower_tokens(sql);
+  return std::ranges::find(text.tokens, "limit") != text.tokens.end();
+}
+
+std::string in_full(const std::string& sql) {
+  const SqlTokens typed = sql_tokens(sql), lower = lower_tokens(sql);
+  std::string made;
+  std::size_t copied = 0;
+  for (std::size_t k = 0; k < typed.tokens.size(); ++k) {
+    const std::string before = k > 0 ? lower.tokens[k - 1] : "";
+    const std::string after = k + 1 < typed.tokens.size() ? typed.tokens[k + 1] : "";
+    if (before == "." || before == "as" || after == "(" || after == ".") continue;
+    const std::string& token = typed.tokens[k];
+    const std::string meant = token == "D"                    ? "deploys_from_deg"
+                              : study_column(lower.tokens[k]) ? lower.tokens[k] + "(draw)"
+                                                              : "";
+    if (meant.empty()) continue;
+    made += sql.substr(copied, typed.begins[k] - copied) + meant;
+    copied = typed.begins[k] + token.size();
+  }
+  return made + sql.substr(copied);
+}
+
 std::string costly_last(const std::string& condition) {
   std::vector<Term> terms = terms_of(condition);
-  std::stable_partition(terms.begin(), terms.end(),
-                        [](const Term& term) { return !term.is_costly; });
+  std::ranges::stable_sort(terms, {}, &Term::cost);
   std::string ordered;
   for (const Term& term : terms) ordered += (ordered.empty() ? "" : " AND ") + term.text;
   return in_subqueries(ordered, true);

@@ -31,10 +31,16 @@ void show_as_of_today(SQLite::Database& database, int version) {
   }
   if (version < kYieldSince) {  // nobody has kept any
     database.exec(
-        "CREATE TEMP VIEW yield AS SELECT NULL AS draw, NULL AS amplitude_mm, NULL AS trials, "
+        "CREATE TEMP VIEW yield AS SELECT NULL AS draw, NULL AS amplitude_mm, NULL AS from_deg, "
+        "NULL AS trials, "
         "NULL AS survivors, NULL AS undecided, NULL AS share, NULL AS share_low, "
         "NULL AS share_high, NULL AS \"commit\", NULL AS made_at WHERE 0");
     database.exec(temporary_view("common_yield"));
+  }
+  if (version >= kYieldSince && version < kYieldAngleSince) {
+    database.exec("CREATE TEMP VIEW yield AS SELECT *, " +
+                  column_sql("yield", "from_deg", version) + " AS from_deg FROM main.yield");
+    if (version >= kCertificateSince) database.exec(temporary_view("yields"));
   }
   if (version >= kCertificateSince) return;
   database.exec(

@@ -8,6 +8,11 @@ namespace misalign::schema {
 inline constexpr int kYieldSince = 4;        ///< table yield
 inline constexpr int kSplittingSince = 6;    ///< tables level, population, sheet, piece
 inline constexpr int kCertificateSince = 7;  ///< table certificate
+inline constexpr int kYieldAngleSince = 8;   ///< column from_deg of yield
+
+/// The campaign's threshold, in SQL.
+inline constexpr const char* kThresholdSql =
+    "(SELECT json_extract(configuration, '$.accept.deploys_from_deg') FROM campaign)";
 
 /// A column in SQL, its name in quotes; of a catalogue of an older schema, which has no such
 /// column, what is to be read in its place.

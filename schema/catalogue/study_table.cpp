@@ -11,11 +11,30 @@ namespace {
 
 constexpr StudyColumn kOfDeployment[] = {
     {"deploy_time_s", "deploy time", "s",
-     "When it is flat, let go at rest 20 % folded (36°) with the report’s springs, 1 mm panels of "
-     "2.7 g/cm³, free in space and without friction.",
-     true},
+     "When it is flat, let go at rest as the design says: from_deg (otherwise 20 % folded, 36°, or "
+     "D "
+     "where that is less), its springs, hinges and panels (otherwise 1 mm of 2.7 g/cm³, without "
+     "friction).",
+     Cost::motion, true, true},
     {"critical_friction_n_mm_per_mm", "critical friction", "N mm/mm",
-     "The most friction of the creases, per mm, with which it then still gets to flat."}};
+     "The most friction of the creases, per mm, with which it then still gets to flat.", Cost::path,
+     false, true},
+    {"stall_deg", "stall", "deg",
+     "Where the design’s friction would stop it, if it then moved slowly; 0 where it gets to flat.",
+     Cost::path, true},
+    {"landing_rate_deg_per_s", "landing rate", "deg/s",
+     "How fast the pilot then turns when it is first flat.", Cost::motion, true}};
+constexpr StudyColumn kOfContact[] = {
+    {"first_contact_deg", "first contact", "deg",
+     "The pilot angle at which panels without thickness first meet; none where they do not.",
+     Cost::contact},
+    {"thickness_mm", "thickness", "mm",
+     "How thick plates may be to fold from flat to the design’s from_deg (otherwise D), hinged at "
+     "the mid-plane, tapered, and with the usual trim; 0 where panels meet on the way.",
+     Cost::contact}};
+constexpr StudyColumn kOfActuators[] = {
+    {"energy_n_mm", "energy", "N mm",
+     "Stored by the design’s springs on all diagonals at its from_deg (otherwise D).", Cost::path}};
 
 constexpr StudyEntry kStudies[] = {
     {"deploy", "lets one sheet go: its motion, friction, equilibria",
@@ -24,8 +43,9 @@ constexpr StudyEntry kStudies[] = {
      kOfDeployment},
     {"contact", "where the panels of one sheet meet, and how thick they may be",
      "also where panels first meet, of each sheet that can be looked at closely (about a tenth of "
-     "a second each)"},
-    {"actuators", "springs on the diagonals of one sheet"},
+     "a second each)",
+     kOfContact},
+    {"actuators", "springs on the diagonals of one sheet", nullptr, kOfActuators},
     {"stress", "elastic panels, let go: do they deploy, and what do they suffer (CalculiX)"},
     {"tolerance", "how many miscut copies of a sheet still deploy, or how loose its joints may be"},
     {"certify", "prove that a sheet folds in one way, and its diagonals go one way, up to D"}};
@@ -47,6 +67,18 @@ const StudyColumn* study_column(std::string_view name) {
     }
   }
   return nullptr;
+}
+
+std::vector<std::string> study_functions() {
+  std::vector<std::string> names;
+  for (const StudyEntry& study : kStudies) {
+    for (const StudyColumn& column : study.columns) names.emplace_back(column.name);
+  }
+  return names;
+}
+
+bool StudyEntry::has_columns_in_report() const {
+  return std::ranges::any_of(columns, &StudyColumn::in_report);
 }
 
 }  // namespace misalign::schema

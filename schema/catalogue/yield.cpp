@@ -8,27 +8,31 @@ namespace misalign::schema {
 namespace {
 
 // Of draws that are no candidates nothing is kept; of as many trials the one that is there stays.
-constexpr const char* kInsertYield =
-    "INSERT INTO yield (draw, amplitude_mm, trials, survivors, undecided, share, share_low, "
-    "share_high, \"commit\", made_at) "
-    "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10 "
+const std::string kInsertYield =
+    std::string(
+        "INSERT INTO yield (draw, amplitude_mm, trials, survivors, undecided, share, share_low, "
+        "share_high, \"commit\", made_at, from_deg) "
+        "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, coalesce(?11, ") +
+    kThresholdSql +
+    ") "
     "WHERE EXISTS (SELECT 1 FROM candidate WHERE draw = ?1) "
-    "ON CONFLICT (draw, amplitude_mm) DO UPDATE SET trials = excluded.trials, "
+    "ON CONFLICT (draw, amplitude_mm, from_deg) DO UPDATE SET trials = excluded.trials, "
     "survivors = excluded.survivors, undecided = excluded.undecided, share = excluded.share, "
     "share_low = excluded.share_low, share_high = excluded.share_high, "
     "\"commit\" = excluded.\"commit\", made_at = excluded.made_at "
     "WHERE excluded.trials > yield.trials";
 constexpr const char* kColumns =
     "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high, \"commit\", "
-    "made_at";
-constexpr int kColumnCount = 10;
+    "made_at, ";
+constexpr int kColumnCount = 11;
 
 // Rows of a catalogue, each for the candidate whose number `renumber` says, if any.
 template <class Renumber>
 void copy(SQLite::Database& from, SQLite::Database& into, const std::string& which,
           const Renumber& renumber) {
-  SQLite::Statement select =
-      prepared(from, std::string("SELECT ") + kColumns + " FROM yield " + which);
+  SQLite::Statement select = prepared(from, std::string("SELECT ") + kColumns +
+                                                column_sql("yield", "from_deg", version_of(from)) +
+                                                " AS from_deg FROM main.yield " + which);
   SQLite::Statement insert(into, kInsertYield);
   copy_rows(from, select, insert, [&] {
     const std::optional<std::uint64_t> draw = renumber(draw_of(select.getColumn(0)));
@@ -46,15 +50,17 @@ bool has_yields(SQLite::Database& database) {
 Json yield_json(const Yield& yield) {
   const std::uint64_t decided = yield.trials - yield.undecided;
   const auto [low, high] = share_interval(yield.survivors, yield.undecided, yield.trials);
-  return {{"amplitude_mm", yield.amplitude_mm},
-          {"trials", yield.trials},
-          {"survivors", yield.survivors},
-          {"undecided", yield.undecided},
-          {"share", decided > 0
-                        ? Json(static_cast<double>(yield.survivors) / static_cast<double>(decided))
-                        : Json()},
-          {"share_low", low},
-          {"share_high", high}};
+  Json json = {{"amplitude_mm", yield.amplitude_mm},
+               {"trials", yield.trials},
+               {"survivors", yield.survivors},
+               {"undecided", yield.undecided},
+               {"share", decided > 0 ? Json(static_cast<double>(yield.survivors) /
+                                            static_cast<double>(decided))
+                                     : Json()},
+               {"share_low", low},
+               {"share_high", high}};
+  if (yield.from_deg) json["from_deg"] = *yield.from_deg;
+  return json;
 }
 
 Json yields_json(const std::vector<Yield>& yields) {
@@ -83,6 +89,7 @@ std::vector<std::uint64_t> write_yields(SQLite::Database& database,
     insert.bind(8, json["share_high"].get<double>());
     insert.bind(9, commit);
     insert.bind(10, now);
+    yield.from_deg ? insert.bind(11, *yield.from_deg) : insert.bind(11);
     insert.exec();
     candidate.tryReset();
     candidate.bind(1, stored(yield.draw));
@@ -95,13 +102,21 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
   return reading(database, [&] {
     std::vector<Yield> yields;
     if (!has_yields(database)) return yields;
-    SQLite::Statement row(database,
-                          "SELECT amplitude_mm, trials, survivors, undecided FROM yield "
-                          "WHERE draw = ? ORDER BY amplitude_mm");
+    SQLite::Statement row(
+        database, std::string("SELECT amplitude_mm, trials, survivors, undecided, CASE WHEN "
+                              "abs(from_deg - ") +
+                      kThresholdSql +
+                      ") >= 1e-9 THEN from_deg END FROM yield WHERE draw = ? "
+                      "ORDER BY amplitude_mm, from_deg");
     row.bind(1, stored(draw));
     while (row.executeStep()) {
-      yields.push_back({draw, row.getColumn(0).getDouble(), draw_of(row.getColumn(1)),
-                        draw_of(row.getColumn(2)), draw_of(row.getColumn(3))});
+      yields.push_back({draw,
+                        row.getColumn(0).getDouble(),
+                        draw_of(row.getColumn(1)),
+                        draw_of(row.getColumn(2)),
+                        draw_of(row.getColumn(3)),
+                        {}});
+      if (!row.getColumn(4).isNull()) yields.back().from_deg = row.getColumn(4).getDouble();
       if (!yields.back().adds_up()) {
         throw damaged(database, "the copies of draw " + std::to_string(draw) + " off by " +
                                     shown_number(yields.back().amplitude_mm) + " mm do not add up");
@@ -113,7 +128,7 @@ std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw) {
 
 void copy_yields(SQLite::Database& from, SQLite::Database& into) {
   if (!reading(from, [&] { return has_yields(from); })) return;
-  copy(from, into, "ORDER BY draw, amplitude_mm",
+  copy(from, into, "ORDER BY draw, amplitude_mm, from_deg",
        [&](std::uint64_t draw) { return number_in(into, from, draw); });
 }
 

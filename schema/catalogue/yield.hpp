@@ -7,12 +7,13 @@
 
 namespace misalign::schema {
 
-/// Of the miscut copies of a candidate, how many still deploy from the campaign's threshold.
+/// Of the miscut copies of a candidate, how many still deploy from an angle.
 struct Yield {
   std::uint64_t draw;
   double amplitude_mm;  ///< errors are uniform on [-amplitude, amplitude], of every vertex
   std::uint64_t trials, survivors;
-  std::uint64_t undecided;  ///< of the trials: the interval allows for both
+  std::uint64_t undecided;              ///< of the trials: the interval allows for both
+  std::optional<double> from_deg = {};  ///< none: the campaign's threshold
 
   /// Whether the parts are no more than the whole, and none is negative as SQLite keeps it.
   bool adds_up() const {
@@ -28,19 +29,20 @@ struct Yield {
 bool has_yields(SQLite::Database& database);
 
 /// Share of the decided trials, and its interval: {"amplitude_mm", "trials", "survivors",
-/// "undecided", "share", "share_low", "share_high"}.
+/// "undecided", "share", "share_low", "share_high"}, and "from_deg" where it is not the threshold.
 Json yield_json(const Yield& yield);
 /// A list of them.
 Json yields_json(const std::vector<Yield>& yields);
 
-/// Within its caller's transaction. Of two of one draw and amplitude that with more trials is kept;
-/// of draws that are no candidates nothing is, and these are returned. Throws SQLite::Exception.
+/// Within its caller's transaction. Of two of one draw, amplitude and angle that with more trials
+/// is kept; of draws that are no candidates nothing is, and these are returned. Throws
+/// SQLite::Exception.
 std::vector<std::uint64_t> write_yields(SQLite::Database& database,
                                         const std::vector<Yield>& yields,
                                         const std::string& commit);
 
-/// Of one candidate, by amplitude; none in catalogues from before version 4. UserError (bad_input)
-/// if one of them does not add up: SQLite looks at no CHECK while it reads.
+/// Of one candidate, by amplitude and angle; none in catalogues from before version 4. UserError
+/// (bad_input) if one of them does not add up: SQLite looks at no CHECK while it reads.
 std::vector<Yield> read_yields(SQLite::Database& database, std::uint64_t draw);
 
 /// Takes over those of another catalogue whose candidates are in this one, of a splitting search

@@ -21,15 +21,16 @@ std::vector<Finding> check_yields(SQLite::Database& database) {
   if (!has_yields(database)) return findings;
   SQLite::Statement row(database,
                         "SELECT yield.draw, amplitude_mm, trials, survivors, undecided, share, "
-                        "share_low, share_high, candidate.draw IS NOT NULL "
+                        "share_low, share_high, candidate.draw IS NOT NULL, from_deg "
                         "FROM yield LEFT JOIN candidate USING (draw) "
-                        "ORDER BY yield.draw, amplitude_mm");
+                        "ORDER BY yield.draw, amplitude_mm, from_deg");
   while (row.executeStep()) {
     const Yield yield{draw_of(row.getColumn(0)), row.getColumn(1).getDouble(),
                       draw_of(row.getColumn(2)), draw_of(row.getColumn(3)),
-                      draw_of(row.getColumn(4))};
+                      draw_of(row.getColumn(4)), {}};
     const std::string where = "draw " + std::to_string(yield.draw) + ", copies off by " +
-                              shown_number(yield.amplitude_mm) + " mm";
+                              shown_number(yield.amplitude_mm) + " mm, from " +
+                              shown_number(row.getColumn(9).getDouble()) + " deg";
     if (row.getColumn(8).getInt() == 0) {
       findings.push_back(differs(where, "yield.draw", yield.draw, "a candidate's"));
     }

@@ -46,19 +46,19 @@ Json limits_json(const solver::Actuation& actuation) {
 
 Json actuation_json(const FoldingView& view, const solver::Actuation& actuation) {
   const solver::Mechanism& mechanism = view.mechanism;
-  const Eigen::Index at_d = view.sheet.rows_up_to_d();
   Json forces = Json::array();
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
     forces.push_back({{"diagonal", d},
                       {"from", solver::vertex_label(mechanism.diagonals[d].from)},
                       {"to", solver::vertex_label(mechanism.diagonals[d].to)},
-                      {"force_n", actuation.force_n(at_d, d)}});
+                      {"force_n", actuation.force_n(actuation.from_row, d)}});
   }
   const auto& limit = actuation.actuators.stroke_limit;
   Json json = {{"stiffness_n_per_mm", actuation.actuators.stiffness_n_per_mm},
                {"stroke_limit", or_null(limit)},
-               {"energy_n_mm", actuation.energy_n_mm[at_d]},
+               {"energy_n_mm", actuation.energy_n_mm[static_cast<std::size_t>(actuation.from_row)]},
                {"forces", forces}};
+  if (actuation.from_deg) json["from_deg"] = *actuation.from_deg;
   json.update(limits_json(actuation));
   for (const char* key : {"few", "over_stroke"}) {
     if (json[key].is_null()) continue;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "schema/exchange/material.hpp"
+#include "schema/pattern/material.hpp"
 #include "schema/exchange/panel_mesh.hpp"
 #include "schema/exchange/simulated_sheet.hpp"
 

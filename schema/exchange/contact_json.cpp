@@ -82,6 +82,7 @@ Json contact_study_json(const Pattern& base, const solver::Panels& panels,
     clearance["crease_deg"].push_back(least.crease_deg);
   }
   return {{"deploys_from_deg", study.deploys_from_deg},
+          {"from_deg", study.used_from_deg},
           {"way_ends_at_deg", study.end_deg},
           {"known_until_deg", study.known_until_deg},
           {"first_contact", study.first ? contact_json(base, panels, *study.first) : Json()},

@@ -4,14 +4,9 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace misalign::schema {
+#include "schema/pattern/design.hpp"
 
-/// What is made of a crease.
-enum class CreaseCut {
-  cut,    ///< every panel is a part of its own, to be hinged by tape or textile
-  score,  ///< a line
-  dash,   ///< a perforation: cuts with bridges between
-};
+namespace misalign::schema {
 
 /// Where the springs of a kit end.
 enum class SpringAt {

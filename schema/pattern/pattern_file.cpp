@@ -173,19 +173,6 @@ void read_displacements(ObjectReader& reader, Pattern& pattern) {
   }
 }
 
-// "sampling" of an exported candidate.
-Sampling read_sampling(const Json& candidate, InputFaults& faults) {
-  Sampling sampling;
-  const auto value = candidate.find("sampling");
-  if (!candidate.is_object() || value == candidate.end()) return sampling;
-  ObjectReader reader(*value, "sampling", faults);
-  reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
-  reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
-  read_between_samples(reader, sampling.between_samples);
-  reader.refuse_unknown_keys();
-  return sampling;
-}
-
 }  // namespace
 
 Pattern read_pattern(const Json& value, const std::string& where, Displacements displacements,
@@ -233,64 +220,61 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
   return pattern;
 }
 
-void read_between_samples(ObjectReader& reader, solver::BumpRule& rule) {
-  const Json* value = reader.find("between_samples");
-  if (!value) return;
-  if (*value == "exact") {
-    rule = solver::BumpRule::exact;
-  } else if (value->is_boolean()) {
-    rule = value->get<bool>() ? solver::BumpRule::by_cubic : solver::BumpRule::ignored;
-  } else {
-    reader.faults().add(reader.shown("between_samples"), "must be false, true or \"exact\"",
-                        "write \"exact\" for what the path itself does between the samples");
-  }
-}
-
-Json between_samples_json(solver::BumpRule rule) {
-  if (rule == solver::BumpRule::exact) return "exact";
-  return rule == solver::BumpRule::by_cubic;
-}
-
-Json sampling_json(const Sampling& sampling) {
-  return {{"sample_deg", sampling.sample_deg},
-          {"end_deg", sampling.end_deg},
-          {"between_samples", between_samples_json(sampling.between_samples)}};
-}
-
 bool is_campaign(const Json& document) {
   return document.is_object() && document.contains("pattern") && !document.contains("draw") &&
          !document.contains("sampling");
 }
 
 PatternFile read_sampled_pattern_file(const std::string& path, Perforations perforations) {
+  return read_sampled_pattern(read_json_file(path), path, std::filesystem::path(path).parent_path(),
+                              perforations);
+}
+
+PatternFile read_sampled_pattern(const Json& document, const std::string& source,
+                                 const std::filesystem::path& directory,
+                                 Perforations perforations) {
   InputFaults faults;
-  const std::filesystem::path file(path);
-  const Json document = read_json_file(path);
   const auto has = [&](const char* key) { return document.is_object() && document.contains(key); };
   if (is_campaign(document)) {
-    throw UserError(Cause::bad_input, path +
+    throw UserError(Cause::bad_input, source +
                                           ": is a campaign, not a pattern; `misalign search` runs "
                                           "it, and its \"pattern\" alone can be folded");
   }
   PatternFile read;
+  const auto read_its_design = [&](const Json& beside) {
+    const auto design = beside.is_object() ? beside.find("design") : beside.end();
+    if (design != beside.end()) read.design = read_design(*design, "design", faults);
+  };
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.exported = document.value("misalign:data", Json::object());
     read.sampling = read_sampling(read.exported, faults);
+    read_its_design(read.exported);
   } else if (has("pattern")) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
                                 perforations);
     read.exported = document;
     read.sampling = read_sampling(document, faults);
+    read_its_design(document);
   } else {
     const bool is_mesh = has("vertices_coords");
+    if (!is_mesh) read_its_design(document);
+    Json pattern = is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document;
+    if (pattern.is_object()) pattern.erase("design");
     read.pattern =
-        read_pattern(is_mesh ? Json{{"family", "fold"}, {"mesh", document}} : document, "",
-                     Displacements::allowed, file.parent_path(), faults, perforations);
+        read_pattern(pattern, "", Displacements::allowed, directory, faults, perforations);
   }
-  faults.refuse(path);
+  faults.refuse(source);
   if (!read.exported.is_object()) read.exported = nullptr;
   return read;
+}
+
+Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
+                       const Sampling& sampling, const Design& design) {
+  Json json = {{"pattern", pattern_json(base, shifts_mm)}, {"sampling", sampling_json(sampling)}};
+  const Json said = said_design_json(design);
+  if (!said.empty()) json["design"] = said;
+  return json;
 }
 
 Pattern read_pattern_file(const std::string& path, Perforations perforations) {

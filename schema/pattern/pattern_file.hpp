@@ -6,7 +6,9 @@
 #include <string>
 
 #include "schema/files/input.hpp"
+#include "schema/pattern/design.hpp"
 #include "schema/pattern/pattern.hpp"
+#include "schema/pattern/sampling.hpp"
 
 namespace misalign::schema {
 
@@ -22,18 +24,13 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
                      const std::optional<std::filesystem::path>& directory, InputFaults& faults,
                      Perforations perforations = Perforations::of_one_freedom);
 
-Json sampling_json(const Sampling& sampling);
-
-/// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact".
-void read_between_samples(ObjectReader& reader, solver::BumpRule& rule);
-Json between_samples_json(solver::BumpRule rule);
-
 /// Whether a document is a campaign: its "pattern" stands beside nothing that an export says.
 bool is_campaign(const Json& document);
 
 struct PatternFile {
   Pattern pattern;
   Sampling sampling;  ///< an exported candidate's is its campaign's
+  Design design;      ///< "design" beside the pattern; nothing where there is none
   Json exported;  ///< what an export says of it (candidate.schema.json); null for other patterns
 };
 
@@ -41,6 +38,16 @@ struct PatternFile {
 /// (3) with every fault.
 PatternFile read_sampled_pattern_file(const std::string& path,
                                       Perforations perforations = Perforations::of_one_freedom);
+
+/// The same of what it holds; sentences name `source`. A FOLD file that it names is looked for in
+/// `directory`.
+PatternFile read_sampled_pattern(const Json& document, const std::string& source,
+                                 const std::filesystem::path& directory,
+                                 Perforations perforations = Perforations::of_one_freedom);
+
+/// A pattern as such a file, with what of sampling and design is no default.
+Json pattern_file_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm,
+                       const Sampling& sampling, const Design& design);
 
 /// The pattern of such a file.
 Pattern read_pattern_file(const std::string& path,

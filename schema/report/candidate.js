@@ -225,8 +225,8 @@ export function show_metrics(box, values, candidates, report) {
 /** What `misalign tolerance` found of it, for each amplitude that was tried. */
 export function show_yields(box, report, draw) {
   const tried = (report.yields ?? []).filter((entry) => entry.draw === draw);
-  const words = ({ amplitude_mm, trials, survivors, undecided, share_low, share_high }) =>
-    `At ±${amplitude_mm} mm ${count(survivors)} of ${plural(trials, "miscut copy", "miscut copies")} still deploy ` +
+  const words = ({ amplitude_mm, from_deg, trials, survivors, undecided, share_low, share_high }) =>
+    `At ±${amplitude_mm} mm ${count(survivors)} of ${plural(trials, "miscut copy", "miscut copies")} still deploy from ${degrees(from_deg)} ` +
     `(95 %: ${percent(share_low)} – ${percent(share_high)})` +
     (undecided ? `; ${count(undecided)} undecided.` : ".");
   box.hidden = tried.length === 0;

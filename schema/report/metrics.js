@@ -87,7 +87,9 @@ const kEnergy = [
   },
 ];
 // Where `--deploy` and its like asked for them.
-const kOfStudies = words.columns_of_studies.map(({ meaning, ...rest }) => ({
+const kOfStudies = words.columns_of_studies
+  .filter(({ name }) => name !== "energy_n_mm") // which the page has of itself
+  .map(({ meaning, ...rest }) => ({
   ...rest,
   may_be_unknown: true,
   text: (v) => number(v),

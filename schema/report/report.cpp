@@ -138,15 +138,19 @@ Json words_json() {
   return {{"faults", faults}, {"metrics", metrics}, {"columns_of_studies", columns}};
 }
 
-Json candidates_json(SQLite::Database& database, std::uint64_t most,
-                     const std::vector<std::string_view>& functions) {
+std::string candidates_sql(std::uint64_t most, const std::vector<std::string_view>& functions) {
   std::string sql = "SELECT * FROM candidates " + best_order() + " LIMIT " + std::to_string(most);
   if (!functions.empty()) {  // of the rows that are shown alone
     std::string found;
     for (const std::string_view name : functions) found += fmt::format(", {0}(draw) AS {0}", name);
     sql = "SELECT *" + found + " FROM (" + sql + ")";
   }
-  const Json rows = query_rows(database, sql);
+  return sql;
+}
+
+Json candidates_json(SQLite::Database& database, std::uint64_t most,
+                     const std::vector<std::string_view>& functions) {
+  const Json rows = query_rows(database, candidates_sql(most, functions));
   const Json total = query_rows(database, "SELECT count(*) AS total FROM candidate");
   Json columns = Json::object();
   for (const Json& row : rows) {
@@ -162,10 +166,11 @@ Json candidates_json(SQLite::Database& database, std::uint64_t most,
 
 Json report_yields_json(SQLite::Database& database, std::uint64_t most,
                         const std::vector<std::uint64_t>& draws) {
-  return rows_of(database,
-                 "draw, amplitude_mm, trials, survivors, undecided, share, share_low, share_high "
-                 "FROM yields",
-                 most, draws, "draw, amplitude_mm");
+  return rows_of(
+      database,
+      "draw, amplitude_mm, from_deg, trials, survivors, undecided, share, share_low, share_high "
+      "FROM yields",
+      most, draws, "draw, amplitude_mm, from_deg");
 }
 
 Json report_certificates_json(SQLite::Database& database, std::uint64_t most,

@@ -12,6 +12,9 @@ namespace misalign::schema {
 /// [...], "columns_of_studies": [...]}, of their tables.
 Json words_json();
 
+/// What candidates_json asks.
+std::string candidates_sql(std::uint64_t most, const std::vector<std::string_view>& functions);
+
 /// Draws as texts (they may exceed 2^53), columns of the candidates view: the `most` first ones in
 /// the order of the query `best`, and how many there are. With what these functions of studies say
 /// of each.

@@ -89,7 +89,9 @@ def columns_page(words):
         (views if kind == "view" else tables).append(entry)
     return page("Columns", "What can be asked of a catalogue, by `misalign query`, `--where` and `--by`.",
                 "## Metrics of candidates\n\nColumns of the view `candidates` and of the report's table.\n", entries(words["metrics"]),
-                "## Functions of a draw\n\nWhat a study says, for `query`, `--where` and `--by`: `deploy_time_s(draw)`.\n",
+                "## Functions of a draw\n\nWhat a study says, with the design of the campaign, for `query`, every `--where` and `--by`, `report --column` "
+                "and Python: `NAME(draw)`, `NAME(draw, from_deg)` from another angle of use, or `NAME` alone. `D` is "
+                "`deploys_from_deg`.\n",
                 entries(words["columns_of_studies"]),
                 "## Views\n", *views, "## Tables\n", "The views are made of these.\n", *tables)
 

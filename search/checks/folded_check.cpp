@@ -25,7 +25,7 @@ Finding exceeds(const std::string& where, const std::string& what, double value,
 }  // namespace
 
 FoldedCheck::FoldedCheck(const schema::Pattern& base, const schema::Sampling& sampling)
-    : model_(std::make_unique<FoldingModel>(base, sampling, solver::Actuators())),
+    : model_(std::make_unique<FoldingModel>(base, sampling, schema::Design())),
       tolerances_{mechanism().panel_width_mm, sampling.sample_deg} {}
 
 FoldedCheck::FoldedCheck(const schema::Campaign& campaign)

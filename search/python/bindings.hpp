@@ -11,5 +11,6 @@ void bind_sheets(pybind11::module_& module);
 void bind_foldings(pybind11::module_& module);
 void bind_judging(pybind11::module_& module);
 void bind_catalogues(pybind11::module_& module);
+void bind_studies(pybind11::module_& module);
 
 }  // namespace misalign::search::python

@@ -16,8 +16,8 @@
 #include "search/python/table_columns.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/choice.hpp"
-#include "search/sheets/deployment_functions.hpp"
 #include "search/sheets/query_text.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/sheets/tolerance.hpp"
 #include "solver/design/actuation.hpp"
 
@@ -55,19 +55,28 @@ class Catalogue {
   std::shared_ptr<PatternSource> sheet() const { return source_; }
 
   py::dict candidates(const std::string& where, const std::optional<std::string>& by,
-                      const std::optional<std::uint64_t>& limit) const {
+                      const std::optional<std::uint64_t>& limit,
+                      const std::vector<std::string>& columns) const {
     Choice choice;
     choice.where = where;
     choice.by = by;
     choice.best = limit;
-    const auto database = unlocked([&] { return open(); });
-    return table_of_query(*database, unlocked([&] { return best_sql(*database, "*", choice); }));
+    const auto database = unlocked([&] {
+      auto opened = open();
+      add_study_functions(*opened, *source_->campaign);
+      return opened;
+    });
+    return table_of_query(*database, unlocked([&] {
+      std::string found = "*";
+      for (const std::string& column : columns) found += ", " + column_sql(*database, column);
+      return best_sql(*database, found, choice);
+    }));
   }
 
   py::dict query(const std::string& name_or_sql) const {
     const auto database = unlocked([&] {
       auto opened = open();
-      add_deployment_functions(*opened, path_);
+      add_study_functions(*opened, *source_->campaign);
       return opened;
     });
     return table_of_query(*database,
@@ -98,20 +107,28 @@ class Catalogue {
     return fold(*source_, unlocked([&] { return shifts_of({draw}).front(); }), stations_deg);
   }
 
+  std::shared_ptr<PatternSource> pattern(const py::object& number) const {
+    const std::uint64_t draw = draw_number(number);
+    return unlocked([&] {
+      return with_shifts(*source_, shifts_of({draw}).front(),
+                         source_->campaign->name + "-" + std::to_string(draw));
+    });
+  }
+
   std::string springs(const py::object& number) const {
     const std::uint64_t draw = draw_number(number);
     return unlocked([&] {
-      FoldingModel model(*source_->campaign);
+      const schema::Campaign& campaign = *source_->campaign;
+      FoldingModel model(campaign, station_of_use(campaign.design, campaign.sampling()));
       const solver::Sheet sheet = model.sheet(shifts_of({draw}).front());
-      schema::Json json =
-          springs_json({model.base(), sheet}, solver::actuate(sheet, model.actuators()));
+      schema::Json json = springs_json({model.base(), sheet}, actuated(sheet, model.design()));
       json["draw"] = draw;
       return json.dump();
     });
   }
 
   std::string tolerance(const py::object& number, double amplitude_mm, std::uint64_t trials,
-                        int jobs) const {
+                        int jobs, const std::optional<double>& from_deg) const {
     const std::uint64_t draw = draw_number(number);
     const auto refuse = [](const std::string& sentence) {
       return schema::UserError(schema::Cause::bad_request, sentence);
@@ -132,8 +149,12 @@ class Catalogue {
       const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});
       check_miscut(amplitude_mm, source_->pattern(), shifts_mm.front(),
                    "draw " + std::to_string(draw));
-      schema::Json json =
-          schema::tolerance_json(study_tolerance(*source_->campaign, shifts_mm, options).front());
+      const auto used_deg = from_deg ? from_deg : source_->campaign->design.from_deg;
+      const schema::Campaign used =
+          used_deg ? used_from(*source_->campaign, *used_deg, shifts_mm, options,
+                               [&](std::size_t) { return "draw " + std::to_string(draw); })
+                   : *source_->campaign;
+      schema::Json json = schema::tolerance_json(study_tolerance(used, shifts_mm, options).front());
       json["draw"] = draw;
       return json.dump();
     });
@@ -180,14 +201,16 @@ void bind_catalogues(py::module_& module) {
   py::class_<Catalogue>(module, "Catalogue")
       .def(py::init<std::string>(), py::arg("path"))
       .def("sheet", &Catalogue::sheet)
-      .def("candidates", &Catalogue::candidates, py::arg("where"), py::arg("by"), py::arg("limit"))
+      .def("candidates", &Catalogue::candidates, py::arg("where"), py::arg("by"), py::arg("limit"),
+           py::arg("columns"))
       .def("query", &Catalogue::query, py::arg("name_or_sql"))
       .def("shifts", &Catalogue::shifts, py::arg("draws"))
       .def("histories", &Catalogue::histories, py::arg("draws"))
       .def("replay", &Catalogue::replay, py::arg("draw"), py::arg("stations"))
+      .def("pattern", &Catalogue::pattern, py::arg("draw"))
       .def("springs", &Catalogue::springs, py::arg("draw"))
       .def("tolerance", &Catalogue::tolerance, py::arg("draw"), py::arg("amplitude_mm"),
-           py::arg("trials"), py::arg("jobs"));
+           py::arg("trials"), py::arg("jobs"), py::arg("from_deg"));
 }
 
 }  // namespace misalign::search::python

@@ -73,7 +73,7 @@ py::dict fold(const PatternSource& source, const Eigen::Matrix2Xd& shifts_mm,
   std::optional<FoldingModel> model;
   std::optional<solver::Sheet> sheet;
   unlocked([&] {
-    model.emplace(base, sampling, source.sheet.actuators, stations);
+    model.emplace(base, sampling, source.sheet.design, stations);
     sheet.emplace(model->sheet(shifts_mm));
     sheet->shapes_mm();
   });

@@ -8,4 +8,5 @@ PYBIND11_MODULE(_misalign, module) {
   bind_foldings(module);
   bind_judging(module);
   bind_catalogues(module);
+  bind_studies(module);
 }

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "schema/campaign/campaign_file.hpp"
+#include "schema/files/text_file.hpp"
 #include "solver/design/tolerance.hpp"
 
 namespace misalign::search::python {
@@ -38,7 +39,7 @@ std::shared_ptr<PatternSource> source_of_pattern(ChosenSheet sheet) {
 std::shared_ptr<PatternSource> source_of(schema::Campaign campaign) {
   ChosenSheet sheet{campaign.pattern,
                     campaign.sampling(),
-                    campaign.actuators,
+                    campaign.design,
                     campaign.pattern.shifts_mm,
                     {},
                     campaign.name,
@@ -64,12 +65,42 @@ std::shared_ptr<PatternSource> read_source(const std::string& path) {
   return source_of_pattern(sheet_of_pattern_file(path));
 }
 
+std::shared_ptr<PatternSource> read_document(const std::string& text, const std::string& name) {
+  const schema::Json document = schema::parse_json(text, name);
+  if (schema::is_campaign(document)) {
+    return source_of(schema::read_campaign(document, name, std::filesystem::current_path()));
+  }
+  return source_of_pattern(
+      sheet_of_pattern_document(document, name, std::filesystem::current_path(), name));
+}
+
+std::shared_ptr<PatternSource> with_shifts(const PatternSource& source,
+                                           const Eigen::Matrix2Xd& shifts_mm,
+                                           const std::string& name) {
+  ChosenSheet sheet = source.sheet;
+  sheet.shifts_mm = sheet.base.shifts_mm = shifts_mm;
+  sheet.drawn.reset();
+  sheet.pattern = name;
+  sheet.exported = nullptr;
+  return source_of_pattern(std::move(sheet));
+}
+
+void write_source(const PatternSource& source, const std::string& path) {
+  const ChosenSheet& sheet = source.sheet;
+  const schema::Json json =
+      source.campaign
+          ? schema::campaign_json(*source.campaign)
+          : schema::pattern_file_json(sheet.base, sheet.shifts_mm, sheet.sampling, sheet.design);
+  schema::write_text_file(path, json.dump(1) + "\n");
+}
+
 std::string text_of(const PatternSource& source) {
   if (source.campaign) return schema::Json{{"campaign", campaign_json(*source.campaign)}}.dump();
   const ChosenSheet& sheet = source.sheet;
   return schema::Json{{"name", sheet.pattern},
                       {"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
                       {"sampling", schema::sampling_json(sheet.sampling)},
+                      {"design", schema::said_design_json(sheet.design)},
                       {"exported", sheet.exported}}
       .dump();
 }
@@ -87,11 +118,12 @@ std::shared_ptr<PatternSource> source_of_text(const std::string& text) {
   reader.number("sample_deg", sampling.sample_deg, 0, 180, "pickle it again");
   reader.number("end_deg", sampling.end_deg, 0, 180, "pickle it again");
   schema::read_between_samples(reader, sampling.between_samples);
+  const schema::Design design = schema::read_design(json.at("design"), "design", faults);
   faults.refuse("a pickled pattern");
   const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
   return source_of_pattern({std::move(pattern),
                             sampling,
-                            {},
+                            design,
                             shifts_mm,
                             {},
                             json.at("name").get<std::string>(),

@@ -26,6 +26,17 @@ struct PatternSource {
 /// those readers; (bad_request) for a catalogue.
 std::shared_ptr<PatternSource> read_source(const std::string& path);
 
+/// What a document says, as a file would, named `name`; FOLD files lie in the working directory.
+std::shared_ptr<PatternSource> read_document(const std::string& text, const std::string& name);
+
+/// Another sheet of this pattern, with its sampling and design.
+std::shared_ptr<PatternSource> with_shifts(const PatternSource& source,
+                                           const Eigen::Matrix2Xd& shifts_mm,
+                                           const std::string& name);
+
+/// Writes what the program reads again: a campaign or a pattern file. UserError (failure).
+void write_source(const PatternSource& source, const std::string& path);
+
 /// A catalogue's campaign.
 std::shared_ptr<PatternSource> source_of(schema::Campaign campaign);
 

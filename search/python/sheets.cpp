@@ -7,6 +7,7 @@
 #include "search/python/bindings.hpp"
 #include "search/python/draw_numbers.hpp"
 #include "search/python/pattern_source.hpp"
+#include "search/python/shift_blocks.hpp"
 #include "search/python/signals.hpp"
 #include "solver/kinematics/mechanism.hpp"
 
@@ -73,6 +74,7 @@ py::dict describe(const PatternSource& source) {
       "between_samples"_a = bumps.is_string() ? py::object(py::str("exact"))
                                               : py::object(py::bool_(bumps.get<bool>())),
       "exported"_a = source.sheet.exported.dump(),
+      "design"_a = schema::design_json(source.sheet.design).dump(),
       "campaign"_a =
           source.campaign ? py::object(campaign_of(*source.campaign)) : py::object(py::none()));
 }
@@ -114,6 +116,24 @@ void bind_sheets(py::module_& module) {
       .def(py::pickle(&text_of, [](const std::string& text) {
         return unlocked([&] { return source_of_text(text); });
       }));
+  module.def(
+      "read_document",
+      [](const std::string& text, const std::string& name) {
+        return unlocked([&] { return read_document(text, name); });
+      },
+      py::arg("text"), py::arg("name"));
+  module.def(
+      "with_shifts",
+      [](const PatternSource& source, const py::object& shifts_mm, const std::string& name) {
+        return with_shifts(source, shifts_of_one(shifts_mm, source), name);
+      },
+      py::arg("sheet"), py::arg("shifts_mm"), py::arg("name"));
+  module.def(
+      "write",
+      [](const PatternSource& source, const std::string& path) {
+        unlocked([&] { write_source(source, path); });
+      },
+      py::arg("sheet"), py::arg("path"));
   module.def(
       "read", [](const std::string& path) { return unlocked([&] { return read_source(path); }); },
       py::arg("path"));

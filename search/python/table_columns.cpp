@@ -10,6 +10,7 @@
 #include "schema/catalogue/result_table.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/signals.hpp"
+#include "search/sheets/study_functions.hpp"
 
 namespace misalign::search::python {
 namespace {
@@ -93,6 +94,7 @@ py::dict table_of_query(SQLite::Database& database, const std::string& sql) {
     unlocked([&] {
       names = schema::query_columns(database, sql);
       columns.resize(names.size());
+      look_ahead(database, sql);
       schema::read_query(database, sql, [&](const SQLite::Statement& row) {
         for (std::size_t k = 0; k < columns.size(); ++k) {
           columns[k].add(cell_of(row.getColumn(static_cast<int>(k))));

@@ -150,7 +150,8 @@ class CertifyZero {
       sheets_.push_back(std::move(sheet));
       return;
     }
-    sheet.asked_deg = options_.to_deg.value_or(deploys_from_deg(*database_, ready_.campaign, draw));
+    const auto from_deg = options_.to_deg ? options_.to_deg : campaign().design.from_deg;
+    sheet.asked_deg = from_deg.value_or(deploys_from_deg(*database_, campaign(), draw));
     const Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database_, ready_.campaign, draw);
     if (ready_.campaign.splitting) sheet.shifts_mm = shifts_mm;
     if (row && is_good(shifts_mm, *row, sheet.asked_deg)) {

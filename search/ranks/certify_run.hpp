@@ -24,7 +24,7 @@ struct CertifyOptions {
   Border border;
   std::string path;
   std::function<std::vector<std::uint64_t>(SQLite::Database&)> choose;  ///< the draws
-  std::optional<double> to_deg;  ///< instead of each candidate's D
+  std::optional<double> to_deg;  ///< instead of the design's angle of use, or each D
   bool contact = false;          ///< also that no panels meet
   bool again = false;            ///< those anew that have a certificate already
   bool check = false;            ///< none is made: those that there are, are checked

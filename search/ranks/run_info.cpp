@@ -1,6 +1,5 @@
 #include "search/ranks/run_info.hpp"
 
-#include <sched.h>
 #include <unistd.h>
 
 #include "search/terminal/build_info.hpp"
@@ -11,11 +10,6 @@ std::string host_name() {
   char name[256] = "unknown";
   gethostname(name, sizeof name - 1);
   return name;
-}
-
-int usable_threads() {
-  cpu_set_t set;
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
 schema::RunInfo run_info(const std::string& golden_verdicts, int ranks) {

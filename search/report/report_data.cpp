@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,11 +15,12 @@
 #include "schema/report/report.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deployment_functions.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/build_info.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/site.hpp"
+#include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {
 namespace {
@@ -104,11 +106,11 @@ Json diagonals_json(const schema::Pattern& pattern, const solver::Mechanism& mec
 }
 
 // The options that were given, for the page's commands.
-std::string options_of(const OtherActuators& actuators) {
+std::string options_of(const schema::Design& design) {
   std::string text;
-  if (const auto& k = actuators.stiffness_n_per_mm)
-    text += " --stiffness " + schema::shown_number(*k);
-  if (const auto& limit = actuators.stroke_limit) {
+  if (design.from_deg) text += " --from " + schema::shown_number(*design.from_deg);
+  if (const auto& k = design.stiffness_n_per_mm) text += " --stiffness " + schema::shown_number(*k);
+  if (const auto& limit = design.stroke_limit) {
     text += " --stroke-limit " + schema::shown_number(*limit);
   }
   return text;
@@ -130,7 +132,21 @@ std::vector<std::string_view> functions_of(const ReportCall& call) {
   for (const auto& [name, is_asked] : call.studies) {
     if (!is_asked) continue;
     for (const schema::StudyColumn& column : schema::study_named(name).columns) {
-      functions.push_back(column.name);
+      if (column.in_report) functions.push_back(column.name);
+    }
+  }
+  for (const std::string& name : call.columns) {
+    const schema::StudyColumn* const column = schema::study_column(name);
+    if (!column) {
+      throw schema::UserError(
+          schema::Cause::bad_request,
+          fmt::format("{}: {}; choose one of {}", schema::parameter("column"),
+                      unknown_word(schema::printable(name), "function of a sheet",
+                                   schema::study_functions()),
+                      fmt::join(schema::study_functions(), ", ")));
+    }
+    if (std::ranges::find(functions, column->name) == functions.end()) {
+      functions.push_back(column->name);
     }
   }
   return functions;
@@ -146,21 +162,24 @@ Json commands_json(const ReportCall& call) {
   for (const auto& [name, is_asked] : call.studies) {
     if (is_asked) choice += fmt::format(" --{}", name);
   }
+  for (const std::string& name : call.columns) choice += " --column " + name;
   return {{"misalign", "misalign"},
           {"catalogue", shell_path(call.path)},
           {"choice", choice},
-          {"springs", options_of(call.actuators)},
+          {"springs", options_of(call.design)},
           {"output", shell_path(call.output)}};
 }
 
 // What the catalogue says, all of it of one moment: a search may be writing.
 Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign,
                     const ReportCall& call, DetailedDraws& detailed) {
+  const std::vector<std::string_view> functions = functions_of(call);
   return schema::reading(database, [&] {
     const SQLite::Transaction moment(database);
+    look_ahead(database, schema::candidates_sql(call.rows, functions));
     Json json = {{"state", schema::page_state_json(schema::read_state(database))},
                  {"faults", schema::faults_json(database, campaign)},
-                 {"candidates", schema::candidates_json(database, call.rows, functions_of(call))}};
+                 {"candidates", schema::candidates_json(database, call.rows, functions)}};
     detailed = detailed_draws(database, json["candidates"], call);
     json["yields"] = schema::report_yields_json(database, call.rows, detailed.draws);
     json["certificates"] = schema::report_certificates_json(database, call.rows, detailed.draws);
@@ -170,12 +189,12 @@ Json catalogue_json(SQLite::Database& database, const schema::Campaign& campaign
 
 // What is folded, and by what.
 Json folding_json(const FoldingModel& model) {
-  const auto& limit = model.actuators().stroke_limit;
+  const solver::Actuators actuators = model.actuators();
   return {{"sheet", schema::sheet_json(model.base(), model.mechanism())},
           {"diagonals", diagonals_json(model.base(), model.mechanism())},
           {"actuators",
-           {{"stiffness_n_per_mm", model.actuators().stiffness_n_per_mm},
-            {"stroke_limit", schema::or_null(limit)}}}};
+           {{"stiffness_n_per_mm", actuators.stiffness_n_per_mm},
+            {"stroke_limit", schema::or_null(actuators.stroke_limit)}}}};
 }
 
 // The manual's site, seen from the page: of this machine's folders no more than that says.
@@ -222,9 +241,9 @@ void require_stressed_draws(const ReportCall& call, const std::vector<std::uint6
 Json report_of_catalogue(const ReportCall& call) {
   const auto database = schema::open_for_reading(call.path);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.path);
-  campaign.actuators = call.actuators.instead_of(campaign.actuators);
+  campaign.design = call.design.instead_of(campaign.design);
   FoldingModel model(campaign);
-  add_deployment_functions(*database, campaign, model);
+  add_study_functions(*database, campaign);
   const ReportDetails details(model, call.detail);
   const std::vector<std::uint64_t> stressed = details.draws_with_stress(campaign);
   DetailedDraws detailed;
@@ -249,7 +268,7 @@ Json detail_of_draw(const ReportCall& call, std::uint64_t draw) {
 
 Json report_of_pattern(const ReportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
-  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators));
+  FoldingModel model(chosen.base, chosen.sampling, call.design.instead_of(chosen.design));
   const ReportDetails details(model, call.detail);
   details.check_stress(call.path, chosen.whose()["sheet"]);
   Json data = origin_json(call);

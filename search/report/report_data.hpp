@@ -20,8 +20,9 @@ struct ReportCall {
   std::uint64_t rows = 10000;        ///< at most so many candidates in the table
   std::uint64_t details = 36;        ///< so many of the best ones can be looked at
   Choice choice;                     ///< whom to look at instead; of `where` alone, `details` many
-  OtherActuators actuators;
+  schema::Design design;             ///< goes before the campaign's
   std::map<std::string_view, bool> studies;  ///< of the table of studies, those that were asked for
+  std::vector<std::string> columns;          ///< functions of sheets that the table has besides
   DetailOptions detail;
 };
 

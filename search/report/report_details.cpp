@@ -5,7 +5,9 @@
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/contact_json.hpp"
 #include "schema/report/report.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "solver/design/actuation.hpp"
+#include "solver/design/angle_of_use.hpp"
 #include "solver/design/contact.hpp"
 #include "solver/design/deploy.hpp"
 
@@ -101,17 +103,24 @@ Json ReportDetails::detail(const solver::Sheet& sheet, std::uint64_t draw, bool 
 
 // Its deployment; null where it cannot be released.
 Json ReportDetails::deployment(const solver::Sheet& sheet) const {
-  solver::DeployOptions options;
-  options.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
+  solver::DeployOptions options = deploy_options(model_.design(), sheet);
+  options.from_deg = from_of(sheet);
   const auto study = solver::deploy(sheet, options).study;
   return study ? schema::page_deployment_json(*study) : Json();
+}
+
+// Null for its own D: where the angle of use lies beyond that, the page shows D's.
+std::optional<double> ReportDetails::from_of(const solver::Sheet& sheet) const {
+  const auto from_deg = model_.design().from_deg;
+  return from_deg && !solver::beyond_d(sheet, *from_deg) ? from_deg : std::nullopt;
 }
 
 // Where its panels meet, its corners trimmed by the usual or, where that leaves nothing of an edge,
 // by nothing; null where the path is lost.
 Json ReportDetails::contact(const solver::Sheet& sheet) const {
-  auto studied = solver::contact(sheet);
-  if (studied.fault) studied = solver::contact(sheet, {0});
+  solver::ContactOptions options{{}, from_of(sheet)};
+  auto studied = solver::contact(sheet, options);
+  if (studied.fault) studied = solver::contact(sheet, {0, options.from_deg});
   if (!studied.study) return nullptr;
   Json json = schema::contact_study_json(model_.base(), sheet.panels(), *studied.study);
   json.erase("clearance");

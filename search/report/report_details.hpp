@@ -35,6 +35,7 @@ class ReportDetails {
   schema::Json detail(const solver::Sheet& sheet, std::uint64_t draw, bool accepted) const;
   schema::Json deployment(const solver::Sheet& sheet) const;
   schema::Json contact(const solver::Sheet& sheet) const;
+  std::optional<double> from_of(const solver::Sheet& sheet) const;
 
   const FoldingModel& model_;
   const bool with_contact_;

@@ -15,6 +15,8 @@ using solver::Actuation;
 
 std::string springs_summary(const solver::Mechanism& mechanism, const Actuation& actuation) {
   const auto& limit = actuation.actuators.stroke_limit;
+  const std::string where =
+      actuation.from_deg ? fmt::format("{:.10g} deg", *actuation.from_deg) : "D";
   std::string text =
       fmt::format("springs of {:g} N/mm on every diagonal, relaxed when flat{}\n",
                   actuation.actuators.stiffness_n_per_mm,
@@ -23,7 +25,8 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
     text += fmt::format("weakest at {:g} deg: {:.4g} N mm about the pilot crease\n",
                         actuation.weakest->pilot_deg, actuation.weakest->moment_n_mm);
   } else {
-    text += "deploys from less than 5 deg: no weakest point\n";
+    text += (actuation.from_deg ? "used" : "deploys") +
+            std::string(" from less than 5 deg: no weakest point\n");
   }
   if (actuation.few) {
     text += fmt::format("{} of {} diagonals keep {:.3g} % of that: {}{}\n",
@@ -33,36 +36,38 @@ std::string springs_summary(const solver::Mechanism& mechanism, const Actuation&
                         actuation.few->proven ? "; no fewer do" : "; fewer might");
   }
   if (actuation.over_stroke) {
-    text += fmt::format("the stroke limit is first exceeded at {:g} deg; up to D by {}\n",
-                        actuation.over_stroke->from_deg,
+    text += fmt::format("the stroke limit is first exceeded at {:g} deg; up to {} by {}\n",
+                        actuation.over_stroke->from_deg, where,
                         schema::diagonal_labels(mechanism, actuation.over_stroke->diagonals));
   } else if (limit) {
-    text += "no diagonal goes beyond the stroke limit up to D\n";
+    text += "no diagonal goes beyond the stroke limit up to " + where + "\n";
   }
   return text;
 }
 
-// Every 10 degrees, and at D.
-std::string energies_text(Index at_d, const Actuation& actuation) {
+// Every 10 degrees, and at the angle of use.
+std::string energies_text(const Actuation& actuation) {
   std::string text = "\npilot_deg deployment  energy_n_mm  moment_n_mm  advantage\n";
   for (std::size_t row = 1; row < actuation.pilot_deg.size(); ++row) {
     const double pilot_deg = actuation.pilot_deg[row];
-    const bool is_d = static_cast<Index>(row) == at_d;
+    const bool is_d = static_cast<Index>(row) == actuation.from_row;
     if (!is_d && std::abs(std::remainder(pilot_deg, 10)) > 1e-9) continue;
-    text +=
-        fmt::format("{:>9g} {:>10.4f} {:>12.6g} {:>12.6g} {:>10.4g}{}\n", pilot_deg,
-                    (180 - pilot_deg) / 180, actuation.energy_n_mm[row], actuation.moment_n_mm[row],
-                    actuation.mechanical_advantage[row], is_d ? "  <- deploys from here" : "");
+    text += fmt::format("{:>9g} {:>10.4f} {:>12.6g} {:>12.6g} {:>10.4g}{}\n", pilot_deg,
+                        (180 - pilot_deg) / 180, actuation.energy_n_mm[row],
+                        actuation.moment_n_mm[row], actuation.mechanical_advantage[row],
+                        !is_d                ? ""
+                        : actuation.from_deg ? "  <- used from here"
+                                             : "  <- deploys from here");
   }
   return text;
 }
 
 std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation) {
   const solver::Mechanism& mechanism = sheet.mechanism();
-  const Index at_d = sheet.rows_up_to_d();
-  std::string text = "\n diagonal  force_at_D  elongation\n";
+  std::string text = actuation.from_deg ? "\n diagonal  force there  elongation\n"
+                                        : "\n diagonal  force_at_D  elongation\n";
   for (int d = 0; d < mechanism.diagonal_count(); ++d) {
-    const double force_n = actuation.force_n(at_d, d);
+    const double force_n = actuation.force_n(actuation.from_row, d);
     const double stretch_mm = force_n / actuation.actuators.stiffness_n_per_mm;
     const double elongation = stretch_mm / sheet.history().flat_mm[static_cast<std::size_t>(d)];
     const bool kept = actuation.few && std::binary_search(actuation.few->diagonals.begin(),
@@ -76,8 +81,8 @@ std::string springs_text(const solver::Sheet& sheet, const Actuation& actuation)
 }  // namespace
 
 std::string actuators_text(const solver::Sheet& sheet, const Actuation& actuation) {
-  return springs_summary(sheet.mechanism(), actuation) +
-         energies_text(sheet.rows_up_to_d(), actuation) + springs_text(sheet, actuation);
+  return springs_summary(sheet.mechanism(), actuation) + energies_text(actuation) +
+         springs_text(sheet, actuation);
 }
 
 }  // namespace misalign::search

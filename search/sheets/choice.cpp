@@ -10,6 +10,8 @@
 #include "schema/catalogue/costly_terms.hpp"
 #include "schema/catalogue/result_table.hpp"
 #include "schema/catalogue/sql_tokens.hpp"
+#include "schema/catalogue/study_table.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/suggestion.hpp"
 #include "solver/design/farthest_first.hpp"
@@ -30,25 +32,38 @@ std::vector<std::string> columns_of_candidates(SQLite::Database& database) {
   });
 }
 
+// What may be asked of a candidate: columns, and functions of its sheet.
+std::vector<std::string> words_of_candidates(const std::vector<std::string>& columns) {
+  std::vector<std::string> words = columns;
+  for (const std::string& name : schema::study_functions()) words.push_back(name);
+  return words;
+}
+
 // "; did you mean stroke_max?", or nothing. D is the manual's word.
 std::string column_meant(const std::string& typed, const std::vector<std::string>& columns) {
   const bool is_d = typed == "D" || typed == "d";
-  const std::string meant = is_d ? "deploys_from_deg" : nearest_word(typed, columns);
+  const std::string meant =
+      is_d ? "deploys_from_deg" : nearest_word(typed, words_of_candidates(columns));
   return meant.empty() ? "" : "; did you mean " + meant + "?";
 }
 
-// Of SQLite's words about a condition: which column is none.
+// Of SQLite's words about a condition: which column or function is none.
 std::string unknown_column(const std::string& refused, const std::vector<std::string>& columns) {
-  constexpr std::string_view kBefore = "no such column: ";
-  const std::size_t before = refused.find(kBefore);
-  if (before == std::string::npos) return "";
-  const std::size_t begin = before + kBefore.size(), end = refused.find(')', begin);
-  const std::string typed = refused.substr(begin, end - begin);
-  return " (" + typed + " is no column" + column_meant(typed, columns) + ")";
+  for (const auto& [kind, said] :
+       {std::pair{"column", "no such column: "}, {"function", "no such function: "}}) {
+    const std::size_t before = refused.find(said);
+    if (before == std::string::npos) continue;
+    const std::size_t begin = before + std::string_view(said).size(),
+                      end = refused.find(')', begin);
+    const std::string typed = refused.substr(begin, end - begin);
+    return " (" + typed + " is no " + kind + column_meant(typed, columns) + ")";
+  }
+  return "";
 }
 
 std::vector<std::uint64_t> draws_of(SQLite::Database& database, const std::string& sql) {
   std::vector<std::uint64_t> draws;
+  look_ahead(database, sql);
   schema::read_query(database, sql, [&](const SQLite::Statement& row) {
     const SQLite::Column draw = row.getColumn(0);
     if (!draw.isInteger() || draw.getInt64() < 0) {
@@ -164,12 +179,13 @@ std::vector<Differences> differences_of(SQLite::Database& database,
 // That it is an expression by itself, so that what it says is about the rows of candidates, and
 // what is wrong with it is said of the condition, not of a query around it.
 void check_condition(SQLite::Database& database, const Choice& choice) {
-  const std::string& where = choice.where;
+  const std::string where = schema::in_full(choice.where);
   const auto refuse = [&](const std::string& why) {
     throw schema::UserError(
-        solver::OptionFault{"where", where,
-                            fmt::format("is no condition on the columns {}{}",
-                                        fmt::join(columns_of_candidates(database), ", "), why),
+        solver::OptionFault{"where", choice.where,
+                            fmt::format("is no condition on the columns {}, or {} of a draw{}",
+                                        fmt::join(columns_of_candidates(database), ", "),
+                                        fmt::join(schema::study_functions(), ", "), why),
                             "try \"stroke_max < 0.08\""});
   };
   const std::string reason = schema::reason_not_to_enclose(where);
@@ -185,29 +201,42 @@ void check_condition(SQLite::Database& database, const Choice& choice) {
   }
 }
 
+// A column; or a function of the draw, from the design's angle of use or from this one:
+// "thickness_mm", "thickness_mm(draw)", "thickness_mm(draw, 140)".
+bool is_word_of_candidates(const std::string& typed, const std::vector<std::string>& columns) {
+  const std::vector<std::string> tokens = schema::sql_tokens(schema::in_full(typed)).tokens;
+  if (tokens.size() == 1) return std::ranges::find(columns, tokens[0]) != columns.end();
+  if (tokens.size() < 4 || !schema::study_column(tokens[0])) return false;
+  const auto is_number = [](const std::string& text) {
+    return !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
+  };
+  return tokens[1] == "(" && tokens[2] == "draw" && tokens.back() == ")" &&
+         (tokens.size() == 4 || (tokens.size() == 6 && tokens[3] == "," && is_number(tokens[4])));
+}
+
 void check_column(SQLite::Database& database, const Choice& choice) {
   const std::string& by = *choice.by;
   const std::vector<std::string> columns = columns_of_candidates(database);
-  if (std::find(columns.begin(), columns.end(), by) != columns.end()) return;
-  throw schema::UserError(
-      solver::OptionFault{"by", by, "is no column of a candidate" + column_meant(by, columns),
-                          fmt::format("choose one of {}", fmt::join(columns, ", "))});
+  if (is_word_of_candidates(by, columns)) return;
+  throw schema::UserError(solver::OptionFault{
+      "by", by, "is no column of a candidate" + column_meant(by.substr(0, by.find('(')), columns),
+      fmt::format("choose one of {}", fmt::join(words_of_candidates(columns), ", "))});
 }
 
 // In the order that "best" means, or by a column, the largest first, and the best first among
 // equals.
 std::string order_of(const std::optional<std::string>& by) {
   const std::string best = schema::best_order(), head = "ORDER BY ";
-  return by ? head + *by + " DESC, " + best.substr(head.size()) : best;
+  return by ? head + schema::in_full(*by) + " DESC, " + best.substr(head.size()) : best;
 }
 
 // Of all that `where` lets through, in no order.
 std::string all_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
   if (!choice.where.empty()) check_condition(database, choice);
   return "SELECT " + columns + " FROM candidates" +
-         (choice.where.empty()
-              ? ""
-              : " WHERE (" + schema::costly_last(choice.where) + "\n)");  // which ends a comment
+         (choice.where.empty() ? ""
+                               : " WHERE (" + schema::costly_last(schema::in_full(choice.where)) +
+                                     "\n)");  // which ends a comment
 }
 
 std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choice) {
@@ -236,6 +265,17 @@ std::vector<std::uint64_t> chosen(SQLite::Database& database, const Choice& choi
 }
 
 }  // namespace
+
+std::string column_sql(SQLite::Database& database, const std::string& word) {
+  const std::vector<std::string> columns = columns_of_candidates(database);
+  const std::string name = word.substr(0, word.find('('));
+  if (!is_word_of_candidates(word, columns)) {
+    throw schema::UserError(solver::OptionFault{
+        "columns", word, "is no column or function of a candidate" + column_meant(name, columns),
+        fmt::format("choose one of {}", fmt::join(words_of_candidates(columns), ", "))});
+  }
+  return schema::in_full(word) + " AS \"" + word + "\"";
+}
 
 std::string best_sql(SQLite::Database& database, const std::string& columns, const Choice& choice) {
   std::string sql = all_sql(database, columns, choice);

@@ -1,5 +1,8 @@
 #include "search/sheets/chosen_sheet.hpp"
 
+#include <spdlog/spdlog.h>
+
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -7,8 +10,16 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/files/hash.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "solver/design/angle_of_use.hpp"
 
 namespace misalign::search {
+StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling) {
+  constexpr double kSameAngle_deg = 1e-9;  // as plan_path takes two angles for one
+  if (!design.from_deg) return {};
+  const double away_deg = std::remainder(*design.from_deg, sampling.sample_deg);
+  if (std::abs(away_deg) <= kSameAngle_deg) return {};
+  return {0, {*design.from_deg}};
+}
 
 std::string SheetKey::name() const { return draw ? "draw " + std::to_string(*draw) : pattern; }
 
@@ -25,6 +36,15 @@ schema::Json ChosenSheet::whose() const {
     json["sheet"] = schema::hex(schema::hash_of(schema::pattern_json(base, shifts_mm).dump()));
   }
   return json;
+}
+
+schema::Campaign ChosenSheet::as_campaign() const {
+  schema::Campaign campaign;
+  campaign.pattern = base;
+  campaign.sample_deg = campaign.threshold_deg = sampling.sample_deg;
+  campaign.end_deg = sampling.end_deg;
+  campaign.between_samples = sampling.between_samples;
+  return campaign;
 }
 
 bool is_pattern_file(const std::string& path) {
@@ -45,24 +65,32 @@ bool is_pattern_file(const std::string& path) {
 }
 
 ChosenSheet sheet_of_pattern_file(const std::string& path) {
-  auto [pattern, sampling, exported] = schema::read_sampled_pattern_file(path);
-  sampling.end_deg = std::min(sampling.end_deg, pattern.base.folding.end_deg());
-  const std::string stem = std::filesystem::path(path).stem().string();
-  const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;
-  return {std::move(pattern), sampling, {}, shifts_mm, {}, schema::printable(schema::utf8(stem)),
-          std::move(exported)};
+  const std::filesystem::path file(path);
+  return sheet_of_pattern_document(schema::read_json_file(path), path, file.parent_path(),
+                                   schema::printable(schema::utf8(file.stem().string())));
 }
 
-Subject::Subject(ChosenSheet what, const OtherActuators& actuators)
+ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::string& source,
+                                      const std::filesystem::path& directory,
+                                      const std::string& name) {
+  schema::PatternFile read = schema::read_sampled_pattern(document, source, directory);
+  read.sampling.end_deg = std::min(read.sampling.end_deg, read.pattern.base.folding.end_deg());
+  const Eigen::Matrix2Xd shifts_mm = read.pattern.shifts_mm;
+  return {std::move(read.pattern), read.sampling, read.design, shifts_mm, {}, name,
+          std::move(read.exported)};
+}
+
+Subject::Subject(ChosenSheet what, const schema::Design& options)
     : chosen(std::move(what)),
-      model(chosen.base, chosen.sampling, actuators.instead_of(chosen.actuators)),
+      model(chosen.base, chosen.sampling, options.instead_of(chosen.design),
+            station_of_use(options.instead_of(chosen.design), chosen.sampling)),
       sheet(model.sheet(chosen.shifts_mm, schema::printable(chosen.name()))) {}
 
 Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
-                     const OtherActuators& actuators) {
+                     const schema::Design& options) {
   if (is_pattern_file(path)) {
     if (draw) throw only_of_a_catalogue(path, "the draw " + std::to_string(*draw));
-    return {sheet_of_pattern_file(path), actuators};
+    return {sheet_of_pattern_file(path), options};
   }
   const auto database = schema::open_for_reading(path);
   if (!draw) {
@@ -75,12 +103,30 @@ Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
   Eigen::Matrix2Xd shifts_mm = shifts_of_number(*database, campaign, *draw);
   return {{campaign.pattern,
            campaign.sampling(),
-           campaign.actuators,
+           campaign.design,
            std::move(shifts_mm),
            ChosenSheet::Drawn{campaign, *draw},
            "",
            {}},
-          actuators};
+          options};
+}
+
+solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design) {
+  if (design.from_deg) {
+    if (const auto fault = solver::beyond_d(sheet, *design.from_deg)) {
+      throw schema::UserError(*fault);
+    }
+  }
+  return solver::actuate(sheet, design.actuators(), design.from_deg);
+}
+
+void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg) {
+  const double d_deg = sheet.deploys_from_deg();
+  if (!from_deg || d_deg <= 0 || !solver::beyond_d(sheet, *from_deg)) return;
+  spdlog::warn(
+      "let go at {:.10g} deg, beyond D = {:.10g} deg of {}: there its diagonals do not all go one "
+      "way",
+      *from_deg, d_deg, schema::printable(sheet.name()));
 }
 
 schema::UserError only_of_a_catalogue(const std::string& path, const std::string& what) {

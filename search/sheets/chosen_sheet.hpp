@@ -1,6 +1,7 @@
 // The sheet that a verb is about: a draw of a catalogue's campaign, or a pattern file's.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,7 @@ struct SheetKey {
 struct ChosenSheet {
   schema::Pattern base;
   schema::Sampling sampling;
-  solver::Actuators actuators;
+  schema::Design design;
   Eigen::Matrix2Xd shifts_mm;
   /// The campaign that drew it; none for a pattern file, which nobody accepted or turned away.
   struct Drawn {
@@ -32,6 +33,10 @@ struct ChosenSheet {
   std::optional<Drawn> drawn;
   std::string pattern;    ///< as in its key
   schema::Json exported;  ///< what an exported candidate's file says of it; null otherwise
+
+  /// As a campaign of its own, from whose threshold the least sample on, with the default seed: an
+  /// exported candidate does not say its campaign's.
+  schema::Campaign as_campaign() const;
 
   SheetKey key() const { return {drawn ? std::optional(drawn->draw) : std::nullopt, pattern}; }
   /// The same, beyond doubt: also the draw's "campaign", or a fingerprint of the pattern's "sheet".
@@ -44,23 +49,39 @@ struct ChosenSheet {
 /// be read: whoever opens it as a catalogue says why.
 bool is_pattern_file(const std::string& path);
 
-/// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with the
-/// springs of a campaign that says nothing else. UserError (bad_input) with every fault.
+/// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with its
+/// design. UserError (bad_input) with every fault.
 ChosenSheet sheet_of_pattern_file(const std::string& path);
 
-/// A sheet to study, its model and springs, and what was chosen.
+/// The same of a document that was read.
+ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::string& source,
+                                      const std::filesystem::path& directory,
+                                      const std::string& name);
+
+/// A sheet to study, its model and design, and what was chosen.
 struct Subject {
-  Subject(ChosenSheet what, const OtherActuators& actuators);
+  Subject(ChosenSheet what, const schema::Design& options);
 
   const ChosenSheet chosen;
   FoldingModel model;
   const solver::Sheet sheet;
 };
 
-/// That of a pattern file, or of a draw of a catalogue's campaign, accepted or not. UserError: 2 no
-/// draw of a catalogue, or one of a pattern file; 3 as above and as from open_for_reading.
+/// That of a pattern file, or of a draw of a catalogue's campaign, accepted or not; what `options`
+/// say goes before the file's design. UserError: 2 no draw of a catalogue, or one of a pattern
+/// file; 3 as above and as from open_for_reading.
 Subject choose_sheet(const std::string& path, std::optional<std::uint64_t> draw,
-                     const OtherActuators& actuators = {});
+                     const schema::Design& options = {});
+
+/// What is asked at the angle of use needs a station there, where no sample is.
+StationOptions station_of_use(const schema::Design& design, const schema::Sampling& sampling);
+
+/// Springs of this design on a sheet of its model, which has that station. UserError (2) where it
+/// is used from beyond D.
+solver::Actuation actuated(const solver::Sheet& sheet, const schema::Design& design);
+
+/// Says so, where a sheet is let go beyond D: its diagonals do not go one way there.
+void warn_beyond_d(const solver::Sheet& sheet, std::optional<double> from_deg);
 
 /// UserError (bad_request) with one sentence: a pattern file is one sheet, so `what` has no
 /// meaning.

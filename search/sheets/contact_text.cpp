@@ -16,7 +16,7 @@ std::string thickness_text(const schema::Pattern& base, const solver::Panels& pa
   if (!study.thickness) return "";
   const solver::PlateThickness& plates = *study.thickness;
   const std::string start =
-      fmt::format("thickness    up to {:.4g} mm reaches {:g} deg (corners trimmed by {:g} mm): ",
+      fmt::format("thickness    up to {:.4g} mm reaches {:.10g} deg (corners trimmed by {:g} mm): ",
                   plates.thickness_mm, study.reach_deg, study.trim_mm);
   if (plates.limit == solver::ThicknessLimit::taper) {
     return start + "there tapers leave nothing of panel " +

@@ -1,6 +1,10 @@
 #include "search/sheets/deploy_input.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "schema/exchange/actuators_json.hpp"
@@ -9,6 +13,8 @@
 
 namespace misalign::search {
 namespace {
+
+using schema::UserError;
 
 constexpr double kStandardGravity_mm_per_s2 = 9806.65;
 
@@ -37,44 +43,77 @@ std::pair<int, double> other_rest(const solver::Mechanism& mechanism, const std:
       "write it as " + named + "=60"});
 }
 
-solver::HeldPanel held_panel(const solver::Sheet& sheet, const std::string& place,
-                             const std::vector<double>& gravity) {
-  int row = 0, column = 0, panel = -1;
-  const std::vector<int>& facets = sheet.panels().facets;
-  const std::string_view text = place;
+UserError no_panel(const std::string& place) {
+  return UserError(solver::OptionFault{
+      "hold", schema::printable(place),
+      "is no panel of this sheet (rows and columns count from 0, and holes cannot be held)",
+      "name one as ROW,COLUMN, such as 0,0"});
+}
+
+std::array<int, 2> place_of(const std::string& typed) {
+  std::array<int, 2> place{};
+  const std::string_view text = typed;
   const std::size_t comma = std::min(text.find(','), text.size());
-  if (comma < text.size() && read_number(text.substr(0, comma), row) &&
-      read_number(text.substr(comma + 1), column)) {
-    for (std::size_t k = 0; k < facets.size(); ++k) {
-      const auto& at = sheet.base().sheet.places[static_cast<std::size_t>(facets[k])];
-      if (at[0] == row && at[1] == column) panel = static_cast<int>(k);
-    }
+  if (comma < text.size() && read_number(text.substr(0, comma), place[0]) &&
+      read_number(text.substr(comma + 1), place[1])) {
+    return place;
   }
-  if (panel < 0) {
-    throw schema::UserError(solver::OptionFault{
-        "hold", schema::printable(place),
-        "is no panel of this sheet (rows and columns count from 0, and holes cannot be "
-        "held)",
-        "name one as ROW,COLUMN, such as 0,0"});
-  }
-  solver::HeldPanel held{panel};
-  for (std::size_t k = 0; k < gravity.size(); ++k) {
-    held.gravity_mm_per_s2(static_cast<Eigen::Index>(k)) = gravity[k] * kStandardGravity_mm_per_s2;
+  throw no_panel(typed);
+}
+
+solver::HeldPanel held_panel(const solver::Sheet& sheet, const std::array<int, 2>& place,
+                             const std::optional<std::array<double, 3>>& gravity) {
+  const std::vector<int>& facets = sheet.panels().facets;
+  const auto at = std::ranges::find_if(facets, [&](int facet) {
+    const auto& its = sheet.base().sheet.places[static_cast<std::size_t>(facet)];
+    return its[0] == place[0] && its[1] == place[1];
+  });
+  if (at == facets.end()) throw no_panel(fmt::format("{},{}", place[0], place[1]));
+  solver::HeldPanel held{static_cast<int>(at - facets.begin())};
+  for (std::size_t k = 0; gravity && k < gravity->size(); ++k) {
+    held.gravity_mm_per_s2(static_cast<Eigen::Index>(k)) =
+        (*gravity)[k] * kStandardGravity_mm_per_s2;
   }
   return held;
 }
 
 }  // namespace
 
+solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet) {
+  solver::DeployOptions options;
+  options.from_deg = design.from_deg;
+  options.sheet.springs.stiffness_n_per_mm = design.actuators().stiffness_n_per_mm;
+  options.sheet.joints.friction_n_mm_per_mm = design.friction_n_mm_per_mm.value_or(0);
+  options.sheet.joints.stiffness_n_mm_per_mm = design.hinge_stiffness_n_mm_per_mm.value_or(0);
+  options.sheet.plates = design.plates();
+  if (design.hold) {
+    options.sheet.held = held_panel(sheet, *design.hold, design.gravity);
+  } else if (design.gravity) {
+    throw UserError(
+        solver::OptionFault{"gravity", fmt::format("{}", fmt::join(*design.gravity, ",")),
+                            "needs a panel that is held (a sheet that is free in space only falls)",
+                            "add " + schema::parameter("hold", "0,0")});
+  }
+  return options;
+}
+
 solver::DeployOptions DeployInput::of(const solver::Sheet& sheet,
-                                      const solver::Actuators& actuators) const {
+                                      const schema::Design& of_file) const {
+  schema::Design said = design;
+  if (held) said.hold = place_of(*held);
+  if (gravity.size() == 3) said.gravity = {gravity[0], gravity[1], gravity[2]};
+  const solver::DeployOptions its = deploy_options(said.instead_of(of_file), sheet);
   solver::DeployOptions fitted = options;
-  fitted.sheet.springs.stiffness_n_per_mm =
-      stiffness_n_per_mm.value_or(actuators.stiffness_n_per_mm);
+  fitted.from_deg = its.from_deg;
+  fitted.sheet.springs.stiffness_n_per_mm = its.sheet.springs.stiffness_n_per_mm;
+  fitted.sheet.joints.friction_n_mm_per_mm = its.sheet.joints.friction_n_mm_per_mm;
+  fitted.sheet.joints.stiffness_n_mm_per_mm = its.sheet.joints.stiffness_n_mm_per_mm;
+  fitted.sheet.plates = its.sheet.plates;
+  if (density_g_per_cm3) fitted.sheet.plates.density_g_per_cm3 = *density_g_per_cm3;
+  fitted.sheet.held = its.sheet.held;
   for (const std::string& text : other_rests) {
     fitted.sheet.springs.other_rests_deg.push_back(other_rest(sheet.mechanism(), text));
   }
-  if (held) fitted.sheet.held = held_panel(sheet, *held, gravity);
   return fitted;
 }
 

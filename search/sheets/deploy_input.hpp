@@ -11,15 +11,20 @@
 namespace misalign::search {
 
 struct DeployInput {
-  solver::DeployOptions options;             ///< but for what follows
-  std::optional<double> stiffness_n_per_mm;  ///< none: the model's
-  std::vector<std::string> other_rests;      ///< "A11-A17=60"
-  std::optional<std::string> held;           ///< "0,0": row and column of a panel
-  std::vector<double> gravity;               ///< x, y, z in standard gravities, or none
+  solver::DeployOptions options;  ///< but for what follows
+  schema::Design design;          ///< what is said goes before the file's
+  std::optional<double> density_g_per_cm3;
+  std::vector<std::string> other_rests;  ///< "A11-A17=60"
+  std::optional<std::string> held;       ///< "0,0": row and column of a panel
+  std::vector<double> gravity;           ///< x, y, z in standard gravities, or none
 
-  /// UserError (bad_request) where they do not fit its panels or diagonals.
-  solver::DeployOptions of(const solver::Sheet& sheet, const solver::Actuators& actuators) const;
+  /// With the file's design. UserError (bad_request) where they do not fit its panels or diagonals.
+  solver::DeployOptions of(const solver::Sheet& sheet, const schema::Design& of_file) const;
 };
+
+/// How a sheet of this design is let go. UserError (bad_request) where it has no such panel to
+/// hold.
+solver::DeployOptions deploy_options(const schema::Design& design, const solver::Sheet& sheet);
 
 /// The sheet let go. UserError: 2 where an option does not fit it, 1 where its path is lost.
 solver::DeploymentStudy deployed(const solver::Sheet& sheet, const solver::DeployOptions& options);

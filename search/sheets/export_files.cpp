@@ -16,7 +16,9 @@
 #include "schema/files/features.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_text.hpp"
+#include "search/sheets/deploy_input.hpp"
 #include "search/terminal/terminal.hpp"
 #include "solver/design/deploy.hpp"
 
@@ -100,7 +102,7 @@ ExportFiles::ExportFiles(const FoldingModel& model, const ExportOptions& options
     options.warn("no deployment is in these files: " + schema::missing_text("SUNDIALS"));
   }
   if (options.look_deg() > 0) {
-    at_samples_.emplace(model.base(), model.sampling(), model.actuators());
+    at_samples_.emplace(model.base(), model.sampling(), model.design());
   }
 }
 
@@ -150,14 +152,14 @@ std::string ExportFiles::simulated(const solver::Sheet& sheet, const ExportLabel
 // What comes of letting it go is null where it cannot be.
 schema::Json ExportFiles::data_of(const solver::Sheet& sheet, const schema::Json& origin) {
   const schema::FoldingView view(model_.base(), sheet);
-  solver::DeployOptions springs;
-  springs.sheet.springs.stiffness_n_per_mm = model_.actuators().stiffness_n_per_mm;
   std::optional<solver::Sheet> another;
-  const auto deployment = solver::deploy(at_samples(sheet, another), springs).study;
+  const solver::Sheet& alone = at_samples(sheet, another);
+  const auto deployment = solver::deploy(alone, deploy_options(model_.design(), alone)).study;
   schema::Json data = schema::folded_pattern_json(
-      model_.sampling(), view,
-      schema::actuation_json(view, solver::actuate(sheet, model_.actuators())),
+      model_.sampling(), view, schema::actuation_json(view, actuated(sheet, model_.design())),
       deployment ? schema::exported_deployment_json(*deployment) : schema::Json());
+  const schema::Json design = schema::said_design_json(model_.design());
+  if (!design.empty()) data["design"] = design;
   data.update(origin);
   return data;
 }
@@ -228,15 +230,19 @@ void ExportFiles::write_plates(const solver::Sheet& sheet, const ExportLabel& la
   const auto rows = sheet.rows_to_show(options_.step_deg);
   check_shapes(sheet, rows);
   std::optional<solver::Sheet> another;
-  const solver::ContactStudy study = contact_of(at_samples(sheet, another), {options_.trim_mm});
+  const solver::ContactStudy study =
+      contact_of(at_samples(sheet, another), {options_.trim_mm, options_.release.from_deg});
   const double largest_mm = study.thickness ? study.thickness->thickness_mm : 0;
   const double thickness_mm = options_.release.plates.thickness_mm;
   if (!(thickness_mm <= largest_mm)) {
     throw schema::UserError(solver::OptionFault{
         "thickness_mm", fmt::format("{:g}", thickness_mm),
-        fmt::format("too thick (plates of {} reach D if they have at most {:.4g} mm, trimmed by "
-                    "{:g} mm)",
-                    sheet.name(), largest_mm, study.trim_mm),
+        fmt::format(
+            "too thick (plates of {} reach {} if they have at most {:.4g} mm, trimmed by "
+            "{:g} mm)",
+            sheet.name(),
+            options_.release.from_deg ? fmt::format("{:.10g} deg", study.used_from_deg) : "D",
+            largest_mm, study.trim_mm),
         "take less, or say more by " + schema::parameter("trim_mm")});
   }
   const auto solids = solver::plate_solids(sheet.panels(), sheet.vertices_mm(), thickness_mm,

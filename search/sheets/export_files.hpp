@@ -40,6 +40,11 @@ struct ExportOptions {
   }
   bool is_drawn() const { return format == ExportFormat::svg || format == ExportFormat::dxf; }
   bool is_simulated() const { return format == ExportFormat::mjcf || format == ExportFormat::inp; }
+  /// Whether it says what holds between the angle of use and flat.
+  bool knows_angle_of_use() const {
+    return format == ExportFormat::json || format == ExportFormat::fold ||
+           format == ExportFormat::stl || is_simulated();
+  }
   /// What the sheets' history has to have between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
 };
@@ -55,7 +60,7 @@ struct ExportLabel {
 
 /// One sheet's files, of any format but csv; prints their names. Refers to what it was made of.
 /// UserError (bad_request) if one of them is the file that is read, the plates are thicker than
-/// reaches D, or no fillers join the panels.
+/// reaches the angle of use, or no fillers join the panels.
 class ExportFiles {
  public:
   ExportFiles(const FoldingModel& model, const ExportOptions& options);

@@ -5,24 +5,18 @@
 
 namespace misalign::search {
 
-solver::Actuators OtherActuators::instead_of(solver::Actuators actuators) const {
-  if (stiffness_n_per_mm) actuators.stiffness_n_per_mm = *stiffness_n_per_mm;
-  if (stroke_limit) actuators.stroke_limit = stroke_limit;
-  return actuators;
-}
-
 FoldingModel::FoldingModel(const schema::Pattern& base, const schema::Sampling& sampling,
-                           const solver::Actuators& actuators, const StationOptions& stations)
+                           const schema::Design& design, const StationOptions& stations)
     : base_(base),
       sampling_(sampling),
-      actuators_(actuators),
+      design_(design),
       model_(model_of(base, sampling, stations)),
       solver_(model_) {}
 
 FoldingModel::FoldingModel(const schema::Campaign& campaign, const StationOptions& stations)
     : base_(campaign.pattern),
       sampling_(campaign.sampling()),
-      actuators_(campaign.actuators),
+      design_(campaign.design),
       model_(model_of(campaign, stations)),
       solver_(model_) {}
 

@@ -1,5 +1,5 @@
 // A pattern's or a campaign's model, made ready once, with the solver of its sheets and its
-// springs.
+// design.
 #pragma once
 
 #include <string>
@@ -11,18 +11,12 @@
 
 namespace misalign::search {
 
-/// Springs other than the campaign's; what is absent stays.
-struct OtherActuators {
-  std::optional<double> stiffness_n_per_mm, stroke_limit;
-  solver::Actuators instead_of(solver::Actuators actuators) const;
-};
-
 class FoldingModel {
  public:
   /// `base` must outlive this object; its own shifts do not matter.
   FoldingModel(const schema::Pattern& base, const schema::Sampling& sampling,
-               const solver::Actuators& actuators, const StationOptions& stations = {});
-  /// A campaign's, with its springs.
+               const schema::Design& design, const StationOptions& stations = {});
+  /// A campaign's, with its design.
   explicit FoldingModel(const schema::Campaign& campaign, const StationOptions& stations = {});
 
   /// With these shifts, one column per vertex; what is found of it is found by this object.
@@ -32,13 +26,14 @@ class FoldingModel {
 
   const schema::Pattern& base() const { return base_; }
   const schema::Sampling& sampling() const { return sampling_; }
-  const solver::Actuators& actuators() const { return actuators_; }
+  const schema::Design& design() const { return design_; }
+  solver::Actuators actuators() const { return design_.actuators(); }
   const solver::Mechanism& mechanism() const { return model_.mechanism(); }
 
  private:
   const schema::Pattern& base_;
   const schema::Sampling sampling_;
-  const solver::Actuators actuators_;
+  const schema::Design design_;
   const solver::Model model_;
   solver::SheetSolver solver_;
 };

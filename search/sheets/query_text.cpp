@@ -35,13 +35,25 @@ std::string sql_of_name(SQLite::Database& database, const std::string& name) {
   return schema::named_query(name);
 }
 
+// Then words that are no columns may be those of people: D, thickness_mm.
+bool has_unknown_column(SQLite::Database& database, const std::string& sql) {
+  try {
+    const SQLite::Statement statement(database, sql);
+    return false;
+  } catch (const SQLite::Exception& error) {
+    return std::string_view(error.what()).find("no such column") != std::string_view::npos;
+  }
+}
+
 }  // namespace
 
 QueryText query_text(SQLite::Database& database, const std::string& name_or_sql) {
   const std::string named = sql_of_name(database, name_or_sql);
   if (!named.empty()) return {named, name_or_sql};
   if (is_one_word(name_or_sql)) throw no_such_query(name_or_sql);
-  return {schema::costly_in_subqueries(name_or_sql), ""};
+  const std::string sql = schema::costly_in_subqueries(name_or_sql);
+  if (!has_unknown_column(database, sql)) return {sql, ""};
+  return {schema::costly_in_subqueries(schema::in_full(name_or_sql)), ""};
 }
 
 }  // namespace misalign::search

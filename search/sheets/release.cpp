@@ -48,7 +48,7 @@ class StateAt {
           double pilot_deg)
       // One sample is enough; the path takes shorter steps where it needs them.
       : model_(pattern_for(model.base(), option, pilot_deg, sheet.name()), {pilot_deg, pilot_deg},
-               model.actuators()),
+               model.design()),
         sheet_(model_.sheet(sheet.shifts_mm(), sheet.name())) {
     const solver::FoldingHistory& history = sheet_.history();
     const auto rows = static_cast<Eigen::Index>(history.stations.size());

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "schema/campaign/share_interval.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
+#include "solver/design/angle_of_use.hpp"
 
 namespace misalign::search {
 namespace {
@@ -169,6 +171,54 @@ std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
                                                const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                                const ToleranceOptions& options) {
   return Study(campaign, shifts_mm, options).run();
+}
+
+// Copies are judged at samples: the angle of use must be one.
+static void check_is_sample(double from_deg, double sample_deg) {
+  constexpr double kMultipleTolerance = 1e-9;  // as campaign files have it
+  const double samples = from_deg / sample_deg;
+  if (std::abs(samples - std::round(samples)) <= kMultipleTolerance * std::max(1.0, samples))
+    return;
+  throw schema::UserError(solver::OptionFault{
+      "from_deg", schema::shown_number(from_deg),
+      fmt::format("must be a whole multiple of sample_deg = {} (copies are judged at samples)",
+                  schema::shown_number(sample_deg)),
+      "try " + schema::shown_number(std::max(1.0, std::round(samples)) * sample_deg)});
+}
+
+schema::Campaign used_from(const schema::Campaign& campaign, double from_deg,
+                           const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                           const ToleranceOptions& options,
+                           const std::function<std::string(std::size_t)>& name_of) {
+  check_is_sample(from_deg, campaign.sample_deg);
+  ToleranceOptions alone = options;
+  alone.trials = 0;
+  alone.vertices = false;
+  alone.progress = nullptr;
+  schema::Campaign used = campaign;
+  used.threshold_deg = from_deg;
+  const auto themselves = study_tolerance(used, shifts_mm, alone);
+  for (std::size_t k = 0; k < themselves.size(); ++k) {
+    if (themselves[k].own_sample >= used.threshold_sample()) continue;
+    throw schema::UserError(solver::beyond_d_fault(name_of(k), from_deg,
+                                                   themselves[k].own_sample * campaign.sample_deg));
+  }
+  return used;
+}
+
+solver::Tolerance study_sheet(const ChosenSheet& sheet, std::optional<double> from_deg,
+                              const ToleranceOptions& options) {
+  const std::vector<Eigen::Matrix2Xd> shifts_mm = {sheet.shifts_mm};
+  schema::Campaign campaign = sheet.as_campaign();
+  if (!from_deg) {
+    ToleranceOptions alone = options;
+    alone.trials = 0;
+    from_deg = study_tolerance(campaign, shifts_mm, alone).front().own_sample * campaign.sample_deg;
+    if (*from_deg <= 0) throw schema::UserError(solver::beyond_d_fault(sheet.name(), 0, 0));
+  }
+  campaign =
+      used_from(campaign, *from_deg, shifts_mm, options, [&](std::size_t) { return sheet.name(); });
+  return study_tolerance(campaign, shifts_mm, options).front();
 }
 
 }  // namespace misalign::search

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "search/draws/draw_evaluator.hpp"
+#include "search/sheets/chosen_sheet.hpp"
 #include "solver/design/tolerance.hpp"
 
 namespace misalign::search {
@@ -35,6 +36,19 @@ inline constexpr std::uint64_t kMostTrialsOfOneVertex = 200;
 /// UserError (bad_request) unless an amplitude is below that of this sheet.
 void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
                   const Eigen::Matrix2Xd& shifts_mm, const std::string& sheet);
+
+/// The campaign, from whose threshold copies are to deploy: this angle instead of its own.
+/// UserError (bad_request) where it is no sample, or lies beyond D of a sheet, which `name_of`
+/// names.
+schema::Campaign used_from(const schema::Campaign& campaign, double from_deg,
+                           const std::vector<Eigen::Matrix2Xd>& shifts_mm,
+                           const ToleranceOptions& options,
+                           const std::function<std::string(std::size_t)>& name_of);
+
+/// Of one sheet: copies are to deploy from this angle, or from its own D. UserError (bad_request)
+/// as above, and where it deploys from nothing.
+solver::Tolerance study_sheet(const ChosenSheet& sheet, std::optional<double> from_deg,
+                              const ToleranceOptions& options);
 
 /// One answer for each sheet of the campaign with these shifts; the amplitude is below the largest
 /// of each.

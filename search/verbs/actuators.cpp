@@ -3,7 +3,7 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "search/sheets/actuators_text.hpp"
-#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -14,19 +14,15 @@ namespace {
 struct ActuatorsCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
-  OtherActuators actuators;
+  schema::Design design;
   bool json = false;
 };
 
 void show_actuators(const ActuatorsCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.actuators);
-  const solver::Actuation actuation = solver::actuate(sheet, model.actuators());
-  if (call.json) {
-    schema::Json json = springs_json({chosen.base, sheet}, actuation);
-    json.update(chosen.key().json());
-    put_json(json);
-    return;
-  }
+  const Subject subject = choose_sheet(call.path, call.draw, call.design);
+  if (call.json) return put_json(actuators_said(subject));
+  const auto& [chosen, model, sheet] = subject;
+  const solver::Actuation actuation = actuated(sheet, model.design());
   const solver::Verdict& verdict = sheet.history().verdict;
   const double deploys_from_deg = sheet.sample_deg(verdict.deploys_from_sample);
   const char* decision = "";
@@ -52,15 +48,17 @@ Action actuators_verb(CLI::App& verb) {
       "  advantage    newtons on the sheet's span for each newton in every diagonal\n"
       "  deployment   (180 - pilot)/180: 1 when flat\n"
       "Before it: where the moment is least, and the fewest diagonals that keep half of that\n"
-      "moment. After it: the force on each diagonal at D. Forces and elongations are positive\n"
+      "moment. After it: the force on each diagonal at D, or where --from says. Forces and "
+      "elongations are positive\n"
       "where a spring is longer than when flat, and pulls.\n\n"
       "Examples:\n  misalign actuators results/miura-6x6-1a2b3c4d.db 1234\n"
-      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --stroke-limit 0.08\n"
+      "  misalign actuators results/miura-6x6-1a2b3c4d.db 1234 --from 140 --stroke-limit 0.08\n"
       "  misalign actuators search/patterns/table1.json");
   auto call = std::make_shared<ActuatorsCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  add_other_actuators(verb, call->actuators);
+  add_from(verb, call->design.from_deg);
+  add_springs(verb, call->design);
   verb.add_flag("--json", call->json, "as JSON, with all histories");
   return [call] {
     show_actuators(*call);

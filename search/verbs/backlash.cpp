@@ -52,15 +52,16 @@ void check_backlash(const ToleranceCall& call) {
 void run_backlash(const ToleranceCall& call, const ToleranceTargets& sheets) {
   const BacklashStudy study(sheets.campaign, sheets.shifts_mm, call.backlash);
   refuse_backlash(call, sheets, study);
+  const schema::Campaign used = campaign_of_use(call, sheets);
   std::vector<solver::Backlash> answers =
       study.run({*call.backlash_mm, call.study.trials, call.study.jobs, show_copies});
   std::vector<NamedBacklash> named;
   schema::Json list = schema::Json::array();
   for (std::size_t k = 0; k < answers.size(); ++k) {
     // A pattern file's threshold is its own D.
-    const bool is_drawn = !sheets.draws.empty();
+    const bool is_asked = call.from_deg || sheets.design.from_deg || !sheets.draws.empty();
     named.push_back({sheets.key(k).name(), std::move(answers[k]),
-                     is_drawn ? std::optional(sheets.campaign.threshold_deg) : std::nullopt});
+                     is_asked ? std::optional(used.threshold_deg) : std::nullopt});
     list.push_back(schema::backlash_json(named.back().backlash, named.back().threshold_deg));
     list.back().update(sheets.key(k).json());
   }

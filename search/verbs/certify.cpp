@@ -12,6 +12,7 @@
 #include "search/sheets/certify_text.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
@@ -70,6 +71,7 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
     return run_on_ranks(count, typed, false);
   }
   options.choose = [&call](SQLite::Database& database) {
+    add_study_functions(database, call.options.path);
     return chosen_draws(database, call.choice);
   };
   options.show = [&call](const CertifyReport& report) { show(call, report); };
@@ -130,8 +132,9 @@ int run_on_pattern(const CertifyCall& call) {
     call.json ? put_json(schema::check_json(check)) : put(check_text(check));
     return check.findings.empty() ? 0 : exit_code_of(schema::Cause::check_failed);
   }
-  const double asked_deg =
-      call.options.to_deg ? *call.options.to_deg : deploys_from_deg(call, sheet, model);
+  const double asked_deg = call.options.to_deg     ? *call.options.to_deg
+                           : sheet.design.from_deg ? *sheet.design.from_deg
+                                                   : deploys_from_deg(call, sheet, model);
   const Json& exported = sheet.exported;
   const bool has_draw =
       exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
@@ -204,8 +207,9 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
     all->excludes(other);
   }
   draws->excludes(all);
-  auto* to = verb.add_option("--to", options.to_deg,
-                             "prove up to this pilot angle, degrees [the sheet's own D]");
+  auto* to = verb.add_option("--from,--to", options.to_deg,
+                             "the sheet is used between this pilot angle and flat: prove up to it "
+                             "[the design's, or the sheet's own D]");
   to->check(within(0.01, 180))->type_name("DEG");
   auto* contact = verb.add_flag("--contact", options.contact, "prove that no panels meet, too");
   auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");

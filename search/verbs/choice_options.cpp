@@ -32,13 +32,16 @@ ChoiceOptions add_choice(CLI::App& verb, CLI::App& group, Choice& choice) {
           ->excludes(options.best)
           ->type_name("K");
   options.where =
-      group.add_option("--where", choice.where, "only those for which this SQL condition holds")
+      group
+          .add_option("--where", choice.where,
+                      "only those for which this SQL condition on columns and functions of sheets "
+                      "holds (misalign query --help)")
           ->type_name("SQL")
           ->check(a_condition());
-  options.by =
-      verb.add_option("--by", choice.by,
-                      "column that the best are sorted by, largest first [as query `best` does]")
-          ->type_name("COLUMN");
+  options.by = verb.add_option("--by", choice.by,
+                               "column, or function of a sheet, that the best are sorted by, "
+                               "largest first [as query `best` does]")
+                   ->type_name("COLUMN");
   return options;
 }
 

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include "schema/catalogue/study_table.hpp"
-#include "schema/exchange/contact_json.hpp"
-#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_text.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
@@ -15,19 +14,16 @@ namespace {
 struct ContactCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
+  schema::Design design;
   std::optional<double> trim_mm;
   bool json = false;
 };
 
 void show_contact(const ContactCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw);
-  const solver::ContactStudy study = contact_of(sheet, {call.trim_mm});
-  if (call.json) {
-    schema::Json json = schema::contact_study_json(chosen.base, sheet.panels(), study);
-    json.update(chosen.key().json());
-    put_json(json);
-    return;
-  }
+  const Subject subject = choose_sheet(call.path, call.draw, call.design);
+  if (call.json) return put_json(contact_said(subject, call.trim_mm));
+  const auto& [chosen, model, sheet] = subject;
+  const solver::ContactStudy study = contact_of(sheet, {call.trim_mm, model.design().from_deg});
   put("{}: deploys from {:g} deg\n", sheet.name(), study.deploys_from_deg);
   put(contact_text(chosen.base, sheet.panels(), study));
 }
@@ -44,15 +40,17 @@ Action contact_verb(CLI::App& verb) {
       "  vertex_deg   of panels with one common vertex, as an angle seen from it\n"
       "  crease_deg   of the most folded crease from 180\n"
       "Thickness: hinges at the mid-plane; a plate is tapered towards each crease by the plane\n"
-      "through it at which neighbours touch when most folded up to D, and trimmed across each\n"
+      "through it at which neighbours touch when most folded up to --from, and trimmed across "
+      "each\n"
       "corner where it meets another panel in that point alone, as ball joints are (--trim).\n"
-      "Plates as thick as is said clear each other up to D; thicker ones might.\n\n"
+      "Plates as thick as is said clear each other up to there; thicker ones might.\n\n"
       "Examples:\n  misalign contact search/patterns/table1.json\n"
-      "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --trim 8\n"
+      "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --from 140 --trim 8\n"
       "  misalign contact results/miura-6x6-1a2b3c4d.db 1234 --json");
   auto call = std::make_shared<ContactCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
+  add_from(verb, call->design.from_deg);
   add_trim(verb, call->trim_mm);
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {

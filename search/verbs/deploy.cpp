@@ -6,10 +6,9 @@
 
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/bent_panels_json.hpp"
-#include "schema/exchange/deploy_json.hpp"
 #include "search/sheets/bent_panels_text.hpp"
-#include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/deploy_text.hpp"
+#include "search/sheets/sheet_said.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/deploy_options.hpp"
 #include "search/verbs/options.hpp"
@@ -29,10 +28,11 @@ struct DeployCall {
   std::optional<PanelKind> panels;  // none: they bend where a material is named
   std::string material_file;
   double margin_to_deg = solver::BentPanelsOptions{}.to_deg;
-  CLI::Option* density = nullptr;
   bool json = false;
 
-  bool bends() const { return panels ? *panels == PanelKind::bend : !material_file.empty(); }
+  bool bends(const schema::Design& design) const {
+    return panels ? *panels == PanelKind::bend : design.material.has_value();
+  }
 };
 
 // What is found of panels that bend.
@@ -43,13 +43,9 @@ struct Bent {
   std::optional<solver::PreloadStudy> preload;
 };
 
-schema::Material read_material(const DeployCall& call) {
-  if (call.material_file.empty()) return {};
-  return schema::read_material_file(call.material_file);
-}
-
-Bent bent(const DeployCall& call, const schema::Material& material, const solver::Sheet& sheet,
+Bent bent(const DeployCall& call, const schema::Design& design, const solver::Sheet& sheet,
           const solver::DeployOptions& options) {
+  const schema::Material material = design.material.value_or(schema::Material{});
   solver::BentPanelsOptions bending;
   bending.material = {material.e_gpa, material.poisson};
   bending.to_deg = call.margin_to_deg;
@@ -60,31 +56,30 @@ Bent bent(const DeployCall& call, const schema::Material& material, const solver
   return {material, std::move(panels), advice, preload};
 }
 
-void show_deployment(const DeployCall& call) {
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw);
-  solver::DeployOptions options = call.input.of(sheet, chosen.actuators);
+void show_deployment(DeployCall call) {
+  if (!call.material_file.empty()) {
+    call.input.design.material = schema::read_material_file(call.material_file);
+  }
+  const Subject subject = choose_sheet(call.path, call.draw, call.input.design);
+  const auto& [chosen, model, sheet] = subject;
+  solver::DeployOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
-  const schema::Material material = read_material(call);
-  if (call.density->count() == 0) {
-    options.sheet.plates.density_g_per_cm3 = material.density_g_per_cm3;
-  }
   std::optional<Bent> bending;
-  if (call.bends()) bending = bent(call, material, sheet, options);
-  const solver::DeploymentStudy study = deployed(sheet, options);
+  if (call.bends(model.design())) bending = bent(call, model.design(), sheet, options);
   if (call.json) {
-    schema::Json json = schema::deployment_history_json(sheet.mechanism(), study);
-    json.update(chosen.key().json());
-    json["deploys_from_deg"] = sheet.deploys_from_deg();
+    schema::Json json = deploy_said(subject, options);
     if (bending) {
-      json["bent"] =
-          schema::bent_panels_json(material, bending->panels, bending->advice, bending->preload);
+      json["bent"] = schema::bent_panels_json(bending->material, bending->panels, bending->advice,
+                                              bending->preload);
     }
-    put_json(json);
-    return;
+    warn_beyond_d(sheet, options.from_deg);
+    return put_json(json);
   }
+  const solver::DeploymentStudy study = deployed(sheet, options);
+  warn_beyond_d(sheet, options.from_deg);
   put("{}: deploys from {:g} deg\n", sheet.name(), sheet.deploys_from_deg());
   if (bending) {
-    put(bent_panels_text(material, bending->panels, bending->advice, bending->preload,
+    put(bent_panels_text(bending->material, bending->panels, bending->advice, bending->preload,
                          study.friction));
   }
   put(deployment_text(sheet.mechanism(), study));
@@ -108,7 +103,7 @@ Action deploy_verb(CLI::App& verb) {
       "by letting it go again and again, otherwise from its energies.\n"
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
-      "Panels that bend (--panels bend, or --material): each into a saddle, creases straight, "
+      "Panels that bend (--panels bend, or where a material is named): each into a saddle, creases straight, "
       "with\n"
       "springs and panels in balance at every angle. Its numbers come first; all that follows, "
       "the\n"
@@ -125,12 +120,13 @@ Action deploy_verb(CLI::App& verb) {
   auto call = std::make_shared<DeployCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  call->density = add_deployment(verb, call->input);
+  add_deployment(verb, call->input);
   verb.add_option("--panels", call->panels,
-                  "rigid, or as plates that bend [rigid, with --material bend]")
+                  "rigid, or as plates that bend [bend where the design or --material names a "
+                  "material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
   verb.add_option("--material", call->material_file,
-                  "JSON file with name, e_gpa, poisson, density_g_per_cm3 [aluminium]")
+                  "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or aluminium]")
       ->type_name("FILE");
   constexpr double kLeastMarginTo_deg = 0.1;
   verb.add_option(

@@ -19,27 +19,36 @@ constexpr double kMostAngle_deg = 180, kMostResistance = 1e9, kMostPreload_n = 1
 
 }  // namespace
 
-CLI::Option* add_deployment(CLI::App& verb, DeployInput& input) {
+void add_deployment(CLI::App& verb, DeployInput& input) {
   constexpr double kLeastFrom_deg = 1e-3;
-  add_from(verb, input.options.from_deg, kLeastFrom_deg);
-  add_stiffness(verb, input.stiffness_n_per_mm);
-  add_thickness(verb, input.options.sheet.plates);
-  CLI::Option* const density = add_number(
-      verb, "--density", input.options.sheet.plates.density_g_per_cm3, "of the panels, g/cm^3",
-      kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3, "G_PER_CM3");
+  schema::Design& design = input.design;
+  add_release_from(verb, design.from_deg, kLeastFrom_deg);
+  add_stiffness(verb, design.stiffness_n_per_mm);
+  add_thickness(verb, design.thickness_mm);
+  verb.add_option("--density", input.density_g_per_cm3,
+                  fmt::format("of the panels, g/cm^3 [the material's, or {:g}]",
+                              solver::Plates{}.density_g_per_cm3))
+      ->check(within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3))
+      ->type_name("G_PER_CM3");
   solver::JointResistance& joints = input.options.sheet.joints;
   const auto resistance = [&](const char* name, double& value, const char* meaning,
                               const char* unit) {
     add_number(verb, name, value, meaning, 0, kMostResistance, unit);
   };
-  resistance("--friction", joints.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
-             "N");
+  const auto hinge = [&](const char* name, std::optional<double>& value, const char* meaning,
+                         const char* key) {
+    verb.add_option(name, value, std::string(meaning) + " [the design's, or 0]")
+        ->check(within(key))
+        ->type_name("N");
+  };
+  hinge("--friction", design.friction_n_mm_per_mm, "dry friction of creases, N mm per mm",
+        "hinges.friction_n_mm_per_mm");
   resistance("--ball-friction", joints.ball_friction_n_mm, "dry friction of each ball joint, N mm",
              "N_MM");
   resistance("--damping", joints.damping_n_mm_s_per_mm,
              "damping of creases, N mm per mm for each rad/s", "N_S");
-  resistance("--hinge-stiffness", joints.stiffness_n_mm_per_mm,
-             "elastic creases, N mm per mm for each rad", "N");
+  hinge("--hinge-stiffness", design.hinge_stiffness_n_mm_per_mm,
+        "elastic creases, N mm per mm for each rad", "hinges.stiffness_n_mm_per_mm");
   add_number(verb, "--hinge-rest", joints.rest_deg, "pilot angle where elastic creases are relaxed",
              0, kMostAngle_deg, "DEG");
   solver::Springs& springs = input.options.sheet.springs;
@@ -56,16 +65,15 @@ CLI::Option* add_deployment(CLI::App& verb, DeployInput& input) {
       "where they shorten",
       0, kMostPreload_n, "N");
   verb.add_flag("--pull-only", springs.pull_only, "wires: springs that only pull");
-  auto* const held = verb.add_option("--hold", input.held,
-                                     "hold this panel [none: free in space, without momentum]");
-  held->type_name("ROW,COLUMN");
+  verb.add_option("--hold", input.held,
+                  "hold this panel [the design's, or none: free in space, without momentum]")
+      ->type_name("ROW,COLUMN");
   verb.add_option("--gravity", input.gravity,
                   "weight of the panels, in standard gravities: x right, y along rising rows, z up "
-                  "from the held panel, as 0,0,-1 [none]")
+                  "from the held panel, as 0,0,-1 [the design's, or none]")
       ->delimiter(',')
       ->expected(3)
       ->check(within(-1e3, 1e3))
-      ->needs(held)
       ->type_name("X,Y,Z");
   solver::DeploymentOptions& options = input.options.motion;
   verb.add_flag("--latch", options.latch, "a latch catches the sheet when it is flat");
@@ -77,7 +85,6 @@ CLI::Option* add_deployment(CLI::App& verb, DeployInput& input) {
       ->type_name("N");
   add_number(verb, "--time-limit", options.time_limit_s, "end of the motion at the latest, s", 1e-9,
              1e6, "S");
-  return density;
 }
 
 }  // namespace misalign::search

@@ -7,8 +7,7 @@
 
 namespace misalign::search {
 
-/// --from, springs, plates and joints, a held panel, and how the motion ends. Gives --density,
-/// which a material may say otherwise.
-CLI::Option* add_deployment(CLI::App& verb, DeployInput& input);
+/// --from, springs, plates and joints, a held panel, and how the motion ends.
+void add_deployment(CLI::App& verb, DeployInput& input);
 
 }  // namespace misalign::search

@@ -10,8 +10,8 @@
 #include "schema/exchange/plain_export.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/chosen_sheet.hpp"
-#include "search/sheets/deployment_functions.hpp"
 #include "search/sheets/export_files.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/choice_options.hpp"
@@ -25,12 +25,30 @@ namespace {
 struct ExportCall {
   ExportOptions files;
   Choice choice;
-  OtherActuators actuators;
   ReleaseCall release;
   DeckCall deck;
   KitCall kit;
+  std::optional<double> friction_n_mm_per_mm;  // of mjcf
   bool compat = false;
+
+  // What the sheets' design says, in which what was typed is already.
+  void take(const schema::Design& design) {
+    files.release = release.of(design);
+    files.deck = deck.of(design);
+    files.mjcf.friction_n_mm_per_mm =
+        friction_n_mm_per_mm.value_or(design.friction_n_mm_per_mm.value_or(0));
+    files.kit = chosen_kit(kit, design);
+  }
 };
+
+// What is said at the angle of use needs a station there.
+StationOptions stations_of(const ExportOptions& files, const schema::Design& design,
+                           const schema::Sampling& sampling) {
+  if (!files.knows_angle_of_use()) return {files.look_deg()};
+  StationOptions stations = station_of_use(design, sampling);
+  stations.step_deg = files.look_deg();
+  return stations;
+}
 
 // Of a candidate that has one, as it was made.
 void add_certificate(SQLite::Database& database, const schema::Pattern& base,
@@ -50,13 +68,14 @@ void add_certificate(SQLite::Database& database, const schema::Pattern& base,
 
 // Each candidate's files, or for csv the one table of all of them, whole or not at all: named after
 // the campaign and the draw, or a table of several after the campaign.
-void export_candidates(const ExportCall& call) {
+void export_candidates(ExportCall& call) {
   const auto database = schema::open_for_reading(call.files.read_from);
-  add_deployment_functions(*database, call.files.read_from);
+  add_study_functions(*database, call.files.read_from);
   const std::vector<std::uint64_t> draws = chosen_draws(*database, call.choice);
   schema::Campaign campaign = schema::read_campaign_of(*database, call.files.read_from);
-  campaign.actuators = call.actuators.instead_of(campaign.actuators);
-  FoldingModel model(campaign, call.files.look_deg());
+  campaign.design = call.release.design.instead_of(campaign.design);
+  call.take(campaign.design);
+  FoldingModel model(campaign, stations_of(call.files, campaign.design, campaign.sampling()));
   const auto stem_of = [&](std::uint64_t draw) {
     return campaign.name + "-" + std::to_string(draw);
   };
@@ -92,10 +111,12 @@ void export_candidates(const ExportCall& call) {
 }
 
 // The same of a pattern file; there is nothing to choose.
-void export_pattern(const ExportCall& call) {
+void export_pattern(ExportCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.files.read_from);
-  FoldingModel model(chosen.base, chosen.sampling, call.actuators.instead_of(chosen.actuators),
-                     call.files.look_deg());
+  const schema::Design design = call.release.design.instead_of(chosen.design);
+  call.take(design);
+  FoldingModel model(chosen.base, chosen.sampling, design,
+                     stations_of(call.files, design, chosen.sampling));
   ExportFiles files(model, call.files);
   make_directory(call.files.directory);
   const solver::Sheet sheet = model.sheet(chosen.shifts_mm, chosen.pattern);
@@ -122,9 +143,10 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   for (const char* option : {"--creases", "--every"}) {
     only_with(option, files.format == ExportFormat::csv, "--format csv");
   }
-  for (const char* option : {"--from", "--rest-deg", "--density"}) {
+  for (const char* option : {"--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
+  only_with("--from", files.knows_angle_of_use(), "--format json, fold, stl, mjcf or inp");
   only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl,
             "--format stl, mjcf or inp");
   only_with("--trim", files.format == ExportFormat::stl, "--format stl");
@@ -133,7 +155,7 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   only_with("--bore-edge", kit.options.joint_bore_mm || kit.options.spring_bore_mm,
             "--joint-bore or --spring-bore");
   only_with("--spring-at", kit.options.spring_bore_mm.has_value(), "--spring-bore");
-  only_with("--dash-mm", kit.options.crease == schema::CreaseCut::dash, "--crease dash");
+  only_with("--dash-mm", kit.crease == schema::CreaseCut::dash, "--crease dash");
   only_with("--friction", files.format == ExportFormat::mjcf, "--format mjcf");
   for (const char* option : {"--mesh", "--material"}) {
     only_with(option, files.format == ExportFormat::inp, "--format inp");
@@ -143,10 +165,7 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
 void run_export(ExportCall& call, const CLI::App& verb, const CLI::App& choice) {
   const std::string& path = call.files.read_from;
   refuse_idle_options(call.files, call.kit, verb);
-  read_material(call.release, call.deck);
-  call.files.release = call.release.release;
-  call.files.deck = call.deck.deck;
-  call.files.kit = chosen_kit(call.kit);
+  read_material(call.deck, call.release.design);
   call.files.warn = [](const std::string& words) { spdlog::warn("{}", words); };
   const std::string chosen_by = first_given(choice);
   if (is_pattern_file(path)) {
@@ -263,10 +282,11 @@ Action export_verb(CLI::App& verb) {
       ->check(within(0.01, 180))
       ->type_name("DEG");
   add_trim(verb, files.trim_mm);
-  add_other_actuators(verb, call->actuators);
+  add_springs(verb, call->release.design);
   add_release(verb, call->release);
-  verb.add_option("--friction", files.mjcf.friction_n_mm_per_mm,
-                  "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [0]")
+  verb.add_option("--friction", call->friction_n_mm_per_mm,
+                  "mjcf: dry friction of the hinges in the tree, N mm per mm of crease [the "
+                  "design's, or 0]")
       ->check(within(0, 1e6))
       ->type_name("N");
   add_deck(verb, call->deck);

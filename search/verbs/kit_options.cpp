@@ -29,12 +29,14 @@ void add_kit(CLI::App& verb, KitCall& call) {
     verb.add_option(name, value, meaning)->check(within(least, kMost_mm))->type_name("MM");
   };
   verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
-  verb.add_option("--crease", kit.crease,
+  Names<schema::CreaseCut> creases;
+  for (const schema::CreaseCutName& one : schema::kCreaseCuts) {
+    creases.emplace_back(one.name, one.cut);
+  }
+  verb.add_option("--crease", call.crease,
                   "with --kit: cut (every panel is a part), score (lines) or dash (perforated) "
-                  "[score]")
-      ->transform(one_of<schema::CreaseCut>({{"cut", schema::CreaseCut::cut},
-                                             {"score", schema::CreaseCut::score},
-                                             {"dash", schema::CreaseCut::dash}}));
+                  "[the design's, or score]")
+      ->transform(one_of<schema::CreaseCut>(creases));
   verb.add_option_function<std::vector<double>>(
           "--dash-mm",
           [&kit](const std::vector<double>& lengths) {
@@ -75,9 +77,10 @@ void add_kit(CLI::App& verb, KitCall& call) {
          fmt::format("with --kit: round all parts [{:g}]", kit.margin_mm), 0);
 }
 
-std::optional<schema::KitOptions> chosen_kit(const KitCall& call) {
+std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design) {
   if (!call.wanted) return std::nullopt;
   schema::KitOptions kit = call.options;
+  kit.crease = call.crease.value_or(design.hinge_kind.value_or(kit.crease));
   if (!call.bed.empty()) {
     const std::size_t by = call.bed.find('x');
     kit.bed_mm.emplace(std::stod(call.bed.substr(0, by)), std::stod(call.bed.substr(by + 1)));

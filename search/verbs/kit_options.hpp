@@ -12,7 +12,8 @@ namespace misalign::search {
 
 struct KitCall {
   bool wanted = false;
-  schema::KitOptions options;
+  schema::KitOptions options;  ///< but for the crease
+  std::optional<schema::CreaseCut> crease;
   std::string bed;  ///< "600x400"
 };
 
@@ -22,7 +23,7 @@ inline constexpr std::array kKitOptions = {
     "--crease",    "--dash-mm",   "--kerf", "--joint-bore", "--spring-bore",
     "--spring-at", "--bore-edge", "--gap",  "--bed",        "--margin"};
 
-/// With the bed, if one is asked for; nothing without --kit.
-std::optional<schema::KitOptions> chosen_kit(const KitCall& call);
+/// With the design's kind of hinge, and the bed, if one is asked for; nothing without --kit.
+std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design);
 
 }  // namespace misalign::search

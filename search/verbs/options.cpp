@@ -28,49 +28,71 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws,
 }
 
 void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm) {
-  verb.add_option("--stiffness", stiffness_n_per_mm, "of each spring, N/mm [the campaign's]")
-      ->check(within(schema::kLeastStiffness_n_per_mm, schema::kMostStiffness_n_per_mm))
+  verb.add_option("--stiffness", stiffness_n_per_mm, "of each spring, N/mm [the design's]")
+      ->check(within("springs.stiffness_n_per_mm"))
       ->type_name("N/MM");
 }
 
-void add_other_actuators(CLI::App& verb, OtherActuators& actuators) {
-  add_stiffness(verb, actuators.stiffness_n_per_mm);
-  verb.add_option("--stroke-limit", actuators.stroke_limit,
-                  "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the campaign's]")
-      ->check(a_share(schema::kLeastStroke, schema::kMostStroke))
+void add_springs(CLI::App& verb, schema::Design& design) {
+  const auto [least, most] = schema::design_bounds("springs.stroke_limit");
+  add_stiffness(verb, design.stiffness_n_per_mm);
+  verb.add_option("--stroke-limit", design.stroke_limit,
+                  "largest elongation of an actuator: 0.08, 8 %, for Ti-Ni wires [the design's]")
+      ->check(a_share(least, most))
       ->type_name("SHARE");
 }
 
-void add_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg) {
+CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
+                      const std::string& otherwise) {
+  return verb
+      .add_option("--from", from_deg,
+                  "the sheet is used between this pilot angle and flat " + otherwise)
+      ->check(within("from_deg"))
+      ->type_name("DEG");
+}
+
+void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg) {
   verb.add_option("--from", from_deg,
-                  fmt::format("pilot angle at which the sheet is let go at rest [{:g}, or D where "
-                              "that is less]",
+                  fmt::format("the sheet is used between this pilot angle, at which it is let go "
+                              "at rest, and flat [the design's, or {:g}, or D where that is less]",
                               solver::kDeployFrom_deg))
       ->check(within(least_deg, 180))
       ->type_name("DEG");
 }
 
-void add_thickness(CLI::App& verb, solver::Plates& plates) {
-  verb.add_option("--thickness", plates.thickness_mm,
-                  fmt::format("of the panels, mm [{:g}]", plates.thickness_mm))
-      ->check(within(kLeastThickness_mm, kMostThickness_mm))
+void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm) {
+  verb.add_option(
+          "--thickness", thickness_mm,
+          fmt::format("of the panels, mm [the design's, or {:g}]", solver::Plates{}.thickness_mm))
+      ->check(within("thickness_mm"))
       ->type_name("MM");
+}
+
+ReleaseOptions ReleaseCall::of(const schema::Design& whole) const {
+  ReleaseOptions release{whole.from_deg, rest_deg, whole.plates()};
+  if (density_g_per_cm3) release.plates.density_g_per_cm3 = *density_g_per_cm3;
+  return release;
 }
 
 void add_release(CLI::App& verb, ReleaseCall& call) {
   constexpr double kLeast_deg = 1;  // closer to flat loops hardly say which way the sheet folds
-  add_from(verb, call.release.from_deg, kLeast_deg);
-  verb.add_option(
-          "--rest-deg", call.release.rest_deg,
-          fmt::format("pilot angle where the springs are relaxed [{:g}]", call.release.rest_deg))
+  add_release_from(verb, call.design.from_deg, kLeast_deg);
+  verb.add_option("--rest-deg", call.rest_deg,
+                  fmt::format("pilot angle where the springs are relaxed [{:g}]", call.rest_deg))
       ->check(within(0, 180))
       ->type_name("DEG");
-  add_thickness(verb, call.release.plates);
+  add_thickness(verb, call.design.thickness_mm);
   verb.add_option("--density", call.density_g_per_cm3,
                   fmt::format("of the panels, g/cm^3 [{:g}, or the material's]",
-                              call.release.plates.density_g_per_cm3))
+                              solver::Plates{}.density_g_per_cm3))
       ->check(within(kLeastDensity_g_per_cm3, kMostDensity_g_per_cm3))
       ->type_name("G_PER_CM3");
+}
+
+schema::DeckOptions DeckCall::of(const schema::Design& whole) const {
+  schema::DeckOptions options = deck;
+  options.material = whole.material.value_or(options.material);
+  return options;
 }
 
 void add_deck(CLI::App& verb, DeckCall& call) {
@@ -79,17 +101,14 @@ void add_deck(CLI::App& verb, DeckCall& call) {
       ->check(counted(2, 40))
       ->type_name("N");
   verb.add_option("--material", call.material_file,
-                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3 [{}]",
+                  fmt::format("JSON file with name, e_gpa, poisson, density_g_per_cm3 [the "
+                              "design's, or {}]",
                               call.deck.material.name))
       ->type_name("FILE");
 }
 
-void read_material(ReleaseCall& release, DeckCall& deck) {
-  if (!deck.material_file.empty()) {
-    deck.deck.material = schema::read_material_file(deck.material_file);
-  }
-  release.release.plates.density_g_per_cm3 =
-      release.density_g_per_cm3.value_or(deck.deck.material.density_g_per_cm3);
+void read_material(const DeckCall& deck, schema::Design& design) {
+  if (!deck.material_file.empty()) design.material = schema::read_material_file(deck.material_file);
 }
 
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm) {

@@ -21,30 +21,39 @@ CLI::Option* add_draws(CLI::App& group, std::vector<std::uint64_t>& draws, const
 
 /// --stiffness, of other springs than the campaign's.
 void add_stiffness(CLI::App& verb, std::optional<double>& stiffness_n_per_mm);
-/// That and --stroke-limit, of other springs than the campaign's.
-void add_other_actuators(CLI::App& verb, OtherActuators& actuators);
+/// That and --stroke-limit, of other springs than the design's.
+void add_springs(CLI::App& verb, schema::Design& design);
 
-/// --from, the angle at which a sheet is released, and --thickness of its panels.
-void add_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg);
-void add_thickness(CLI::App& verb, solver::Plates& plates);
-inline constexpr double kLeastThickness_mm = 1e-3, kMostThickness_mm = 100;
+/// --from, the angle between which and flat a sheet is used; `otherwise` ends its line of help.
+CLI::Option* add_from(CLI::App& verb, std::optional<double>& from_deg,
+                      const std::string& otherwise = "[the design's, or D]");
+/// The same where it is let go there.
+void add_release_from(CLI::App& verb, std::optional<double>& from_deg, double least_deg);
+/// --thickness of its panels.
+void add_thickness(CLI::App& verb, std::optional<double>& thickness_mm);
 inline constexpr double kLeastDensity_g_per_cm3 = 1e-3, kMostDensity_g_per_cm3 = 100;
 
 /// Those, --rest-deg and --density: of a released sheet.
 struct ReleaseCall {
-  ReleaseOptions release;
+  schema::Design design;  ///< what was typed
+  double rest_deg = ReleaseOptions{}.rest_deg;
   std::optional<double> density_g_per_cm3;  ///< the material's otherwise
+
+  /// Of a sheet of this design, in which what was typed is already.
+  ReleaseOptions of(const schema::Design& whole) const;
 };
 void add_release(CLI::App& verb, ReleaseCall& call);
 
 /// --mesh and --material: of panels as elastic shells.
 struct DeckCall {
-  schema::DeckOptions deck;
+  schema::DeckOptions deck;  ///< but for the material
   std::string material_file;
+
+  schema::DeckOptions of(const schema::Design& whole) const;
 };
 void add_deck(CLI::App& verb, DeckCall& call);
-/// Reads the material file, if there is one, into both. UserError (3).
-void read_material(ReleaseCall& release, DeckCall& deck);
+/// Reads the material file, if there is one, into what was typed. UserError (3).
+void read_material(const DeckCall& deck, schema::Design& design);
 /// --trim, of the plates' corners.
 void add_trim(CLI::App& verb, std::optional<double>& trim_mm);
 

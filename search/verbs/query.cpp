@@ -1,11 +1,13 @@
 // `misalign query`: a named query, or any read-only SQL.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/result_table.hpp"
-#include "search/sheets/deployment_functions.hpp"
+#include "schema/catalogue/study_table.hpp"
 #include "search/sheets/query_text.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/nothing_found.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/verbs.hpp"
@@ -58,8 +60,9 @@ void show_rows(SQLite::Database& database, const std::string& name, const std::s
 
 void query(const QueryCall& call) {
   const auto database = schema::open_for_reading(call.path);
-  add_deployment_functions(*database, call.path);
+  add_study_functions(*database, call.path);
   const QueryText text = query_text(*database, call.sql);
+  look_ahead(*database, text.sql);
   if (!call.json && !call.csv) {
     show_rows(*database, text.name, text.sql, !call.unpaged);
     return;
@@ -71,14 +74,25 @@ void query(const QueryCall& call) {
   });
 }
 
+// A line for each function of sheets.
+std::string functions_text() {
+  std::string text;
+  for (const std::string& name : schema::study_functions()) {
+    text += fmt::format("  {:30} {}\n", name, schema::study_column(name)->unit);
+  }
+  return text;
+}
+
 }  // namespace
 
 Action query_verb(CLI::App& verb) {
   verb.description("a named query, or any read-only SQL");
   verb.footer(
       "Named queries: " + schema::named_query_list() +
-      ".\ndeploy_time_s(draw) and critical_friction_n_mm_per_mm(draw), or (draw, from_deg), are\n"
-      "found as they are asked for: see misalign deploy, and what it needs.\nElongations and "
+      ".\nFound as they are asked for, of any draw, with the campaign's design, as NAME(draw), or\n"
+      "NAME(draw, from_deg) from another angle of use, or NAME alone:\n" +
+      functions_text() +
+      "D is deploys_from_deg. The same words are taken by every --where and --by.\nElongations and "
       "strokes are shares of a "
       "length: stroke_max < 0.08 is 8 %.\n"
       "On a terminal the rows go through $PAGER [less].\n\n"

@@ -2,6 +2,7 @@
 #include "schema/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
@@ -56,12 +57,12 @@ void refuse_own_input(const ReportCall& call) {
 void refuse_choice_of_candidates(const ReportCall& call, const CLI::App& verb,
                                  const CLI::App& group) {
   std::string chosen_by = first_given(group);
-  for (const char* option : {"--draw", "--rows", "--details", "--by"}) {
+  for (const char* option : {"--draw", "--rows", "--details", "--by", "--column"}) {
     if (verb.count(option) > 0) chosen_by = option;
   }
   for (const schema::StudyEntry& study : schema::study_table()) {  // of candidates alone
     const auto asked = call.studies.find(study.name);
-    if (!study.columns.empty() && asked != call.studies.end() && asked->second) {
+    if (study.has_columns_in_report() && asked != call.studies.end() && asked->second) {
       chosen_by = fmt::format("--{}", study.name);
     }
   }
@@ -108,12 +109,20 @@ Action report_verb(CLI::App& verb) {
   for (CLI::Option* many : {chosen.best, chosen.diverse}) {
     many->check(counted(1, kMostDetails))->excludes(details);
   }
-  add_other_actuators(verb, call->actuators);
+  add_from(verb, call->design.from_deg, "[the design's, or 36 to let go and D for contact]");
+  add_springs(verb, call->design);
   for (const schema::StudyEntry& study : schema::study_table()) {
     if (study.in_report) {
       verb.add_flag(fmt::format("--{}", study.name), call->studies[study.name], study.in_report);
     }
   }
+  verb.add_option("--column", call->columns,
+                  "also this number of each candidate in the table: " +
+                      fmt::format("{}", fmt::join(schema::study_functions(), ", ")) +
+                      " (again: and that one)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("NAME");
   verb.add_option("--stress", call->detail.stress_files,
                   "NAME-stress.json that `misalign stress` wrote of a sheet that can be looked at "
                   "closely: colours its panels (again: and that one)")

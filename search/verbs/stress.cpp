@@ -31,7 +31,6 @@ using solver::ElasticRow;
 struct StressCall {
   std::string path;                   // a catalogue or a pattern file
   std::optional<std::uint64_t> draw;  // of a catalogue's campaign, accepted or not
-  OtherActuators actuators;
   ReleaseCall release;
   DeckCall deck;
   StressStudyOptions options;
@@ -115,12 +114,14 @@ std::vector<solver::DeploymentRow> rigid_motion(const solver::Sheet& sheet,
 }
 
 void show_stress(StressCall& call) {
-  read_material(call.release, call.deck);
-  call.options.deck.elements = call.deck.deck.elements;
-  call.options.deck.material = call.deck.deck.material;
-  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.actuators);
-  const schema::SimulatedSheet released =
-      release(model, sheet, call.release.release, "misalign: " + chosen.name());
+  read_material(call.deck, call.release.design);
+  const auto& [chosen, model, sheet] = choose_sheet(call.path, call.draw, call.release.design);
+  const schema::DeckOptions deck = call.deck.of(model.design());
+  call.options.deck.elements = deck.elements;
+  call.options.deck.material = deck.material;
+  const ReleaseOptions how = call.release.of(model.design());
+  const schema::SimulatedSheet released = release(model, sheet, how, "misalign: " + chosen.name());
+  warn_beyond_d(sheet, how.from_deg);
   if (released.rest_deg > 0) call.options.flat_deg = 0;
   find_calculix();
   make_directory(call.directory);
@@ -176,7 +177,7 @@ Action stress_verb(CLI::App& verb) {
   auto call = std::make_shared<StressCall>();
   add_catalogue_or_pattern(verb, call->path);
   add_draw_of_catalogue(verb, call->draw);
-  add_stiffness(verb, call->actuators.stiffness_n_per_mm);
+  add_stiffness(verb, call->release.design.stiffness_n_per_mm);
   add_release(verb, call->release);
   add_deck(verb, call->deck);
   StressStudyOptions& options = call->options;

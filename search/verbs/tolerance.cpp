@@ -41,9 +41,17 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
   }
 }
 
-schema::Yield yield_of(std::uint64_t draw, const solver::Tolerance& tolerance) {
-  return {draw, tolerance.amplitude_mm, tolerance.copies.trials, tolerance.survivors(),
-          tolerance.copies.undecided};
+// From the campaign's threshold, or from the angle of use.
+schema::Yield yield_of(std::uint64_t draw, const solver::Tolerance& tolerance,
+                       double threshold_deg) {
+  schema::Yield yield{draw,
+                      tolerance.amplitude_mm,
+                      tolerance.copies.trials,
+                      tolerance.survivors(),
+                      tolerance.copies.undecided,
+                      {}};
+  if (tolerance.threshold_deg != threshold_deg) yield.from_deg = tolerance.threshold_deg;
+  return yield;
 }
 
 void print(const ToleranceCall& call, const ToleranceTargets& sheets,
@@ -77,12 +85,13 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
                  sheets.key(k).name());
   }
   call.study.progress = show_copies;
+  const schema::Campaign used = campaign_of_use(call, sheets);
   const std::vector<solver::Tolerance> tolerances =
-      study_tolerance(sheets.campaign, sheets.shifts_mm, call.study);
+      study_tolerance(used, sheets.shifts_mm, call.study);
   if (call.keep && !sheets.draws.empty()) {
     std::vector<schema::Yield> yields;
     for (std::size_t k = 0; k < tolerances.size(); ++k) {
-      yields.push_back(yield_of(sheets.draws[k], tolerances[k]));
+      yields.push_back(yield_of(sheets.draws[k], tolerances[k], sheets.campaign.threshold_deg));
     }
     const std::string why_not = keep(call, sheets.campaign, yields);
     if (!why_not.empty()) spdlog::warn("this is not kept in the catalogue: {}", why_not);
@@ -90,11 +99,27 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
   print(call, sheets, tolerances);
 }
 
+// What was typed, or else what the design says: miscuts before play.
+void take_subject(const schema::Design& design, ToleranceCall& call) {
+  if (!call.amplitude_mm && !call.backlash_mm) {
+    call.amplitude_mm = design.miscut_mm;
+    if (!call.amplitude_mm) call.backlash_mm = design.play_mm;
+  }
+  if (!call.amplitude_mm && !call.backlash_mm) {
+    throw UserError(schema::Cause::bad_request,
+                    "tolerance: against what? (neither is named, nor does the design say "
+                    "miscut_mm or play_mm); add --amplitude MM for vertices off their places, or "
+                    "--backlash MM for joints with play");
+  }
+  if (call.backlash_mm) check_backlash(call);
+}
+
 int run(ToleranceCall call) {
   call.study.set = solver::available_instruction_sets().back();
   call.study.jobs = call.jobs.value_or(usable_threads());
   // Closes the catalogue again, before the writer's lock: see WriterLock.
   const ToleranceTargets sheets = choose_sheets(call);
+  take_subject(sheets.design, call);
   if (call.backlash_mm) {
     run_backlash(call, sheets);
   } else {
@@ -103,28 +128,20 @@ int run(ToleranceCall call) {
   return 0;
 }
 
-void check_subject(const ToleranceCall& call) {
-  if (!call.amplitude_mm && !call.backlash_mm) {
-    throw UserError(schema::Cause::bad_request,
-                    "tolerance: against what? (neither is named); add --amplitude MM for vertices "
-                    "off their places, or --backlash MM for joints with play");
-  }
-  if (call.backlash_mm) check_backlash(call);
-}
-
 void add_subject(CLI::App& verb, ToleranceCall& call) {
-  auto* amplitude =
-      verb.add_option("--amplitude", call.amplitude_mm, "largest error of a vertex, mm")
-          ->check(within(0, 1e6))
-          ->type_name("MM");
+  auto* amplitude = verb.add_option("--amplitude", call.amplitude_mm,
+                                    "largest error of a vertex, mm [the design's miscut_mm]")
+                        ->check(within("miscut_mm"))
+                        ->type_name("MM");
   auto* vertices =
       verb.add_flag("--vertices", call.study.vertices,
                     "also move each vertex alone, in " + std::to_string(kMostTrialsOfOneVertex) +
                         " copies at most: which ones matter most");
   auto* backlash =
       verb.add_option("--backlash", call.backlash_mm,
-                      "radius of the ball in which each joint settles, mm, instead of miscuts")
-          ->check(within(1e-9, 1e6))
+                      "radius of the ball in which each joint settles, mm, instead of miscuts [the "
+                      "design's play_mm, where it says no miscut_mm]")
+          ->check(within("play_mm"))
           ->type_name("MM")
           ->excludes(amplitude)
           ->excludes(vertices);
@@ -145,13 +162,12 @@ Action tolerance_verb(CLI::App& verb) {
       "Every vertex, also on the perimeter, is moved by a random error, uniform on [-MM, MM]\n"
       "in x and in y. Trial t makes the same errors for every candidate of a campaign: they\n"
       "follow from the campaign's seed and t. The intervals are exact ones of 95 %.\n"
-      "  of a candidate   a copy deploys if it reaches the campaign's threshold. The yield\n"
-      "                   is kept in the catalogue unless one from as many trials or more\n"
-      "                   with this amplitude is there: see `misalign query FILE yields`, and "
-      "column\n"
-      "                   yield of `export --by` and `--where`\n"
+      "  of a candidate   a copy deploys if it reaches --from. The yield is kept in the catalogue\n"
+      "                   unless one from as many trials or more with this amplitude and from\n"
+      "                   this angle is there: see `misalign query FILE yields`, and, of the\n"
+      "                   campaign's threshold, column yield of `export --by` and `--where`\n"
       "  of a pattern     (a file, or an exported candidate) a copy deploys if it reaches\n"
-      "                   the sheet's own D; the errors are those of seed 1; nothing is kept\n"
+      "                   --from; the errors are those of seed 1; nothing is kept\n"
       "`misalign query FILE tolerant` lists the candidates that miscuts should harm least.\n\n"
       "With --backlash the sheet is cut well and its joints have play: in each trial both ends of\n"
       "every hinge and every ball joint are off by something in a ball of that radius, and stay\n"
@@ -162,7 +178,7 @@ Action tolerance_verb(CLI::App& verb) {
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db 1234 --amplitude 0.05 --vertices\n"
       "  misalign tolerance results/miura-6x6-1a2b3c4d.db --best 50 --by miscut_margin_mm \\\n"
       "    --amplitude 0.05\n"
-      "  misalign tolerance search/patterns/table1.json --amplitude 0.05\n"
+      "  misalign tolerance search/patterns/table1.json --amplitude 0.05 --from 140\n"
       "  misalign tolerance search/patterns/table1.json --backlash 0.01 --backlash-from 30");
   auto call = std::make_shared<ToleranceCall>();
   ToleranceOptions& study = call->study;
@@ -174,6 +190,7 @@ Action tolerance_verb(CLI::App& verb) {
   const ChoiceOptions chosen = add_choice(verb, *group, call->choice);
   for (CLI::Option* other : {chosen.best, chosen.diverse, chosen.where}) draws->excludes(other);
   add_subject(verb, *call);
+  add_from(verb, call->from_deg, "[the design's, or the campaign's threshold, or a pattern's D]");
   verb.add_option("--trials", study.trials,
                   "how many copies, or how often the joints settle anew [1000]")
       ->check(counted(1, 100000000))
@@ -192,7 +209,6 @@ Action tolerance_verb(CLI::App& verb) {
       }
     }
     check_by(call->choice);
-    check_subject(*call);
     return run(*call);
   };
 }

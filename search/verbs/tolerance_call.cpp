@@ -2,6 +2,7 @@
 
 #include "schema/catalogue/catalogue_state.hpp"
 #include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
 
@@ -17,7 +18,9 @@ ToleranceTargets sheets_of_catalogue(const ToleranceCall& call) {
                     "tolerance: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K or --where SQL");
   }
-  ToleranceTargets sheets{schema::read_campaign_of(*database, call.path), {}, {}, ""};
+  ToleranceTargets sheets{schema::read_campaign_of(*database, call.path), {}, {}, {}, ""};
+  sheets.design = sheets.campaign.design;
+  add_study_functions(*database, sheets.campaign);
   sheets.draws = chosen_draws(*database, call.choice);
   for (const std::uint64_t draw : sheets.draws) {
     sheets.shifts_mm.push_back(shifts_of_number(*database, sheets.campaign, draw));
@@ -29,13 +32,8 @@ ToleranceTargets sheets_of_catalogue(const ToleranceCall& call) {
 // default one: an exported candidate does not say its campaign's.
 ToleranceTargets sheet_of_file(const ToleranceCall& call) {
   const ChosenSheet chosen = sheet_of_pattern_file(call.path);
-  ToleranceTargets sheets{{}, {chosen.shifts_mm}, {}, chosen.pattern};
-  schema::Campaign& campaign = sheets.campaign;
-  campaign.pattern = chosen.base;
-  campaign.sample_deg = chosen.sampling.sample_deg;
-  campaign.end_deg = chosen.sampling.end_deg;
-  campaign.between_samples = chosen.sampling.between_samples;
-  campaign.threshold_deg = campaign.sample_deg;
+  ToleranceTargets sheets{{}, chosen.design, {chosen.shifts_mm}, {}, chosen.pattern};
+  schema::Campaign& campaign = sheets.campaign = chosen.as_campaign();
   ToleranceOptions itself = call.study;
   itself.trials = 0;
   itself.vertices = false;
@@ -53,6 +51,13 @@ ToleranceTargets sheet_of_file(const ToleranceCall& call) {
 }
 
 }  // namespace
+
+schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTargets& sheets) {
+  const auto from_deg = call.from_deg ? call.from_deg : sheets.design.from_deg;
+  if (!from_deg) return sheets.campaign;
+  return used_from(sheets.campaign, *from_deg, sheets.shifts_mm, call.study,
+                   [&](std::size_t k) { return sheets.key(k).name(); });
+}
 
 ToleranceTargets choose_sheets(const ToleranceCall& call) {
   return is_pattern_file(call.path) ? sheet_of_file(call) : sheets_of_catalogue(call);

@@ -17,7 +17,8 @@ struct ToleranceCall {
   std::string path;
   Choice choice;
   ToleranceOptions study;
-  std::optional<double> amplitude_mm, backlash_mm;
+  std::optional<double> amplitude_mm, backlash_mm;  // or the design's miscut_mm and play_mm
+  std::optional<double> from_deg;                   // or the design's
   solver::BacklashOptions backlash;
   std::optional<int> jobs;
   bool keep = true, json = false;
@@ -25,7 +26,8 @@ struct ToleranceCall {
 
 /// The candidates that are chosen of a catalogue, or the one sheet of a pattern file.
 struct ToleranceTargets {
-  schema::Campaign campaign;
+  schema::Campaign campaign;  // with its own threshold
+  schema::Design design;      // the file's
   std::vector<Eigen::Matrix2Xd> shifts_mm;
   std::vector<std::uint64_t> draws;  // one for each sheet; none of a pattern
   std::string pattern;               // its name
@@ -37,6 +39,10 @@ struct ToleranceTargets {
 
 /// Those that are asked about. UserError (2, 3) with one sentence.
 ToleranceTargets choose_sheets(const ToleranceCall& call);
+
+/// The same campaign, from whose threshold copies are to deploy: the angle of use if one is said.
+/// UserError (2) where that is no sample, or lies beyond D of a sheet.
+schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTargets& sheets);
 
 /// Whether one that was named is an answer of its own; what a choice finds is a list.
 bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);

@@ -37,6 +37,11 @@ CLI::Validator within(double least, double most) {
       "");
 }
 
+CLI::Validator within(std::string_view design_key) {
+  const auto [least, most] = schema::design_bounds(design_key);
+  return within(least, most);
+}
+
 CLI::Validator a_share(double least, double most) {
   const CLI::Validator number = within(least, most);
   return CLI::Validator(

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace misalign::search {
 
 /// A number within bounds, which NaN is not.
 CLI::Validator within(double least, double most);
+/// A number within the bounds of a key of the design block.
+CLI::Validator within(std::string_view design_key);
 
 /// A share of one within bounds; what was meant as percent is told from it.
 CLI::Validator a_share(double least, double most);

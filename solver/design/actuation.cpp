@@ -1,6 +1,7 @@
 #include "solver/design/actuation.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,13 +15,30 @@ using Eigen::Index;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Rows of the actuation that are samples from 5 degrees to D.
-std::vector<Index> judged_rows(const FoldingHistory& history) {
+// The row of the actuation at the angle of use.
+Index row_of_use(const Sheet& sheet, std::optional<double> from_deg) {
+  if (!from_deg) return sheet.rows_up_to_d();
+  constexpr double kSameAngle_deg = 1e-9;  // as plan_path takes two angles for one
+  const std::vector<Station>& stations = sheet.history().stations;
+  const auto at = std::ranges::find_if(stations, [&](const Station& station) {
+    return std::abs(station.pilot_deg - *from_deg) <= kSameAngle_deg;
+  });
+  assert(at != stations.end());
+  return at - stations.begin() + 1;
+}
+
+// Rows of the actuation that are samples up to the angle of use, and that itself.
+bool is_used(const FoldingHistory& history, const Actuation& actuation, std::size_t station) {
+  const auto row = static_cast<Index>(station) + 1;
+  if (row > actuation.from_row) return false;
+  const int sample = history.stations[station].sample;
+  return row == actuation.from_row || (sample > 0 && sample <= history.verdict.deploys_from_sample);
+}
+
+std::vector<Index> judged_rows(const FoldingHistory& history, const Actuation& actuation) {
   std::vector<Index> rows;
   for (std::size_t i = 0; i < history.stations.size(); ++i) {
-    const Station& station = history.stations[i];
-    if (station.sample > 0 && station.sample <= history.verdict.deploys_from_sample &&
-        station.pilot_deg >= kSlopeFrom_deg) {
+    if (is_used(history, actuation, i) && history.stations[i].pilot_deg >= kSlopeFrom_deg) {
       rows.push_back(static_cast<Index>(i) + 1);
     }
   }
@@ -28,7 +46,7 @@ std::vector<Index> judged_rows(const FoldingHistory& history) {
 }
 
 void find_weakest(const FoldingHistory& history, Actuation& actuation) {
-  const std::vector<Index> rows = judged_rows(history);
+  const std::vector<Index> rows = judged_rows(history, actuation);
   for (const Index row : rows) {
     const double moment = actuation.moment_n_mm[row];
     if (!actuation.weakest || std::abs(moment) < std::abs(actuation.weakest->moment_n_mm)) {
@@ -44,8 +62,7 @@ void find_over_stroke(const FoldingHistory& history, Actuation& actuation) {
   const std::optional<double> limit = actuation.actuators.stroke_limit;
   if (!limit) return;
   for (Index row = 0; row < history.length_mm.rows(); ++row) {
-    const int sample = history.stations[row].sample;
-    if (sample == 0 || sample > history.verdict.deploys_from_sample) continue;
+    if (!is_used(history, actuation, static_cast<std::size_t>(row))) continue;
     for (Index d = 0; d < history.length_mm.cols(); ++d) {
       const double flat_mm = history.flat_mm[d];
       if (std::abs(history.length_mm(row, d) - flat_mm) <= *limit * flat_mm) continue;
@@ -69,11 +86,12 @@ double advantage(const FoldingHistory& history, Index row, double span_mm_per_de
 
 }  // namespace
 
-Actuation actuate(const Sheet& sheet, const Actuators& actuators) {
+Actuation actuate(const Sheet& sheet, const Actuators& actuators, std::optional<double> from_deg) {
   const FoldingHistory& history = sheet.history();
   const Index stations = history.length_mm.rows(), diagonals = history.length_mm.cols();
   const double k = actuators.stiffness_n_per_mm;
-  Actuation actuation{actuators, {0}, {}, {}, {0}, {0}, {kNone}, {}, {}, {}};
+  Actuation actuation{
+      actuators, from_deg, row_of_use(sheet, from_deg), {0}, {}, {}, {0}, {0}, {kNone}, {}, {}, {}};
   actuation.force_n.setZero(stations + 1, diagonals);
   actuation.moment_by_n_mm.setZero(stations + 1, diagonals);
   const Eigen::RowVectorXd flat_mm = Eigen::RowVectorXd::Map(history.flat_mm.data(), diagonals);

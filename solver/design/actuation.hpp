@@ -19,6 +19,8 @@ inline constexpr double kShareOfFew = 0.5;
 /// dE is dE / d(pilot angle in radians). Forces are related by virtual work.
 struct Actuation {
   Actuators actuators;
+  std::optional<double> from_deg;  ///< as asked
+  Eigen::Index from_row = 0;       ///< of the angle of use: that, or D; 0 where it is nothing
   std::vector<double> pilot_deg;
   Eigen::MatrixXd force_n;          ///< k (L - L0): positive where the spring pulls
   Eigen::MatrixXd moment_by_n_mm;   ///< k (L - L0) dL/d(pilot): what each adds to the moment
@@ -32,17 +34,20 @@ struct Actuation {
   struct Weakest {
     double pilot_deg, moment_n_mm;
   };
-  /// The least |moment| at the samples from 5 degrees (kSlopeFrom_deg) to D; none if D lies below.
+  /// The least |moment| at the samples from 5 degrees (kSlopeFrom_deg) to the angle of use; none if
+  /// that lies below.
   std::optional<Weakest> weakest;
   /// The fewest diagonals that keep half of that; none also where the moment turns round.
   std::optional<FewDiagonals> few;
   struct OverStroke {
-    double from_deg;             ///< the first sample up to D where one exceeds the limit
-    std::vector<int> diagonals;  ///< all that do, up to D
+    double from_deg;             ///< the first sample up to there where one exceeds the limit
+    std::vector<int> diagonals;  ///< all that do, up to there
   };
   std::optional<OverStroke> over_stroke;
 };
 
-Actuation actuate(const Sheet& sheet, const Actuators& actuators);
+/// Used from `from_deg`, a station of the sheet's history not beyond D; none: from D.
+Actuation actuate(const Sheet& sheet, const Actuators& actuators,
+                  std::optional<double> from_deg = {});
 
 }  // namespace misalign::solver

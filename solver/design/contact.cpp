@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
+#include "solver/design/angle_of_use.hpp"
+
 namespace misalign::solver {
 
 Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options) {
   const double largest_mm = largest_trim_mm(sheet.panels(), sheet.vertices_mm());
+  if (options.from_deg) {
+    if (auto fault = beyond_d(sheet, *options.from_deg)) return *fault;
+  }
   ContactStudy study;
   study.trim_mm = options.trim_mm.value_or(kTrimPart * sheet.mechanism().panel_width_mm);
   if (!(study.trim_mm < largest_mm)) {
@@ -28,7 +33,8 @@ Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options)
     study.pilot_deg.push_back(pilot_deg);
     study.clearances.push_back(finder.clearance(way.x_of(pilot_deg)));
   }
-  study.reach_deg = std::min(study.deploys_from_deg, last_deg);
+  study.used_from_deg = options.from_deg.value_or(study.deploys_from_deg);
+  study.reach_deg = std::min(study.used_from_deg, last_deg);
   if (study.reach_deg > 0) {
     study.thickness =
         largest_thickness(sheet.panels(), *motion, way.x_of(study.reach_deg), {study.trim_mm});

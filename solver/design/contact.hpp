@@ -17,13 +17,16 @@ inline constexpr double kTrimPart = 1.0 / 16;
 inline constexpr double kClearanceStep_deg = 1;
 
 struct ContactOptions {
-  std::optional<double> trim_mm;  ///< of corners; none: kTrimPart of the panel width
+  std::optional<double> trim_mm = {};  ///< of corners; none: kTrimPart of the panel width
+  /// The plates are to fold from flat up to this pilot angle; none: up to D.
+  std::optional<double> from_deg = {};
 };
 
 struct ContactStudy {
   double deploys_from_deg = 0, end_deg = 0;
   double known_until_deg = 0;  ///< as far as the motion is resolved
-  double reach_deg = 0;        ///< D, or the first contact where that comes before
+  double used_from_deg = 0;    ///< as asked; D where nothing was
+  double reach_deg = 0;        ///< that, or the first contact where it comes before
   double trim_mm = 0;
   std::optional<Contact> first;
   std::vector<double> pilot_deg;
@@ -31,7 +34,7 @@ struct ContactStudy {
   std::optional<PlateThickness> thickness;  ///< none where the sheet deploys from nothing
 };
 
-/// Faults: trim_mm leaves nothing of an edge.
+/// Faults: from_deg lies beyond D; trim_mm leaves nothing of an edge.
 Studied<ContactStudy> contact(const Sheet& sheet, const ContactOptions& options = {});
 
 }  // namespace misalign::solver

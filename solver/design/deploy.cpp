@@ -146,6 +146,17 @@ Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& o
   return from;
 }
 
+Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options) {
+  const Studied<DeployOptions> fitted = fitted_release(sheet, options);
+  if (fitted.fault) return *fitted.fault;
+  if (!fitted.study) return {};
+  const FoldingWay& way = *sheet.way();
+  const double from_deg = fitted.study->motion.from_deg;
+  const DeployingSheet deploying(way, sheet.model().shape(), sheet.model().base(), options.sheet);
+  return Standstill{from_deg, deploying.at(way.x_of(from_deg)).springs_n_mm,
+                    find_friction_limits(deploying, from_deg)};
+}
+
 Studied<DeploymentStudy> deploy(const Sheet& sheet, const DeployOptions& options) {
   if constexpr (!has("SUNDIALS")) return {};
   const Studied<DeployOptions> fitted = fitted_release(sheet, options);

@@ -40,6 +40,12 @@ struct DeploymentStudy {
   std::optional<double> barrier_n_mm() const;
 };
 
+/// What holds at its start, and no motion is needed for.
+struct Standstill {
+  double from_deg, springs_n_mm;  ///< where it is let go, and the energy of the springs there
+  FrictionLimits friction;
+};
+
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
@@ -58,6 +64,8 @@ std::optional<double> critical_friction_in_motion(const FoldingWay& way, const M
 /// other angles do, and springs can have their preload: what studies of a release begin with.
 /// Nothing where its path is lost.
 Studied<DeployOptions> fitted_release(const Sheet& sheet, const DeployOptions& options);
+/// The same without the motion, and so at a tenth of the cost. Faults as those of deploy().
+Studied<Standstill> standstill(const Sheet& sheet, const DeployOptions& options = {});
 
 /// Lets a sheet go. Faults: the start, or an angle at which springs or creases are relaxed, does
 /// not lie on its way. With damping the critical friction is the one in motion. Nothing also where

@@ -46,7 +46,11 @@ class Words(unittest.TestCase):
         from misalign import _misalign
         with open(PACKAGE / "misalign/_misalign.pyi", encoding="utf-8") as file:
             stub = file.read()
+        whole = stub
         for thing in (_misalign, _misalign.Sheet, _misalign.Catalogue):
+            # A class has its own part; a function of the module may have the name of a method.
+            stub = whole.partition(f"class {thing.__name__}:")[2].partition("\n\n")[0] if inspect.isclass(thing) else (
+                "\n".join(line for line in whole.splitlines() if not line.startswith(" ")))
             for name, value in vars(thing).items():
                 if (name.startswith("_") and name not in ("__version__", "_use_error")):
                     continue

@@ -28,8 +28,10 @@ TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
   std::set<std::string> schema_keys;
   const std::set<std::string> required = {"/pattern/family", "/pattern/rows", "/pattern/columns"};
   // Of the other family, or left out where the usual is meant.
-  const std::set<std::string> not_in_default = {"/pattern/file", "/pattern/mesh",
-                                                "/pattern/mm_per_unit", "/pattern/pilot"};
+  const std::set<std::string> not_in_default = {
+      "/pattern/file", "/pattern/mesh", "/pattern/mm_per_unit", "/pattern/pilot",
+      // The older name of design.springs.
+      "/actuators", "/actuators/stiffness_n_per_mm", "/actuators/stroke_limit"};
   for (const auto& [at, property] : properties) {
     if (not_in_default.contains(at)) continue;
     schema_keys.insert(at);
@@ -170,6 +172,31 @@ constexpr Mutation kRefused[] = {
     {"/actuators/stiffness_n_per_mm", "1000000001"},
     {"/actuators/stroke_limit", "0"},
     {"/actuators/stroke_limit", "8"},
+    {"/design/extra", "1"},
+    {"/design/from_deg", "0"},
+    {"/design/from_deg", "181"},
+    {"/design/springs/extra", "1"},
+    {"/design/springs/stiffness_n_per_mm", "0"},
+    {"/design/springs/stiffness_n_per_mm", "1000000001"},
+    {"/design/springs/stroke_limit", "0"},
+    {"/design/springs/stroke_limit", "8"},
+    {"/design/hinges/extra", "1"},
+    {"/design/hinges/friction_n_mm_per_mm", "-0.1"},
+    {"/design/hinges/stiffness_n_mm_per_mm", "1000000001"},
+    {"/design/hinges/kind", "\"glue\""},
+    {"/design/thickness_mm", "0.0009"},
+    {"/design/thickness_mm", "101"},
+    {"/design/material", R"({"e_gpa": 0})"},
+    {"/design/material", R"({"poisson": 0.5})"},
+    {"/design/material", R"({"E_gpa": 70})"},
+    {"/design/miscut_mm", "-1"},
+    {"/design/play_mm", "0"},
+    {"/design/hold", "[0]"},
+    {"/design/hold", "[0, -1]"},
+    {"/design/hold", "[0, 0.5]"},
+    {"/design/gravity", "[0, 0]"},
+    {"/design/gravity", "[0, 0, 1001]"},
+    {"/design/gravity", "[0, 0, \"down\"]"},
 };
 
 void expect_refused_by_both(const Json& schema, const Json& value, const std::string& key) {
@@ -198,8 +225,11 @@ TEST(CampaignSchema, RefusesEveryWrongType) {
     if (!value.is_object()) wrong.push_back(Json::object({{"a", 1}}));
     if (!value.is_string()) wrong.push_back("text");
     if (value.is_string() || value.is_object() || value.is_boolean()) wrong.push_back(7);
-    const bool may_be_null =
-        key.find("stop.") == 0 || key.find("accept.stop") == 0 || key == "actuators.stroke_limit";
+    static const std::set<std::string> kNumbersOfDesign = {
+        "design.springs", "design.springs.stiffness_n_per_mm", "design.hinges",
+        "design.hinges.friction_n_mm_per_mm", "design.hinges.stiffness_n_mm_per_mm"};
+    const bool may_be_null = key.find("stop.") == 0 || key.find("accept.stop") == 0 ||
+                             (key.find("design.") == 0 && !kNumbersOfDesign.contains(key));
     if (!may_be_null) wrong.push_back(nullptr);
     for (const Json& other : wrong) {
       expect_refused_by_both(schema, at.empty() ? other : with(good, at.to_string(), other), key);
@@ -262,6 +292,20 @@ constexpr Mutation kAccepted[] = {
     {"/actuators/stroke_limit", "0.08"},
     {"/actuators/stroke_limit", "1"},
     {"/certify", "true"},
+    {"/design", "{}"},
+    {"/design/from_deg", "0.01"},
+    {"/design/from_deg", "180"},
+    {"/design/springs", "{}"},
+    {"/design/springs/stroke_limit", "0.08"},
+    {"/design/hinges", R"({"friction_n_mm_per_mm": 0.02, "kind": "cut"})"},
+    {"/design/hinges/kind", "null"},
+    {"/design/thickness_mm", "100"},
+    {"/design/material", R"({"name": "birch", "e_gpa": 12, "density_g_per_cm3": 0.68})"},
+    {"/design/material", "{}"},
+    {"/design/miscut_mm", "0"},
+    {"/design/play_mm", "1e-9"},
+    {"/design/hold", "[0, 3]"},
+    {"/design/gravity", "[0, 0, -1]"},
     // Ends of ranges that need more than one key changed; the pointer "" is the whole document.
     {"", R"({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "path": {"sample_deg": 60},
              "accept": {"deploys_from_deg": 180}})"},

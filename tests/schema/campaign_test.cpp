@@ -61,6 +61,7 @@ TEST(Identity, DoesNotDependOnHowTheCampaignIsWritten) {
       R"({"stop": {"draws": 5, "accepted": 7, "wall_s": 1.5}})",
       R"({"stop": {"draws": null}})",
       R"({"actuators": {"stiffness_n_per_mm": 3, "stroke_limit": 0.08}})",
+      R"({"design": {"from_deg": 140, "springs": {"stiffness_n_per_mm": 2}, "miscut_mm": 0.05}})",
       R"({"certify": true})",
       R"({"misalignment": {"amplitude_mm": 0.4, "levels": "ternary", "vertices": "interior"}})",
       R"({"path": {"sample_deg": 1.0, "end_deg": 180}, "accept": {"deploys_from_deg": 170.0}})",
@@ -168,6 +169,7 @@ TEST(CampaignJson, RoundTripGivesTheSameCampaign) {
       R"({"accept": {"between_samples": "exact"}})",
       R"({"accept": {"stops_at_deg": 60, "stop_stiffness_mm2_per_rad2": 5}})",
       R"({"stop": {"draws": 9223372036854775807, "accepted": 0, "wall_s": null}})",
+      R"({"design": {"from_deg": 140, "springs": {"stiffness_n_per_mm": 2}, "miscut_mm": 0.05}})",
       R"({"certify": true})",
   };
   for (const char* patch : kCampaigns) {

@@ -1,5 +1,5 @@
 // material.schema.json and read_material_file accept and refuse the same files.
-#include "schema/exchange/material.hpp"
+#include "schema/pattern/material.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema_agreement.hpp"
 #include "tests/folder.hpp"

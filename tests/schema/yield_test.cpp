@@ -52,6 +52,60 @@ TEST_F(YieldTest, MoreTrialsReplaceFewer) {
   EXPECT_TRUE(check_ledger(*open_for_reading(path()), campaign_).empty());
 }
 
+// Those from another angle are rows of their own, and not the column `yield`.
+TEST_F(YieldTest, FromAnotherAngleAreOthers) {
+  const Yield threshold{5, 0.05, 100, 90, 2}, mine{5, 0.05, 100, 99, 0, 40.5},
+      more{5, 0.05, 200, 150, 0, 40.5};
+  keep({threshold, mine});
+  EXPECT_EQ(kept(5), (std::vector{mine, threshold}));
+  keep({more});
+  EXPECT_EQ(kept(5), (std::vector{more, threshold}));
+  const auto database = open_for_reading(path());
+  EXPECT_EQ(database->execAndGet("SELECT yield FROM candidates WHERE draw = 5").getDouble(),
+            90. / 98);
+  EXPECT_EQ(database->execAndGet("SELECT max(from_deg) FROM yields").getDouble(),
+            campaign_.threshold_deg);
+  EXPECT_FALSE(yield_json(threshold).contains("from_deg"));
+  EXPECT_EQ(yield_json(mine)["from_deg"], 40.5);
+  EXPECT_TRUE(check_yields(*database).empty());
+  // As a merge takes them.
+  {
+    Catalogue other = open("b.db");
+    other.begin_run(kRun, {{0, kEndOfDraws}, 4096, {}});
+    other.commit({unit(0, 4096)});
+    other.end_run("complete");
+  }
+  SQLite::Database into(path("b.db"), SQLite::OPEN_READWRITE);
+  copy_yields(*database, into);
+  EXPECT_EQ(kept(5, "b.db"), (std::vector{more, threshold}));
+}
+
+// Yields of version 7 are those of the threshold: as they are read, and once they are brought up to
+// date.
+TEST_F(YieldTest, OlderOnesAreOfTheThreshold) {
+  std::filesystem::copy_file(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7.db",
+                             path("old.db"));
+  const int draw =
+      SQLite::Database(path("old.db")).execAndGet("SELECT min(draw) FROM candidate").getInt();
+  SQLite::Database(path("old.db"), SQLite::OPEN_READWRITE)
+      .exec("INSERT INTO yield VALUES (" + std::to_string(draw) +
+            ", 0.05, 40, 30, 0, 0.75, 0.5, 0.9, 'none', '2026')");
+  const auto expect_there = [&] {
+    const auto database = open_for_reading(path("old.db"));
+    const Yield yield{static_cast<std::uint64_t>(draw), 0.05, 40, 30, 0};
+    EXPECT_EQ(read_yields(*database, yield.draw), std::vector{yield});
+    EXPECT_EQ(database->execAndGet("SELECT from_deg FROM yields").getDouble(), 150);
+    EXPECT_EQ(database->execAndGet("SELECT max(yield) FROM candidates").getDouble(), 0.75);
+  };
+  expect_there();
+  const Campaign its = read_campaign_of(*open_for_reading(path("old.db")), "old.db");
+  const solver::PerforatedSheet& base = its.pattern.base;
+  Catalogue(path("old.db"), its, solver::build_mechanism(base.sheet, base.holes, base.folding))
+      .close();
+  EXPECT_EQ(version_of(*open_for_reading(path("old.db"))), kSchemaVersion);
+  expect_there();
+}
+
 // Whoever keeps something in a catalogue that went away meanwhile makes no empty one in its place.
 TEST_F(YieldTest, WhatIsGoneIsSaid) {
   {

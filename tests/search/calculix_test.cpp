@@ -69,7 +69,7 @@ class Calculix : public testing::Test {
  protected:
   Calculix()
       : chosen_(sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
-        model_(chosen_.base, chosen_.sampling, chosen_.actuators),
+        model_(chosen_.base, chosen_.sampling, chosen_.design),
         folded_(model_.sheet(chosen_.shifts_mm, "table1")),
         actuation_(solver::actuate(folded_, model_.actuators())),
         sheet_(release(model_, folded_, {}, "Table 1")) {}

@@ -168,7 +168,7 @@ TEST_F(CostlyChoice, LeavesTheRestOfAQueryAlone) {
   }
 }
 
-// What is no column: which one may be meant. D is the manual's own word.
+// What is no column: which one may be meant.
 TEST_F(CostlyChoice, SaysWhichColumnMayBeMeant) {
   const auto said = [&](const Choice& choice) -> std::string {
     try {
@@ -179,8 +179,11 @@ TEST_F(CostlyChoice, SaysWhichColumnMayBeMeant) {
     }
     return "";
   };
-  for (const auto& [typed, meant] : std::vector<std::pair<std::string, std::string>>{
-           {"D", "deploys_from_deg"}, {"stroke_mx", "stroke_max"}, {"strok", "stroke_max"}}) {
+  for (const auto& [typed, meant] :
+       std::vector<std::pair<std::string, std::string>>{{"deploys_from", "deploys_from_deg"},
+                                                        {"stroke_mx", "stroke_max"},
+                                                        {"strok", "stroke_max"},
+                                                        {"thicknes_mm", "thickness_mm"}}) {
     Choice where, by;
     where.where = typed + " > 145";
     by.best = 1;

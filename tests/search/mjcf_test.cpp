@@ -26,7 +26,7 @@ class Table1 {
  public:
   Table1()
       : sheet_(sheet_of_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json")),
-        model_(sheet_.base, sheet_.sampling, sheet_.actuators),
+        model_(sheet_.base, sheet_.sampling, sheet_.design),
         folded_(model_.sheet(sheet_.shifts_mm, "table1")),
         actuation_(solver::actuate(folded_, model_.actuators())) {}
   SimulatedSheet released(const ReleaseOptions& options = {}) const {
@@ -155,17 +155,17 @@ TEST(Mujoco, StaysWhereSpringsAreRelaxed) {
 TEST(Mujoco, DeploysAsDeployDoes) {
   schema::Campaign campaign =
       schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/miura-4x4.json");
-  campaign.actuators.stiffness_n_per_mm = 1000;  // it takes a quarter of the time
+  campaign.design.stiffness_n_per_mm = 1000;  // it takes a quarter of the time
   FoldingModel model(campaign);
   const solver::Sheet folded = model.sheet(shifts_of_draw(campaign, 1112));
   const SimulatedSheet sheet = release(model, folded, {}, "a sheet");
   solver::DeployOptions springs;
-  springs.sheet.springs.stiffness_n_per_mm = campaign.actuators.stiffness_n_per_mm;
+  springs.sheet.springs.stiffness_n_per_mm = campaign.design.actuators().stiffness_n_per_mm;
   const solver::Deployment rigid = deployed(folded, springs).run;
   ASSERT_EQ(rigid.outcome, solver::Outcome::passed_flat);
   EXPECT_LT(largest_difference(sheet, rigid.rows, false), 1e-4);
-  const double critical =
-      critical_by_energy(sheet, folded.history(), solver::actuate(folded, campaign.actuators));
+  const double critical = critical_by_energy(sheet, folded.history(),
+                                             solver::actuate(folded, campaign.design.actuators()));
   MujocoRun less = load(sheet, 0.99 * critical), more = load(sheet, 1.01 * critical);
   EXPECT_TRUE(gets_flat(less, rigid.last().time_s));
   EXPECT_FALSE(gets_flat(more, rigid.last().time_s));

@@ -89,7 +89,7 @@ TEST(PlateStl, IsClosedInEveryState) {
   options.format = ExportFormat::stl;
   options.step_deg = 60;
   options.release.plates.thickness_mm = 0.3;
-  FoldingModel model(sheet.base, sheet.sampling, sheet.actuators, options.look_deg());
+  FoldingModel model(sheet.base, sheet.sampling, sheet.design, options.look_deg());
   ExportFiles(model, options).write(model.sheet(sheet.shifts_mm), {"sheet", "a sheet"}, {});
   std::map<std::string, double> volumes_mm3;
   int files = 0;

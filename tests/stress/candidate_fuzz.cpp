@@ -37,8 +37,8 @@ std::vector<Json> candidates() {
       const solver::Sheet sheet = model.sheet(search::shifts_of_draw(campaign, draw));
       const FoldingView view(campaign.pattern, sheet);
       Json candidate = folded_pattern_json(
-          model.sampling(), view, actuation_json(view, solver::actuate(sheet, campaign.actuators)),
-          Json());
+          model.sampling(), view,
+          actuation_json(view, solver::actuate(sheet, campaign.design.actuators())), Json());
       candidate.update(origin_json(campaign, draw, Json::array()));
       all.push_back(candidate);
       candidate.erase("pattern");

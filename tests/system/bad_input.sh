@@ -114,7 +114,7 @@ refused 3 "mesh.fold: cannot be opened" fold ../p.json
 # Simulators.
 table1=$source_dir/search/patterns/table1.json
 refused 2 "fold limit at 156.34" export "$table1" --format mjcf --from 157 --output o
-refused 2 "has no meaning without --format mjcf" export "$table1" --from 30 --output o
+refused 2 "has no meaning without --format json" export "$table1" --format csv --from 30 --output o
 refused 2 "has no meaning without --format inp" export "$table1" --format mjcf --mesh 2 --output o
 refused 2 "is not a number from" export "$table1" --format mjcf --friction -1 --output o
 refused 2 "is not a whole number from 2" export "$table1" --format inp --mesh 1 --output o

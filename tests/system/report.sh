@@ -101,7 +101,7 @@ refuse() {  # CODE SENTENCE OPTION...
   [ -e refused.html ] && fail "report $* leaves a file"
 }
 refuse 2 "is no condition" --where "strok < 1"
-refuse 2 "did you mean deploys_from_deg?" --where "D > 145"
+refuse 2 "did you mean deploys_from_deg?" --where "deploys_from > 145"
 refuse 2 "no such candidate" --where "stroke_max < 0"
 refuse 2 "no meaning without" --by stroke_min
 refuse 2 "250001 rows would be a page that browsers hardly show (at most 250000" --rows 250001

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -11,9 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from misalign import _misalign
+from misalign._arrays import arrays
 from misalign._campaign import Campaign
 from misalign._error import Error
 from misalign._folding import Folding
+from misalign._pattern import Pattern
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
@@ -26,20 +29,6 @@ def _frame(columns: dict[str, Any]) -> pandas.DataFrame:
         raise Error("pandas is not there, which tables are made with (a package of its own); install it, such as "
                     "python3-pandas of Debian") from error
     return pandas.DataFrame(columns)
-
-
-def _arrays(said: Any) -> Any:
-    """JSON with its lists of numbers as arrays, where null is NaN."""
-    if isinstance(said, dict):
-        return {name: _arrays(value) for name, value in said.items()}
-    if not isinstance(said, list):
-        return said
-    values = [_arrays(value) for value in said]
-    if values and all(isinstance(value, int) and not isinstance(value, bool) for value in values):
-        return np.array(values, dtype=np.int64)
-    if values and all(value is None or isinstance(value, (int, float)) for value in values):
-        return np.array(values, dtype=np.float64)
-    return values
 
 
 def _reopened(kind: type[Catalogue], path: str, identity: str) -> Catalogue:
@@ -95,13 +84,16 @@ class Catalogue:
             raise Error(f"{self.path}: is closed; open it again with misalign.Catalogue", 2)
         return self._catalogue
 
-    def candidates(self, where: str | None = None, by: str | None = None,
-                   limit: int | None = None) -> pandas.DataFrame:
+    def candidates(self, where: str | None = None, by: str | None = None, limit: int | None = None,
+                   columns: Iterable[str] = ()) -> pandas.DataFrame:
         """The view `candidates`, with a row for each accepted draw, the best first.
 
-        `where`  SQL condition on its columns
-        `by`     column that says what is best, the largest first; else the order of the query `best`
-        `limit`  at most so many
+        `where`    SQL condition on its columns, and on functions of sheets, such as "thickness_mm > 0.5"
+        `by`       column or function that says what is best, the largest first; else the order of the query `best`
+        `limit`    at most so many
+        `columns`  functions that the table has besides: "thickness_mm", or "thickness_mm(draw, 140)"
+
+        Functions are found on all cores, with the campaign's design (`misalign query --help` lists them).
 
         Columns are those of `schema/catalogue.sql`; what is NULL is NaN.
 
@@ -109,8 +101,11 @@ class Catalogue:
         >>> table = catalogue.candidates(where="stroke_max < 0.05", by="miscut_margin_mm", limit=10)
         >>> bool(table.miscut_margin_mm.is_monotonic_decreasing)
         True
+        >>> stiff = catalogue.candidates("D > 160 AND shifted_vertices < 5", limit=3, columns=["energy_n_mm(draw, 140)"])
+        >>> bool((stiff["energy_n_mm(draw, 140)"] > 0).all())
+        True
         """
-        return _frame(self._opened().candidates(where or "", by, limit))
+        return _frame(self._opened().candidates(where or "", by, limit, list(columns)))
 
     def query(self, name_or_sql: str = "best") -> pandas.DataFrame:
         """Rows of a named query (`schema/queries/README.md`), or of any SELECT.
@@ -156,6 +151,16 @@ class Catalogue:
         """
         return Folding(self._opened().replay(draw, stations))
 
+    def pattern(self, draw: int) -> Pattern:
+        """The sheet of a draw, with the campaign's sampling and design: what `misalign export` writes of it.
+
+        >>> catalogue = misalign.Catalogue("miura-4x4.db")
+        >>> sheet = catalogue.pattern(int(catalogue.candidates(limit=1).draw[0]))
+        >>> sheet.fold().deploys_from_deg >= catalogue.campaign.threshold_deg
+        True
+        """
+        return Pattern(self._opened().pattern(draw))
+
     def springs(self, draw: int) -> dict[str, Any]:
         """Springs on the diagonals of a draw: what `misalign actuators --json` says, its lists of numbers as arrays.
 
@@ -167,15 +172,17 @@ class Catalogue:
         >>> springs["history"]["energy_n_mm"].shape
         (181,)
         """
-        said: dict[str, Any] = _arrays(json.loads(self._opened().springs(draw)))
+        said: dict[str, Any] = arrays(json.loads(self._opened().springs(draw)))
         return said
 
-    def tolerance(self, draw: int, amplitude_mm: float, trials: int = 1000, jobs: int = 1) -> dict[str, Any]:
+    def tolerance(self, draw: int, amplitude_mm: float, trials: int = 1000, jobs: int = 1,
+                  from_deg: float | None = None) -> dict[str, Any]:
         """How many copies of a draw still deploy with every vertex off its place: as `misalign tolerance --json`.
 
         `amplitude_mm`  largest error of a vertex in x and in y
         `trials`        how many copies
         `jobs`          threads; the answer does not depend on them
+        `from_deg`      from which copies are to deploy; none: the design's, or the campaign's threshold
 
         Unlike the program it keeps nothing in the catalogue.
 
@@ -184,6 +191,6 @@ class Catalogue:
         >>> catalogue.tolerance(best, amplitude_mm=0.01, trials=100)["trials"]
         100
         """
-        said: dict[str, Any] = _arrays(json.loads(
-            self._opened().tolerance(draw, amplitude_mm, trials, jobs)))
+        said: dict[str, Any] = arrays(json.loads(
+            self._opened().tolerance(draw, amplitude_mm, trials, jobs, from_deg)))
         return said

@@ -3,13 +3,33 @@
 from __future__ import annotations
 
 import json
+import os
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from misalign import _misalign
+from misalign._arrays import arrays
+from misalign._error import Error
 from misalign._folding import Folding
+
+
+def _design(from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
+            stroke_limit: float | None = None, friction_n_mm_per_mm: float | None = None,
+            thickness_mm: float | None = None, miscut_mm: float | None = None) -> str:
+    """What a call says before the pattern's design does."""
+    springs = {"stiffness_n_per_mm": stiffness_n_per_mm, "stroke_limit": stroke_limit}
+    said: dict[str, Any] = {"from_deg": from_deg, "thickness_mm": thickness_mm, "miscut_mm": miscut_mm}
+    said["springs"] = {key: value for key, value in springs.items() if value is not None}
+    if friction_n_mm_per_mm is not None:
+        said["hinges"] = {"friction_n_mm_per_mm": friction_n_mm_per_mm}
+    return json.dumps({key: value for key, value in said.items() if value is not None})
+
+
+def _said(text: str) -> dict[str, Any]:
+    said: dict[str, Any] = arrays(json.loads(text))
+    return said
 
 
 class Pattern:
@@ -31,6 +51,7 @@ class Pattern:
     `sample_deg`       the samples, by which sheets are judged, are its multiples
     `end_deg`          up to this pilot angle
     `between_samples`  whether going back between two samples is a fault: False, True (by cubics), "exact"
+    `design`           what it is built of and used for, every key (the block `design` of files)
     `exported`         what an exported candidate's file says of it, None for other patterns
 
     >>> pattern = misalign.read("search/patterns/table1.json")
@@ -57,6 +78,7 @@ class Pattern:
     sample_deg: float
     end_deg: float
     between_samples: bool | str
+    design: dict[str, Any]
     exported: dict[str, Any] | None
 
     def __init__(self, sheet: _misalign.Sheet) -> None:
@@ -64,6 +86,7 @@ class Pattern:
         said = sheet.describe()
         said["valley"] = np.array(said["valley"], dtype=bool)
         said["exported"] = json.loads(said["exported"])
+        said["design"] = json.loads(said["design"])
         del said["campaign"]
         for name, value in said.items():
             if isinstance(value, np.ndarray):
@@ -95,3 +118,91 @@ class Pattern:
         True
         """
         return Folding(_misalign.fold(self._sheet, shifts_mm, stations))
+
+    def with_shifts(self, shifts_mm: npt.ArrayLike, name: str | None = None) -> Pattern:
+        """Another sheet of this pattern, [V, 2] in mm, with its sampling and design.
+
+        `misalign.Error` (2) as from `fold`.
+
+        >>> pattern = misalign.read("search/patterns/table1.json")
+        >>> other = pattern.with_shifts(pattern.shifts_mm / 2, "half as far")
+        >>> float(abs(other.shifts_mm).max()), other.fold().deploys_from_deg > 100
+        (0.2, True)
+        """
+        return Pattern(_misalign.with_shifts(self._sheet, shifts_mm, self.name if name is None else name))
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes a file that every command of the program takes, and `misalign.read`.
+
+        >>> pattern = misalign.read("search/patterns/table1.json")
+        >>> pattern.write("again.json")
+        >>> bool((misalign.read("again.json").shifts_mm == pattern.shifts_mm).all())
+        True
+        """
+        _misalign.write(self._sheet, os.fspath(path))
+
+    def contact(self, from_deg: float | None = None, trim_mm: float | None = None) -> dict[str, Any]:
+        """Where its panels meet, and how thick they may be: what `misalign contact --json` says.
+
+        `from_deg`  the sheet is used between this pilot angle and flat; none: the design's, or D
+        `trim_mm`   how far corners of plates are trimmed
+
+        `misalign.Error` (2) where these do not fit the sheet, (1) where its path is lost; so with all studies below.
+
+        >>> pattern = misalign.read("search/patterns/table1.json")
+        >>> pattern.contact(from_deg=90)["thickness"]["reaches_deg"]
+        90.0
+        """
+        return _said(_misalign.contact(self._sheet, _design(from_deg), trim_mm))
+
+    def actuators(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
+                  stroke_limit: float | None = None) -> dict[str, Any]:
+        """Springs on its diagonals: what `misalign actuators --json` says, its lists of numbers as arrays.
+
+        What is not given is the design's.
+
+        >>> springs = misalign.read("search/patterns/table1.json").actuators(from_deg=140, stiffness_n_per_mm=2)
+        >>> len(springs["forces"]), springs["history"]["energy_n_mm"].shape
+        (16, (157,))
+        """
+        return _said(_misalign.actuators(self._sheet, _design(from_deg, stiffness_n_per_mm, stroke_limit)))
+
+    def deploy(self, from_deg: float | None = None, stiffness_n_per_mm: float | None = None,
+               friction_n_mm_per_mm: float | None = None, thickness_mm: float | None = None) -> dict[str, Any]:
+        """Its motion after release: what `misalign deploy --json` says, its lists of numbers as arrays.
+
+        What is not given is the design's.
+
+        >>> let_go = misalign.read("search/patterns/table1.json").deploy(from_deg=90)
+        >>> let_go["outcome"], let_go["critical_friction_n_mm_per_mm"] > 0
+        ('passed_flat', True)
+        """
+        return _said(_misalign.deploy(self._sheet, _design(
+            from_deg, stiffness_n_per_mm, None, friction_n_mm_per_mm, thickness_mm)))
+
+    def tolerance(self, amplitude_mm: float | None = None, trials: int = 1000, jobs: int = 1,
+                  from_deg: float | None = None) -> dict[str, Any]:
+        """How many miscut copies still deploy: what `misalign tolerance --json` says of a pattern.
+
+        `amplitude_mm`  largest error of a vertex in x and in y; none: the design's `miscut_mm`
+        `from_deg`      from which copies are to deploy; none: the design's, or D
+        `jobs`          threads; the answer does not depend on them
+
+        >>> pattern = misalign.read("search/patterns/table1.json")
+        >>> pattern.tolerance(0.01, trials=20, from_deg=90)["from_threshold"]["copies"]
+        20
+        """
+        if trials < 1 or jobs < 1:
+            raise Error("trials and jobs: must be positive; try 1000 and 1", 2)
+        return _said(_misalign.tolerance(self._sheet, _design(from_deg, miscut_mm=amplitude_mm), trials, jobs))
+
+    def certify(self, from_deg: float | None = None, contact: bool = False) -> dict[str, Any]:
+        """A proof up to that angle: the "certificate" that `misalign certify --json` writes.
+
+        `from_deg`  none: the design's, or D
+        `contact`   also that no panels meet
+
+        >>> misalign.read("search/patterns/table1.json").certify(from_deg=20)["certified_deg"]
+        20.0
+        """
+        return _said(_misalign.certify(self._sheet, _design(from_deg), contact))

@@ -18,6 +18,9 @@ struct Material {
 /// A material file (material.schema.json); what is absent is as above, but for the name, which is
 /// then the file's. UserError (bad_input) with every fault.
 Material read_material_file(const std::string& path);
+/// The same of an object at `where`, called `name` where it has none; what is wrong is a fault.
+Material read_material(const Json& value, const std::string& where, const std::string& name,
+                       InputFaults& faults);
 
 Json material_json(const Material& material);
 

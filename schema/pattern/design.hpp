@@ -1,0 +1,70 @@
+// What a sheet is built of and used for: the `design` block of campaign and pattern files.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "schema/files/input.hpp"
+#include "schema/pattern/material.hpp"
+#include "solver/design/actuators.hpp"
+#include "solver/design/plates.hpp"
+
+namespace misalign::schema {
+
+/// What is made of a crease.
+enum class CreaseCut {
+  cut,    ///< every panel is a part of its own, to be hinged by tape or textile
+  score,  ///< a line
+  dash,   ///< a perforation: cuts with bridges between
+};
+struct CreaseCutName {
+  const char* name;
+  CreaseCut cut;
+};
+inline constexpr CreaseCutName kCreaseCuts[] = {
+    {"cut", CreaseCut::cut}, {"score", CreaseCut::score}, {"dash", CreaseCut::dash}};
+
+/// Outside the identity of a campaign: it says what is asked of sheets, and changes no draw and no
+/// verdict. What is absent is not said; studies then take their own defaults. Options of a command
+/// are a design too, which goes before a file's (`instead_of`). A number is a member here, a line
+/// of the table in design.cpp, and a key in campaign.schema.json.
+struct Design {
+  std::optional<double> from_deg;  ///< the sheet is used between this pilot angle and flat
+  std::optional<double> stiffness_n_per_mm, stroke_limit;  ///< "springs", on every diagonal
+  /// "hinges": dry friction per length of crease, and stiffness for each rad.
+  std::optional<double> friction_n_mm_per_mm, hinge_stiffness_n_mm_per_mm;
+  std::optional<CreaseCut> hinge_kind;
+  std::optional<double> thickness_mm;  ///< of panels
+  std::optional<Material> material;    ///< of panels
+  std::optional<double> miscut_mm;     ///< vertices are cut this much off their places at most
+  std::optional<double> play_mm;  ///< radius of the ball in which each joint settles (backlash)
+  std::optional<std::array<int, 2>> hold;        ///< row and column of the panel that is held
+  std::optional<std::array<double, 3>> gravity;  ///< x, y, z in standard gravities
+
+  /// What this says, and otherwise what `other` says.
+  Design instead_of(Design other) const;
+
+  solver::Actuators actuators() const;
+  solver::Plates plates() const;
+};
+
+/// The bounds of its numbers, here and on the command line.
+struct Bounds {
+  double least, most;
+};
+/// Of "springs.stroke_limit", say, as the table has it.
+Bounds design_bounds(std::string_view key);
+
+/// Reads "design" at `where`; what is wrong is a fault.
+Design read_design(const Json& value, const std::string& where, InputFaults& faults);
+
+/// The same of "springs" alone, which older files call "actuators".
+Design read_springs(const Json& value, const std::string& where, InputFaults& faults);
+
+/// Every key; null what is not said and has no number that holds instead.
+Json design_json(const Design& design);
+/// Without what says no more than that.
+Json said_design_json(const Design& design);
+
+}  // namespace misalign::schema

@@ -1,0 +1,41 @@
+#include "schema/pattern/sampling.hpp"
+
+namespace misalign::schema {
+
+void read_between_samples(ObjectReader& reader, solver::BumpRule& rule) {
+  const Json* value = reader.find("between_samples");
+  if (!value) return;
+  if (*value == "exact") {
+    rule = solver::BumpRule::exact;
+  } else if (value->is_boolean()) {
+    rule = value->get<bool>() ? solver::BumpRule::by_cubic : solver::BumpRule::ignored;
+  } else {
+    reader.faults().add(reader.shown("between_samples"), "must be false, true or \"exact\"",
+                        "write \"exact\" for what the path itself does between the samples");
+  }
+}
+
+Json between_samples_json(solver::BumpRule rule) {
+  if (rule == solver::BumpRule::exact) return "exact";
+  return rule == solver::BumpRule::by_cubic;
+}
+
+Json sampling_json(const Sampling& sampling) {
+  return {{"sample_deg", sampling.sample_deg},
+          {"end_deg", sampling.end_deg},
+          {"between_samples", between_samples_json(sampling.between_samples)}};
+}
+
+Sampling read_sampling(const Json& candidate, InputFaults& faults) {
+  Sampling sampling;
+  const auto value = candidate.find("sampling");
+  if (!candidate.is_object() || value == candidate.end()) return sampling;
+  ObjectReader reader(*value, "sampling", faults);
+  reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
+  reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
+  read_between_samples(reader, sampling.between_samples);
+  reader.refuse_unknown_keys();
+  return sampling;
+}
+
+}  // namespace misalign::schema

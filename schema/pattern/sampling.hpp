@@ -1,0 +1,16 @@
+// Where a path is looked at, as campaigns and exported candidates say it.
+#pragma once
+
+#include "schema/pattern/pattern.hpp"
+
+namespace misalign::schema {
+
+Json sampling_json(const Sampling& sampling);
+/// "sampling" of an exported candidate; the default where it is absent.
+Sampling read_sampling(const Json& candidate, InputFaults& faults);
+
+/// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact".
+void read_between_samples(ObjectReader& reader, solver::BumpRule& rule);
+Json between_samples_json(solver::BumpRule rule);
+
+}  // namespace misalign::schema

@@ -1,0 +1,95 @@
+// `_misalign.study`: what a verb says of one sheet, as JSON.
+#include <pybind11/stl.h>
+
+#include "schema/catalogue/certificate_row.hpp"
+#include "schema/exchange/tolerance_json.hpp"
+#include "search/python/bindings.hpp"
+#include "search/python/pattern_source.hpp"
+#include "search/python/signals.hpp"
+#include "search/sheets/row_certifier.hpp"
+#include "search/sheets/sheet_said.hpp"
+#include "search/sheets/tolerance.hpp"
+#include "solver/design/angle_of_use.hpp"
+
+namespace misalign::search::python {
+namespace {
+
+namespace py = pybind11;
+
+// What was said of the design, by the block's own keys.
+schema::Design design_of(const std::string& said) {
+  schema::InputFaults faults;
+  const schema::Design design = schema::read_design(schema::Json::parse(said), "", faults);
+  if (!faults.none()) {
+    throw schema::UserError(schema::Cause::bad_request, faults.sentences().front());
+  }
+  return design;
+}
+
+std::string contact(const PatternSource& source, const std::string& design,
+                    const std::optional<double>& trim_mm) {
+  return unlocked(
+      [&] { return contact_said(Subject(source.sheet, design_of(design)), trim_mm).dump(); });
+}
+
+std::string actuators(const PatternSource& source, const std::string& design) {
+  return unlocked([&] { return actuators_said(Subject(source.sheet, design_of(design))).dump(); });
+}
+
+std::string deploy(const PatternSource& source, const std::string& design) {
+  return unlocked([&] {
+    const Subject subject(source.sheet, design_of(design));
+    return deploy_said(subject, deploy_options(subject.model.design(), subject.sheet)).dump();
+  });
+}
+
+std::string certify(const PatternSource& source, const std::string& design, bool contact) {
+  return unlocked([&] {
+    const Subject subject(source.sheet, design_of(design));
+    const solver::Model model = model_of(subject.chosen.base, subject.chosen.sampling);
+    const double d_deg = subject.sheet.deploys_from_deg();
+    const double from_deg = subject.model.design().from_deg.value_or(d_deg);
+    if (!(from_deg > 0))
+      throw schema::UserError(solver::beyond_d_fault(subject.sheet.name(), 0, 0));
+    RowCertifier certifier(subject.chosen.base, model, contact);
+    return schema::certificate_json(certifier.certify(0, subject.chosen.shifts_mm, from_deg))
+        .dump();
+  });
+}
+
+std::string tolerance(const PatternSource& source, const std::string& said, std::uint64_t trials,
+                      int jobs) {
+  ToleranceOptions options;
+  options.trials = trials;
+  options.jobs = jobs;
+  options.set = solver::available_instruction_sets().back();
+  options.progress = [](const CopiesDone&) {
+    const py::gil_scoped_acquire lock;
+    check_signals();
+  };
+  return unlocked([&] {
+    const schema::Design design = design_of(said).instead_of(source.sheet.design);
+    if (!design.miscut_mm) {
+      throw schema::UserError(
+          schema::Cause::bad_request,
+          "amplitude_mm: is not said, nor does the design say miscut_mm; try 0.05");
+    }
+    options.amplitude_mm = *design.miscut_mm;
+    check_miscut(options.amplitude_mm, source.pattern(), source.sheet.shifts_mm,
+                 source.sheet.pattern);
+    return schema::tolerance_json(study_sheet(source.sheet, design.from_deg, options)).dump();
+  });
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+  module.def("contact", &contact, py::arg("sheet"), py::arg("design"), py::arg("trim_mm"));
+  module.def("actuators", &actuators, py::arg("sheet"), py::arg("design"));
+  module.def("deploy", &deploy, py::arg("sheet"), py::arg("design"));
+  module.def("certify", &certify, py::arg("sheet"), py::arg("design"), py::arg("contact"));
+  module.def("tolerance", &tolerance, py::arg("sheet"), py::arg("design"), py::arg("trials"),
+             py::arg("jobs"));
+}
+
+}  // namespace misalign::search::python

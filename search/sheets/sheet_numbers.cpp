@@ -1,0 +1,124 @@
+#include "search/sheets/sheet_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "search/sheets/deploy_input.hpp"
+#include "solver/design/contact.hpp"
+#include "solver/design/deploy.hpp"
+
+namespace misalign::search {
+namespace {
+
+using Number = std::optional<double>;
+
+// What a sheet's numbers come from; each is found where one of them needs it.
+struct Found {
+  std::optional<solver::Standstill> standstill;
+  std::optional<solver::DeploymentStudy> motion;
+  std::optional<solver::ContactStudy> contact;
+};
+enum class Needs { standstill, motion, contact };
+
+struct StudyFunction {
+  std::string_view name;  // in the table of studies
+  Needs needs;
+  bool from_d;  // whether it is used from D where no angle is said: otherwise let go as `deploy`
+                // has it
+  Number (*number)(const Found&);
+};
+
+Number first_contact_deg(const Found& found) {
+  if (!found.contact || !found.contact->first) return {};
+  return found.contact->first->pilot_deg;
+}
+
+// Panels that meet on the way leave nothing of any plate.
+Number thickness_mm(const Found& found) {
+  if (!found.contact || !found.contact->thickness) return {};
+  const solver::ContactStudy& study = *found.contact;
+  return study.reach_deg < study.used_from_deg ? 0 : study.thickness->thickness_mm;
+}
+
+Number landing_rate_deg_per_s(const Found& found) {
+  if (!found.motion) return {};
+  for (const solver::DeploymentRow& row : found.motion->run.rows) {
+    if (row.event == solver::DeploymentEvent::flat) return std::abs(row.rate_deg_per_s);
+  }
+  return {};
+}
+
+constexpr StudyFunction kFunctions[] = {
+    {"deploy_time_s", Needs::motion, false,
+     [](const Found& found) { return found.motion ? found.motion->deploy_time_s() : Number(); }},
+    {"landing_rate_deg_per_s", Needs::motion, false, landing_rate_deg_per_s},
+    {"critical_friction_n_mm_per_mm", Needs::standstill, false,
+     [](const Found& found) {
+       return found.standstill ? found.standstill->friction.critical_n_mm_per_mm : Number();
+     }},
+    {"stall_deg", Needs::standstill, false,
+     [](const Found& found) {
+       return found.standstill ? Number(found.standstill->friction.static_stall_deg) : Number();
+     }},
+    {"energy_n_mm", Needs::standstill, true,
+     [](const Found& found) {
+       return found.standstill ? Number(found.standstill->springs_n_mm) : Number();
+     }},
+    {"first_contact_deg", Needs::contact, true, first_contact_deg},
+    {"thickness_mm", Needs::contact, true, thickness_mm}};
+static_assert(std::size(kFunctions) == kNumberCount);
+
+using Needed = std::array<bool, 3>;  // by Needs
+
+Found find(const solver::Sheet& sheet, const solver::DeployOptions& options,
+           std::optional<double> from_deg, const Needed& needed) {
+  const auto needs = [&](Needs what) { return needed[static_cast<std::size_t>(what)]; };
+  Found found;
+  if (needs(Needs::standstill)) found.standstill = solver::standstill(sheet, options).study;
+  if (needs(Needs::motion)) found.motion = solver::deploy(sheet, options).study;
+  if (needs(Needs::contact)) found.contact = solver::contact(sheet, {{}, from_deg}).study;
+  return found;
+}
+
+}  // namespace
+
+const std::array<std::string_view, kNumberCount>& sheet_number_names() {
+  static const auto names = [] {
+    std::array<std::string_view, kNumberCount> all;
+    for (std::size_t k = 0; k < kNumberCount; ++k) all[k] = kFunctions[k].name;
+    return all;
+  }();
+  return names;
+}
+
+bool needs_sundials(std::size_t number) { return kFunctions[number].needs != Needs::contact; }
+
+SheetNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
+                          std::optional<double> from_deg, const WantedNumbers& wanted,
+                          bool deploys_from_36) {
+  SheetNumbers answers;
+  const auto used_deg = from_deg ? from_deg : design.from_deg;
+  for (const bool from_d : {false, true}) {
+    Needed needed{};
+    for (std::size_t k = 0; k < kNumberCount; ++k) {
+      if (wanted[k] && kFunctions[k].from_d == from_d) {
+        needed[static_cast<std::size_t>(kFunctions[k].needs)] = true;
+      }
+    }
+    if (std::ranges::find(needed, true) == needed.end()) continue;
+    solver::DeployOptions options = deploy_options(design, sheet);
+    options.from_deg = used_deg;
+    if (!used_deg && from_d) options.from_deg = sheet.deploys_from_deg();
+    if (!used_deg && !from_d && deploys_from_36) options.from_deg = solver::kDeployFrom_deg;
+    const Found found = find(sheet, options, used_deg, needed);
+    for (std::size_t k = 0; k < kNumberCount; ++k) {
+      if (!wanted[k] || kFunctions[k].from_d != from_d) continue;
+      answers.is_found[k] = true;
+      answers.numbers[k] = kFunctions[k].number(found);
+    }
+  }
+  return answers;
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,31 @@
+// The numbers of the table of studies, found of one sheet.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "search/sheets/folding_model.hpp"
+
+namespace misalign::search {
+
+/// One for each column of the table of studies.
+inline constexpr std::size_t kNumberCount = 7;
+using WantedNumbers = std::array<bool, kNumberCount>;
+const std::array<std::string_view, kNumberCount>& sheet_number_names();
+/// Whether a build without SUNDIALS cannot find it.
+bool needs_sundials(std::size_t number);
+
+struct SheetNumbers {
+  WantedNumbers is_found{};
+  std::array<std::optional<double>, kNumberCount> numbers;  ///< none also where there is none
+};
+
+/// Those that are wanted, of a sheet of this design that is used from `from_deg`: otherwise from
+/// the design's, or what each takes by itself. `deploys_from_36` spares finding D where it is
+/// known.
+SheetNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
+                          std::optional<double> from_deg, const WantedNumbers& wanted,
+                          bool deploys_from_36);
+
+}  // namespace misalign::search

@@ -1,0 +1,37 @@
+#include "search/sheets/sheet_said.hpp"
+
+#include "schema/exchange/contact_json.hpp"
+#include "schema/exchange/deploy_json.hpp"
+#include "search/sheets/contact_text.hpp"
+
+namespace misalign::search {
+namespace {
+
+// With whose it is.
+schema::Json said_of(const Subject& subject, schema::Json json) {
+  json.update(subject.chosen.key().json());
+  return json;
+}
+
+}  // namespace
+
+schema::Json contact_said(const Subject& subject, std::optional<double> trim_mm) {
+  const solver::ContactStudy study =
+      contact_of(subject.sheet, {trim_mm, subject.model.design().from_deg});
+  return said_of(subject,
+                 schema::contact_study_json(subject.chosen.base, subject.sheet.panels(), study));
+}
+
+schema::Json actuators_said(const Subject& subject) {
+  return said_of(subject, springs_json({subject.chosen.base, subject.sheet},
+                                       actuated(subject.sheet, subject.model.design())));
+}
+
+schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& options) {
+  schema::Json json =
+      schema::deployment_history_json(subject.sheet.mechanism(), deployed(subject.sheet, options));
+  json["deploys_from_deg"] = subject.sheet.deploys_from_deg();
+  return said_of(subject, std::move(json));
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,15 @@
+// Studies of one sheet as JSON: what a verb's --json and Python say alike.
+#pragma once
+
+#include "search/sheets/chosen_sheet.hpp"
+#include "search/sheets/deploy_input.hpp"
+
+namespace misalign::search {
+
+/// With the subject's design. UserError: 2 where an option does not fit the sheet, 1 where its path
+/// is lost.
+schema::Json contact_said(const Subject& subject, std::optional<double> trim_mm);
+schema::Json actuators_said(const Subject& subject);
+schema::Json deploy_said(const Subject& subject, const solver::DeployOptions& options);
+
+}  // namespace misalign::search

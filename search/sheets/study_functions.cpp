@@ -1,0 +1,310 @@
+#include "search/sheets/study_functions.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/study_table.hpp"
+#include "schema/files/features.hpp"
+#include "search/sheets/campaign_sheet.hpp"
+#include "search/sheets/on_threads.hpp"
+#include "search/sheets/sheet_numbers.hpp"
+#include "search/terminal/long_work.hpp"
+#include "search/terminal/usable_threads.hpp"
+#include "solver/design/deploy.hpp"
+
+namespace misalign::search {
+namespace {
+
+// A call: of which draw, from which angle.
+struct Call {
+  std::uint64_t draw;
+  std::optional<double> from_deg;
+
+  auto operator<=>(const Call&) const = default;
+};
+
+// One for all functions of a connection.
+class StudyFunctions {
+ public:
+  StudyFunctions(SQLite::Database& database, std::string path)
+      : database_(database), path_(std::move(path)) {}
+  StudyFunctions(SQLite::Database& database, const schema::Campaign& campaign)
+      : database_(database), campaign_(&campaign) {}
+
+  // That of a connection; null: it has none.
+  static StudyFunctions* of(sqlite3* connection) {
+    const std::lock_guard lock(mutex());
+    const auto found = all().find(connection);
+    return found == all().end() ? nullptr : found->second;
+  }
+  void add() {
+    const std::lock_guard lock(mutex());
+    all()[database_.getHandle()] = this;
+    connection_ = database_.getHandle();
+  }
+  ~StudyFunctions() {
+    const std::lock_guard lock(mutex());
+    const auto found = all().find(connection_);
+    if (found != all().end() && found->second == this) all().erase(found);
+  }
+  StudyFunctions(const StudyFunctions&) = delete;
+  StudyFunctions& operator=(const StudyFunctions&) = delete;
+
+  std::optional<double> number(std::size_t function, const Call& call) {
+    SheetNumbers& answers = answers_[call];
+    if (!answers.is_found[function]) {
+      if (is_looking_ahead_) {
+        expect(function, call);
+        return {};
+      }
+      find_some(function, call);
+    }
+    return answers.numbers[function];
+  }
+
+  // What the statement will ask for. Without a LIMIT all of that is needed: it is found at once,
+  // what costs least first, since what that says may spare the dearer.
+  void look_ahead(const std::string& sql, bool has_limit) {
+    do {
+      record(sql);
+    } while (!has_limit && find_cheapest());
+  }
+
+ private:
+  // Of longer queries so many at a time.
+  static constexpr std::size_t kMostExpected = 100000;
+  // So many sheets at once and thread: little is lost where a LIMIT ends the query.
+  static constexpr std::size_t kAtOnce = 8;
+
+  struct Expected {
+    Call call;
+    WantedNumbers wanted{};
+  };
+  struct Piece {
+    Call call;
+    WantedNumbers wanted;
+    Eigen::Matrix2Xd shifts_mm;
+    bool is_candidate;
+  };
+
+  static std::mutex& mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  static std::map<sqlite3*, StudyFunctions*>& all() {
+    static std::map<sqlite3*, StudyFunctions*> all;
+    return all;
+  }
+
+  void expect(std::size_t function, const Call& call) {
+    const auto [at, is_new] = place_.try_emplace(call, expected_.size());
+    if (is_new) expected_.push_back({call, {}});
+    expected_[at->second].wanted[function] = true;
+  }
+
+  void record(const std::string& sql) {
+    expected_.clear();
+    place_.clear();
+    is_looking_ahead_ = true;
+    try {
+      SQLite::Statement statement(database_, sql);
+      while (expected_.size() < kMostExpected && statement.executeStep()) {
+      }
+    } catch (const SQLite::Exception&) {
+      // The statement itself will say why.
+    }
+    is_looking_ahead_ = false;
+  }
+
+  static schema::Cost cost_of(std::size_t function) {
+    return schema::study_column(sheet_number_names()[function])->cost;
+  }
+
+  // The numbers of this cost among those.
+  static WantedNumbers of_cost(const WantedNumbers& wanted, schema::Cost cost) {
+    WantedNumbers some{};
+    for (std::size_t k = 0; k < kNumberCount; ++k) some[k] = wanted[k] && cost_of(k) == cost;
+    return some;
+  }
+
+  schema::Cost least_cost() const {
+    schema::Cost least = schema::Cost::contact;
+    for (const Expected& one : expected_) {
+      for (std::size_t k = 0; k < kNumberCount; ++k) {
+        if (one.wanted[k]) least = std::min(least, cost_of(k));
+      }
+    }
+    return least;
+  }
+
+  // Of all that is expected; false if nothing is.
+  bool find_cheapest() {
+    if (expected_.empty()) return false;
+    const schema::Cost cost = least_cost();
+    std::vector<Piece> pieces;
+    for (const Expected& one : expected_) {
+      const WantedNumbers wanted = of_cost(one.wanted, cost);
+      if (std::ranges::find(wanted, true) != wanted.end()) {
+        pieces.push_back(piece_of(one.call, wanted));
+      }
+    }
+    find(pieces);
+    return true;
+  }
+
+  // This one, and those of the same cost that will be asked for next, unless something cheaper may
+  // spare them.
+  void find_some(std::size_t function, const Call& call) {
+    const schema::Cost cost = cost_of(function);
+    const auto place = place_.find(call);
+    WantedNumbers wanted{};
+    if (place != place_.end()) wanted = of_cost(expected_[place->second].wanted, cost);
+    wanted[function] = true;
+    std::vector<Piece> pieces = {piece_of(call, wanted)};
+    const std::size_t most = place == place_.end() || cost != least_cost()
+                                 ? 1
+                                 : kAtOnce * static_cast<std::size_t>(usable_threads());
+    for (std::size_t k = most > 1 ? place->second + 1 : 0;
+         k < expected_.size() && pieces.size() < most; ++k) {
+      const Expected& next = expected_[k];
+      const WantedNumbers its = of_cost(next.wanted, cost);
+      if (is_new(next.call, its)) pieces.push_back(piece_of(next.call, its));
+    }
+    find(pieces);
+  }
+
+  void find(const std::vector<Piece>& pieces) {
+    const auto threads = std::min(static_cast<std::size_t>(usable_threads()), pieces.size());
+    if (models_.size() < threads) models_.resize(threads);
+    on_threads(
+        threads, pieces.size(),
+        [&](std::size_t thread) {
+          if (!models_[thread]) models_[thread] = std::make_unique<FoldingModel>(campaign());
+          return [&, model = models_[thread].get()](std::size_t k) {
+            const Piece& piece = pieces[k];
+            const solver::Sheet sheet = model->sheet(piece.shifts_mm);
+            return find_numbers(sheet, model->design(), piece.call.from_deg, piece.wanted,
+                                piece.is_candidate);
+          };
+        },
+        [&](std::size_t k, const SheetNumbers& found) {
+          SheetNumbers& answers = answers_[pieces[k].call];
+          for (std::size_t f = 0; f < kNumberCount; ++f) {
+            if (!found.is_found[f]) continue;
+            answers.is_found[f] = true;
+            answers.numbers[f] = found.numbers[f];
+          }
+          ++sheets_;
+          show_work("sheets studied", sheets_, std::max(expected_.size(), sheets_));
+          return true;
+        });
+  }
+
+  bool is_new(const Call& call, const WantedNumbers& wanted) const {
+    const auto known = answers_.find(call);
+    for (std::size_t k = 0; k < kNumberCount; ++k) {
+      if (wanted[k] && (known == answers_.end() || !known->second.is_found[k])) return true;
+    }
+    return false;
+  }
+
+  Piece piece_of(const Call& call, const WantedNumbers& wanted) {
+    return {call, wanted, shifts_of_number(database_, campaign(), call.draw),
+            is_candidate(call.draw)};
+  }
+
+  // Whether it is one that deploys from kDeployFrom_deg for sure.
+  bool is_candidate(std::uint64_t draw) {
+    if (campaign().threshold_deg < solver::kDeployFrom_deg) return false;
+    // None that outlives the call: the connection must be able to close.
+    SQLite::Statement candidate(database_, "SELECT 1 FROM candidate WHERE draw = ?");
+    candidate.bind(1, static_cast<std::int64_t>(draw));
+    return candidate.executeStep();
+  }
+
+  const schema::Campaign& campaign() {
+    if (!campaign_) {
+      own_campaign_ = schema::read_campaign_of(database_, path_);
+      campaign_ = &*own_campaign_;
+    }
+    return *campaign_;
+  }
+
+  SQLite::Database& database_;
+  sqlite3* connection_ = nullptr;
+  const std::string path_;
+  std::optional<schema::Campaign> own_campaign_;
+  const schema::Campaign* campaign_ = nullptr;
+  std::vector<std::unique_ptr<FoldingModel>> models_;  // one for each thread
+  std::map<Call, SheetNumbers> answers_;
+  bool is_looking_ahead_ = false;
+  std::vector<Expected> expected_;  // in their order
+  std::map<Call, std::size_t> place_;
+  std::size_t sheets_ = 0;
+};
+
+struct OneFunction {
+  std::shared_ptr<StudyFunctions> functions;
+  std::size_t which;
+};
+
+void call(sqlite3_context* context, int count, sqlite3_value** values) {
+  const auto& one = *static_cast<const OneFunction*>(sqlite3_user_data(context));
+  if (!has("SUNDIALS") && needs_sundials(one.which)) {
+    sqlite3_result_error(context, schema::missing_text("SUNDIALS").c_str(), -1);
+    return sqlite3_result_error_code(context, SQLITE_ABORT);
+  }
+  const bool has_angle = count > 1 && sqlite3_value_numeric_type(values[1]) != SQLITE_NULL;
+  const double from_deg = has_angle ? sqlite3_value_double(values[1]) : solver::kDeployFrom_deg;
+  if (sqlite3_value_numeric_type(values[0]) != SQLITE_INTEGER ||
+      sqlite3_value_int64(values[0]) < 0 || !(from_deg > 0 && from_deg <= 180)) {
+    return sqlite3_result_null(context);
+  }
+  try {
+    const std::optional<double> number = one.functions->number(
+        one.which, {static_cast<std::uint64_t>(sqlite3_value_int64(values[0])),
+                    has_angle ? std::optional(from_deg) : std::nullopt});
+    number ? sqlite3_result_double(context, *number) : sqlite3_result_null(context);
+  } catch (const std::exception& error) {
+    sqlite3_result_error(context, error.what(), -1);
+  }
+}
+
+void forget(void* function) { delete static_cast<OneFunction*>(function); }
+
+void add(SQLite::Database& database, const std::shared_ptr<StudyFunctions>& functions) {
+  functions->add();
+  for (std::size_t k = 0; k < kNumberCount; ++k) {
+    for (const int count : {1, 2}) {
+      sqlite3_create_function_v2(database.getHandle(), std::string(sheet_number_names()[k]).c_str(),
+                                 count, SQLITE_UTF8 | SQLITE_DETERMINISTIC,
+                                 new OneFunction{functions, k}, call, nullptr, nullptr, forget);
+    }
+  }
+}
+
+}  // namespace
+
+void add_study_functions(SQLite::Database& database, const std::string& path) {
+  add(database, std::make_shared<StudyFunctions>(database, path));
+}
+
+void add_study_functions(SQLite::Database& database, const schema::Campaign& campaign) {
+  add(database, std::make_shared<StudyFunctions>(database, campaign));
+}
+
+void look_ahead(SQLite::Database& database, const std::string& sql) {
+  StudyFunctions* const functions = StudyFunctions::of(database.getHandle());
+  if (!functions || !schema::calls_costly(sql)) return;
+  functions->look_ahead(sql, schema::has_limit(sql));
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,105 @@
+"""Studies of a sheet: bit for bit what the program says of the same sheet, and back to the program."""
+
+import json
+import unittest
+
+import numpy as np
+from fixture import CATALOGUE, TABLE1, program, program_json
+
+import misalign
+
+DESIGN = {"from_deg": 140, "springs": {"stiffness_n_per_mm": 2, "stroke_limit": 0.08},
+          "hinges": {"friction_n_mm_per_mm": 0.0005}, "thickness_mm": 0.5, "miscut_mm": 0.02}
+
+
+def plain(said):
+    """With lists in the place of arrays, as JSON has them."""
+    if isinstance(said, dict):
+        return {key: plain(value) for key, value in said.items()}
+    if isinstance(said, np.ndarray):
+        return [None if value != value else value for value in said.tolist()]
+    return [plain(value) for value in said] if isinstance(said, list) else said
+
+
+class Studies(unittest.TestCase):
+    def setUp(self):
+        self.catalogue = misalign.Catalogue(CATALOGUE)
+        self.draw = int(self.catalogue.candidates(limit=1).draw[0])
+        self.addCleanup(self.catalogue.close)
+
+    def same(self, said, program_said, *but):
+        program_said = {key: value for key, value in program_said.items() if key not in ("draw", "pattern", *but)}
+        said = {key: value for key, value in plain(said).items() if key not in ("draw", "pattern", *but)}
+        self.assertEqual(said, program_said)
+
+    def test_are_those_of_the_program(self):
+        sheet = self.catalogue.pattern(self.draw)
+        self.same(sheet.contact(), program_json("contact", CATALOGUE, self.draw))
+        self.same(sheet.actuators(), program_json("actuators", CATALOGUE, self.draw))
+        self.same(sheet.deploy(), program_json("deploy", CATALOGUE, self.draw))
+        self.same(sheet.contact(90, trim_mm=3), program_json("contact", CATALOGUE, self.draw, "--from", 90, "--trim", 3))
+        self.same(sheet.actuators(90.5, 2, 0.08), program_json(
+            "actuators", CATALOGUE, self.draw, "--from", 90.5, "--stiffness", 2, "--stroke-limit", 0.08))
+        self.same(sheet.deploy(90, 2, 1e-5, 0.5), program_json(
+            "deploy", CATALOGUE, self.draw, "--from", 90, "--stiffness", 2, "--friction", 1e-5, "--thickness", 0.5))
+        self.same(self.catalogue.tolerance(self.draw, 0.05, 100, from_deg=90), program_json(
+            "tolerance", CATALOGUE, self.draw, "--amplitude", 0.05, "--trials", 100, "--from", 90, "--no-keep"))
+        table1 = misalign.read(TABLE1)
+        self.same(table1.tolerance(0.05, 50), program_json("tolerance", TABLE1, "--amplitude", 0.05, "--trials", 50))
+        self.same(table1.tolerance(0.05, 50, from_deg=90), program_json(
+            "tolerance", TABLE1, "--amplitude", 0.05, "--trials", 50, "--from", 90))
+        self.same(table1.certify(20), program_json("certify", TABLE1, "--from", 20)["certificate"], "seconds")
+
+    def test_a_design_goes_to_the_program_and_back(self):
+        sheet = self.catalogue.pattern(self.draw)
+        sheet.write("bare.json")
+        with open("bare.json", encoding="utf-8") as file:
+            document = json.load(file)
+        document["design"] = DESIGN
+        mine = misalign.read(document)
+        self.assertEqual(mine.design["from_deg"], 140)
+        mine.with_shifts(mine.shifts_mm * 0.99, "mine").write("mine.json")
+        mine = misalign.read("mine.json")
+        np.testing.assert_array_equal(mine.shifts_mm, sheet.shifts_mm * 0.99)
+        self.same(mine.contact(), program_json("contact", "mine.json"))
+        self.same(mine.deploy(), program_json("deploy", "mine.json"))
+        self.same(mine.actuators(), program_json("actuators", "mine.json"))
+        self.same(mine.tolerance(trials=40), program_json("tolerance", "mine.json", "--trials", 40))
+        self.assertEqual(mine.contact()["from_deg"], 140)
+
+    def test_campaigns_are_made_from_a_dict(self):
+        campaign = misalign.read({"name": "own", "pattern": {"family": "miura", "rows": 4, "columns": 4},
+                                  "design": DESIGN, "accept": {"deploys_from_deg": 150}})
+        self.assertEqual(campaign.identity, misalign.Catalogue(CATALOGUE).campaign.identity)
+        self.assertEqual(campaign.configuration["design"]["springs"]["stiffness_n_per_mm"], 2)
+        with self.assertRaises(misalign.Error) as refused:
+            misalign.read({"pattern": {"family": "miura", "rows": 4, "columns": 4}, "design": {"from_deg": 200}})
+        self.assertIn("design.from_deg = 200", str(refused.exception))
+
+    def test_the_vocabulary(self):
+        names = [line.split()[0] for line in program("query", "--help").splitlines()
+                 if line.startswith("  ") and line.split()[0].endswith(("_deg", "_mm", "_s", "_per_mm"))]
+        names = [name for name in names if not name.startswith("-")]
+        self.assertGreaterEqual(len(names), 7)
+        few = f"draw IN ({self.draw}, {int(self.catalogue.candidates(limit=2).draw[1])})"
+        for name in names:
+            for word in (name, f"{name}(draw)", f"{name}(draw, 90)"):
+                table = self.catalogue.candidates(few, by=word, columns=[word])
+                self.assertEqual(len(table), 2, word)
+                asked = self.catalogue.query(f"SELECT draw, {word} AS found FROM candidates WHERE {few}")
+                found = dict(zip(asked.draw, asked.found))
+                for draw, value in zip(table.draw, table[word]):
+                    np.testing.assert_equal(value, found[draw])
+        with self.assertRaises(misalign.Error) as refused:
+            self.catalogue.candidates(columns=["thicknes_mm"])
+        self.assertIn("did you mean thickness_mm?", str(refused.exception))
+
+    def test_beyond_d(self):
+        for study in ("contact", "actuators"):
+            with self.assertRaises(misalign.Error) as refused:
+                getattr(misalign.read(TABLE1), study)(from_deg=157)
+            self.assertIn("lies beyond D = 156 deg", str(refused.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,122 @@
+// The design block: what is read is written again, options go before files, and pattern files and
+// exports carry it.
+#include "schema/pattern/design.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "schema/campaign/campaign_file.hpp"
+#include "schema/files/text_file.hpp"
+#include "tests/folder.hpp"
+
+namespace misalign::schema {
+namespace {
+
+Design read(const Json& value) {
+  InputFaults faults;
+  const Design design = read_design(value, "design", faults);
+  for (const std::string& sentence : faults.sentences()) ADD_FAILURE() << sentence;
+  return design;
+}
+
+// Every key, none at its default.
+Json full() {
+  return Json::parse(R"({"from_deg": 140.0,
+    "springs": {"stiffness_n_per_mm": 2.0, "stroke_limit": 0.08},
+    "hinges": {"friction_n_mm_per_mm": 0.02, "stiffness_n_mm_per_mm": 0.3, "kind": "dash"},
+    "thickness_mm": 1.5,
+    "material": {"name": "birch", "e_gpa": 12.0, "poisson": 0.3, "density_g_per_cm3": 0.68},
+    "miscut_mm": 0.05, "play_mm": 0.01, "hold": [0, 3], "gravity": [0.0, 0.0, -1.0]})");
+}
+
+TEST(Design, IsWrittenAsItIsRead) {
+  EXPECT_EQ(design_json(read(full())), full());
+  EXPECT_EQ(said_design_json(read(full())), full());
+  EXPECT_EQ(said_design_json(read(Json::object())), Json::object());
+  EXPECT_EQ(read(design_json({})).from_deg, std::nullopt);
+  // Each key alone is said, and nothing else is.
+  const Json flat = full().flatten();
+  for (const auto& [at, value] : flat.items()) {
+    if (at.starts_with("/material") || at.starts_with("/hold") || at.starts_with("/gravity")) {
+      continue;
+    }
+    const Json one = Json({{at, value}}).unflatten();
+    EXPECT_EQ(said_design_json(read(one)), one);
+  }
+}
+
+TEST(Design, SaysWhatStudiesTake) {
+  const Design design = read(full());
+  EXPECT_EQ(design.actuators().stiffness_n_per_mm, 2);
+  EXPECT_EQ(*design.actuators().stroke_limit, 0.08);
+  EXPECT_EQ(design.plates().thickness_mm, 1.5);
+  EXPECT_EQ(design.plates().density_g_per_cm3, 0.68);
+  EXPECT_EQ(Design().actuators().stiffness_n_per_mm, 50) << "the paper's";
+  EXPECT_EQ(Design().plates().density_g_per_cm3, 2.7);
+}
+
+TEST(Design, OptionsGoBeforeFiles) {
+  const Design file = read(full());
+  EXPECT_EQ(design_json(Design().instead_of(file)), full());
+  Design typed;
+  typed.from_deg = 90;
+  typed.stroke_limit = 0.01;
+  typed.hinge_kind = CreaseCut::cut;
+  const Json both = design_json(typed.instead_of(file));
+  Json wanted = full();
+  wanted["from_deg"] = 90.0;
+  wanted["springs"]["stroke_limit"] = 0.01;
+  wanted["hinges"]["kind"] = "cut";
+  EXPECT_EQ(both, wanted);
+}
+
+// Older campaigns say "actuators"; of two the newer name holds.
+TEST(Design, HasTheSpringsOfOlderFiles) {
+  const auto campaign = [](const Json& more) {
+    Json json = {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}}};
+    json.update(more);
+    return read_campaign(json, "a test");
+  };
+  const Campaign older = campaign({{"actuators", {{"stiffness_n_per_mm", 3}}}});
+  EXPECT_EQ(older.design.actuators().stiffness_n_per_mm, 3);
+  EXPECT_EQ(identity(older), identity(campaign(Json::object())));
+  const Campaign both = campaign({{"actuators", {{"stiffness_n_per_mm", 3}, {"stroke_limit", 0.5}}},
+                                  {"design", {{"springs", {{"stiffness_n_per_mm", 4}}}}}});
+  EXPECT_EQ(both.design.actuators().stiffness_n_per_mm, 4);
+  EXPECT_EQ(*both.design.actuators().stroke_limit, 0.5);
+  const Campaign again = read_campaign(stored_configuration(both), "what a catalogue keeps");
+  EXPECT_EQ(design_json(again.design), design_json(both.design));
+  EXPECT_FALSE(stored_configuration(campaign(Json::object())).contains("design"));
+}
+
+TEST(Design, IsBesideThePatternOfAFile) {
+  const Folder folder("design");
+  const auto read_file = [&](const Json& document) {
+    const std::string file = folder.file("p.json");
+    write_text_file(file, document.dump());
+    return read_sampled_pattern_file(file);
+  };
+  const Json pattern = {{"family", "miura"}, {"rows", 4}, {"columns", 4}};
+  Json bare = pattern;
+  bare["design"] = full();
+  for (const Json& document :
+       {bare, Json{{"pattern", pattern}, {"design", full()}, {"sampling", {{"sample_deg", 1}}}}}) {
+    const PatternFile file = read_file(document);
+    EXPECT_EQ(design_json(file.design), full());
+    EXPECT_EQ(pattern_json(file.pattern, file.pattern.shifts_mm),
+              pattern_json(read_file(pattern).pattern, file.pattern.shifts_mm));
+  }
+  bare["design"]["springs"]["stiffness_n_per_mm"] = -1;
+  bare["rows"] = 5;
+  try {
+    read_file(bare);
+    FAIL() << "a spring that pushes back";
+  } catch (const UserError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("design.springs.stiffness_n_per_mm"), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace misalign::schema

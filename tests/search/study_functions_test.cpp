@@ -1,0 +1,193 @@
+// Functions of sheets wherever they can stand: each against the study itself, in every place, and
+// by any number of threads.
+#include "search/sheets/study_functions.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "schema/campaign/campaign_file.hpp"
+#include "schema/catalogue/catalogue_state.hpp"
+#include "schema/catalogue/costly_terms.hpp"
+#include "schema/catalogue/result_table.hpp"
+#include "schema/catalogue/study_table.hpp"
+#include "schema/report/report.hpp"
+#include "search/draws/draw.hpp"
+#include "search/sheets/choice.hpp"
+#include "search/sheets/query_text.hpp"
+#include "search/sheets/sheet_numbers.hpp"
+#include "solver/design/actuation.hpp"
+#include "solver/design/contact.hpp"
+#include "solver/design/deploy.hpp"
+
+namespace misalign::search {
+namespace {
+
+// The catalogue of tests/fixtures, with a design.
+class FunctionsOfSheets : public testing::Test {
+ protected:
+  FunctionsOfSheets() { add_study_functions(*database_, campaign_); }
+
+  static schema::Campaign campaign(SQLite::Database& database) {
+    schema::Campaign campaign = schema::read_campaign_of(database, "a fixture");
+    campaign.design.from_deg = 90;
+    campaign.design.stiffness_n_per_mm = 2;
+    campaign.design.friction_n_mm_per_mm = 1e-4;
+    return campaign;
+  }
+  std::vector<double> numbers(const std::string& sql) {
+    std::vector<double> all;
+    schema::read_query(*database_, sql, [&](const SQLite::Statement& row) {
+      all.push_back(row.getColumn(0).isNull() ? -1 : row.getColumn(0).getDouble());
+    });
+    return all;
+  }
+  solver::Sheet sheet(std::uint64_t draw) { return model_.sheet(shifts_of_draw(campaign_, draw)); }
+
+  const std::unique_ptr<SQLite::Database> database_ =
+      schema::open_for_reading(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7.db");
+  const schema::Campaign campaign_ = campaign(*database_);
+  FoldingModel model_{campaign_};
+};
+
+// Each name of the table is found, and nothing else is.
+TEST_F(FunctionsOfSheets, AreThoseOfTheTable) {
+  std::vector<std::string> found(sheet_number_names().begin(), sheet_number_names().end());
+  std::vector<std::string> said = schema::study_functions();
+  std::ranges::sort(found);
+  std::ranges::sort(said);
+  EXPECT_EQ(found, said);
+}
+
+TEST_F(FunctionsOfSheets, SayWhatTheStudiesSay) {
+  for (const double from_deg : {60.0, 90.0}) {
+    const auto from = std::to_string(from_deg);
+    const auto of = [&](const char* name, int draw) {
+      return numbers(fmt::format("SELECT {}({}, {})", name, draw, from)).front();
+    };
+    for (const int draw : {3, 28, 40}) {
+      const solver::Sheet studied = sheet(static_cast<std::uint64_t>(draw));
+      ASSERT_GE(studied.deploys_from_deg(), 30);
+      if (studied.deploys_from_deg() < from_deg) continue;
+      solver::DeployOptions options;
+      options.from_deg = from_deg;
+      options.sheet.springs.stiffness_n_per_mm = 2;
+      options.sheet.joints.friction_n_mm_per_mm = 1e-4;
+      const solver::DeploymentStudy study = *solver::deploy(studied, options).study;
+      EXPECT_EQ(of("critical_friction_n_mm_per_mm", draw),
+                study.friction.critical_n_mm_per_mm.value_or(-1));
+      EXPECT_EQ(of("stall_deg", draw), study.friction.static_stall_deg);
+      EXPECT_EQ(of("deploy_time_s", draw), study.deploy_time_s().value_or(-1));
+      EXPECT_NEAR(of("energy_n_mm", draw), study.run.rows.front().springs_n_mm, 1e-9);
+      const solver::ContactStudy contact = *solver::contact(studied, {{}, from_deg}).study;
+      EXPECT_EQ(of("thickness_mm", draw), contact.thickness->thickness_mm);
+      EXPECT_EQ(of("first_contact_deg", draw), contact.first ? contact.first->pilot_deg : -1);
+      // By its history at the samples, which shares no table with the way.
+      const solver::Actuation springs =
+          solver::actuate(studied, solver::Actuators{2, {}}, from_deg);
+      EXPECT_NEAR(of("energy_n_mm", draw),
+                  springs.energy_n_mm[static_cast<std::size_t>(springs.from_row)], 1e-6);
+    }
+  }
+}
+
+// NAME, NAME(draw) and NAME(draw, from_deg): in conditions, orders, queries and the report's
+// columns.
+TEST_F(FunctionsOfSheets, StandWhereverTheyCan) {
+  constexpr const char* kSome = "draw IN (SELECT draw FROM candidates ORDER BY draw LIMIT 6)";
+  for (const std::string& name : schema::study_functions()) {
+    SCOPED_TRACE(name);
+    const std::string full = name + "(draw)";
+    const auto plain =
+        numbers("SELECT " + full + " FROM candidates WHERE " + kSome + " ORDER BY draw");
+    ASSERT_EQ(plain.size(), 6u);
+    const double middle = plain[2];
+    for (const std::string& word : {name, full, name + "(draw, 90)"}) {
+      SCOPED_TRACE(word);
+      Choice where;
+      where.where = std::string(kSome) + " AND coalesce(" + word +
+                    ", -1) >= " + fmt::format("{:.17g}", middle);
+      const auto expected = std::ranges::count_if(plain, [&](double x) { return x >= middle; });
+      EXPECT_EQ(chosen_draws(*database_, where).size(), static_cast<std::size_t>(expected));
+      Choice by;
+      by.where = kSome;
+      by.best = 1;
+      by.by = word;
+      const auto best = chosen_draws(*database_, by).front();
+      EXPECT_EQ(numbers(fmt::format("SELECT {}({})", name, best)).front(), std::ranges::max(plain));
+      const std::string query =
+          query_text(*database_, "SELECT " + word + ", D FROM candidates WHERE " + kSome +
+                                     " AND D > 0 ORDER BY draw")
+              .sql;
+      look_ahead(*database_, query);
+      EXPECT_EQ(numbers(query), plain);
+      EXPECT_EQ(numbers("SELECT " + column_sql(*database_, word) + " FROM candidates WHERE " +
+                        kSome + " ORDER BY draw"),
+                plain);
+    }
+    const schema::Json page =
+        schema::candidates_json(*database_, 3, {schema::study_column(name)->name});
+    EXPECT_EQ(page["columns"][name].size(), 3u);
+  }
+}
+
+// Ahead of a query with many sheets, and behind its LIMIT: the same numbers, in any order.
+TEST_F(FunctionsOfSheets, AreTheSameAheadOfAQuery) {
+  const std::string sql =
+      "SELECT energy_n_mm(draw, 30 + draw % 7) FROM candidates WHERE "
+      "critical_friction_n_mm_per_mm(draw) > "
+      "0 ORDER BY draw DESC LIMIT 20";
+  const auto database =
+      schema::open_for_reading(std::string(MISALIGN_SOURCE_DIR) + "/tests/fixtures/catalogue-7.db");
+  add_study_functions(*database, campaign_);
+  std::vector<double> alone;
+  schema::read_query(*database, sql, [&](const SQLite::Statement& row) {
+    alone.push_back(row.getColumn(0).getDouble());
+  });
+  look_ahead(*database_, sql);
+  EXPECT_EQ(numbers(sql), alone);
+  EXPECT_EQ(alone.size(), 20u);
+}
+
+TEST_F(FunctionsOfSheets, NearNamesAreNamed) {
+  const auto said = [&](const Choice& choice) -> std::string {
+    try {
+      chosen_draws(*database_, choice);
+    } catch (const schema::UserError& error) {
+      EXPECT_EQ(error.cause(), schema::Cause::bad_request);
+      return error.what();
+    }
+    return "";
+  };
+  for (const std::string& name : schema::study_functions()) {
+    std::string misspelt = name;
+    misspelt.erase(2, 1);
+    Choice where, by;
+    where.where = misspelt + "(draw) > 0.1";
+    by.best = 1;
+    by.by = misspelt;
+    for (const Choice& choice : {where, by}) {
+      EXPECT_NE(said(choice).find("did you mean " + name + "?"), std::string::npos) << said(choice);
+    }
+  }
+  Choice by;
+  by.best = 1;
+  for (const char* bad : {"thickness_mm(draw", "thickness_mm(draw, x)", "thickness_mm(1)",
+                          "thickness_mm(draw); DROP", "stroke_max, draw"}) {
+    by.by = bad;
+    EXPECT_NE(said(by), "") << bad;
+  }
+}
+
+TEST(InFull, IsWhatPeopleMean) {
+  for (const auto& [typed, meant] : std::vector<std::pair<std::string, std::string>>{
+           {"D > 150", "deploys_from_deg > 150"},
+           {"c.D > 150 AND thickness_mm > 1", "c.D > 150 AND thickness_mm(draw) > 1"},
+           {"thickness_mm (draw, 140) > D", "thickness_mm (draw, 140) > deploys_from_deg"},
+           {"'D' = \"D\" OR d > 1", "'D' = \"D\" OR d > 1"},
+           {"SELECT Stall_Deg AS D FROM n", "SELECT stall_deg(draw) AS D FROM n"}}) {
+    EXPECT_EQ(schema::in_full(typed), meant);
+  }
+}
+
+}  // namespace
+}  // namespace misalign::search
