@@ -50,7 +50,7 @@ struct PathPoint {
   FoldState<double> state;
   std::vector<double> lengths, slopes;  ///< of the diagonals: panel widths, per radian of pilot
   double pilot_rate = 1;                ///< the pilot's entry of the unit tangent
-  /// Of every unknown per radian of pilot, in column order: of points that are recorded.
+  /// Of every unknown per radian of pilot, in column order: where they are wanted; else empty.
   std::vector<double> rates;
   /// How far the tangent is from one, per radian of pilot: what slopes are worth.
   double misfit = 0;

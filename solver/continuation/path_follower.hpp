@@ -308,6 +308,9 @@ void PathFollower<T, Steps, Closure>::copy_point(int i, bool with_slopes, PathPo
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
     point.slopes[k] = lane(slopes_[k], i) / pilot_rate;
   }
+  for (std::size_t j = 0; j < point.rates.size(); ++j) {
+    point.rates[j] = lane(corrector_.tangent()[j], i) / pilot_rate;
+  }
   point.misfit = lane(misfit_, i) / point.pilot_rate;
 }
 

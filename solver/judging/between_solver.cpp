@@ -12,10 +12,6 @@
 namespace misalign::solver {
 namespace {
 
-// An error of a cubic's rate in the middle counts an eighth: there the fifth derivative shows, and
-// the fourth does not.
-constexpr double kMiddlePerRate = 0.125;
-
 // What a state may be away from its neighbours' mean (rad).
 constexpr double kFarthestFromMean_rad = 0.2;
 
@@ -31,46 +27,18 @@ Quaternion<double> between(const Quaternion<double>& a, const Quaternion<double>
 
 }  // namespace
 
-CubicBetween cubic_between(const SolvedPlace& from, const SolvedPlace& to, int diagonal,
-                           int direction) {
-  const auto d = static_cast<std::size_t>(diagonal);
-  const bool both = from.point.pilot_rate > 0 && to.point.pilot_rate > 0;
-  return cubic_between({from.point.lengths[d], from.point.slopes[d]},
-                       {to.point.lengths[d], to.point.slopes[d]}, to.pilot_rad - from.pilot_rad,
-                       both ? to.point.pilot_rate / from.point.pilot_rate : 1, direction);
-}
-
-double cubics_off(const SolvedPlace& from, const SolvedPlace& between, const SolvedPlace& to,
-                  double share) {
-  double off = 0;
-  for (int k = 0; k < static_cast<int>(from.point.lengths.size()); ++k) {
-    const auto d = static_cast<std::size_t>(k);
-    const CubicBetween cubic = cubic_between(from, to, k, 1);
-    const double moved = between.point.lengths[d] - from.point.lengths[d];
-    const double rate = between.point.slopes[d] * (cubic.u + cubic.v * share);
-    off = std::max({off, std::abs(cubic.length(share) - moved),
-                    kMiddlePerRate * std::abs(cubic.rate(share) - rate)});
-  }
-  // It grows like the square of the product of both distances.
-  assert(share > 0 && share < 1);
-  const double product = 4 * share * (1 - share);
-  return off / (product * product);
-}
-
 struct BetweenSolver::Workspace {
   Workspace(const Mechanism& mechanism, const Elimination& elimination)
       : corrector(mechanism, SparseClosure<double>(mechanism, elimination)),
         near(flat_state<double>(mechanism)),
         tangent(static_cast<std::size_t>(mechanism.unknowns)),
         misfits(static_cast<std::size_t>(mechanism.equations)),
-        dense(mechanism),
-        rooms(kMostSolvedHalvings + 2, PathPoint(mechanism)) {}
+        dense(mechanism) {}
 
   LaneCorrector<double, SparseClosure<double>> corrector;
   FoldState<double> near;
   std::vector<double> tangent, misfits;
   DenseState dense;
-  std::vector<PathPoint> rooms;  // of the ways that are halved, the longest first
 };
 
 BetweenSolver::BetweenSolver(const Mechanism& mechanism, const Elimination& elimination)
@@ -78,28 +46,11 @@ BetweenSolver::BetweenSolver(const Mechanism& mechanism, const Elimination& elim
 
 BetweenSolver::~BetweenSolver() = default;
 
-BetweenSolver::Workspace& BetweenSolver::workspace() {
-  if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
-  return *workspace_;
-}
-
-PathPoint& BetweenSolver::room(int halvings) {
-  assert(halvings >= 0 && halvings <= kMostSolvedHalvings + 1);
-  return workspace().rooms[static_cast<std::size_t>(halvings)];
-}
-
-void BetweenSolver::put_flat(const SheetGeometry<double>& geometry, PathPoint& point) const {
-  std::fill(point.state.creases.begin(), point.state.creases.end(), HalfAngle<double>{1, 0});
-  std::fill(point.state.balls.begin(), point.state.balls.end(), Quaternion<double>{1, 0, 0, 0});
-  flat_lengths(mechanism_, geometry, point.lengths.data());
-  std::fill(point.slopes.begin(), point.slopes.end(), 0.0);  // lengths begin like a square
-  point.pilot_rate = 0;                                      // all branches meet there
-}
-
 // By the fixed order of elimination, or where that is poor by dense matrices.
 bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPlace& from,
                           const SolvedPlace& to, double pilot_rad, PathPoint& point) {
-  auto& [corrector, near, tangent, misfits, dense, rooms] = workspace();
+  if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
+  auto& [corrector, near, tangent, misfits, dense] = *workspace_;
   const double share = (pilot_rad - from.pilot_rad) / (to.pilot_rad - from.pilot_rad);
   const FoldState<double>&a = from.point.state, &b = to.point.state;
   for (std::size_t k = 0; k < near.creases.size(); ++k) {
@@ -124,6 +75,8 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
     folded_lengths_and_slopes(mechanism_, geometry, point.state, tangent.data(),
                               point.lengths.data(), point.slopes.data(), misfits.data());
     for (double& slope : point.slopes) slope /= rate;
+    point.rates.resize(tangent.size());
+    std::ranges::transform(tangent, point.rates.begin(), [rate](double of) { return of / rate; });
     point.misfit = 0;
     for (const double rest : misfits) {
       point.misfit = std::max(point.misfit, std::abs(rest / rate));

@@ -1,50 +1,130 @@
 #include "solver/judging/close_judge.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace misalign::solver {
+namespace {
 
-CloseJudge::CloseJudge(const Model& model, SolvedBumps& bumps)
-    : model_(model),
+// What a segment's polynomials would lose without their last node where extremes are looked for
+// (panel widths, rad): a thousandth of what long steps allow themselves, whose extremes are solved
+// once more.
+constexpr double kMostRoughness = 3e-11;
+
+// Ways back known as well as this are as good as solved (panel widths): what else is in doubt comes
+// from the errors of nodes, which no shorter segment has less of.
+constexpr double kSolved_widths = 1e-12;
+
+}  // namespace
+
+CloseJudge::CloseJudge(const Model& model, BetweenSolver& solver)
+    : mechanism_(model.mechanism()),
+      looks_for_bumps_(model.bumps() == BumpRule::exact),
       judge_(model.mechanism(), model.criterion()),
-      last_(model.mechanism()),
-      bumps_(bumps) {}
+      path_(model.mechanism(), solver),
+      bumps_(model.mechanism()),
+      finder_(model.mechanism().diagonal_count()),
+      here_(model.mechanism()) {}
 
 CloseJudge::~CloseJudge() = default;
 CloseJudge::CloseJudge(CloseJudge&&) = default;
 
-void CloseJudge::begin(const SheetGeometry<double>& geometry,
-                       const std::vector<double>& flat_lengths) {
+void CloseJudge::begin(const std::vector<double>& flat_lengths, bool finds_extremes) {
+  finds_extremes_ = finds_extremes;
   judge_.begin(flat_lengths);
   is_over_ = false;
-  if (!looks_between()) return;
   last_deg_ = 0;
-  bumps_.put_flat(geometry, last_);
+  if (!looks_between()) return;
+  path_.begin(flat_lengths);
+  bumps_.begin(flat_lengths);
+  finder_.begin(flat_lengths);
+  least_slope_at_last_ = std::numeric_limits<double>::infinity();
 }
 
 bool CloseJudge::see(const Station& station, const PathPoint& point, bool with_slopes,
                      const SheetGeometry<double>* geometry) {
-  if (looks_between() && !is_over_) {
-    assert(geometry && station.pilot_deg > last_deg_);
-    if (!judge_.is_in_order(&point.state, point.lengths)) {
-      is_over_ = true;
-    } else {
-      const BumpFound found =
-          bumps_.look(*geometry, last_deg_, last_, station.pilot_deg, point, judge_);
-      is_over_ = !found.is_known || found.where >= 0;
-      if (!found.is_known) {
-        judge_.end(Fault::undecided, -1);
-      } else if (is_over_) {
-        judge_.end_between(found.where, point.slopes[static_cast<std::size_t>(found.where)],
-                           found.from_deg);
-      }
-    }
-    last_deg_ = station.pilot_deg;
-    last_ = point;
+  is_over_ = is_over_ || !judge_.is_in_order(&point.state, point.lengths);
+  if (looks_between() && !(is_over_ && !finds_extremes_)) {
+    assert(geometry && with_slopes && station.pilot_deg > last_deg_);
+    look_between(station, point, *geometry);
   }
+  last_deg_ = station.pilot_deg;
   if (is_over_) return false;
-  return judge_.see(station, &point.state, point.lengths, with_slopes ? &point.slopes : nullptr,
-                    point.pilot_rate);
+  is_over_ = !judge_.see(station, &point.state, point.lengths,
+                         with_slopes ? &point.slopes : nullptr, point.pilot_rate);
+  if (is_over_ || !finds_extremes_) return !is_over_;
+  least_slope_at_last_ = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < point.slopes.size(); ++d) {
+    const double slope = judge_.direction(static_cast<int>(d)) * point.slopes[d];
+    least_slope_at_last_ = std::min(least_slope_at_last_, slope);
+  }
+  return true;
+}
+
+// Segment by segment to the sample; by halves where one is too long to tell.
+void CloseJudge::look_between(const Station& station, const PathPoint& point,
+                              const SheetGeometry<double>& geometry) {
+  const LeastSlope least_slope = finder_.least_slope();
+  bool is_known = path_.aim_at(geometry, station, point);
+  do {
+    while (!is_short_enough()) {
+      if (path_.halve()) continue;
+      is_known = false;
+      break;
+    }
+    if (finds_extremes_) find_extremes();
+    path_.keep();
+  } while (path_.go_on());
+  if (is_over_ || !looks_for_bumps_) return;
+  if (is_known && heading_ == FunctionBumps::Heading::forward) {
+    return bumps_.take(station.pilot_deg * kRadPerDeg);
+  }
+  is_over_ = true;
+  finder_.restore(least_slope);
+  if (!is_known) return judge_.end(Fault::undecided, -1);
+  const int d = bumps_.where();
+  const double oldest_deg = path_.function().pilot_at_oldest() / kRadPerDeg;
+  judge_.end_between(d, point.slopes[static_cast<std::size_t>(d)],
+                     goes_back_from_deg(path_.function(), d, judge_.direction(d),
+                                        std::max(last_deg_, oldest_deg), station.pilot_deg));
+}
+
+// As it stands, where it was halved as often as it may be.
+bool CloseJudge::is_short_enough() {
+  const PathFunction& function = path_.function();
+  const bool can_halve = path_.can_halve();
+  if (function.count() > 1 && can_halve) {
+    const bool is_sound = function.to() > function.from() && function.pilot_goes_on();
+    if (!is_sound || (finds_extremes_ && function.roughness() > kMostRoughness)) return false;
+  }
+  if (is_over_ || !looks_for_bumps_) return true;
+  if (!FunctionBumps::can_look(function)) return true;  // the next one looks at this one too
+  bumps_.begin_segment(function);
+  const double end = function.end();
+  const double least_doubt =
+      can_halve ? kSolved_widths : std::numeric_limits<double>::infinity();
+  heading_ = path_.is_at_sample() ? bumps_.look_at_sample(end, judge_, function, least_doubt)
+                                  : bumps_.look_at_end(judge_, function, least_doubt);
+  return heading_ != FunctionBumps::Heading::unsure;
+}
+
+void CloseJudge::find_extremes() {
+  const PathFunction& function = path_.function();
+  if (function.count() < 2) return;
+  here_.lengths = path_.end().lengths;
+  here_.slopes = path_.end().slopes;
+  finder_.see(path_.end_rad() / kRadPerDeg, !is_over_, function.end(), here_, judge_, function);
+}
+
+PathExtremes CloseJudge::extremes() const {
+  PathExtremes extremes = finder_.extremes();
+  extremes.drop_bump();  // between() has it
+  extremes.least_slope = finder_.least_slope().slope;
+  if (std::isfinite(extremes.least_slope)) {
+    extremes.least_slope = std::min(extremes.least_slope, least_slope_at_last_);
+  }
+  return extremes;
 }
 
 }  // namespace misalign::solver

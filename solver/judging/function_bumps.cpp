@@ -75,15 +75,16 @@ std::optional<double> FunctionBumps::rate_there(double x) {
 }
 
 FunctionBumps::Heading FunctionBumps::look_at_sample(double x, const Judge& judge,
-                                                     const PathFunction& function) {
+                                                     const PathFunction& function,
+                                                     double least_doubt) {
   go_to(x, true, judge, function);
-  return heading();
+  return heading(least_doubt);
 }
 
-FunctionBumps::Heading FunctionBumps::look_at_end(const Judge& judge,
-                                                  const PathFunction& function) {
+FunctionBumps::Heading FunctionBumps::look_at_end(const Judge& judge, const PathFunction& function,
+                                                  double least_doubt) {
   go_to(function.end(), false, judge, function);
-  const Heading at_end = heading();
+  const Heading at_end = heading(least_doubt);
   if (at_end == Heading::unsure) return at_end;
   kept_ = ways_;
   kept_room_ = room_;
@@ -173,25 +174,40 @@ void FunctionBumps::go(const Subsegment& subsegment, const double* rate, int hal
   go(this->subsegment(middle, subsegment.to), right, halvings + 1, retreats);
 }
 
-FunctionBumps::Heading FunctionBumps::heading() {
-  if (direction_changed_) return Heading::unsure;
-  double longest_at_least = 0, others_at_most = 0;
+FunctionBumps::Heading FunctionBumps::heading(double least_doubt) {
+  double doubt = 0, longest_at_least = 0, others_at_most = 0;
+  bool is_sure = !direction_changed_;
   where_ = -1;
   for (std::size_t d = 0; d < ways_.size(); ++d) {
-    const double at_least = ways_[d].at_least.longest - room_;
-    if (ways_[d].at_most.longest + room_ < kBumpBand_widths) continue;
-    if (at_least < kBumpBand_widths) return Heading::unsure;
-    if (where_ < 0 || at_least > longest_at_least) {
-      longest_at_least = at_least;
-      where_ = static_cast<int>(d);
-    }
+    const auto& [at_least, at_most, direction] = ways_[d];
+    doubt = std::max(doubt, at_most.longest - at_least.longest);
+    if (at_most.longest + room_ < kBumpBand_widths) continue;
+    const double least = at_least.longest - room_;
+    is_sure = is_sure && least >= kBumpBand_widths;
+    if (where_ >= 0 && least <= longest_at_least) continue;
+    longest_at_least = least;
+    where_ = static_cast<int>(d);
   }
-  if (where_ < 0) return Heading::forward;
+  if (where_ < 0 && is_sure) return Heading::forward;
   for (std::size_t d = 0; d < ways_.size(); ++d) {
     if (static_cast<int>(d) == where_) continue;
     others_at_most = std::max(others_at_most, ways_[d].at_most.longest + room_);
   }
-  return longest_at_least > others_at_most ? Heading::back : Heading::unsure;
+  if (is_sure && longest_at_least > others_at_most) return Heading::back;
+  return doubt <= least_doubt ? settle() : Heading::unsure;
+}
+
+// By the mean of what each diagonal went back at least and at most.
+FunctionBumps::Heading FunctionBumps::settle() {
+  double longest = 0;
+  where_ = -1;
+  for (std::size_t d = 0; d < ways_.size(); ++d) {
+    const double back = 0.5 * (ways_[d].at_least.longest + ways_[d].at_most.longest);
+    if (back < kBumpBand_widths || back <= longest) continue;
+    longest = back;
+    where_ = static_cast<int>(d);
+  }
+  return where_ < 0 ? Heading::forward : Heading::back;
 }
 
 }  // namespace misalign::solver

@@ -36,12 +36,14 @@ class FunctionBumps {
   /// The rates at a point of it, by the function's variable, and the bound of their errors there.
   double look(double x, std::vector<double>& rates) const;
   /// On to the next sample, at this point of the segment; the judge knows which way diagonals go.
-  Heading look_at_sample(double x, const Judge& judge, const PathFunction& function);
+  /// It is not unsure where the ways back are known to within `least_doubt` (panel widths).
+  Heading look_at_sample(double x, const Judge& judge, const PathFunction& function,
+                         double least_doubt = 0);
   /// That sample counts: the next subsegment begins.
   void take(double pilot_rad);
   /// On to the end of the segment. `unsure`: it is too long to say how far diagonals went back on
   /// it.
-  Heading look_at_end(const Judge& judge, const PathFunction& function);
+  Heading look_at_end(const Judge& judge, const PathFunction& function, double least_doubt = 0);
   /// The diagonal that goes back the most.
   int where() const { return where_; }
   /// Its rate at this point of the segment, by the function's variable, if its sign is certain.
@@ -62,7 +64,8 @@ class FunctionBumps {
                 const PathFunction& function) const;
   void go(const Subsegment& subsegment, const double* rate, int halvings, Retreats& retreats) const;
   Subsegment subsegment(double from, double to) const;
-  Heading heading();
+  Heading heading(double least_doubt);
+  Heading settle();
   double variable(double x) const { return in_squares_ ? x * x : x; }
 
   const Mechanism& mechanism_;

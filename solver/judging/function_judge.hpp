@@ -30,11 +30,7 @@ class FunctionJudge {
   const double* lengths_at(int sample) const {
     return rows_.data() + static_cast<std::size_t>(sample - 1) * last_.size();
   }
-  /// The diagonal that goes back and on again before the next sample, where that is the fault; -1:
-  /// none does.
-  int bump_where() const { return judge_.between().bump_where; }
-  /// +1 for a diagonal that grows, -1 for one that shrinks, 0 where it has not moved yet.
-  int direction(int diagonal) const { return judge_.direction(diagonal); }
+  const Judge& judge() const { return judge_; }
 
  private:
   ObserverResult see_sample(const Station& station, double x, bool creases_in_order,

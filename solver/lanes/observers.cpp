@@ -37,12 +37,14 @@ void FunctionObserver::ended(const PathResult& path, int lane) {
 JudgingObserver::JudgingObserver(const Model& model, int lanes)
     : QueueObserver(model, lanes),
       between_(model.mechanism(), model.elimination()),
-      bumps_(model.mechanism(), between_),
       point_(model.mechanism()),
       residual_(model.mechanism().equations),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
-  for (int i = 0; i < lanes; ++i) judges_.emplace_back(model, bumps_);
+  for (int i = 0; i < lanes; ++i) judges_.emplace_back(model, between_);
+  if (judges_.front().looks_between()) {
+    point_.rates.resize(static_cast<std::size_t>(model.mechanism().unknowns));
+  }
 }
 
 JudgingObserver::~JudgingObserver() = default;
@@ -53,8 +55,8 @@ void JudgingObserver::begin(const SheetBlock& block) {
   queue_.begin(block);
 }
 
-void JudgingObserver::begin_sheet(PathStart& start, int lane) {
-  judges_[lane].begin(*start.geometry, flat_);
+void JudgingObserver::begin_sheet(PathStart&, int lane) {
+  judges_[lane].begin(flat_);
 }
 
 bool JudgingObserver::see(const Station& station, int lane) {

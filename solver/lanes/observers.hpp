@@ -61,7 +61,6 @@ class JudgingObserver final : public QueueObserver {
   bool is_open(const SheetGeometry<double>& geometry);
 
   BetweenSolver between_;
-  SolvedBumps bumps_;
   std::vector<CloseJudge> judges_;  // of lanes
   std::vector<Verdict> verdicts_;
   PathPoint point_;

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "solver/records/extreme_finder.hpp"
+#include "solver/judging/extreme_finder.hpp"
+#include "solver/records/path_record.hpp"
 
 namespace misalign::solver {
 

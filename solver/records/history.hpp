@@ -6,28 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "solver/judging/extreme_finder.hpp"
 #include "solver/model/model.hpp"
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
-
-/// Of the diagonals' rates of change in their directions, all over the path.
-struct PathExtremes {
-  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
-  double least_slope = std::numeric_limits<double>::infinity();
-  /// Where a diagonal first goes back, and on again before D without a sample having shown it; or
-  /// where bumps are asked for, the one that is the fault.
-  std::optional<double> bump_deg;
-  int bump_where = -1;  ///< which one
-  /// Where a diagonal first turns back, up to the last sample that was followed.
-  std::optional<double> reverses_deg;
-
-  /// There is none: it would have ended D.
-  void drop_bump() {
-    bump_deg.reset();
-    bump_where = -1;
-  }
-};
 
 /// One row or entry per station that was solved; verdicts look at those with sample > 0.
 struct FoldingHistory {

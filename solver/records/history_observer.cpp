@@ -26,7 +26,6 @@ HistoryObserver::HistoryObserver(const Model& model, int lanes, const StationVis
     : QueueObserver(model, lanes),
       visit_(visit),
       between_(model.mechanism(), model.elimination()),
-      bumps_(model.mechanism(), between_),
       point_(model.mechanism()),
       dense_state_(model.mechanism()),
       fallback_(model.mechanism()) {
@@ -52,13 +51,12 @@ void HistoryObserver::measure_only(const std::vector<int>& sheets) {
 
 void HistoryObserver::begin_sheet(PathStart& start, int lane) {
   if (fallback_.under_way() && goes_on(start, lane)) return;
-  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
+  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   lengths_mm.clear();
   slopes_mm_per_deg.clear();
   angles_deg.clear();
   history = {};
-  judge.begin(*start.geometry, flat_);
-  if (finds_extremes_) extremes.begin(queue_.geometry_of_lane(lane));
+  judge.begin(flat_, finds_extremes_);
   for (const double length : flat_) {
     history.flat_mm.push_back(length * model_.mechanism().panel_width_mm);
   }
@@ -90,13 +88,10 @@ bool HistoryObserver::see(const Station& station, int lane) {
 void HistoryObserver::keep(const Station& station, int lane, const SolveQuality& quality) {
   const double width_mm = model_.mechanism().panel_width_mm;
   assert(std::ssize(point_.lengths) == model_.mechanism().diagonal_count());
-  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
+  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   if (station.sample > 0) {
     judge.see(station, point_, true,
               judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
-    if (finds_extremes_) {
-      extremes.see(queue_.geometry_of_lane(lane), station, point_, judge.judge());
-    }
   }
   history.stations.push_back(station);
   last = point_.state;
@@ -119,14 +114,14 @@ void HistoryObserver::keep(const Station& station, int lane, const SolveQuality&
 
 void HistoryObserver::ended(PathResult path, int lane) {
   if (!fallback_.under_way()) effort_.add(path);
-  auto& [judge, extremes, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
+  auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
   const std::size_t stations = history.stations.size();
   const bool has_not_gone_on = path.end == PathEnd::start_lost && stations > 0;
   if (has_not_gone_on || !queue_.has_ended(path, lane)) return;
   history.path = path;
   history.verdict = judge.conclude(path);
-  history.between = judge.judge().between();
-  if (finds_extremes_) history.extremes = extremes.extremes();
+  history.between = judge.between();
+  if (finds_extremes_) history.extremes = judge.extremes();
   history.length_mm = rows_of(lengths_mm, stations);
   history.slope_mm_per_deg = rows_of(slopes_mm_per_deg, stations);
   history.fold_angle_deg = rows_of(angles_deg, stations);

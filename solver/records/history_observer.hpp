@@ -10,7 +10,6 @@
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/model/dense_state.hpp"
 #include "solver/records/history.hpp"
-#include "solver/records/solved_extremes.hpp"
 #include "solver/records/state_measure.hpp"
 
 namespace misalign::solver {
@@ -42,7 +41,6 @@ class HistoryObserver final : public QueueObserver {
  private:
   struct Lane {
     CloseJudge judge;
-    SolvedExtremes extremes;
     FoldingHistory history{};
     std::vector<double> lengths_mm{}, slopes_mm_per_deg{}, angles_deg{};  // station by station
     FoldState<double> last{};                                             // at the last of them
@@ -55,7 +53,7 @@ class HistoryObserver final : public QueueObserver {
 
   std::unique_ptr<Lane> new_lane() {
     return std::make_unique<Lane>(
-        Lane{CloseJudge(model_, bumps_), SolvedExtremes(model_.mechanism(), between_)});
+        Lane{CloseJudge(model_, between_)});
   }
 
   void begin_sheet(PathStart& start, int lane) override;
@@ -64,7 +62,6 @@ class HistoryObserver final : public QueueObserver {
 
   const StationVisitor* visit_;
   BetweenSolver between_;
-  SolvedBumps bumps_;
   bool finds_extremes_ = false;
   std::vector<std::unique_ptr<Lane>> lanes_;
   std::vector<Unfinished> unfinished_;

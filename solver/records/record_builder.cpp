@@ -75,8 +75,12 @@ ObserverResult RecordBuilder::see(const PathFunction& function, int lane) {
   one.fault_seen = seen == ObserverResult::enough;
   if (one.fault_seen && (in_order == 0 || in_order < model_.threshold_sample())) return seen;
   look_up_to(end_deg, function, one);
-  if (one.judge.bump_where() >= 0) {
-    one.finder.note_bump(station_of(in_order), station_of(in_order + 1), one.judge, function);
+  const Judge& judge = one.judge.judge();
+  if (const int d = judge.between().bump_where; d >= 0) {
+    const double from_deg = station_of(in_order).pilot_deg;
+    const double to_deg = station_of(in_order + 1).pilot_deg;
+    one.finder.note_bump(
+        d, goes_back_from_deg(function, d, judge.direction(d), from_deg, to_deg));
   }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
   // After short segments the last nodes may not reach back to D any more: it is noted on the way.
@@ -125,7 +129,7 @@ void RecordBuilder::look_up_to(double end_deg, const PathFunction& function, Lan
       note_least_step(station, lane);
     }
     const bool had_reversed = lane.has_reversed();
-    lane.finder.see(station, x, here_, lane.judge, function);
+    lane.finder.see(station.pilot_deg, is_in_order, x, here_, lane.judge.judge(), function);
     if (had_reversed || !lane.has_reversed()) continue;
     const Reversal& reversal = lane.finder.first_reversal();
     if (reversal.pilot_deg == 0) continue;
@@ -179,7 +183,7 @@ void RecordBuilder::ended(const PathResult& path, int lane) {
   record.verdict = *verdict;
   record.path = path;
   record.extremes = one.finder.extremes();
-  if (model_.bumps() == BumpRule::exact && one.judge.bump_where() < 0) record.extremes.drop_bump();
+  if (model_.bumps() == BumpRule::exact && one.judge.judge().between().bump_where < 0) record.extremes.drop_bump();
   made.slopes.begin(one.finder);
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();

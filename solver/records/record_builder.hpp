@@ -8,6 +8,7 @@
 
 #include "solver/continuation/path_follower.hpp"
 #include "solver/judging/dense_fallback.hpp"
+#include "solver/judging/function_judge.hpp"
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/model/model.hpp"
 #include "solver/records/found_slopes.hpp"

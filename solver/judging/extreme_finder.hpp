@@ -3,12 +3,32 @@
 // between them; only then the function is searched.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
-#include "solver/judging/function_judge.hpp"
-#include "solver/records/path_record.hpp"
+#include "solver/continuation/path_function.hpp"
+#include "solver/verdict/verdict.hpp"
 
 namespace misalign::solver {
+
+/// Of the diagonals' rates of change in their directions, all over the path.
+struct PathExtremes {
+  /// The least from kInactiveFrom_deg to D, panel widths per radian; infinite if D lies below.
+  double least_slope = std::numeric_limits<double>::infinity();
+  /// Where a diagonal first goes back, and on again before D without a sample having shown it; or
+  /// where bumps are asked for, the one that is the fault.
+  std::optional<double> bump_deg;
+  int bump_where = -1;  ///< which one
+  /// Where a diagonal first turns back, up to the last sample that was followed.
+  std::optional<double> reverses_deg;
+
+  /// There is none: it would have ended D.
+  void drop_bump() {
+    bump_deg.reset();
+    bump_where = -1;
+  }
+};
 
 /// Where a diagonal turns back for the first time.
 struct Reversal {
@@ -24,6 +44,10 @@ struct LeastSlope {
   double x = 0, pilot_deg = 0;                             ///< as in Reversal
 };
 
+/// Where a diagonal that goes in this direction turns back between these pilot angles, once.
+double goes_back_from_deg(const PathFunction& function, int diagonal, int direction,
+                          double from_deg, double to_deg);
+
 class ExtremeFinder {
  public:
   explicit ExtremeFinder(int diagonals);
@@ -31,14 +55,14 @@ class ExtremeFinder {
   ExtremeFinder(const ExtremeFinder&);
 
   void begin(const std::vector<double>& flat_lengths);
-  /// The next sample, at this point of the newest segment; `here` is what is known of it, and
-  /// `judge` which samples are in order, and which way diagonals go.
-  void see(const Station& station, double x, const PathEstimate& here, const FunctionJudge& judge,
-           const PathFunction& function);
-
-  /// The bump between these stations by which the judge has ended.
-  void note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
-                 const PathFunction& function);
+  /// The next sample, or another node, at this point of the newest segment; whether it is in
+  /// order, `here` is what is known of it, and `judge` which way diagonals go.
+  void see(double pilot_deg, bool is_in_order, double x, const PathEstimate& here,
+           const Judge& judge, const PathFunction& function);
+  /// The bump by which a judge has ended.
+  void note_bump(int diagonal, double from_deg);
+  /// What was seen since is not in order.
+  void restore(const LeastSlope& least_slope) { least_slope_ = least_slope; }
 
   /// At the last sample that was seen.
   const std::vector<double>& lengths() const { return last_; }
@@ -48,15 +72,6 @@ class ExtremeFinder {
   const Reversal& first_reversal() const { return reversal_; }
 
  private:
-  struct Subsegment {
-    const PathFunction& function;
-    int diagonal, direction;
-    double from, to;  // of the function's variable
-
-    double slope(double x) const { return direction * function.slope(diagonal, x); }
-    double root_of_slope(double high) const;
-    double least_slope_at() const;
-  };
   void note_slope(double slope, double x, double pilot_deg);
   void note_reversal(int diagonal, double x, const PathFunction& function);
 

@@ -1,4 +1,4 @@
-#include "solver/records/extreme_finder.hpp"
+#include "solver/judging/extreme_finder.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -7,10 +7,22 @@
 #include "solver/verdict/between.hpp"
 
 namespace misalign::solver {
+namespace {
+
+// A diagonal on a part of the newest segment.
+struct Subsegment {
+  const PathFunction& function;
+  int diagonal, direction;
+  double from, to;  // of the function's variable
+
+  double slope(double x) const { return direction * function.slope(diagonal, x); }
+  double root_of_slope(double high) const;
+  double least_slope_at() const;
+};
 
 // Where the rate of change falls to zero, from the subsegment's start, where it is positive, to
 // `high`, where it is not.
-double ExtremeFinder::Subsegment::root_of_slope(double high) const {
+double Subsegment::root_of_slope(double high) const {
   double low = from;
   for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
     const double middle = 0.5 * (low + high);
@@ -20,7 +32,7 @@ double ExtremeFinder::Subsegment::root_of_slope(double high) const {
 }
 
 // Where it is least, if it has one minimum (golden section).
-double ExtremeFinder::Subsegment::least_slope_at() const {
+double Subsegment::least_slope_at() const {
   constexpr double kGolden = 0.6180339887498949;
   double low = from, high = to;
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
@@ -41,6 +53,17 @@ double ExtremeFinder::Subsegment::least_slope_at() const {
   return 0.5 * (low + high);
 }
 
+}  // namespace
+
+double goes_back_from_deg(const PathFunction& function, int diagonal, int direction,
+                          double from_deg, double to_deg) {
+  const Subsegment subsegment{function, diagonal, direction,
+                              function.locate(from_deg * kRadPerDeg),
+                              function.locate(to_deg * kRadPerDeg)};
+  const double root = subsegment.root_of_slope(subsegment.least_slope_at());
+  return function.pilot(root) / kRadPerDeg;
+}
+
 ExtremeFinder::ExtremeFinder(int diagonals)
     : last_(static_cast<std::size_t>(diagonals)), last_slopes_(last_), back_since_deg_(last_) {}
 
@@ -57,11 +80,10 @@ void ExtremeFinder::begin(const std::vector<double>& flat_lengths) {
   std::fill(back_since_deg_.begin(), back_since_deg_.end(), 0.0);
 }
 
-void ExtremeFinder::see(const Station& station, double x, const PathEstimate& here,
-                        const FunctionJudge& judge, const PathFunction& function) {
-  assert(station.pilot_deg > last_deg_ && here.lengths.size() == last_.size());
-  const double step_rad = (station.pilot_deg - last_deg_) * kRadPerDeg;
-  const bool is_in_order = station.sample <= judge.samples_in_order();
+void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x, const PathEstimate& here,
+                        const Judge& judge, const PathFunction& function) {
+  assert(pilot_deg > last_deg_ && here.lengths.size() == last_.size());
+  const double step_rad = (pilot_deg - last_deg_) * kRadPerDeg;
   const bool counts = is_in_order && last_deg_ >= kInactiveFrom_deg;
   double first_x = std::numeric_limits<double>::infinity();
   int first_of = -1;
@@ -114,7 +136,7 @@ void ExtremeFinder::see(const Station& station, double x, const PathEstimate& he
     extremes_.bump_where = d;
   }
   if (first_of >= 0 && reversal_.diagonal < 0) note_reversal(first_of, first_x, function);
-  last_deg_ = station.pilot_deg;
+  last_deg_ = pilot_deg;
   last_ = here.lengths;
   last_slopes_ = here.slopes;
 }
@@ -123,16 +145,9 @@ void ExtremeFinder::note_slope(double slope, double x, double pilot_deg) {
   if (slope < least_slope_.slope) least_slope_ = {slope, x, pilot_deg};
 }
 
-void ExtremeFinder::note_bump(const Station& from, const Station& to, const FunctionJudge& judge,
-                              const PathFunction& function) {
-  const int d = judge.bump_where();
-  assert(d >= 0 && d < std::ssize(last_));
-  const Subsegment subsegment{function, d, judge.direction(d),
-                              function.locate(from.pilot_deg * kRadPerDeg),
-                              function.locate(to.pilot_deg * kRadPerDeg)};
-  const double root = subsegment.root_of_slope(subsegment.least_slope_at());
-  extremes_.bump_where = d;
-  extremes_.bump_deg = function.pilot(root) / kRadPerDeg;
+void ExtremeFinder::note_bump(int diagonal, double from_deg) {
+  extremes_.bump_where = diagonal;
+  extremes_.bump_deg = from_deg;
 }
 
 void ExtremeFinder::note_reversal(int diagonal, double x, const PathFunction& function) {

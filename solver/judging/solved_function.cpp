@@ -1,0 +1,92 @@
+#include "solver/judging/solved_function.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace misalign::solver {
+
+SolvedFunction::SolvedFunction(const Mechanism& mechanism, BetweenSolver& solver)
+    : mechanism_(mechanism),
+      solver_(solver),
+      function_(mechanism),
+      last_(mechanism),
+      middle_(mechanism),
+      next_(mechanism) {
+  for (PathPoint* const point : {&last_, &middle_, &next_}) {
+    point->rates.resize(static_cast<std::size_t>(mechanism.unknowns));
+  }
+}
+
+SolvedFunction::~SolvedFunction() = default;
+SolvedFunction::SolvedFunction(SolvedFunction&&) = default;
+
+// Flat is where all branches meet; lengths begin like a square there.
+void SolvedFunction::begin(const std::vector<double>& flat_lengths) {
+  function_.begin(flat_lengths.data());
+  std::ranges::fill(last_.state.creases, HalfAngle<double>{1, 0});
+  std::ranges::fill(last_.state.balls, Quaternion<double>{1, 0, 0, 0});
+  last_rad_ = 0;
+}
+
+bool SolvedFunction::aim_at(const SheetGeometry<double>& geometry, const Station& sample,
+                            const PathPoint& point) {
+  assert(sample.pilot_deg * kRadPerDeg > last_rad_ && !point.rates.empty());
+  geometry_ = &geometry;
+  sample_ = &point;
+  end_rad_ = sample_rad_ = sample.pilot_deg * kRadPerDeg;
+  solves_ = 0;
+  add();
+  return function_.count() > 1 || halve();
+}
+
+bool SolvedFunction::halve() {
+  function_.drop();
+  const bool is_solved = solve(0.5 * (last_rad_ + end_rad_));
+  add();
+  return is_solved;
+}
+
+void SolvedFunction::keep() {
+  length_rad_ = end_rad_ - last_rad_;
+  last_ = end();
+  last_rad_ = end_rad_;
+}
+
+bool SolvedFunction::go_on() {
+  if (is_at_sample()) return false;
+  end_rad_ = sample_rad_;
+  const double next_rad = last_rad_ + 2 * length_rad_;
+  if (can_halve() && next_rad < sample_rad_) solve(next_rad);
+  add();
+  return true;
+}
+
+// Between the last place and the end, which it becomes; otherwise that stays.
+bool SolvedFunction::solve(double pilot_rad) {
+  ++solves_;
+  if (!solver_.solve(*geometry_, {last_rad_, last_}, {end_rad_, end()}, pilot_rad, next_)) {
+    return false;
+  }
+  std::swap(middle_, next_);
+  end_rad_ = pilot_rad;
+  return true;
+}
+
+void SolvedFunction::add() {
+  const PathPoint& point = end();
+  PathNode& node = function_.vacant();
+  node.creases = point.state.creases;
+  for (std::size_t k = 0; k < node.crease_rates.size(); ++k) {
+    const auto column = static_cast<std::size_t>(mechanism_.creases[k].column);
+    node.crease_rates[k] = point.rates[column] * point.pilot_rate;
+  }
+  for (std::size_t d = 0; d < node.slopes.size(); ++d) {
+    node.slopes[d] = point.slopes[d] * point.pilot_rate;
+  }
+  node.lengths = point.lengths;
+  node.misfit = point.misfit * point.pilot_rate;
+  function_.add();
+}
+
+}  // namespace misalign::solver
