@@ -3,8 +3,8 @@
 #include "schema/files/user_error.hpp"
 #include "search/ranks/process_start.hpp"
 #include "search/ranks/stop_signal.hpp"
-#include "search/sheets/deployment_functions.hpp"
 #include "search/sheets/row_certifier.hpp"
+#include "search/sheets/study_functions.hpp"
 #include "search/verbs/cli.hpp"
 
 namespace misalign::search {
@@ -16,7 +16,7 @@ void certify_if_asked(DrawEvaluator& evaluator) {
                           "nothing; cmake --build --preset release builds the whole one");
 }
 
-void add_deployment_functions(SQLite::Database& /*database*/, const std::string& /*path*/) {}
+void add_study_functions(SQLite::Database& /*database*/, const std::string& /*path*/) {}
 
 }  // namespace misalign::search
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "schema/pattern/material.hpp"
 #include "schema/exchange/panel_mesh.hpp"
 #include "schema/exchange/simulated_sheet.hpp"
+#include "schema/pattern/material.hpp"
 
 namespace misalign::schema {
 

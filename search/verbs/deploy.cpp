@@ -103,7 +103,8 @@ Action deploy_verb(CLI::App& verb) {
       "by letting it go again and again, otherwise from its energies.\n"
       "Forces act on the panel right of a crease (seen walking along its name), or on the\n"
       "second of a ball joint; moments are about the crease's midpoint, square to it.\n"
-      "Panels that bend (--panels bend, or where a material is named): each into a saddle, creases straight, "
+      "Panels that bend (--panels bend, or where a material is named): each into a saddle, creases "
+      "straight, "
       "with\n"
       "springs and panels in balance at every angle. Its numbers come first; all that follows, "
       "the\n"
@@ -125,8 +126,9 @@ Action deploy_verb(CLI::App& verb) {
                   "rigid, or as plates that bend [bend where the design or --material names a "
                   "material]")
       ->transform(one_of<PanelKind>({{"rigid", PanelKind::rigid}, {"bend", PanelKind::bend}}));
-  verb.add_option("--material", call->material_file,
-                  "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or aluminium]")
+  verb.add_option(
+          "--material", call->material_file,
+          "JSON file with name, e_gpa, poisson, density_g_per_cm3 [the design's, or aluminium]")
       ->type_name("FILE");
   constexpr double kLeastMarginTo_deg = 0.1;
   verb.add_option(

@@ -21,6 +21,7 @@ Action bench_verb(CLI::App& verb);
 Action certify_verb(CLI::App& verb, const Words& typed);
 Action completion_verb(CLI::App& verb);
 Action config_verb(CLI::App& verb);
+Action construct_verb(CLI::App& verb);
 Action contact_verb(CLI::App& verb);
 Action deploy_verb(CLI::App& verb);
 Action doctor_verb(CLI::App& verb);
@@ -50,6 +51,7 @@ inline std::vector<Verb> all_verbs(const Words& typed) {
           {"status", status_verb},
           {"fold", fold_verb},
           {"perforations", perforations_verb},
+          {"construct", construct_verb},
           {"replay", replay_verb},
           {"query", query_verb},
           {"export", export_verb},

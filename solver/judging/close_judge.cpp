@@ -102,8 +102,7 @@ bool CloseJudge::is_short_enough() {
   if (!FunctionBumps::can_look(function)) return true;  // the next one looks at this one too
   bumps_.begin_segment(function);
   const double end = function.end();
-  const double least_doubt =
-      can_halve ? kSolved_widths : std::numeric_limits<double>::infinity();
+  const double least_doubt = can_halve ? kSolved_widths : std::numeric_limits<double>::infinity();
   heading_ = path_.is_at_sample() ? bumps_.look_at_sample(end, judge_, function, least_doubt)
                                   : bumps_.look_at_end(judge_, function, least_doubt);
   return heading_ != FunctionBumps::Heading::unsure;

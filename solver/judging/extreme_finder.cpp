@@ -57,8 +57,7 @@ double Subsegment::least_slope_at() const {
 
 double goes_back_from_deg(const PathFunction& function, int diagonal, int direction,
                           double from_deg, double to_deg) {
-  const Subsegment subsegment{function, diagonal, direction,
-                              function.locate(from_deg * kRadPerDeg),
+  const Subsegment subsegment{function, diagonal, direction, function.locate(from_deg * kRadPerDeg),
                               function.locate(to_deg * kRadPerDeg)};
   const double root = subsegment.root_of_slope(subsegment.least_slope_at());
   return function.pilot(root) / kRadPerDeg;

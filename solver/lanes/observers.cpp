@@ -55,9 +55,7 @@ void JudgingObserver::begin(const SheetBlock& block) {
   queue_.begin(block);
 }
 
-void JudgingObserver::begin_sheet(PathStart&, int lane) {
-  judges_[lane].begin(flat_);
-}
+void JudgingObserver::begin_sheet(PathStart&, int lane) { judges_[lane].begin(flat_); }
 
 bool JudgingObserver::see(const Station& station, int lane) {
   if (station.sample == 0) return true;

@@ -52,8 +52,7 @@ class HistoryObserver final : public QueueObserver {
   };
 
   std::unique_ptr<Lane> new_lane() {
-    return std::make_unique<Lane>(
-        Lane{CloseJudge(model_, between_)});
+    return std::make_unique<Lane>(Lane{CloseJudge(model_, between_)});
   }
 
   void begin_sheet(PathStart& start, int lane) override;

@@ -79,8 +79,7 @@ ObserverResult RecordBuilder::see(const PathFunction& function, int lane) {
   if (const int d = judge.between().bump_where; d >= 0) {
     const double from_deg = station_of(in_order).pilot_deg;
     const double to_deg = station_of(in_order + 1).pilot_deg;
-    one.finder.note_bump(
-        d, goes_back_from_deg(function, d, judge.direction(d), from_deg, to_deg));
+    one.finder.note_bump(d, goes_back_from_deg(function, d, judge.direction(d), from_deg, to_deg));
   }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
   // After short segments the last nodes may not reach back to D any more: it is noted on the way.
@@ -183,7 +182,8 @@ void RecordBuilder::ended(const PathResult& path, int lane) {
   record.verdict = *verdict;
   record.path = path;
   record.extremes = one.finder.extremes();
-  if (model_.bumps() == BumpRule::exact && one.judge.judge().between().bump_where < 0) record.extremes.drop_bump();
+  if (model_.bumps() == BumpRule::exact && one.judge.judge().between().bump_where < 0)
+    record.extremes.drop_bump();
   made.slopes.begin(one.finder);
   const int in_order = verdict->deploys_from_sample;
   made.is_accepted = in_order > 0 && in_order >= model_.threshold_sample();

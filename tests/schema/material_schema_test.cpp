@@ -1,6 +1,6 @@
 // material.schema.json and read_material_file accept and refuse the same files.
-#include "schema/pattern/material.hpp"
 #include "schema/files/text_file.hpp"
+#include "schema/pattern/material.hpp"
 #include "schema_agreement.hpp"
 #include "tests/folder.hpp"
 

@@ -8,7 +8,7 @@ grep -q "1200 draws" summary || fail "the summary"
 [ "$(wc -l < summary)" = 1 ] || fail "more than the summary on stdout"
 
 "$program" --help | grep -q replay || fail "--help"
-for verb in search status fold perforations replay query export report watch actuators deploy stress verify certify tolerance \
+for verb in search status fold perforations construct replay query export report watch actuators deploy stress verify certify tolerance \
   merge config doctor bench completion; do
   "$program" $verb --help | grep -q Example || fail "$verb --help has no example"
 done
@@ -43,6 +43,16 @@ head -1 "out/miura-4x4-$draw.csv" | grep -q "^draw,pilot_deg,diagonal," || fail 
 "$program" export "$file" --where "stroke_max > 0.01" --output out > exported || fail "export --where"
 [ "$(wc -l < exported)" = "$(sql "$file" 'SELECT count(*) FROM candidate WHERE stroke_max > 0.01')" ] ||
   fail "export --where: count"
+
+# A sheet by construction goes its whole path, and what cannot be had is refused.
+"$program" construct "$source_dir/search/patterns/table1.json" --amplitude 4 --output made.json > /dev/null ||
+  fail "construct"
+"$program" fold made.json --to 179 --json > made-fold.json || fail "fold of a constructed sheet"
+[ "$(field made-fold.json verdict.deploys_from_deg)" = 179.0 ] || fail "construct: verdict"
+"$program" construct "$source_dir/search/patterns/table1.json" --stroke 0.5 2> err
+[ $? = 2 ] || fail "construct out of reach"
+"$program" construct "$source_dir/search/patterns/turned-quads-6x6.json" 2> err
+[ $? = 3 ] || fail "construct of a base without the family"
 
 # A rejected draw can be looked at too.
 rejected=$(sql "$file" 'WITH RECURSIVE n(d) AS (SELECT 0 UNION ALL SELECT d + 1 FROM n WHERE d < 1199)

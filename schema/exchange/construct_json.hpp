@@ -1,0 +1,11 @@
+// A constructed sheet as JSON: its pattern, what its holes do, and what is certain of it.
+#pragma once
+
+#include "schema/pattern/pattern_file.hpp"
+#include "solver/design/construct.hpp"
+
+namespace misalign::schema {
+
+Json construct_json(const Pattern& base, const solver::ConstructStudy& study, double at_deg);
+
+}  // namespace misalign::schema

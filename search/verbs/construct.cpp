@@ -1,0 +1,96 @@
+// `misalign construct`: a sheet whose diagonals are monotone to 180 degrees, without a search.
+#include <fmt/format.h>
+
+#include "schema/exchange/construct_json.hpp"
+#include "schema/files/text_file.hpp"
+#include "search/sheets/construct_text.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
+#include "search/verbs/verbs.hpp"
+
+namespace misalign::search {
+namespace {
+
+struct ConstructCall {
+  std::string pattern_path;  // its displacements are not looked at
+  std::string output_path;   // empty: no file
+  solver::ConstructOptions options;
+  std::string signs;  // as typed: '+' and '-'
+  bool rim = false, json = false;
+};
+
+std::vector<int> signs_of(const std::string& typed) {
+  std::vector<int> signs;
+  for (const char sign : typed) signs.push_back(sign == '+' ? 1 : -1);
+  return signs;
+}
+
+void construct_sheet(ConstructCall& call) {
+  const schema::Pattern base =
+      schema::read_pattern_file(call.pattern_path, schema::Perforations::any);
+  call.options.signs = signs_of(call.signs);
+  const solver::ConstructStudy study = constructed(base, call.pattern_path, call.rim, call.options);
+  if (!call.output_path.empty()) {
+    schema::write_text_file(call.output_path,
+                            schema::pattern_json(base, study.shifts_mm).dump(1) + "\n");
+  }
+  if (call.json) {
+    put_json(schema::construct_json(base, study, call.options.at_deg));
+  } else {
+    put(construct_text(base, study, call.options.at_deg));
+  }
+}
+
+// '+' or '-', one a hole.
+CLI::Validator plus_or_minus() {
+  return {[](const std::string& typed) {
+            return typed.find_first_not_of("+-") == std::string::npos
+                       ? std::string()
+                       : "signs are written as + and -, one a hole: +-+-";
+          },
+          "SIGNS"};
+}
+
+}  // namespace
+
+Action construct_verb(CLI::App& verb) {
+  verb.description("a sheet that is monotone to 180 degrees by construction, without a search");
+  verb.footer(
+      "From a base pattern the sheet of the parallel family whose least used diagonal changes\n"
+      "most: every crease keeps its direction and holes stay parallelograms, so that the sheet\n"
+      "folds by the base's own angles and the diagonals' lengths are closed forms. With the rim\n"
+      "held signs must change along each row and column of holes. The proof, and which bases\n"
+      "have the family: solver/pattern/README.md. `misalign certify` proves the same from the\n"
+      "loops' equations.\n\n"
+      "Examples:\n"
+      "  misalign construct search/patterns/table1.json --amplitude 4 --output made.json\n"
+      "  misalign construct search/patterns/miura-graded-6x6.json --rim --stroke 0.01 --amplitude "
+      "2\n"
+      "  misalign certify made.json --to 179.9");
+  auto call = std::make_shared<ConstructCall>();
+  verb.add_option("PATTERN", call->pattern_path, "base pattern (JSON)")->required();
+  verb.add_option("--output", call->output_path, "write the sheet to this pattern file")
+      ->type_name("FILE");
+  verb.add_option("--amplitude", call->options.amplitude_mm,
+                  "shift no vertex by more in x or y, mm [0.4]")
+      ->check(within(1e-6, 1e6))
+      ->type_name("MM");
+  verb.add_option("--stroke", call->options.stroke,
+                  "least share of its length by which every diagonal changes [the most there is]")
+      ->check(a_share(1e-6, 1))
+      ->type_name("SHARE");
+  verb.add_option("--at", call->options.at_deg, "pilot angle of the stroke, degrees [179]")
+      ->check(within(1, 180))
+      ->type_name("DEG");
+  verb.add_option("--signs", call->signs,
+                  "which way each hole changes, row by row [several are tried]")
+      ->check(plus_or_minus());
+  verb.add_flag("--rim", call->rim, "shift the rim's vertices, too");
+  verb.add_flag("--json", call->json, "as JSON, with the sheet as \"pattern\"");
+  return [call] {
+    construct_sheet(*call);
+    return 0;
+  };
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,124 @@
+#include "solver/linear/simplex.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace misalign::solver {
+namespace {
+
+// Gains and entries below this are rounding: programs here have entries of about 1.
+constexpr double kNoGain = 1e-9;
+constexpr double kLeastEntry = 1e-9;
+// Pivots that gain nothing, after which the first column that gains is taken instead of the best
+// one (Bland's rule), which cannot go in circles.
+constexpr int kIdlePivots = 50;
+
+class Tableau {
+ public:
+  explicit Tableau(const LinearProgram& program)
+      : rows_(static_cast<int>(program.rows.rows())),
+        variables_(static_cast<int>(program.rows.cols())),
+        cells_(RowMatrix::Zero(rows_ + 1, variables_ + 1)) {
+    cells_.topLeftCorner(rows_, variables_) = program.rows;
+    cells_.topRightCorner(rows_, 1) = program.bounds;
+    cells_.bottomLeftCorner(1, variables_) = -program.gain.transpose();
+    for (int k = 0; k < variables_; ++k) outside_.push_back(k);
+    for (int r = 0; r < rows_; ++r) inside_.push_back(variables_ + r);
+  }
+
+  // Column with the most to gain, or the first one; -1 if there is none.
+  int entering(bool first) const {
+    int best = -1;
+    double most = kNoGain;
+    for (int k = 0; k < variables_; ++k) {
+      const double gain = -cells_(rows_, k);
+      const auto at = static_cast<std::size_t>(k);
+      if (first) {
+        const bool earlier = best < 0 || outside_[at] < outside_[static_cast<std::size_t>(best)];
+        if (gain > kNoGain && earlier) best = k;
+      } else if (gain > most) {
+        best = k;
+        most = gain;
+      }
+    }
+    return best;
+  }
+
+  // Row that stops the column first, of equal ones that of the first variable; -1 if none does.
+  int leaving(int column) const {
+    int best = -1;
+    double least = 0;
+    for (int r = 0; r < rows_; ++r) {
+      if (cells_(r, column) <= kLeastEntry) continue;
+      const double ratio = cells_(r, variables_) / cells_(r, column);
+      const auto at = static_cast<std::size_t>(r);
+      const bool earlier =
+          best < 0 || ratio < least ||
+          (ratio == least && inside_[at] < inside_[static_cast<std::size_t>(best)]);
+      if (!earlier) continue;
+      best = r;
+      least = ratio;
+    }
+    return best;
+  }
+
+  void exchange(int row, int column) {
+    const double pivot = cells_(row, column);
+    for (int k = 0; k <= variables_; ++k) cells_(row, k) /= pivot;
+    cells_(row, column) = 1 / pivot;
+    for (int r = 0; r <= rows_; ++r) {
+      const double factor = cells_(r, column);
+      if (r == row || factor == 0) continue;
+      for (int k = 0; k <= variables_; ++k) {
+        if (k != column) cells_(r, k) -= factor * cells_(row, k);
+      }
+      cells_(r, column) = -factor * cells_(row, column);
+    }
+    std::swap(inside_[static_cast<std::size_t>(row)], outside_[static_cast<std::size_t>(column)]);
+  }
+
+  double value() const { return cells_(rows_, variables_); }
+
+  LinearOptimum optimum(LinearEnd end, int pivots) const {
+    LinearOptimum found{end, Eigen::VectorXd::Zero(variables_), value(), {}, pivots};
+    for (int r = 0; r < rows_; ++r) {
+      const int variable = inside_[static_cast<std::size_t>(r)];
+      if (variable < variables_) found.x(variable) = std::max(0.0, cells_(r, variables_));
+    }
+    for (int k = 0; k < variables_; ++k) {
+      const int variable = outside_[static_cast<std::size_t>(k)];
+      if (variable >= variables_ && cells_(rows_, k) > kNoGain) {
+        found.binding.push_back(variable - variables_);
+      }
+    }
+    std::sort(found.binding.begin(), found.binding.end());
+    return found;
+  }
+
+ private:
+  const int rows_, variables_;
+  RowMatrix cells_;  // bounds in the last column, gains in the last row
+  std::vector<int> outside_, inside_;
+};
+
+}  // namespace
+
+LinearOptimum maximize(const LinearProgram& program) {
+  assert((program.bounds.array() >= 0).all());
+  Tableau tableau(program);
+  const int most = 50 * static_cast<int>(program.rows.rows() + program.rows.cols());
+  int idle = 0;
+  for (int pivots = 0; pivots < most; ++pivots) {
+    const int column = tableau.entering(idle >= kIdlePivots);
+    if (column < 0) return tableau.optimum(LinearEnd::optimal, pivots);
+    const int row = tableau.leaving(column);
+    if (row < 0) return tableau.optimum(LinearEnd::unbounded, pivots);
+    const double before = tableau.value();
+    tableau.exchange(row, column);
+    idle = tableau.value() > before ? 0 : idle + 1;
+  }
+  return tableau.optimum(LinearEnd::too_long, most);
+}
+
+}  // namespace misalign::solver

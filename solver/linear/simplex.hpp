@@ -1,0 +1,31 @@
+// Maximizes a linear function under linear bounds that zero meets, by the simplex method on a dense
+// tableau: adds, multiplies and divides in a fixed order, so that the answer is the same anywhere.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/pattern/null_space.hpp"
+
+namespace misalign::solver {
+
+/// Maximize gain . x where x >= 0 and rows x <= bounds, all of them >= 0.
+struct LinearProgram {
+  RowMatrix rows;
+  Eigen::VectorXd bounds;
+  Eigen::VectorXd gain;
+};
+
+enum class LinearEnd { optimal, unbounded, too_long };
+
+struct LinearOptimum {
+  LinearEnd end;
+  Eigen::VectorXd x;
+  double value = 0;
+  std::vector<int> binding;  ///< rows that hold the value down, ascending
+  int pivots = 0;
+};
+
+LinearOptimum maximize(const LinearProgram& program);
+
+}  // namespace misalign::solver
