@@ -77,9 +77,9 @@ ObserverResult RecordBuilder::see(const PathFunction& function, int lane) {
   look_up_to(end_deg, function, one);
   const Judge& judge = one.judge.judge();
   if (const int d = judge.between().bump_where; d >= 0) {
-    const double from_deg = station_of(in_order).pilot_deg;
-    const double to_deg = station_of(in_order + 1).pilot_deg;
-    one.finder.note_bump(d, goes_back_from_deg(function, d, judge.direction(d), from_deg, to_deg));
+    one.finder.note_bump(
+        d, goes_back_from_deg(function, d, judge.direction(d), station_of(in_order).pilot_deg,
+                              station_of(in_order + 1).pilot_deg));
   }
   const bool is_last = function.turns() || end_deg >= model_.path().stations.back().pilot_deg;
   // After short segments the last nodes may not reach back to D any more: it is noted on the way.
@@ -129,9 +129,8 @@ void RecordBuilder::look_up_to(double end_deg, const PathFunction& function, Lan
     }
     const bool had_reversed = lane.has_reversed();
     lane.finder.see(station.pilot_deg, is_in_order, x, here_, lane.judge.judge(), function);
-    if (had_reversed || !lane.has_reversed()) continue;
     const Reversal& reversal = lane.finder.first_reversal();
-    if (reversal.pilot_deg == 0) continue;
+    if (had_reversed || !lane.has_reversed() || reversal.pilot_deg == 0) continue;
     want(wanted_index(Wanted::reversal), reversal.pilot_deg, reversal.x, lane);
   }
   if (const LeastSlope& slope = lane.finder.least_slope(); slope.slope < least_slope_before) {
@@ -328,8 +327,7 @@ bool RecordBuilder::wants_again(int sheet, int lane) {
   UnfinishedRecord& made = records_[static_cast<std::size_t>(sheet)];
   const int index = wanted_index(Wanted::reversal);
   const auto next_deg = made.slopes.next_reversal_deg(solved(lane, index).slopes);
-  WantedState& wanted = made.wanted[static_cast<std::size_t>(index)];
-  if (next_deg) wanted.pilot = half_angle_of_deg(*next_deg);
+  if (next_deg) made.wanted[static_cast<std::size_t>(index)].pilot = half_angle_of_deg(*next_deg);
   return next_deg.has_value();
 }
 
