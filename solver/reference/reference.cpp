@@ -82,15 +82,13 @@ int Reference::longest_retreat() const {
   for (int d = 0; d < mechanism_.diagonal_count(); ++d) {
     if (judge_.direction(d) == 0) continue;
     const auto k = static_cast<std::size_t>(d);
-    RetreatFrom retreat;
+    Retreat retreat;
     for (std::size_t i = 1; i < visited_.size(); ++i) {
       const PathPoint &from = visited_[i - 1].point, &to = visited_[i].point;
-      retreat.go_along(
-          cubic_between({from.lengths[k], from.slopes[k]}, {to.lengths[k], to.slopes[k]},
-                        (visited_[i].pilot_deg - visited_[i - 1].pilot_deg) * kRadPerDeg,
-                        from.pilot_rate > 0 ? to.pilot_rate / from.pilot_rate : 1,
-                        judge_.direction(d)),
-          visited_[i - 1].pilot_deg * kRadPerDeg);
+      retreat.go_along(cubic_between(
+          {from.lengths[k], from.slopes[k]}, {to.lengths[k], to.slopes[k]},
+          (visited_[i].pilot_deg - visited_[i - 1].pilot_deg) * kRadPerDeg,
+          from.pilot_rate > 0 ? to.pilot_rate / from.pilot_rate : 1, judge_.direction(d)));
     }
     if (retreat.longest < kBumpBand_widths || retreat.longest <= longest) continue;
     longest = retreat.longest;

@@ -27,15 +27,10 @@ void CubicBetween::find_turns(double& first, double& second) const {
   if (first > second) std::swap(first, second);
 }
 
-void RetreatFrom::go_along(const CubicBetween& cubic, double start_rad) {
+void Retreat::go_along(const CubicBetween& cubic) {
   double parts[4] = {0, 0, 1, 1};
   cubic.find_turns(parts[1], parts[2]);
-  for (int k = 0; k < 3; ++k) {
-    if (now == 0) farthest_rad = start_rad + cubic.pilot(parts[k]);
-    const double longest_before = longest;
-    go(cubic.length(parts[k + 1]) - cubic.length(parts[k]));
-    if (longest > longest_before) from_rad = farthest_rad;
-  }
+  for (int k = 0; k < 3; ++k) go(cubic.length(parts[k + 1]) - cubic.length(parts[k]));
 }
 
 BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,

@@ -31,15 +31,7 @@ struct Retreat {
     now = std::max(0.0, now - on);
     longest = std::max(longest, now);
   }
-};
-
-/// The same along cubics, with where it begins.
-struct RetreatFrom : Retreat {
-  double farthest_rad = 0;  ///< where the farthest point so far lies
-  double from_rad = 0;      ///< where the longest way back begins
-
-  /// `start_rad` is the pilot's angle at the cubic's start.
-  void go_along(const CubicBetween& cubic, double start_rad);
+  void go_along(const CubicBetween& cubic);
 };
 
 struct LengthAndSlope {
