@@ -1,8 +1,8 @@
 // The study of panels that bend, as JSON.
 #pragma once
 
-#include "schema/exchange/material.hpp"
 #include "schema/files/input.hpp"
+#include "schema/pattern/material.hpp"
 #include "solver/design/preload.hpp"
 
 namespace misalign::schema {

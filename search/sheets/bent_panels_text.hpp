@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "schema/exchange/material.hpp"
+#include "schema/pattern/material.hpp"
 #include "solver/design/preload.hpp"
 
 namespace misalign::search {

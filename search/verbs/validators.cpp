@@ -7,6 +7,7 @@
 
 #include "schema/campaign/draw_range.hpp"
 #include "schema/files/input.hpp"
+#include "schema/pattern/design.hpp"
 #include "search/terminal/suggestion.hpp"
 
 namespace misalign::search {

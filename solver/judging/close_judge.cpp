@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "solver/continuation/long_steps.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -66,6 +68,7 @@ bool CloseJudge::see(const Station& station, const PathPoint& point, bool with_s
 void CloseJudge::look_between(const Station& station, const PathPoint& point,
                               const SheetGeometry<double>& geometry) {
   const LeastSlope least_slope = finder_.least_slope();
+  heading_ = FunctionBumps::Heading::forward;
   bool is_known = path_.aim_at(geometry, station, point);
   do {
     while (!is_short_enough()) {
@@ -73,6 +76,7 @@ void CloseJudge::look_between(const Station& station, const PathPoint& point,
       is_known = false;
       break;
     }
+    is_known = is_known && heading_ != FunctionBumps::Heading::unsure;
     if (finds_extremes_) find_extremes();
     path_.keep();
   } while (path_.go_on());
@@ -90,22 +94,28 @@ void CloseJudge::look_between(const Station& station, const PathPoint& point,
                                         std::max(last_deg_, oldest_deg), station.pilot_deg));
 }
 
-// As it stands, where it was halved as often as it may be.
+// As it stands, where it was halved as often as it may be; what is not believed even then stays
+// unsure.
 bool CloseJudge::is_short_enough() {
   const PathFunction& function = path_.function();
   const bool can_halve = path_.can_halve();
-  if (function.count() > 1 && can_halve) {
-    const bool is_sound = function.to() > function.from() && function.pilot_goes_on();
-    if (!is_sound || (finds_extremes_ && function.roughness() > kMostRoughness)) return false;
+  bool is_believed = true;
+  if (function.count() > 1) {
+    const double roughness = function.roughness();
+    is_believed = roughness <= LongStepOptions{}.most_roughness &&
+                  function.to() > function.from() && function.pilot_goes_on();
+    const bool is_fine = !finds_extremes_ || roughness <= kMostRoughness;
+    if (can_halve && !(is_believed && is_fine)) return false;
   }
   if (is_over_ || !looks_for_bumps_) return true;
-  if (!FunctionBumps::can_look(function)) return true;  // the next one looks at this one too
+  if (!is_believed) heading_ = FunctionBumps::Heading::unsure;
+  if (!is_believed || !FunctionBumps::can_look(function)) return true;
   bumps_.begin_segment(function);
   const double end = function.end();
   const double least_doubt = can_halve ? kSolved_widths : std::numeric_limits<double>::infinity();
   heading_ = path_.is_at_sample() ? bumps_.look_at_sample(end, judge_, function, least_doubt)
                                   : bumps_.look_at_end(judge_, function, least_doubt);
-  return heading_ != FunctionBumps::Heading::unsure;
+  return heading_ != FunctionBumps::Heading::unsure || !can_halve;
 }
 
 void CloseJudge::find_extremes() {
