@@ -7,6 +7,7 @@
 #include "fold_meshes.hpp"
 #include "schema/campaign/campaign_file.hpp"
 #include "solver/pattern/perforation.hpp"
+#include "solver/records/history.hpp"
 #include "tests/folder.hpp"
 
 namespace misalign::schema {

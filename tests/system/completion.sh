@@ -8,7 +8,7 @@ verbs=$("$program" --help | awk '/^[A-Z]/ { in_verbs = /^Verbs:/ } in_verbs && /
 
 # options [VERB]: those that its --help shows, one a line.
 options() {
-  "$program" "$@" --help | sed -nE 's/^  ((-[a-z], )?--[a-z-]+).*/\1/p' | tr -d , | tr ' ' '\n' | sort
+  "$program" "$@" --help | sed -nE 's/^  (((-[a-z]|--[a-z-]+), )?--[a-z-]+).*/\1/p' | tr -d , | tr ' ' '\n' | sort
 }
 
 # in_bash WORD...: what is offered for the last of the words.

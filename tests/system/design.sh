@@ -23,7 +23,9 @@ with_block contact --from 140
 [ "$(field block.json thickness.reaches_deg)" = 140.0 ] || fail "plates reach the angle of use"
 with_block actuators --from 140 --stiffness 2 --stroke-limit 0.08
 [ "$(field block.json from_deg)" = 140.0 ] || fail "springs at the angle of use"
-with_block deploy --from 140 --stiffness 2 --friction 0.0005 --thickness 0.5 --density 0.68
+echo '{ "name": "birch", "density_g_per_cm3": 0.68 }' > birch.json
+with_block deploy --from 140 --stiffness 2 --friction 0.0005 --thickness 0.5 --material birch.json
+[ "$(field block.json bent.material.name)" = birch ] || fail "panels bend where the design names a material"
 with_block tolerance --from 140 --amplitude 0.05 --trials 1000
 [ "$(field block.json threshold_deg)" = 140.0 ] || fail "copies deploy from the angle of use"
 "$program" certify mine.db "$draw" --json > block.json || fail "certify"
