@@ -46,10 +46,14 @@ BetweenSolver::BetweenSolver(const Mechanism& mechanism, const Elimination& elim
 
 BetweenSolver::~BetweenSolver() = default;
 
+void BetweenSolver::prepare() {
+  if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
+}
+
 // By the fixed order of elimination, or where that is poor by dense matrices.
 bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPlace& from,
                           const SolvedPlace& to, double pilot_rad, PathPoint& point) {
-  if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
+  prepare();
   auto& [corrector, near, tangent, misfits, dense] = *workspace_;
   const double share = (pilot_rad - from.pilot_rad) / (to.pilot_rad - from.pilot_rad);
   const FoldState<double>&a = from.point.state, &b = to.point.state;

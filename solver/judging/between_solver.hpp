@@ -20,6 +20,8 @@ class BetweenSolver {
   BetweenSolver(const Mechanism& mechanism, const Elimination& elimination);
   ~BetweenSolver();
 
+  /// Makes it now: `solve` then allocates nothing, but for dense matrices where those are needed.
+  void prepare();
   /// The same sheet between two places. False: no state is found near them.
   bool solve(const SheetGeometry<double>& geometry, const SolvedPlace& from, const SolvedPlace& to,
              double pilot_rad, PathPoint& point);

@@ -18,6 +18,10 @@ constexpr double kMostRoughness = 3e-11;
 // from the errors of nodes, which no shorter segment has less of.
 constexpr double kSolved_widths = 1e-12;
 
+// A reversal is moved by no more than this, and solved again until it moves by less than that.
+constexpr double kLongestReversalStep_rad = 1e-3, kSameReversal_rad = 3e-8;
+constexpr int kMostReversalSolves = 6;
+
 }  // namespace
 
 CloseJudge::CloseJudge(const Model& model, BetweenSolver& solver)
@@ -123,7 +127,28 @@ void CloseJudge::find_extremes() {
   if (function.count() < 2) return;
   here_.lengths = path_.end().lengths;
   here_.slopes = path_.end().slopes;
+  const bool had_reversed = finder_.first_reversal().diagonal >= 0;
   finder_.see(path_.end_rad() / kRadPerDeg, !is_over_, function.end(), here_, judge_, function);
+  if (!had_reversed && finder_.first_reversal().pilot_deg > 0) solve_reversal();
+}
+
+// By secants, after the first step by the function's curvature.
+void CloseJudge::solve_reversal() {
+  const Reversal& found = finder_.first_reversal();
+  double at_rad = found.pilot_deg * kRadPerDeg, curvature = found.curvature;
+  double step_rad = 0, last_slope = 0;
+  for (int k = 0; k < kMostReversalSolves; ++k) {
+    const PathPoint* const point = path_.state_at(at_rad);
+    if (!point) return;
+    const double slope = point->slopes[static_cast<std::size_t>(found.diagonal)];
+    if (k > 0) curvature = (slope - last_slope) / step_rad;
+    step_rad = -slope / curvature;
+    last_slope = slope;
+    if (!(std::abs(step_rad) <= kLongestReversalStep_rad)) return;
+    at_rad += step_rad;
+    if (std::abs(step_rad) <= kSameReversal_rad) break;
+  }
+  finder_.put_reversal(at_rad / kRadPerDeg);
 }
 
 PathExtremes CloseJudge::extremes() const {

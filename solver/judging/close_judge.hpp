@@ -36,6 +36,7 @@ class CloseJudge {
                     const SheetGeometry<double>& geometry);
   bool is_short_enough();
   void find_extremes();
+  void solve_reversal();
 
   const Mechanism& mechanism_;
   const bool looks_for_bumps_;

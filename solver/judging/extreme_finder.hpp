@@ -61,6 +61,8 @@ class ExtremeFinder {
            const Judge& judge, const PathFunction& function);
   /// The bump by which a judge has ended.
   void note_bump(int diagonal, double from_deg);
+  /// The first reversal, solved.
+  void put_reversal(double pilot_deg) { extremes_.reverses_deg = reversal_.pilot_deg = pilot_deg; }
   /// What was seen since is not in order.
   void restore(const LeastSlope& least_slope) { least_slope_ = least_slope; }
 

@@ -73,6 +73,12 @@ bool SolvedFunction::solve(double pilot_rad) {
   return true;
 }
 
+const PathPoint* SolvedFunction::state_at(double pilot_rad) {
+  const bool is_found =
+      solver_.solve(*geometry_, {last_rad_, last_}, {end_rad_, end()}, pilot_rad, next_);
+  return is_found ? &next_ : nullptr;
+}
+
 void SolvedFunction::add() {
   const PathPoint& point = end();
   PathNode& node = function_.vacant();

@@ -26,6 +26,9 @@ class SolvedFunction {
   /// From there a segment twice as long, at most to the sample. False: that is reached.
   bool go_on();
 
+  /// A state of the newest segment, until another one is solved; null: none is found there.
+  const PathPoint* state_at(double pilot_rad);
+
   /// Up to the end of the newest segment.
   const PathFunction& function() const { return function_; }
   bool is_at_sample() const { return end_rad_ == sample_rad_; }

@@ -43,6 +43,7 @@ JudgingObserver::JudgingObserver(const Model& model, int lanes)
       fallback_(model.mechanism()) {
   for (int i = 0; i < lanes; ++i) judges_.emplace_back(model, between_);
   if (judges_.front().looks_between()) {
+    between_.prepare();
     point_.rates.resize(static_cast<std::size_t>(model.mechanism().unknowns));
   }
 }
