@@ -88,7 +88,7 @@ for verb in "export json.db --where deploys_from_deg>=0 --output found-all" "rep
   cmp -s quiet out || [[ $verb = verify* || $verb = certify* ]] || fail "$verb: other words on standard output"
   grep -qE "^([0-9]+ min )?[0-9]+ s: [0-9]+ of [0-9]+ (sheets|candidates) " err || fail "$verb does not say how far it is: $(cat err)"
 done
-"$program" report json.db --output page.html --deploy --log-level debug 2>&1 | grep -q " sheets let go$" || fail "nothing of --deploy"
+"$program" report json.db --output page.html --deploy --log-level debug 2>&1 | grep -q " sheets studied$" || fail "nothing of --deploy"
 # Rows of a table without an end come as they are made.
 "$program" query json.db "$endless" 2> err | head -3 > rows
 [ "$(tr -s ' \n' ' ' < rows)" = " k 1 2 " ] || fail "a table without an end: $(cat rows err)"
