@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 namespace misalign::solver {
 
@@ -11,9 +10,8 @@ SolvedFunction::SolvedFunction(const Mechanism& mechanism, BetweenSolver& solver
       solver_(solver),
       function_(mechanism),
       last_(mechanism),
-      middle_(mechanism),
-      next_(mechanism) {
-  for (PathPoint* const point : {&last_, &middle_, &next_}) {
+      rooms_{PathPoint(mechanism), PathPoint(mechanism)} {
+  for (PathPoint* const point : {&last_, &rooms_[0], &rooms_[1]}) {
     point->rates.resize(static_cast<std::size_t>(mechanism.unknowns));
   }
 }
@@ -65,18 +63,17 @@ bool SolvedFunction::go_on() {
 // Between the last place and the end, which it becomes; otherwise that stays.
 bool SolvedFunction::solve(double pilot_rad) {
   ++solves_;
-  if (!solver_.solve(*geometry_, {last_rad_, last_}, {end_rad_, end()}, pilot_rad, next_)) {
-    return false;
-  }
-  std::swap(middle_, next_);
+  if (!state_at(pilot_rad)) return false;
+  middle_ = 1 - middle_;
   end_rad_ = pilot_rad;
   return true;
 }
 
 const PathPoint* SolvedFunction::state_at(double pilot_rad) {
+  PathPoint& point = rooms_[1 - middle_];
   const bool is_found =
-      solver_.solve(*geometry_, {last_rad_, last_}, {end_rad_, end()}, pilot_rad, next_);
-  return is_found ? &next_ : nullptr;
+      solver_.solve(*geometry_, {last_rad_, last_}, {end_rad_, end()}, pilot_rad, point);
+  return is_found ? &point : nullptr;
 }
 
 void SolvedFunction::add() {

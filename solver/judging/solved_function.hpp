@@ -2,6 +2,8 @@
 // samples where that is asked for.
 #pragma once
 
+#include <array>
+
 #include "solver/continuation/path_function.hpp"
 #include "solver/judging/between_solver.hpp"
 
@@ -33,7 +35,7 @@ class SolvedFunction {
   const PathFunction& function() const { return function_; }
   bool is_at_sample() const { return end_rad_ == sample_rad_; }
   double end_rad() const { return end_rad_; }
-  const PathPoint& end() const { return is_at_sample() ? *sample_ : middle_; }
+  const PathPoint& end() const { return is_at_sample() ? *sample_ : rooms_[middle_]; }
 
  private:
   // Between two samples. Next to a sharp fold limit some twenty were needed.
@@ -45,7 +47,9 @@ class SolvedFunction {
   const Mechanism& mechanism_;
   BetweenSolver& solver_;
   PathFunction function_;
-  PathPoint last_, middle_, next_;  // where the segment begins, and ends if not at the sample
+  PathPoint last_;                  // where the segment begins
+  std::array<PathPoint, 2> rooms_;  // where it ends if not at the sample, and what is solved next
+  std::size_t middle_ = 0;
   double last_rad_ = 0, end_rad_ = 0, sample_rad_ = 0, length_rad_ = 0;
   const SheetGeometry<double>* geometry_ = nullptr;
   const PathPoint* sample_ = nullptr;
