@@ -18,6 +18,9 @@ constexpr double kMostRoughness = 3e-11;
 // from the errors of nodes, which no shorter segment has less of.
 constexpr double kSolved_widths = 1e-12;
 
+// Of shorter segments divided differences lose more digits than the polynomials gain.
+constexpr double kShortest_rad = 1e-4;
+
 // A reversal is moved by no more than this, and solved again until it moves by less than that.
 constexpr double kLongestReversalStep_rad = 1e-3, kSameReversal_rad = 3e-8;
 constexpr int kMostReversalSolves = 6;
@@ -102,12 +105,11 @@ void CloseJudge::look_between(const Station& station, const PathPoint& point,
 // unsure.
 bool CloseJudge::is_short_enough() {
   const PathFunction& function = path_.function();
-  const bool can_halve = path_.can_halve();
+  const bool can_halve = path_.can_halve() && function.to() - function.from() > kShortest_rad;
   bool is_believed = true;
   if (function.count() > 1) {
     const double roughness = function.roughness();
-    is_believed = roughness <= LongStepOptions{}.most_roughness &&
-                  function.to() > function.from() && function.pilot_goes_on();
+    is_believed = roughness <= LongStepOptions{}.most_roughness && function.to() > function.from();
     const bool is_fine = !finds_extremes_ || roughness <= kMostRoughness;
     if (can_halve && !(is_believed && is_fine)) return false;
   }
