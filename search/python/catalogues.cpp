@@ -9,6 +9,7 @@
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/python/arrays.hpp"
 #include "search/python/bindings.hpp"
+#include "search/python/copies.hpp"
 #include "search/python/draw_numbers.hpp"
 #include "search/python/folding.hpp"
 #include "search/python/histories.hpp"
@@ -136,15 +137,8 @@ class Catalogue {
     if (!(amplitude_mm >= 0)) throw refuse("amplitude_mm: must not be negative; try 0.05");
     if (trials == 0) throw refuse("trials: must be positive; try 1000");
     if (jobs < 1) throw refuse("jobs: must be positive; try 1");
-    ToleranceOptions options;
+    ToleranceOptions options = copies_of(trials, jobs);
     options.amplitude_mm = amplitude_mm;
-    options.trials = trials;
-    options.jobs = jobs;
-    options.set = solver::available_instruction_sets().back();
-    options.progress = [](const CopiesDone&) {
-      const py::gil_scoped_acquire lock;
-      check_signals();
-    };
     return unlocked([&] {
       const std::vector<Eigen::Matrix2Xd> shifts_mm = shifts_of({draw});
       check_miscut(amplitude_mm, source_->pattern(), shifts_mm.front(),

@@ -4,6 +4,7 @@
 #include "schema/catalogue/certificate_row.hpp"
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/python/bindings.hpp"
+#include "search/python/copies.hpp"
 #include "search/python/pattern_source.hpp"
 #include "search/python/signals.hpp"
 #include "search/sheets/row_certifier.hpp"
@@ -59,14 +60,7 @@ std::string certify(const PatternSource& source, const std::string& design, bool
 
 std::string tolerance(const PatternSource& source, const std::string& said, std::uint64_t trials,
                       int jobs) {
-  ToleranceOptions options;
-  options.trials = trials;
-  options.jobs = jobs;
-  options.set = solver::available_instruction_sets().back();
-  options.progress = [](const CopiesDone&) {
-    const py::gil_scoped_acquire lock;
-    check_signals();
-  };
+  ToleranceOptions options = copies_of(trials, jobs);
   return unlocked([&] {
     const schema::Design design = design_of(said).instead_of(source.sheet.design);
     if (!design.miscut_mm) {

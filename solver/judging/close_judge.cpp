@@ -21,8 +21,6 @@ constexpr double kSolved_widths = 1e-12;
 // Of shorter segments divided differences lose more digits than the polynomials gain.
 constexpr double kShortest_rad = 1e-4;
 
-// A reversal is moved by no more than this, and solved again until it moves by less than that.
-constexpr double kLongestReversalStep_rad = 1e-3, kSameReversal_rad = 3e-8;
 constexpr int kMostReversalSolves = 6;
 
 }  // namespace
@@ -134,23 +132,15 @@ void CloseJudge::find_extremes() {
   if (!had_reversed && finder_.first_reversal().pilot_deg > 0) solve_reversal();
 }
 
-// By secants, after the first step by the function's curvature.
 void CloseJudge::solve_reversal() {
-  const Reversal& found = finder_.first_reversal();
-  double at_rad = found.pilot_deg * kRadPerDeg, curvature = found.curvature;
-  double step_rad = 0, last_slope = 0;
-  for (int k = 0; k < kMostReversalSolves; ++k) {
-    const PathPoint* const point = path_.state_at(at_rad);
+  ReversalSecants secants(finder_.first_reversal());
+  std::optional<double> at_deg = finder_.first_reversal().pilot_deg;
+  for (int k = 0; k < kMostReversalSolves && at_deg; ++k) {
+    const PathPoint* const point = path_.state_at(*at_deg * kRadPerDeg);
     if (!point) return;
-    const double slope = point->slopes[static_cast<std::size_t>(found.diagonal)];
-    if (k > 0) curvature = (slope - last_slope) / step_rad;
-    step_rad = -slope / curvature;
-    last_slope = slope;
-    if (!(std::abs(step_rad) <= kLongestReversalStep_rad)) return;
-    at_rad += step_rad;
-    if (std::abs(step_rad) <= kSameReversal_rad) break;
+    at_deg = secants.next_deg(point->slopes);
   }
-  finder_.put_reversal(at_rad / kRadPerDeg);
+  if (secants.is_sure()) finder_.put_reversal(secants.reversal().pilot_deg);
 }
 
 PathExtremes CloseJudge::extremes() const {

@@ -9,6 +9,10 @@
 namespace misalign::solver {
 namespace {
 
+// A reversal is moved by the step that the exact slope asks for, if that is no longer than this,
+// and solved again until it is shorter than that: curvatures are known to a tenth.
+constexpr double kLongestReversalStep_rad = 1e-3, kSureReversalStep_rad = 3e-8;
+
 // A diagonal on a part of the newest segment.
 struct Subsegment {
   const PathFunction& function;
@@ -61,6 +65,23 @@ double goes_back_from_deg(const PathFunction& function, int diagonal, int direct
                               function.locate(to_deg * kRadPerDeg)};
   const double root = subsegment.root_of_slope(subsegment.least_slope_at());
   return function.pilot(root) / kRadPerDeg;
+}
+
+std::optional<double> ReversalSecants::next_deg(const std::vector<double>& slopes) {
+  const double slope = slopes[static_cast<std::size_t>(reversal_.diagonal)];
+  if (step_rad_ != 0) reversal_.curvature = (slope - slope_) / step_rad_;
+  const double step_rad = -slope / reversal_.curvature;
+  if (!(std::abs(step_rad) <= kLongestReversalStep_rad)) return std::nullopt;
+  reversal_.pilot_deg += step_rad / kRadPerDeg;
+  step_rad_ = step_rad;
+  slope_ = slope;
+  is_sure_ = std::abs(step_rad) <= kSureReversalStep_rad;
+  if (is_sure_) return std::nullopt;
+  return reversal_.pilot_deg;
+}
+
+double ReversalSecants::slope_error() const {
+  return std::abs(reversal_.curvature) * kSureReversalStep_rad;
 }
 
 ExtremeFinder::ExtremeFinder(int diagonals)

@@ -38,6 +38,26 @@ struct Reversal {
   double curvature = 0;  ///< of its length, panel widths per radian of pilot squared
 };
 
+/// Solves a reversal that a function has: by secants, after the first step by the function's
+/// curvature.
+class ReversalSecants {
+ public:
+  explicit ReversalSecants(const Reversal& found = {}) : reversal_(found) {}
+  /// Where it is to be solved next, with these slopes where it was last; nothing once it is there,
+  /// or farther off than the function may be.
+  std::optional<double> next_deg(const std::vector<double>& slopes);
+  /// Where it is by now, and whether that is sure.
+  const Reversal& reversal() const { return reversal_; }
+  bool is_sure() const { return is_sure_; }
+  /// How far off its slope may be where it is sure, but for what solved slopes are worth.
+  double slope_error() const;
+
+ private:
+  Reversal reversal_;
+  double step_rad_ = 0, slope_ = 0;  // of the solution before
+  bool is_sure_ = false;
+};
+
 /// Where a rate of change is the least, but for the last sample that was seen.
 struct LeastSlope {
   double slope = std::numeric_limits<double>::infinity();  ///< as in PathExtremes

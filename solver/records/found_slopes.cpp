@@ -7,10 +7,6 @@
 namespace misalign::solver {
 namespace {
 
-// A reversal is moved by the step that the exact slope asks for, if that is no longer than this,
-// and solved again until it is shorter than that: curvatures are known to a tenth.
-constexpr double kLongestReversalStep_rad = 1e-3, kSureReversalStep_rad = 3e-8;
-
 // Rates of change, panel widths per radian: what the function's may be off by where it is least,
 // and what solved ones are worth.
 constexpr double kSameSlope = 1e-6, kSlopeError = 1e-9;
@@ -33,24 +29,12 @@ double least_of(const std::vector<double>& slopes, const PathRecord& record) {
 
 void FoundSlopes::begin(const ExtremeFinder& finder) {
   least_ = finder.least_slope();
-  reversal_ = finder.first_reversal();
-  step_rad_ = 0;
-  reversal_is_sure_ = reversal_.pilot_deg == 0;
+  reversal_ = ReversalSecants(finder.first_reversal());
 }
 
-// Secants, after the first step by the function's curvature.
 std::optional<double> FoundSlopes::next_reversal_deg(const std::vector<double>& slopes) {
-  if (!has_reversal() || reversal_is_sure_) return std::nullopt;
-  const double slope = slopes[static_cast<std::size_t>(reversal_.diagonal)];
-  if (step_rad_ != 0) reversal_.curvature = (slope - slope_) / step_rad_;
-  const double step_rad = -slope / reversal_.curvature;
-  if (!(std::abs(step_rad) <= kLongestReversalStep_rad)) return std::nullopt;
-  reversal_.pilot_deg += step_rad / kRadPerDeg;
-  step_rad_ = step_rad;
-  slope_ = slope;
-  reversal_is_sure_ = std::abs(step_rad) <= kSureReversalStep_rad;
-  if (reversal_is_sure_) return std::nullopt;
-  return reversal_.pilot_deg;
+  if (!has_reversal() || sets_out_back() || reversal_.is_sure()) return std::nullopt;
+  return reversal_.next_deg(slopes);
 }
 
 bool FoundSlopes::put_into(PathRecord& record, const std::vector<double>& at_d,
@@ -63,11 +47,11 @@ bool FoundSlopes::put_into(PathRecord& record, const std::vector<double>& at_d,
     record.extremes.least_slope = std::min(least, least_of(at_d, record));
   }
   if (!has_reversal()) return true;
-  record.extremes.reverses_deg = reversal_.pilot_deg;
-  if (reversal_.pilot_deg == 0) return true;
-  const double off = kSlopeError + std::abs(reversal_.curvature) * kSureReversalStep_rad;
+  record.extremes.reverses_deg = reversal_.reversal().pilot_deg;
+  if (sets_out_back()) return true;
+  const double off = kSlopeError + reversal_.slope_error();
   const bool is_first = least_of(at_reversal, record) >= -off;  // no other one has turned before
-  return reversal_is_sure_ && is_first;
+  return reversal_.is_sure() && is_first;
 }
 
 }  // namespace misalign::solver

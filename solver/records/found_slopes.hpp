@@ -14,7 +14,7 @@ class FoundSlopes {
  public:
   /// As the function has them.
   void begin(const ExtremeFinder& finder);
-  bool has_reversal() const { return reversal_.diagonal >= 0; }
+  bool has_reversal() const { return reversal_.reversal().diagonal >= 0; }
   /// Where the reversal is to be solved next, with these slopes where it was last; nothing once it
   /// is there, or farther off than the function may be.
   std::optional<double> next_reversal_deg(const std::vector<double>& slopes);
@@ -24,10 +24,11 @@ class FoundSlopes {
                 const std::vector<double>& at_least, const std::vector<double>& at_reversal) const;
 
  private:
+  // Flat is where it turns back: nothing is to be solved.
+  bool sets_out_back() const { return reversal_.reversal().pilot_deg == 0; }
+
   LeastSlope least_;
-  Reversal reversal_;
-  double step_rad_ = 0, slope_ = 0;  // of the solution before
-  bool reversal_is_sure_ = false;
+  ReversalSecants reversal_;
 };
 
 }  // namespace misalign::solver
