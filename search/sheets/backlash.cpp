@@ -20,7 +20,7 @@ int radii_tried(double least_mm, double most_mm) {
 // All trials of one sheet, on some threads.
 class Trials {
  public:
-  Trials(const solver::Model& model, const solver::BacklashSheet& sheet,
+  Trials(const solver::Model& model, const solver::BacklashStart& sheet,
          const solver::BacklashOptions& judge_options, std::uint64_t seed,
          const BacklashStudyOptions& options, CopiesDone& copies)
       : model_(model), seed_(seed), options_(options), copies_(copies) {

@@ -45,7 +45,7 @@ class BacklashStudy {
                 const solver::BacklashOptions& options);
 
   /// The sheets themselves. D of each must be above from_deg before run() is called,
-  const std::vector<solver::BacklashSheet>& sheets() const { return sheets_; }
+  const std::vector<solver::BacklashStart>& sheets() const { return sheets_; }
   /// and the backlash below this.
   double most_mm(std::size_t sheet) const;
 
@@ -56,7 +56,7 @@ class BacklashStudy {
   const solver::Model model_;
   const std::uint64_t seed_;
   const solver::BacklashOptions options_;
-  std::vector<solver::BacklashSheet> sheets_;
+  std::vector<solver::BacklashStart> sheets_;
 };
 
 }  // namespace misalign::search

@@ -94,10 +94,10 @@ const std::array<std::string_view, kNumberCount>& sheet_number_names() {
 
 bool needs_sundials(std::size_t number) { return kFunctions[number].needs != Needs::contact; }
 
-SheetNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
+StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
                           bool deploys_from_36) {
-  SheetNumbers answers;
+  StudyNumbers answers;
   const auto used_deg = from_deg ? from_deg : design.from_deg;
   for (const bool from_d : {false, true}) {
     Needed needed{};

@@ -16,7 +16,7 @@ const std::array<std::string_view, kNumberCount>& sheet_number_names();
 /// Whether a build without SUNDIALS cannot find it.
 bool needs_sundials(std::size_t number);
 
-struct SheetNumbers {
+struct StudyNumbers {
   WantedNumbers is_found{};
   std::array<std::optional<double>, kNumberCount> numbers;  ///< none also where there is none
 };
@@ -24,7 +24,7 @@ struct SheetNumbers {
 /// Those that are wanted, of a sheet of this design that is used from `from_deg`: otherwise from
 /// the design's, or what each takes by itself. `deploys_from_36` spares finding D where it is
 /// known.
-SheetNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
+StudyNumbers find_numbers(const solver::Sheet& sheet, const schema::Design& design,
                           std::optional<double> from_deg, const WantedNumbers& wanted,
                           bool deploys_from_36);
 

@@ -59,7 +59,7 @@ class StudyFunctions {
   StudyFunctions& operator=(const StudyFunctions&) = delete;
 
   std::optional<double> number(std::size_t function, const Call& call) {
-    SheetNumbers& answers = answers_[call];
+    StudyNumbers& answers = answers_[call];
     if (!answers.is_found[function]) {
       if (is_looking_ahead_) {
         expect(function, call);
@@ -195,8 +195,8 @@ class StudyFunctions {
                                 piece.is_candidate);
           };
         },
-        [&](std::size_t k, const SheetNumbers& found) {
-          SheetNumbers& answers = answers_[pieces[k].call];
+        [&](std::size_t k, const StudyNumbers& found) {
+          StudyNumbers& answers = answers_[pieces[k].call];
           for (std::size_t f = 0; f < kNumberCount; ++f) {
             if (!found.is_found[f]) continue;
             answers.is_found[f] = true;
@@ -244,7 +244,7 @@ class StudyFunctions {
   std::optional<schema::Campaign> own_campaign_;
   const schema::Campaign* campaign_ = nullptr;
   std::vector<std::unique_ptr<FoldingModel>> models_;  // one for each thread
-  std::map<Call, SheetNumbers> answers_;
+  std::map<Call, StudyNumbers> answers_;
   bool is_looking_ahead_ = false;
   std::vector<Expected> expected_;  // in their order
   std::map<Call, std::size_t> place_;

@@ -48,7 +48,7 @@ void add_station(PathPlan& plan, double pilot_deg) {
 }
 
 // Samples from the start up to D.
-PathPlan plan_up(const BacklashSheet& sheet, double sample_deg) {
+PathPlan plan_up(const BacklashStart& sheet, double sample_deg) {
   PathPlan plan;
   add_station(plan, sheet.start_deg);
   for (int k = 1; k <= sheet.own_sample; ++k) {
@@ -58,7 +58,7 @@ PathPlan plan_up(const BacklashSheet& sheet, double sample_deg) {
 }
 
 // Samples from the start down to `from_deg`, and on to flat; as angles below the start.
-PathPlan plan_down(const BacklashSheet& sheet, double sample_deg, const BacklashOptions& options) {
+PathPlan plan_down(const BacklashStart& sheet, double sample_deg, const BacklashOptions& options) {
   PathPlan plan;
   add_station(plan, 0);
   const auto add = [&](double pilot_deg) {
@@ -227,10 +227,10 @@ class BacklashFollower::Branch {
   PathResult path_{};
 };
 
-BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
+BacklashStart prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
                                const BacklashOptions& options) {
   const Mechanism& mechanism = model.mechanism();
-  BacklashSheet sheet;
+  BacklashStart sheet;
   place(mechanism, vertices_mm, sheet.geometry);
   std::vector<std::pair<Station, FoldState<double>>> samples;
   const StationVisitor keep = [&](const Station& station, const PathPoint& point) {
@@ -262,7 +262,7 @@ BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_
   return sheet;
 }
 
-BacklashFollower::BacklashFollower(const Model& model, const BacklashSheet& sheet,
+BacklashFollower::BacklashFollower(const Model& model, const BacklashStart& sheet,
                                    const BacklashOptions& options)
     : model_(model),
       sheet_(sheet),

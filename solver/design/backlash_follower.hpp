@@ -45,7 +45,7 @@ struct BacklashTrial {
 };
 
 /// The sheet itself: what its trials start from and are compared with.
-struct BacklashSheet {
+struct BacklashStart {
   SheetGeometry<double> geometry;
   int own_sample = 0;  ///< D; what follows is only there if that lies above from_deg
   double own_deg = 0;
@@ -56,14 +56,14 @@ struct BacklashSheet {
 };
 
 /// Follows the sheet's own path.
-BacklashSheet prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
+BacklashStart prepare_backlash(const Model& model, const FlatVertices& vertices_mm,
                                const BacklashOptions& options);
 
 /// Judges one sheet with its joints here and there. Owns its memory.
 class BacklashFollower {
  public:
   /// Both must outlive this object; D of the sheet is above from_deg.
-  BacklashFollower(const Model& model, const BacklashSheet& sheet, const BacklashOptions& options);
+  BacklashFollower(const Model& model, const BacklashStart& sheet, const BacklashOptions& options);
   ~BacklashFollower();
 
   /// With `scale` (panel widths per unit) of these offsets. `only_whether`: stops where it is known
@@ -78,7 +78,7 @@ class BacklashFollower {
   void find_start(const JointOffsets& offsets, double scale);
 
   const Model& model_;
-  const BacklashSheet& sheet_;
+  const BacklashStart& sheet_;
   const BacklashOptions options_;
   PathPlan up_, down_;
   LooseSheet<double> loose_;

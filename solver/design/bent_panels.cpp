@@ -238,7 +238,7 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
   if (fitted.fault) return *fitted.fault;
   if (!fitted.study) return {};
   const double from_deg = fitted.study->motion.from_deg;
-  const DeployingSheetOptions& held = deploying.sheet;
+  const DeployingOptions& held = deploying.sheet;
   if (held.springs.pull_only) {
     return OptionFault{"pull_only",
                        {},
@@ -282,7 +282,7 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
 
 BentAdvice advise(const Sheet& sheet, const DeployOptions& deploying, const BentPanels& study,
                   double wanted_margin) {
-  const DeployingSheetOptions& held = deploying.sheet;
+  const DeployingOptions& held = deploying.sheet;
   const BentWay way(sheet, study.options.material, study.thickness_mm, study.options.to_deg,
                     study.from_deg, study.options.angles);
   BentAdvice advice{useful_stiffness_n_per_mm(way), wanted_margin, {}};

@@ -83,8 +83,7 @@ std::optional<double> DeploymentStudy::barrier_n_mm() const {
 }
 
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
-                                 const DeployingSheetOptions& sheet,
-                                 const DeploymentOptions& options,
+                                 const DeployingOptions& sheet, const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces) {
   const DeployingSheet deploying(way, model.shape(), model.base(), sheet);
   DeploymentStudy study{sheet,
@@ -110,10 +109,10 @@ DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
 }
 
 std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
-                                                  const DeployingSheetOptions& sheet,
+                                                  const DeployingOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative) {
-  DeployingSheetOptions tried = sheet;
+  DeployingOptions tried = sheet;
   const auto arrives = [&](double friction_n_mm_per_mm) {
     tried.joints.friction_n_mm_per_mm = friction_n_mm_per_mm;
     const DeployingSheet deploying(way, model.shape(), model.base(), tried);

@@ -15,13 +15,13 @@ inline constexpr double kDeployFrom_deg = 36;
 
 struct DeployOptions {
   std::optional<double> from_deg;  ///< none: kDeployFrom_deg, or D where that is less
-  DeployingSheetOptions sheet;
+  DeployingOptions sheet;
   DeploymentOptions motion;                  ///< but for its start
   std::optional<JointForcesOptions> forces;  ///< none: they are not found
 };
 
 struct DeploymentStudy {
-  DeployingSheetOptions sheet;
+  DeployingOptions sheet;
   DeploymentOptions options;
   double mass_t;
   std::vector<Equilibrium> equilibria;
@@ -49,14 +49,13 @@ struct Standstill {
 /// `options.from_deg` and the angles at which springs and creases are relaxed must lie on the way.
 /// With the forces in the joints if `forces` says how.
 DeploymentStudy study_deployment(const FoldingWay& way, const Model& model,
-                                 const DeployingSheetOptions& sheet,
-                                 const DeploymentOptions& options,
+                                 const DeployingOptions& sheet, const DeploymentOptions& options,
                                  const std::optional<JointForcesOptions>& forces = {});
 
 /// The largest crease friction with which it gets to flat, damping and all, by letting it go again
 /// and again: to `relative` of itself. None if it does not get there without friction.
 std::optional<double> critical_friction_in_motion(const FoldingWay& way, const Model& model,
-                                                  const DeployingSheetOptions& sheet,
+                                                  const DeployingOptions& sheet,
                                                   const DeploymentOptions& options,
                                                   double relative = 1e-4);
 

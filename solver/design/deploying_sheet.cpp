@@ -45,14 +45,14 @@ VectorXd relaxed_angles(const FoldingWay& way, double rest_deg) {
 // Rows: the generalised mass, and where the centre of mass is; on the other side of flat it is
 // below where it was above.
 SmoothTable masses_on_the_way(const FoldingWay& way, const FoldedShape& shape,
-                              const PerforatedSheet& base, const DeployingSheetOptions& options) {
+                              const PerforatedSheet& base, const DeployingOptions& options) {
   const Panels panels = panels_of(base, way.mechanism());
   const std::optional<int> held = options.held ? std::optional(options.held->panel) : std::nullopt;
   SheetMover mover(shape, way, panels, options.plates, held);
   Eigen::MatrixXd values(4, static_cast<Index>(way.stations().size()));
   Index k = 0;
   for (const WayStation& station : way.stations()) {
-    const MovingSheet sheet = mover.move(station.state, station.rates.data());
+    const MovingPanels sheet = mover.move(station.state, station.rates.data());
     // Seen from the held panel, from +z.
     Eigen::Vector3d centre_mm = mover.seen_from(held.value_or(0), sheet.centre_mm());
     centre_mm.z() *= way.mechanism().side;
@@ -74,7 +74,7 @@ double mass_of_all(const FoldingWay& way, const PerforatedSheet& base, const Pla
 }  // namespace
 
 DeployingSheet::DeployingSheet(const FoldingWay& way, const FoldedShape& shape,
-                               const PerforatedSheet& base, const DeployingSheetOptions& options)
+                               const PerforatedSheet& base, const DeployingOptions& options)
     : way_(way),
       options_(options),
       mass_t_(mass_of_all(way, base, options.plates)),
@@ -132,8 +132,8 @@ DeployingSheet::Turning DeployingSheet::turning(double x) const {
   return {crease_mm_.dot(angle_rates_.cwiseAbs()), speeds_.sum()};
 }
 
-SheetAt DeployingSheet::at(double x) const {
-  SheetAt here{};
+EnergyAt DeployingSheet::at(double x) const {
+  EnergyAt here{};
   masses_.find(x, 0, 1, mass_, mass_rate_);
   here.mass = mass_(0);
   here.mass_slope = mass_rate_(0);

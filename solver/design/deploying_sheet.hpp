@@ -44,7 +44,7 @@ struct HeldPanel {
   Eigen::Vector3d gravity_mm_per_s2 = Eigen::Vector3d::Zero();  ///< in its flat frame, z up
 };
 
-struct DeployingSheetOptions {
+struct DeployingOptions {
   Springs springs;
   JointResistance joints;
   Plates plates;
@@ -52,7 +52,7 @@ struct DeployingSheetOptions {
 };
 
 /// At one x. Derivatives are by x.
-struct SheetAt {
+struct EnergyAt {
   double mass, mass_slope;  ///< t mm^2
   double springs_n_mm;      ///< energy of the springs
   double potential, slope;  ///< of all that has an energy: N mm
@@ -64,15 +64,15 @@ class DeployingSheet {
  public:
   /// `way` and `shape` must outlive this object. Rest angles must lie on the way.
   DeployingSheet(const FoldingWay& way, const FoldedShape& shape, const PerforatedSheet& base,
-                 const DeployingSheetOptions& options);
+                 const DeployingOptions& options);
 
   const FoldingWay& way() const { return way_; }
-  const DeployingSheetOptions& options() const { return options_; }
+  const DeployingOptions& options() const { return options_; }
   double mass_t() const { return mass_t_; }
   /// How long each spring is without force.
   const Eigen::VectorXd& relaxed_mm() const { return rest_mm_; }
 
-  SheetAt at(double x) const;
+  EnergyAt at(double x) const;
   /// An energy and its derivative: the springs' if they had 1 N/mm, and that of all else.
   struct Potential {
     double energy, slope;
@@ -96,7 +96,7 @@ class DeployingSheet {
   void find_lengths(double x) const;
 
   const FoldingWay& way_;
-  const DeployingSheetOptions options_;
+  const DeployingOptions options_;
   double mass_t_;
   Eigen::VectorXd crease_mm_, rest_mm_, rest_rad_;
   SmoothTable masses_;  // generalised mass; centre of mass x, y, z

@@ -16,7 +16,7 @@ constexpr double kRelaxed_mm = 1e-8;
 
 // Time is counted in units of the sheet's own, in which the way takes about 1.
 double time_unit_s(const DeployingSheet& sheet, double from_x, const std::vector<double>& wells_x) {
-  const SheetAt start = sheet.at(from_x);
+  const EnergyAt start = sheet.at(from_x);
   double released = std::abs(start.potential - sheet.at(0).potential);
   for (const double x : wells_x) {
     released = std::max(released, start.potential - sheet.at(x).potential);
@@ -64,7 +64,7 @@ class Run {
   using Stop = MotionIntegrator::Stop;
 
   double acceleration(double x, double rate) const {
-    const SheetAt here = sheet_.at(x);
+    const EnergyAt here = sheet_.at(x);
     const double speed = rate / unit_s_;  // per second
     const double force = -here.mass_slope * speed * speed / 2 - here.slope -
                          direction_ * here.friction - here.damping * speed;
@@ -110,7 +110,7 @@ class Run {
 
   // At rest there: by friction, or since nothing drives it.
   bool is_held(double x) const {
-    const SheetAt here = sheet_.at(x);
+    const EnergyAt here = sheet_.at(x);
     const bool relaxed =
         std::sqrt(2 * sheet_.unit_springs(x).energy) < kRelaxed_mm && sheet_.all_else(x).slope == 0;
     return relaxed || std::abs(here.slope) <= here.friction;
@@ -142,13 +142,13 @@ class Run {
 
   // Friction will hold it before it has gone on by kCreep_deg: it would come to rest there in no
   // time, or creep for ever.
-  bool creeps_to_rest(const MotionState& here, const SheetAt& now) const {
+  bool creeps_to_rest(const MotionState& here, const EnergyAt& now) const {
     if (now.friction <= 0 || here.rate == 0) return false;
     const double ahead_x =
         here.x +
         std::copysign(kCreep_deg / std::abs(way_.pilot_rate(here.x) / kRadPerDeg), here.rate);
     if (std::abs(ahead_x) >= way_.end() || ahead_x * here.x <= 0) return false;
-    const SheetAt ahead = sheet_.at(ahead_x);
+    const EnergyAt ahead = sheet_.at(ahead_x);
     const double lost = (now.friction + ahead.friction) / 2 * std::abs(ahead_x - here.x);
     return now.potential + kinetic(now, here.rate) - ahead.potential < lost;
   }
@@ -166,13 +166,13 @@ class Run {
         *std::min_element(wells_.begin(), wells_.end(), [&](const Well& a, const Well& b) {
           return std::abs(here.x - a.x) < std::abs(here.x - b.x);
         });
-    const SheetAt now = sheet_.at(here.x);
+    const EnergyAt now = sheet_.at(here.x);
     if (now.potential + kinetic(now, here.rate) > well.edge) return {};
     add_row(here, DeploymentEvent::end);
     return held_at(here.x);
   }
 
-  double kinetic(const SheetAt& here, double rate) const {
+  double kinetic(const EnergyAt& here, double rate) const {
     return here.mass / 2 * (rate / unit_s_) * (rate / unit_s_);
   }
 
@@ -203,7 +203,7 @@ class Run {
   }
 
   void add_row(const MotionState& at, DeploymentEvent event) {
-    const SheetAt here = sheet_.at(at.x);
+    const EnergyAt here = sheet_.at(at.x);
     const double rate = at.rate / unit_s_, moving = kinetic(here, at.rate);
     run_.rows.push_back({at.time * unit_s_, at.x, rate, way_.pilot_deg(at.x),
                          way_.pilot_rate(at.x) * rate / kRadPerDeg, here.springs_n_mm, moving,

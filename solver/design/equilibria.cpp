@@ -112,7 +112,7 @@ Least least_over(const DescentToFlat& descent, const Quotient& quotient) {
 
 double stall_of(const DeployingSheet& sheet, const std::vector<Descent>& path) {
   const auto is_held = [&](double x) {
-    const SheetAt here = sheet.at(x);
+    const EnergyAt here = sheet.at(x);
     return here.slope <= here.friction;
   };
   double moves_x = path.front().x;

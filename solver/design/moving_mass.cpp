@@ -28,7 +28,7 @@ struct RigidMotion {
   Vector3d spin, velocity, centre_mm;
 };
 
-RigidMotion rigid_motion(const MovingSheet& sheet) {
+RigidMotion rigid_motion(const MovingPanels& sheet) {
   double mass_t = 0;
   Vector3d momentum = Vector3d::Zero(), angular = momentum;
   for (const MovingPanel& panel : sheet.panels) {
@@ -45,7 +45,7 @@ RigidMotion rigid_motion(const MovingSheet& sheet) {
   return {inertia.ldlt().solve(angular), momentum / mass_t, centre};
 }
 
-void subtract(const RigidMotion& motion, MovingSheet& sheet) {
+void subtract(const RigidMotion& motion, MovingPanels& sheet) {
   for (MovingPanel& panel : sheet.panels) {
     panel.velocity -= motion.velocity + motion.spin.cross(panel.centre_mm - motion.centre_mm);
     panel.spin -= motion.spin;
@@ -55,7 +55,7 @@ void subtract(const RigidMotion& motion, MovingSheet& sheet) {
 
 }  // namespace
 
-double MovingSheet::generalised_mass() const {
+double MovingPanels::generalised_mass() const {
   double twice_energy = 0;
   for (const MovingPanel& panel : panels) {
     twice_energy +=
@@ -64,7 +64,7 @@ double MovingSheet::generalised_mass() const {
   return twice_energy;
 }
 
-Vector3d MovingSheet::centre_mm() const {
+Vector3d MovingPanels::centre_mm() const {
   double mass_t = 0;
   Vector3d moment = Vector3d::Zero();
   for (const MovingPanel& panel : panels) {
@@ -74,11 +74,11 @@ Vector3d MovingSheet::centre_mm() const {
   return moment / mass_t;
 }
 
-MovingSheet SheetMover::move(const FoldState<double>& state, const double* rates) {
+MovingPanels SheetMover::move(const FoldState<double>& state, const double* rates) {
   const double width_mm = way_.mechanism().panel_width_mm;
   shape_.place(way_.geometry(), state, points_);
   shape_.move(way_.geometry(), points_, rates, twists_);
-  MovingSheet sheet{{}, Vector3d::Zero()};
+  MovingPanels sheet{{}, Vector3d::Zero()};
   for (int k = 0; k < static_cast<int>(masses_.size()); ++k) {
     const auto index = static_cast<std::size_t>(k);
     const Matrix3d turned = turn(k);

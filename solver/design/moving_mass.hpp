@@ -18,7 +18,7 @@ struct MovingPanel {
 
 /// A sheet in one state. Free in space it moves without momentum and angular momentum, which of all
 /// motions with these joints' rates has the least energy (Koenig); or a panel is held.
-struct MovingSheet {
+struct MovingPanels {
   std::vector<MovingPanel> panels;
   Eigen::Vector3d frame_spin;  ///< of the first panel itself
 
@@ -40,7 +40,7 @@ class SheetMover {
         held_(held) {}
 
   /// At a state with these rates of every unknown (rad per unit of x).
-  MovingSheet move(const FoldState<double>& state, const double* rates);
+  MovingPanels move(const FoldState<double>& state, const double* rates);
   /// Of the last state: where a panel has a vertex, which way a direction of its points, and where
   /// on its own flat sheet it sees a point.
   Eigen::Vector3d place_mm(int panel, int vertex) const {

@@ -18,7 +18,7 @@ SmoothTable momenta_on_the_way(const FoldingWay& way, SheetMover& mover) {
   Eigen::MatrixXd values;
   for (Index k = 0; k < count; ++k) {
     const WayStation& station = way.stations()[static_cast<std::size_t>(k)];
-    const MovingSheet sheet = mover.move(station.state, station.rates.data());
+    const MovingPanels sheet = mover.move(station.state, station.rates.data());
     if (k == 0) values.resize(kOfPanel * static_cast<Index>(sheet.panels.size()), count);
     Index row = 0;
     for (const MovingPanel& panel : sheet.panels) {
@@ -61,7 +61,7 @@ void PanelLoads::pose(const DeploymentRow& at) {
   x_ = at.x;
   moved_ = {0, 0};
   if (in_motion_) {
-    const SheetAt here = sheet_.at(at.x);
+    const EnergyAt here = sheet_.at(at.x);
     const double friction = at.x_rate == 0 ? 0 : std::copysign(here.friction, at.x_rate);
     const double force = -here.mass_slope * at.x_rate * at.x_rate / 2 - here.slope - friction -
                          here.damping * at.x_rate;

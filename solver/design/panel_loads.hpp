@@ -60,7 +60,7 @@ class PanelLoads {
   std::vector<std::vector<int>> panels_at_;  // each vertex
   double x_ = 0;
   Moved moved_{};
-  MovingSheet moving_{};
+  MovingPanels moving_{};
   std::vector<Hinge> hinges_;
 };
 

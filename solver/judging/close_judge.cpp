@@ -104,16 +104,16 @@ void CloseJudge::look_between(const Station& station, const PathPoint& point,
 bool CloseJudge::is_short_enough() {
   const PathFunction& function = path_.function();
   const bool can_halve = path_.can_halve() && function.to() - function.from() > kShortest_rad;
-  bool is_believed = true;
+  is_believed_ = true;
   if (function.count() > 1) {
     const double roughness = function.roughness();
-    is_believed = roughness <= LongStepOptions{}.most_roughness && function.to() > function.from();
+    is_believed_ = roughness <= LongStepOptions{}.most_roughness && function.to() > function.from();
     const bool is_fine = !finds_extremes_ || roughness <= kMostRoughness;
-    if (can_halve && !(is_believed && is_fine)) return false;
+    if (can_halve && !(is_believed_ && is_fine)) return false;
   }
   if (is_over_ || !looks_for_bumps_) return true;
-  if (!is_believed) heading_ = FunctionBumps::Heading::unsure;
-  if (!is_believed || !FunctionBumps::can_look(function)) return true;
+  if (!is_believed_) heading_ = FunctionBumps::Heading::unsure;
+  if (!is_believed_ || !FunctionBumps::can_look(function)) return true;
   bumps_.begin_segment(function);
   const double end = function.end();
   const double least_doubt = can_halve ? kSolved_widths : std::numeric_limits<double>::infinity();
@@ -127,8 +127,10 @@ void CloseJudge::find_extremes() {
   if (function.count() < 2) return;
   here_.lengths = path_.end().lengths;
   here_.slopes = path_.end().slopes;
+  const double end_deg = path_.end_rad() / kRadPerDeg;
+  if (!is_believed_) return finder_.pass(end_deg, here_);
   const bool had_reversed = finder_.first_reversal().diagonal >= 0;
-  finder_.see(path_.end_rad() / kRadPerDeg, !is_over_, function.end(), here_, judge_, function);
+  finder_.see(end_deg, !is_over_, function.end(), here_, judge_, function);
   if (!had_reversed && finder_.first_reversal().pilot_deg > 0) solve_reversal();
 }
 

@@ -46,7 +46,8 @@ class CloseJudge {
   FunctionBumps bumps_;
   FunctionBumps::Heading heading_ = FunctionBumps::Heading::forward;
   bool is_over_ = false;
-  double last_deg_ = 0;  // the last sample
+  bool is_believed_ = true;  // the newest segment, as a function
+  double last_deg_ = 0;      // the last sample
   ExtremeFinder finder_;
   double least_slope_at_last_ = 0;
   PathEstimate here_;

@@ -156,6 +156,10 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x, const Path
     extremes_.bump_where = d;
   }
   if (first_of >= 0 && reversal_.diagonal < 0) note_reversal(first_of, first_x, function);
+  pass(pilot_deg, here);
+}
+
+void ExtremeFinder::pass(double pilot_deg, const PathEstimate& here) {
   last_deg_ = pilot_deg;
   last_ = here.lengths;
   last_slopes_ = here.slopes;

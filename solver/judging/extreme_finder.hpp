@@ -79,6 +79,8 @@ class ExtremeFinder {
   /// order, `here` is what is known of it, and `judge` which way diagonals go.
   void see(double pilot_deg, bool is_in_order, double x, const PathEstimate& here,
            const Judge& judge, const PathFunction& function);
+  /// The same, but that nothing is known of what lies between it and the sample before.
+  void pass(double pilot_deg, const PathEstimate& here);
   /// The bump by which a judge has ended.
   void note_bump(int diagonal, double from_deg);
   /// The first reversal, solved.

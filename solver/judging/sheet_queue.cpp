@@ -73,7 +73,7 @@ bool SheetQueue::next(PathStart& start, int lane) {
     start = {&geometry, from->state, from->plan, from->first_station, from->forward_sign};
     return true;
   }
-  const FarSheet* const far = far_sheet(of_lane(lane));
+  const FarStart* const far = far_sheet(of_lane(lane));
   const bool is_found = far && far->end == PathEnd::end_reached;
   start = {&geometry, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
   return true;
@@ -83,21 +83,21 @@ bool SheetQueue::has_ended(PathResult& path, int lane) {
   if (path.end != PathEnd::start_lost) return true;
   const int sheet = of_lane(lane);
   const bool is_known = far_sheet(sheet) != nullptr;
-  const FarSheet& far = is_known ? *far_sheet(sheet) : look_for_start(sheet);
+  const FarStart& far = is_known ? *far_sheet(sheet) : look_for_start(sheet);
   if (far.end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
   if (is_known || far.end != PathEnd::end_reached) return true;
   waiting_.push_back(sheet);
   return false;
 }
 
-SheetQueue::FarSheet* SheetQueue::far_sheet(int sheet) {
+SheetQueue::FarStart* SheetQueue::far_sheet(int sheet) {
   const auto end = far_.begin() + static_cast<std::ptrdiff_t>(far_count_);
   const auto at =
-      std::find_if(far_.begin(), end, [&](const FarSheet& one) { return one.sheet == sheet; });
+      std::find_if(far_.begin(), end, [&](const FarStart& one) { return one.sheet == sheet; });
   return at == end ? nullptr : &*at;
 }
 
-const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet) {
+const SheetQueue::FarStart& SheetQueue::look_for_start(int sheet) {
   if (!homotopy_) {
     homotopy_ = std::make_unique<ShiftHomotopy>(model_.mechanism(), model_.path(),
                                                 model_.base().sheet.vertices_mm);
@@ -105,7 +105,7 @@ const SheetQueue::FarSheet& SheetQueue::look_for_start(int sheet) {
   block_->place(sheet, vertices_mm_);
   const PathEnd end = homotopy_->find(vertices_mm_);
   if (far_count_ == far_.size()) far_.emplace_back();
-  FarSheet& far = far_[far_count_++];
+  FarStart& far = far_[far_count_++];
   far.sheet = sheet;
   far.end = end;
   far.start = homotopy_->state();

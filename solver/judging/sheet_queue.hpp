@@ -82,14 +82,14 @@ class SheetQueue {
   std::vector<int> sheet_of_lane_;
   std::unique_ptr<ShiftHomotopy> homotopy_;  // made when first needed
   // What it said of sheets that the base folding was too far off for; grows to what a block needs.
-  struct FarSheet {
+  struct FarStart {
     int sheet;
     PathEnd end;
     FoldState<double> start;
   };
-  FarSheet* far_sheet(int sheet);
-  const FarSheet& look_for_start(int sheet);
-  std::vector<FarSheet> far_;
+  FarStart* far_sheet(int sheet);
+  const FarStart& look_for_start(int sheet);
+  std::vector<FarStart> far_;
   std::size_t far_count_ = 0;
   FlatVertices vertices_mm_;
   PlacedSheet placed_;

@@ -4,6 +4,12 @@
 #include <cassert>
 
 namespace misalign::solver {
+namespace {
+
+// Of a segment: what no state is found at from there on, the path does not lead to its end.
+constexpr double kShortestPart = 1.0 / 64;
+
+}  // namespace
 
 SolvedFunction::SolvedFunction(const Mechanism& mechanism, BetweenSolver& solver)
     : mechanism_(mechanism),
@@ -38,9 +44,14 @@ bool SolvedFunction::aim_at(const SheetGeometry<double>& geometry, const Station
   return function_.count() > 1 || halve();
 }
 
+// Where the path bends sharply no state may be found in the middle, but nearer to its beginning.
 bool SolvedFunction::halve() {
   function_.drop();
-  const bool is_solved = solve(0.5 * (last_rad_ + end_rad_));
+  const double length_rad = end_rad_ - last_rad_;
+  bool is_solved = false;
+  for (double part = 0.5; !is_solved && can_halve() && part >= kShortestPart; part *= 0.5) {
+    is_solved = solve(last_rad_ + part * length_rad);
+  }
   add();
   return is_solved;
 }

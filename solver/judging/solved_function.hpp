@@ -20,7 +20,8 @@ class SolvedFunction {
   /// A segment to the next sample, with its slopes and rates; both must last until it is reached.
   /// From flat it goes halfway: one node alone makes no function. False: no state was found there.
   bool aim_at(const SheetGeometry<double>& geometry, const Station& sample, const PathPoint& point);
-  /// Half that segment instead. False: no state was found there, and it stays as it is.
+  /// Half that segment instead, or less of it. False: no state was found there, and it stays as it
+  /// is.
   bool halve();
   bool can_halve() const { return solves_ < kMostSolves; }
   /// The segment is short enough: the next one begins at its end.

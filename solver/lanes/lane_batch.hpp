@@ -139,19 +139,19 @@ class LaneBatch final : public Batch {
 
   // Keeps the sheets open that have a state at this angle.
   void lose_all_but(const TestAngle& angle) {
-    std::erase_if(open_, [&](const OpenSheet& open) {
+    std::erase_if(open_, [&](const Undecided& open) {
       const bool is_lost = !approach_.is_kept_at(angle, open);
       if (is_lost) lost_.push_back(open);
       return is_lost;
     });
   }
   template <class Test>
-  void run(Test& test, int angle, const ShiftBlock& block, std::vector<OpenSheet>& open) {
+  void run(Test& test, int angle, const ShiftBlock& block, std::vector<Undecided>& open) {
     test.run(angle, angle == model_.departs_from(), block, open, rejection_, approach_);
     drop_decided(open);
   }
-  void drop_decided(std::vector<OpenSheet>& open) {
-    std::erase_if(open, [&](const OpenSheet& sheet) { return rejection_.decided(sheet.sheet); });
+  void drop_decided(std::vector<Undecided>& open) {
+    std::erase_if(open, [&](const Undecided& sheet) { return rejection_.decided(sheet.sheet); });
   }
 
   const Model& model_;
@@ -165,7 +165,7 @@ class LaneBatch final : public Batch {
   std::optional<ExpansionTest<T, Single>> expansion_test_;  // made when first needed
   LaneTest<Single> single_test_;
   LaneTest<T> double_test_, beyond_test_;
-  std::vector<OpenSheet> open_, lost_;
+  std::vector<Undecided> open_, lost_;
 };
 
 }  // namespace misalign::solver

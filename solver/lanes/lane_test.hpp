@@ -20,27 +20,27 @@ class LaneTest {
 
   /// From the base folding. States replace those that are kept only if `is_departure`.
   template <class Rules, class Approach>
-  void run(int angle, bool is_departure, const ShiftBlock& block, std::vector<OpenSheet>& open,
+  void run(int angle, bool is_departure, const ShiftBlock& block, std::vector<Undecided>& open,
            Rules& rules, Approach& approach);
   /// Once more from states kept at this angle, which every sheet has: what another precision left
   /// in doubt.
   template <class Rules, class Approach>
-  void run_again(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
+  void run_again(int angle, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  Approach& approach);
   /// From states kept at the angle before, which every sheet has, and along their rates.
   template <class Rules, class Approach>
-  void run_ahead(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open, Rules& rules,
+  void run_ahead(int angle, const ShiftBlock& block, std::vector<Undecided>& open, Rules& rules,
                  Approach& approach);
 
   const Effort& effort() const { return effort_; }
 
  private:
   template <class Work>
-  void each_vector(const ShiftBlock& block, std::vector<OpenSheet>& open, const Work& work);
+  void each_vector(const ShiftBlock& block, std::vector<Undecided>& open, const Work& work);
   template <class Approach>
-  void take_kept(OpenSheet* open, int count, Approach& approach);
+  void take_kept(Undecided* open, int count, Approach& approach);
   template <class Rules, class Approach>
-  void report_all(int angle, bool replaces, OpenSheet* open, int count, Rules& rules,
+  void report_all(int angle, bool replaces, Undecided* open, int count, Rules& rules,
                   Approach& approach);
   template <class Rules>
   bool report(int angle, int sheet, int i, std::optional<double> error, Rules& rules);
@@ -76,10 +76,10 @@ LaneTest<T>::LaneTest(const Model& model, const std::vector<TestAngle>& angles)
 
 template <class T>
 template <class Work>
-void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<OpenSheet>& open,
+void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<Undecided>& open,
                               const Work& work) {
   for (std::size_t first = 0; first < open.size(); first += kLanes<T>) {
-    OpenSheet* const sheets = open.data() + first;
+    Undecided* const sheets = open.data() + first;
     const int count = static_cast<int>(std::min<std::size_t>(kLanes<T>, open.size() - first));
     std::array<int, kLanes<T>> numbers;
     for (int i = 0; i < kLanes<T>; ++i) numbers[i] = sheets[i < count ? i : 0].sheet;
@@ -91,8 +91,8 @@ void LaneTest<T>::each_vector(const ShiftBlock& block, std::vector<OpenSheet>& o
 template <class T>
 template <class Rules, class Approach>
 void LaneTest<T>::run(int angle, bool is_departure, const ShiftBlock& block,
-                      std::vector<OpenSheet>& open, Rules& rules, Approach& approach) {
-  each_vector(block, open, [&](OpenSheet* sheets, int count) {
+                      std::vector<Undecided>& open, Rules& rules, Approach& approach) {
+  each_vector(block, open, [&](Undecided* sheets, int count) {
     solver_.solve(angle);
     report_all(angle, is_departure, sheets, count, rules, approach);
   });
@@ -100,9 +100,9 @@ void LaneTest<T>::run(int angle, bool is_departure, const ShiftBlock& block,
 
 template <class T>
 template <class Rules, class Approach>
-void LaneTest<T>::run_again(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open,
+void LaneTest<T>::run_again(int angle, const ShiftBlock& block, std::vector<Undecided>& open,
                             Rules& rules, Approach& approach) {
-  each_vector(block, open, [&](OpenSheet* sheets, int count) {
+  each_vector(block, open, [&](Undecided* sheets, int count) {
     take_kept(sheets, count, approach);
     solver_.solve_from(start_, angle);
     report_all(angle, true, sheets, count, rules, approach);
@@ -112,7 +112,7 @@ void LaneTest<T>::run_again(int angle, const ShiftBlock& block, std::vector<Open
 // Flat lengths too, in this precision.
 template <class T>
 template <class Rules, class Approach>
-void LaneTest<T>::report_all(int angle, bool replaces, OpenSheet* open, int count, Rules& rules,
+void LaneTest<T>::report_all(int angle, bool replaces, Undecided* open, int count, Rules& rules,
                              Approach& approach) {
   flat_lengths(mechanism_, solver_.geometry(), flat_.data());
   for (int i = 0; i < count; ++i) {
@@ -127,9 +127,9 @@ void LaneTest<T>::report_all(int angle, bool replaces, OpenSheet* open, int coun
 
 template <class T>
 template <class Rules, class Approach>
-void LaneTest<T>::run_ahead(int angle, const ShiftBlock& block, std::vector<OpenSheet>& open,
+void LaneTest<T>::run_ahead(int angle, const ShiftBlock& block, std::vector<Undecided>& open,
                             Rules& rules, Approach& approach) {
-  each_vector(block, open, [&](OpenSheet* sheets, int count) {
+  each_vector(block, open, [&](Undecided* sheets, int count) {
     take_kept(sheets, count, approach);
     const double by_rad =
         2 * half_sine_between(angles_[angle].pilot, approach.keep(sheets[0]).angle->pilot);
@@ -147,7 +147,7 @@ void LaneTest<T>::run_ahead(int angle, const ShiftBlock& block, std::vector<Open
 // Empty lanes repeat the first sheet.
 template <class T>
 template <class Approach>
-void LaneTest<T>::take_kept(OpenSheet* open, int count, Approach& approach) {
+void LaneTest<T>::take_kept(Undecided* open, int count, Approach& approach) {
   for (int i = 0; i < kLanes<T>; ++i) {
     const auto& kept = approach.keep(open[i < count ? i : 0]);
     put_lane(kept.state, start_, i);

@@ -114,7 +114,7 @@ void ApproachObserver::begin(const SheetBlock& block, RejectionTest& rejection) 
   kept_count_ = 0;
 }
 
-ApproachObserver::Kept& ApproachObserver::keep(OpenSheet& sheet) {
+ApproachObserver::Kept& ApproachObserver::keep(Undecided& sheet) {
   assert(sheet.kept_state < kept_count_ && kept_count_ <= std::ssize(kept_));
   if (sheet.kept_state < 0) sheet.kept_state = kept_count_++;
   if (sheet.kept_state == static_cast<int>(kept_.size())) {
@@ -124,7 +124,7 @@ ApproachObserver::Kept& ApproachObserver::keep(OpenSheet& sheet) {
   return kept_[sheet.kept_state];
 }
 
-SheetQueue& ApproachObserver::queue_of(const std::vector<OpenSheet>& open) {
+SheetQueue& ApproachObserver::queue_of(const std::vector<Undecided>& open) {
   const auto& stations = model_.approach().stations;
   starts_.clear();
   for (const auto [sheet, kept_state] : open) {

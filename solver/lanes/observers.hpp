@@ -70,7 +70,7 @@ class JudgingObserver final : public QueueObserver {
 };
 
 /// A sheet that is not decided yet, and its state kept for the approach; -1: none can be trusted.
-struct OpenSheet {
+struct Undecided {
   int sheet, kept_state;
 };
 
@@ -91,12 +91,12 @@ class ApproachObserver {
     std::vector<double> rates;
   };
   /// The one of this sheet, or room for it.
-  Kept& keep(OpenSheet& sheet);
-  bool is_kept_at(const TestAngle& angle, const OpenSheet& sheet) const {
+  Kept& keep(Undecided& sheet);
+  bool is_kept_at(const TestAngle& angle, const Undecided& sheet) const {
     return sheet.kept_state >= 0 && kept_[sheet.kept_state].angle == &angle;
   }
   /// Those that have a state kept, to be followed from it on.
-  SheetQueue& queue_of(const std::vector<OpenSheet>& open);
+  SheetQueue& queue_of(const std::vector<Undecided>& open);
   PathPoint& point() { return point_; }
   bool wants_slopes() const { return true; }
   bool see(const Station& station, int lane);

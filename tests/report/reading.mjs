@@ -27,13 +27,15 @@ export function summary() {
   return failures === 0;
 }
 
+/** What failed is said; what passed with VERBOSE=1 only, or the failure is lost in a long log. */
 export async function check(what, run) {
   ++checks;
   const start = performance.now();
   try {
     const said = await run(),
       took_s = (performance.now() - start) / 1000;
-    say(`ok    ${what}${said ? `: ${said}` : ""}${took_s > 1 ? ` (${took_s.toFixed(1)} s)` : ""}`);
+    if (process.env.VERBOSE)
+      say(`ok    ${what}${said ? `: ${said}` : ""}${took_s > 1 ? ` (${took_s.toFixed(1)} s)` : ""}`);
   } catch (error) {
     ++failures;
     say(`FAIL  ${what}\n      ${String(error.message).split("\n").slice(0, 6).join("\n      ")}`);

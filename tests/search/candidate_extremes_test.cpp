@@ -50,6 +50,13 @@ TEST(CandidateExtremes, AreThoseOfVertexCoordinates) {
   }
 }
 
+// Halfway from 172 to 173 degrees, where creases turn fast, no state is found from the mean of
+// both.
+TEST(CandidateExtremes, AReversalIsFoundOnAPathThatBendsSharply) {
+  DrawEvaluator evaluator = shipped("double-corrugation-6x6");
+  for (const std::uint64_t draw : {201358, 338185}) expect_extremes_of_coordinates(evaluator, draw);
+}
+
 // A diagonal that sets out like the fourth power of the pilot's angle has a cubic that goes back.
 TEST(CandidateExtremes, NoneTurnsAtFlatThatSetsOutSlowly) {
   DrawEvaluator evaluator = shipped("miura-6x6");

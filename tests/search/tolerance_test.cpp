@@ -211,7 +211,7 @@ TEST_F(ToleranceTest, BacklashIsThatOfItsTrials) {
   const Backlash backlash = study.run({0.02, kFew, 1, watch}).front();
   EXPECT_EQ(last.done, last.all);
   EXPECT_EQ(backlash.undecided(), 0u);
-  const solver::BacklashSheet& sheet = study.sheets().front();
+  const solver::BacklashStart& sheet = study.sheets().front();
   const solver::Model model(campaign_.pattern.base, campaign_.path());
   solver::BacklashFollower follower(model, sheet, {});
   const auto one_way = [&](double backlash_mm) {

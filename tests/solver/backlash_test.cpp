@@ -154,7 +154,7 @@ struct Loose {
   FlatVertices vertices_mm;
   Model model;
   BacklashOptions options;
-  BacklashSheet prepared;
+  BacklashStart prepared;
 };
 
 FlatVertices table1() {

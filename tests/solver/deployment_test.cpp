@@ -38,7 +38,7 @@ struct TwoPanels {
     way.emplace(mechanism, sheet.vertices_mm, WayCoordinate{0}, step, end, std::move(stations));
     shape.emplace(sheet, std::vector<int>{}, mechanism);
   }
-  DeployingSheet sheet(const DeployingSheetOptions& options) const {
+  DeployingSheet sheet(const DeployingOptions& options) const {
     return DeployingSheet(*way, *shape, base, options);
   }
 
@@ -61,7 +61,7 @@ struct Oscillator : TwoPanels, testing::Test {
   }
   Deployment released() const { return deploy(sheet(options), {0.0}, run); }
 
-  DeployingSheetOptions options;
+  DeployingOptions options;
   DeploymentOptions run;
   double mass, inertia, stiffness, frequency;
 };
@@ -171,14 +171,14 @@ struct FreePanels : TwoPanels, testing::Test {
   double generalised(double x) const {
     return mass * kPanel_mm * kPanel_mm * (std::pow(std::sin(x / 2), 2) / 8 + 1.0 / 24);
   }
-  DeployingSheetOptions options;
+  DeployingOptions options;
   double mass;
 };
 
 TEST_F(FreePanels, MassAndItsSlope) {
   const DeployingSheet free = sheet(options);
   for (const double x : {-2.0, -0.3, 0.0, 1e-3, 0.5, 1.0, 2.0, 2.9}) {
-    const SheetAt here = free.at(x);
+    const EnergyAt here = free.at(x);
     EXPECT_NEAR(here.mass / generalised(x), 1, 1e-10) << x;
     EXPECT_NEAR(here.mass_slope, mass * kPanel_mm * kPanel_mm * std::sin(x) / 16,
                 1e-8 * generalised(x));

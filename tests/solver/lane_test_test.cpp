@@ -38,7 +38,7 @@ struct OneKept {
   explicit OneKept(const Mechanism& mechanism)
       : kept{nullptr, flat_state<double>(mechanism),
              std::vector<double>(static_cast<std::size_t>(mechanism.unknowns))} {}
-  ApproachObserver::Kept& keep(OpenSheet&) { return kept; }
+  ApproachObserver::Kept& keep(Undecided&) { return kept; }
   ApproachObserver::Kept kept;
 };
 
@@ -110,7 +110,7 @@ class LaneTestErrors : public testing::TestWithParam<Case> {
     for (int sheet = 0; sheet < kSheets; ++sheet) {
       SCOPED_TRACE("sheet " + std::to_string(sheet));
       const Eigen::MatrixXd path = lengths_along_path(sheet);
-      std::vector<OpenSheet> open = {{sheet, -1}};
+      std::vector<Undecided> open = {{sheet, -1}};
       for (int k = static_cast<int>(model_.tests().size()) - 1; k >= 0; --k) {
         OneKept kept(sheets_.mechanism);
         Notes notes(path.cols());

@@ -42,7 +42,7 @@ class Studies {
     const FoldingWay* const way = sheet_.way();
     EXPECT_TRUE(way);
     if (!way) return;
-    DeployingSheetOptions free = sheet_options();
+    DeployingOptions free = sheet_options();
     look_at_deployment("free", *way, free);
     free.held = HeldPanel{held_panel(), seen(Eigen::Vector3d(1500, -4000, -9000))};
     free.joints = {1e-3, 1e-2 * unit_, 1e-5, 1e-3, 10};
@@ -72,8 +72,8 @@ class Studies {
         panels_.corners, [&](const auto& corners) { return sorted(corners) == held_corners_; });
     return static_cast<int>(at - panels_.corners.begin());
   }
-  DeployingSheetOptions sheet_options() const {
-    DeployingSheetOptions options;
+  DeployingOptions sheet_options() const {
+    DeployingOptions options;
     options.springs.stiffness_n_per_mm /= unit_;
     options.plates = {unit_, 2.7 / std::pow(unit_, 4)};
     return options;
@@ -132,7 +132,7 @@ class Studies {
   // Places where joints have settled are in their panels' frames.
   void look_at_backlash() {
     constexpr BacklashOptions kOptions;
-    const BacklashSheet sheet = prepare_backlash(model_, vertices_mm_, kOptions);
+    const BacklashStart sheet = prepare_backlash(model_, vertices_mm_, kOptions);
     if (sheet.own_deg <= kOptions.from_deg) return;
     const Mechanism& mechanism = model_.mechanism();
     std::mt19937 words(kSeed);
@@ -155,7 +155,7 @@ class Studies {
   }
 
   void look_at_deployment(const std::string& name, const FoldingWay& way,
-                          const DeployingSheetOptions& options) {
+                          const DeployingOptions& options) {
     DeploymentOptions run;
     run.from_deg = std::min(36.0, deploys_from_deg_);
     const DeploymentStudy study = study_deployment(way, model_, options, run, JointForcesOptions{});
@@ -166,7 +166,7 @@ class Studies {
     put(name + " holds from", study.friction.static_stall_deg);
     const DeployingSheet sheet(way, model_.shape(), base_, options);
     for (const double share : {0.1, 0.5, 1.0}) {
-      const SheetAt here = sheet.at(way.x_of(share * run.from_deg)), flat = sheet.at(0);
+      const EnergyAt here = sheet.at(way.x_of(share * run.from_deg)), flat = sheet.at(0);
       const std::string at = name + " at " + std::to_string(share);
       put(at + " mass", here.mass / unit_);
       put(at + " potential", (here.potential - flat.potential) / unit_);
