@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "schema/campaign/draw_range.hpp"
+#include "schema/campaign/misalignment.hpp"
 #include "schema/campaign/splitting.hpp"
 #include "schema/campaign/stop_rule.hpp"
 #include "schema/pattern/design.hpp"
@@ -16,18 +17,6 @@
 #include "solver/verdict/verdict.hpp"
 
 namespace misalign::schema {
-
-enum class ShiftDistribution {
-  ternary,  ///< -a, 0, +a
-  uniform   ///< on [-a, +a]
-};
-
-/// How the vertices are shifted.
-struct Misalignment {
-  std::vector<int> vertices;  ///< ascending
-  double amplitude_mm = 0.4;
-  ShiftDistribution distribution = ShiftDistribution::ternary;
-};
 
 /// A stop on the way: springs that are relaxed at this pilot angle hold the sheet there.
 struct RequiredStop {

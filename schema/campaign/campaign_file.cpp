@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "schema/campaign/misalignment.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/files/json_values.hpp"
 
@@ -17,65 +18,6 @@ constexpr double kMultipleTolerance = 1e-9;
 bool whole_multiple(double value, double step) {
   const double ratio = value / step;
   return std::abs(ratio - std::round(ratio)) <= kMultipleTolerance * std::max(1.0, ratio);
-}
-
-std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern& sheet) {
-  const char* const kForms =
-      "write \"interior\", \"ring\" or a list of labels like [\"A9\", \"A10\"]";
-  const Json* value = reader.find("vertices");
-  if (!value || *value == "interior") return solver::interior_vertices(sheet);
-  if (*value == "ring") return solver::ring_vertices(sheet);
-  if (!value->is_array() || value->empty()) {
-    reader.faults().add(reader.shown("vertices"), "names no set of vertices", kForms);
-    return {};
-  }
-  std::vector<int> vertices;
-  for (const Json& label : *value) {
-    const int vertex =
-        label.is_string() ? vertex_of_label(label.get<std::string>(), sheet.vertex_count()) : -1;
-    if (vertex < 0) {
-      reader.faults().add(
-          reader.name("vertices") + " has " + label.dump(),
-          "is no vertex of this sheet, A1 to A" + std::to_string(sheet.vertex_count()), kForms);
-    } else {
-      vertices.push_back(vertex);
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end()) {
-    reader.faults().add(reader.name("vertices"), "names a vertex twice", "name each once");
-  }
-  return vertices;
-}
-
-void read_misalignment(ObjectReader reader, const solver::CreasePattern* sheet,
-                       Misalignment& misalignment) {
-  InputFaults& faults = reader.faults();
-  const std::size_t before = faults.count();
-  if (sheet) {
-    misalignment.vertices = read_vertices(reader, *sheet);
-  } else {
-    reader.find("vertices");
-  }
-  reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
-  if (sheet && faults.count() == before) {
-    const double safe = solver::largest_safe_amplitude_mm(*sheet, misalignment.vertices);
-    const double shown = rounded_down(safe);
-    if (misalignment.amplitude_mm >= safe) {
-      faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
-                 "must be below " + shown_number(shown) +
-                     ", where a facet of this sheet can lose convexity",
-                 "try " + shown_number(rounded_down(0.95 * shown)));
-    }
-  }
-  std::string levels = "ternary";
-  reader.text("levels", levels, "write \"ternary\" or \"uniform\"");
-  misalignment.distribution =
-      levels == "uniform" ? ShiftDistribution::uniform : ShiftDistribution::ternary;
-  if (levels != "uniform" && levels != "ternary") {
-    faults.add(reader.shown("levels"), "is no set of levels", "write \"ternary\" or \"uniform\"");
-  }
-  reader.refuse_unknown_keys();
 }
 
 // Null, both of them, for no stop.
@@ -103,6 +45,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   InputFaults& faults = path.faults();
   const std::size_t before = faults.count();
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
+  if (campaign.misalignment.parallel) campaign.end_deg = 180 - campaign.sample_deg;
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
   read_between_samples(accept, campaign.between_samples);
@@ -156,6 +99,21 @@ void read_certify(ObjectReader& reader, bool is_splitting, bool& certify) {
   }
 }
 
+// What drawing members of the parallel family leaves no room for.
+void check_parallel(const Campaign& campaign, InputFaults& faults) {
+  if (!campaign.misalignment.parallel) return;
+  if (campaign.splitting) {
+    faults.add("search.method = \"splitting\"",
+               "changes vertices one by one, and members of the parallel family change together",
+               "write \"plain\"; most members with like signs are accepted");
+  }
+  if (campaign.end_deg > 180 - campaign.sample_deg) {
+    faults.add("path.end_deg = " + shown_number(campaign.end_deg),
+               "all creases of a member close at 180 degrees, where rounding would decide",
+               "try " + shown_number(180 - campaign.sample_deg) + ", the default of such draws");
+  }
+}
+
 bool usable_file_name(const std::string& name) {
   return !name.empty() && name.size() <= 100 && name[0] != '.' && name[0] != '-' &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -195,16 +153,15 @@ Campaign read_campaign(const Json& value, const std::string& source,
   if (pattern) {
     campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, directory, faults);
   }
-  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
-  const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
-  read_misalignment(ObjectReader(part("misalignment"), "misalignment", faults),
-                    has_sheet ? &sheet : nullptr, campaign.misalignment);
+  campaign.misalignment = read_misalignment(
+      ObjectReader(part("misalignment"), "misalignment", faults), campaign.pattern.base);
   ObjectReader path(part("path"), "path", faults), accept(part("accept"), "accept", faults);
   // A sheet that is refused for other reasons is not held against its path.
   const double base_end_deg = campaign.pattern.base.folding.end_deg();
   read_path_and_threshold(path, accept, base_end_deg > 0 ? base_end_deg : 180, campaign);
   campaign.splitting = read_search(ObjectReader(part("search"), "search", faults),
                                    campaign.threshold_deg, campaign.sample_deg);
+  check_parallel(campaign, faults);
   reader.whole("seed", campaign.seed, kEndOfDraws, "try 1");
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   campaign.design = read_design(part("design"), "design", faults)
@@ -232,36 +189,21 @@ Campaign default_campaign() {
 }
 
 Json campaign_json(const Campaign& campaign) {
-  const solver::CreasePattern& sheet = campaign.pattern.base.sheet;
-  const std::vector<int>& shifted = campaign.misalignment.vertices;
-  Json vertices = Json::array();
-  if (shifted == solver::interior_vertices(sheet)) {
-    vertices = "interior";
-  } else if (shifted == solver::ring_vertices(sheet)) {
-    vertices = "ring";
-  } else {
-    for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
-  }
   const std::optional<RequiredStop>& stop = campaign.required_stop;
-  return {
-      {"name", campaign.name},
-      {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
-      {"misalignment",
-       {{"vertices", vertices},
-        {"amplitude_mm", campaign.misalignment.amplitude_mm},
-        {"levels", campaign.misalignment.distribution == ShiftDistribution::ternary ? "ternary"
-                                                                                    : "uniform"}}},
-      {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
-      {"accept",
-       {{"deploys_from_deg", campaign.threshold_deg},
-        {"between_samples", between_samples_json(campaign.between_samples)},
-        {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
-        {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
-      {"search", search_json(campaign.splitting)},
-      {"seed", campaign.seed},
-      {"stop", stop_json(campaign.stop)},
-      {"design", design_json(campaign.design)},
-      {"certify", campaign.certify}};
+  return {{"name", campaign.name},
+          {"pattern", pattern_json(campaign.pattern, campaign.pattern.shifts_mm)},
+          {"misalignment", misalignment_json(campaign.misalignment, campaign.pattern.base.sheet)},
+          {"path", {{"sample_deg", campaign.sample_deg}, {"end_deg", campaign.end_deg}}},
+          {"accept",
+           {{"deploys_from_deg", campaign.threshold_deg},
+            {"between_samples", between_samples_json(campaign.between_samples)},
+            {"stops_at_deg", stop ? Json(stop->at_deg) : Json()},
+            {"stop_stiffness_mm2_per_rad2", stop ? Json(stop->least_mm2_per_rad2) : Json()}}},
+          {"search", search_json(campaign.splitting)},
+          {"seed", campaign.seed},
+          {"stop", stop_json(campaign.stop)},
+          {"design", design_json(campaign.design)},
+          {"certify", campaign.certify}};
 }
 
 Json stored_configuration(const Campaign& campaign) {

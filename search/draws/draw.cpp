@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "search/draws/parallel_draw.hpp"
+
 namespace misalign::search {
 namespace {
 
@@ -50,6 +52,7 @@ double uniform_share(std::uint32_t word) { return (word + 0.5) / 2147483648.0 - 
 
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream) {
+  if (misalignment.parallel) return draw_member(misalignment, seed, draw, shifts_mm, stream);
   const std::size_t words = 2 * misalignment.vertices.size();
   for (std::size_t k = 0; k < words; k += 4) {
     const auto block = philox_block(seed, draw, static_cast<std::uint32_t>(k / 4), stream);
@@ -79,6 +82,7 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
 
 bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
   if (shifts_mm.cols() != campaign.pattern.base.sheet.vertex_count()) return false;
+  if (campaign.misalignment.parallel) return is_member(campaign.misalignment, shifts_mm);
   Eigen::Matrix2Xd others_mm = shifts_mm;
   for (const int vertex : campaign.misalignment.vertices) {
     for (const double shift_mm : shifts_mm.col(vertex)) {

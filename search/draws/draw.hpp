@@ -22,7 +22,8 @@ int ternary_level(std::uint32_t word);
 double uniform_share(std::uint32_t word);
 
 /// Shifts of draw d, mm: x and y of each vertex that the misalignment names, in its order. The k-th
-/// vertex takes words 2k (x) and 2k + 1 (y), ternary or uniform, times the amplitude.
+/// vertex takes words 2k (x) and 2k + 1 (y), ternary or uniform, times the amplitude; or they are a
+/// member of the parallel family (parallel_draw).
 void draw_shifts(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream = kDrawStream);
 

@@ -1,0 +1,147 @@
+#include "schema/campaign/misalignment.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "schema/files/json_values.hpp"
+#include "solver/pattern/parallel_family.hpp"
+
+namespace misalign::schema {
+namespace {
+
+std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
+  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
+}
+
+std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern& sheet) {
+  const char* const kForms =
+      "write \"interior\", \"ring\", \"all\" or a list of labels like [\"A9\", \"A10\"]";
+  const Json* value = reader.find("vertices");
+  if (!value || *value == "interior") return solver::interior_vertices(sheet);
+  if (*value == "ring") return solver::ring_vertices(sheet);
+  if (*value == "all") return all_vertices(sheet);
+  if (!value->is_array() || value->empty()) {
+    reader.faults().add(reader.shown("vertices"), "names no set of vertices", kForms);
+    return {};
+  }
+  std::vector<int> vertices;
+  for (const Json& label : *value) {
+    const int vertex =
+        label.is_string() ? vertex_of_label(label.get<std::string>(), sheet.vertex_count()) : -1;
+    if (vertex < 0) {
+      reader.faults().add(
+          reader.name("vertices") + " has " + label.dump(),
+          "is no vertex of this sheet, A1 to A" + std::to_string(sheet.vertex_count()), kForms);
+    } else {
+      vertices.push_back(vertex);
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end()) {
+    reader.faults().add(reader.name("vertices"), "names a vertex twice", "name each once");
+  }
+  return vertices;
+}
+
+// One of two words; the first if the key is left out.
+bool is_second(ObjectReader& reader, const char* key, const char* first, const char* second,
+               const char* what) {
+  std::string word = first;
+  const std::string forms = std::string("write \"") + first + "\" or \"" + second + "\"";
+  reader.text(key, word, forms);
+  if (word != first && word != second) reader.faults().add(reader.shown(key), what, forms);
+  return word == second;
+}
+
+// Of a base whose path is known.
+std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::PerforatedSheet& base,
+                                       const std::vector<int>& vertices) {
+  auto found = solver::ParallelFamily::of(base, vertices);
+  if (const auto* none = std::get_if<solver::NoParallelFamily>(&found)) {
+    reader.faults().add(reader.shown("kind"),
+                        "this base has no parallel family: " + none->why(base.sheet),
+                        "take another base, or leave \"kind\" out");
+    return std::nullopt;
+  }
+  const auto& family = std::get<solver::ParallelFamily>(found);
+  const auto is_of_hole = [](const solver::ParallelCoordinate& coordinate) {
+    return coordinate.kind != solver::ParallelCoordinate::Kind::shape;
+  };
+  if (!std::ranges::any_of(family.coordinates(), is_of_hole)) {
+    reader.faults().add(reader.name("vertices"),
+                        "leave no hole of the parallel family any way to change",
+                        "write \"all\", which shifts the rim too");
+    return std::nullopt;
+  }
+  return ParallelDraws{std::make_shared<const solver::ParallelFamily>(family)};
+}
+
+}  // namespace
+
+Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedSheet& base) {
+  InputFaults& faults = reader.faults();
+  const std::size_t before = faults.count();
+  const solver::CreasePattern& sheet = base.sheet;
+  const bool has_sheet = sheet.facet_count() > 0;  // though it may have other faults
+  Misalignment misalignment;
+  if (has_sheet) {
+    misalignment.vertices = read_vertices(reader, sheet);
+  } else {
+    reader.find("vertices");
+  }
+  reader.number("amplitude_mm", misalignment.amplitude_mm, 1e-9, 1e6, "try 0.4");
+  if (has_sheet && faults.count() == before) {
+    const double safe = solver::largest_safe_amplitude_mm(sheet, misalignment.vertices);
+    const double shown = rounded_down(safe);
+    if (misalignment.amplitude_mm >= safe) {
+      faults.add(reader.name("amplitude_mm") + " = " + shown_number(misalignment.amplitude_mm),
+                 "must be below " + shown_number(shown) +
+                     ", where a facet of this sheet can lose convexity",
+                 "try " + shown_number(rounded_down(0.95 * shown)));
+    }
+  }
+  const bool is_parallel = is_second(reader, "kind", "free", "parallel", "is no kind of shifts");
+  const bool may_differ = is_second(reader, "signs", "alike", "free", "is no rule for signs");
+  if (!is_parallel && reader.find("signs")) {
+    faults.add(reader.shown("signs"), "is of members of the parallel family",
+               "write \"kind\": \"parallel\" beside it, or take it out");
+  }
+  const bool says_levels = reader.find("levels") != nullptr;
+  const bool is_uniform = is_second(reader, "levels", "ternary", "uniform", "is no set of levels");
+  if (is_uniform || is_parallel) misalignment.distribution = ShiftDistribution::uniform;
+  if (is_parallel && says_levels && !is_uniform) {
+    faults.add(reader.shown("levels"), "members of the parallel family are drawn uniformly",
+               "write \"uniform\", or take it out");
+  }
+  reader.refuse_unknown_keys();
+  if (is_parallel && faults.count() == before && base.folding.end_deg() > 0) {
+    misalignment.parallel = family_of(reader, base, misalignment.vertices);
+    if (misalignment.parallel) misalignment.parallel->like_signs = !may_differ;
+  }
+  return misalignment;
+}
+
+Json misalignment_json(const Misalignment& misalignment, const solver::CreasePattern& sheet) {
+  const std::vector<int>& shifted = misalignment.vertices;
+  const std::optional<ParallelDraws>& parallel = misalignment.parallel;
+  Json vertices = Json::array();
+  if (shifted == solver::interior_vertices(sheet)) {
+    vertices = "interior";
+  } else if (shifted == solver::ring_vertices(sheet)) {
+    vertices = "ring";
+  } else {
+    for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
+  }
+  Json value = {
+      {"vertices", vertices},
+      {"amplitude_mm", misalignment.amplitude_mm},
+      {"levels", misalignment.distribution == ShiftDistribution::ternary ? "ternary" : "uniform"}};
+  if (!parallel) return value;
+  value["kind"] = "parallel";
+  value["signs"] = parallel->like_signs ? "alike" : "free";
+  return value;
+}
+
+}  // namespace misalign::schema

@@ -1,0 +1,82 @@
+#include "search/draws/parallel_draw.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "search/draws/draw.hpp"
+#include "solver/pattern/parallel_family.hpp"
+
+namespace misalign::search {
+namespace {
+
+// What rounding leaves of conditions that hold, in parts of the amplitude.
+constexpr double kRounding = 1e-9;
+
+// A hole whose delta and epsilon are two coordinates, side by side, gets them of like signs.
+void make_alike(const std::vector<solver::ParallelCoordinate>& of, Eigen::VectorXd& values_mm) {
+  using Kind = solver::ParallelCoordinate::Kind;
+  for (std::size_t k = 1; k < of.size(); ++k) {
+    if (of[k].kind != Kind::epsilon || of[k - 1].kind != Kind::delta) continue;
+    if (of[k].hole != of[k - 1].hole) continue;
+    const auto at = static_cast<Eigen::Index>(k);
+    values_mm(at) = std::copysign(values_mm(at), values_mm(at - 1));
+  }
+}
+
+// delta epsilon > 0 at every hole: summed in this order, for the same bits everywhere.
+bool has_like_signs(const solver::ParallelFamily& family, const Eigen::VectorXd& coordinates_mm) {
+  const solver::RowMatrix& holes = family.hole_basis();
+  const auto sum = [&](Eigen::Index row) {
+    double sum_mm = 0;
+    for (Eigen::Index k = 0; k < holes.cols(); ++k) {
+      if (holes(row, k) != 0) sum_mm += holes(row, k) * coordinates_mm(k);
+    }
+    return sum_mm;
+  };
+  for (Eigen::Index row = 0; row < holes.rows(); row += 2) {
+    if (!(sum(row) * sum(row + 1) > 0)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void draw_member(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
+                 double* shifts_mm, std::uint32_t stream) {
+  assert(misalignment.parallel && misalignment.parallel->family);
+  const solver::ParallelFamily& family = *misalignment.parallel->family;
+  const double most_mm = misalignment.amplitude_mm;
+  const auto dimension = static_cast<std::uint32_t>(family.dimension());
+  const bool like_signs = misalignment.parallel->like_signs;
+  Eigen::VectorXd coordinates_mm(dimension);
+  std::uint32_t block = 0;
+  for (std::uint32_t t = 0; t < kMostTries; ++t) {
+    for (std::uint32_t k = 0; k < dimension; k += 4) {
+      const auto words = philox_block(seed, draw, block++, stream);
+      for (std::uint32_t i = 0; i < 4 && k + i < dimension; ++i) {
+        coordinates_mm(k + i) = uniform_share(words[i]) * most_mm;
+      }
+    }
+    if (!like_signs) break;
+    make_alike(family.coordinates(), coordinates_mm);
+    if (has_like_signs(family, coordinates_mm)) break;
+  }
+  Eigen::Matrix2Xd all_mm = family.shifts_mm(coordinates_mm);
+  const double largest_mm = all_mm.cwiseAbs().maxCoeff();
+  if (largest_mm > most_mm) all_mm *= most_mm / largest_mm;
+  for (const int vertex : misalignment.vertices) {
+    *shifts_mm++ = all_mm(0, vertex);
+    *shifts_mm++ = all_mm(1, vertex);
+  }
+}
+
+bool is_member(const schema::Misalignment& misalignment, const Eigen::Matrix2Xd& shifts_mm) {
+  assert(misalignment.parallel && misalignment.parallel->family);
+  const solver::ParallelFamily& family = *misalignment.parallel->family;
+  const double rounding_mm = kRounding * misalignment.amplitude_mm;
+  const Eigen::Matrix2Xd again_mm = family.shifts_mm(family.coordinates_of(shifts_mm));
+  return shifts_mm.cwiseAbs().maxCoeff() <= misalignment.amplitude_mm + rounding_mm &&
+         (shifts_mm - again_mm).cwiseAbs().maxCoeff() <= rounding_mm;
+}
+
+}  // namespace misalign::search
