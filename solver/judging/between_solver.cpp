@@ -12,8 +12,8 @@
 namespace misalign::solver {
 namespace {
 
-// What a state may be away from its neighbours' mean (rad).
-constexpr double kFarthestFromMean_rad = 0.2;
+// What a state may be away from its prediction (rad).
+constexpr double kFarthest_rad = 0.2;
 
 HalfAngle<double> between(const HalfAngle<double>& a, const HalfAngle<double>& b, double share) {
   return HalfAngle<double>{a.c + share * (b.c - a.c), a.s + share * (b.s - a.s)}.turned(0);
@@ -50,11 +50,12 @@ void BetweenSolver::prepare() {
   if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
 }
 
-// By the fixed order of elimination, or where that is poor by dense matrices.
+// Predicted by the mean of both places; where that is too far off, next to a place where the path
+// bends sharply, by the rates of the first.
 bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPlace& from,
                           const SolvedPlace& to, double pilot_rad, PathPoint& point) {
   prepare();
-  auto& [corrector, near, tangent, misfits, dense] = *workspace_;
+  FoldState<double>& near = workspace_->near;
   const double share = (pilot_rad - from.pilot_rad) / (to.pilot_rad - from.pilot_rad);
   const FoldState<double>&a = from.point.state, &b = to.point.state;
   for (std::size_t k = 0; k < near.creases.size(); ++k) {
@@ -63,6 +64,22 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
   for (std::size_t k = 0; k < near.balls.size(); ++k) {
     near.balls[k] = between(a.balls[k], b.balls[k], share);
   }
+  if (correct(geometry, pilot_rad, point)) return true;
+  std::vector<double>& turn = workspace_->tangent;
+  assert(from.point.rates.size() == turn.size());
+  const double by_rad = pilot_rad - from.pilot_rad;
+  std::ranges::transform(from.point.rates, turn.begin(),
+                         [&](double rate) { return by_rad * rate; });
+  near = a;
+  advance(mechanism_, turn.data(), near);
+  return correct(geometry, pilot_rad, point);
+}
+
+// From the predicted state; by the fixed order of elimination, or where that is poor by dense
+// matrices.
+bool BetweenSolver::correct(const SheetGeometry<double>& geometry, double pilot_rad,
+                            PathPoint& point) {
+  auto& [corrector, near, tangent, misfits, dense] = *workspace_;
   const HalfAngle<double> pilot = half_angle_of_deg(pilot_rad / kRadPerDeg);
   corrector.put(geometry, near, pilot, 0);
   double corrected_rad = 0;
@@ -71,7 +88,7 @@ bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPla
     if (!std::isfinite(corrector.open_by())) return false;
     corrected_rad += corrector.largest_correction();
     if (corrector.open_by() > NewtonOptions{}.closure_tolerance) continue;
-    if (corrected_rad > kFarthestFromMean_rad) return false;
+    if (corrected_rad > kFarthest_rad) return false;
     point.state = corrector.trial();
     tangent = corrector.tangent();
     const double rate = tangent.back();

@@ -8,7 +8,7 @@
 
 namespace misalign::solver {
 
-/// A known state of a path, with the pilot's fold angle there.
+/// A known state of a path with its rates, and the pilot's fold angle there.
 struct SolvedPlace {
   double pilot_rad;
   const PathPoint& point;
@@ -28,6 +28,8 @@ class BetweenSolver {
 
  private:
   struct Workspace;
+
+  bool correct(const SheetGeometry<double>& geometry, double pilot_rad, PathPoint& point);
 
   const Mechanism& mechanism_;
   const Elimination& elimination_;

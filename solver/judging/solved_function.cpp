@@ -66,7 +66,8 @@ bool SolvedFunction::go_on() {
   if (is_at_sample()) return false;
   end_rad_ = sample_rad_;
   const double next_rad = last_rad_ + 2 * length_rad_;
-  if (can_halve() && next_rad < sample_rad_) solve(next_rad);
+  // What is left must be a segment too, and none of rounding.
+  if (can_halve() && sample_rad_ - next_rad > 0.5 * length_rad_) solve(next_rad);
   add();
   return true;
 }

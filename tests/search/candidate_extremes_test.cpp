@@ -42,10 +42,11 @@ DrawEvaluator shipped(const char* name) {
       std::string(MISALIGN_SOURCE_DIR "/search/campaigns/") + name + ".json"));
 }
 
-// Paths in close steps (32798, 154, 456, 483), and functions whose slope is least at D.
+// Paths in close steps (32798, 154, 456, 483; 149913 and 192731 with segments next to 180 degrees
+// and to a sharp bend), and functions whose slope is least at D.
 TEST(CandidateExtremes, AreThoseOfVertexCoordinates) {
   DrawEvaluator evaluator = shipped("miura-4x4");
-  for (const std::uint64_t draw : {32798, 154, 456, 483, 27281, 111, 392}) {
+  for (const std::uint64_t draw : {32798, 154, 456, 483, 27281, 111, 392, 149913, 192731}) {
     expect_extremes_of_coordinates(evaluator, draw);
   }
 }
