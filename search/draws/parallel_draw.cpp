@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "search/draws/draw.hpp"
+#include "search/draws/random_words.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
