@@ -212,6 +212,10 @@ Json stored_configuration(const Campaign& campaign) {
   configuration["design"] = said_design_json(campaign.design);
   if (configuration["design"].empty()) configuration.erase("design");
   if (!campaign.certify) configuration.erase("certify");
+  if (!campaign.misalignment.parallel) {
+    configuration["misalignment"].erase("kind");
+    configuration["misalignment"].erase("signs");
+  }
   if (!campaign.splitting) {
     configuration.erase("search");
     if (configuration["stop"]["populations"] == defaults["stop"]["populations"])

@@ -104,7 +104,7 @@ Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedShee
   }
   const bool is_parallel = is_second(reader, "kind", "free", "parallel", "is no kind of shifts");
   const bool may_differ = is_second(reader, "signs", "alike", "free", "is no rule for signs");
-  if (!is_parallel && reader.find("signs")) {
+  if (!is_parallel && may_differ) {
     faults.add(reader.shown("signs"), "is of members of the parallel family",
                "write \"kind\": \"parallel\" beside it, or take it out");
   }
@@ -134,14 +134,12 @@ Json misalignment_json(const Misalignment& misalignment, const solver::CreasePat
   } else {
     for (const int v : shifted) vertices.push_back(solver::vertex_label(v));
   }
-  Json value = {
+  return {
       {"vertices", vertices},
       {"amplitude_mm", misalignment.amplitude_mm},
-      {"levels", misalignment.distribution == ShiftDistribution::ternary ? "ternary" : "uniform"}};
-  if (!parallel) return value;
-  value["kind"] = "parallel";
-  value["signs"] = parallel->like_signs ? "alike" : "free";
-  return value;
+      {"levels", misalignment.distribution == ShiftDistribution::ternary ? "ternary" : "uniform"},
+      {"kind", parallel ? "parallel" : "free"},
+      {"signs", parallel && !parallel->like_signs ? "free" : "alike"}};
 }
 
 }  // namespace misalign::schema

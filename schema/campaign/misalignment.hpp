@@ -40,7 +40,7 @@ struct Misalignment {
 /// itself has faults.
 Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedSheet& base);
 
-/// Every key of that part, but for those of members where each vertex is shifted by itself.
+/// Every key of that part.
 Json misalignment_json(const Misalignment& misalignment, const solver::CreasePattern& sheet);
 
 }  // namespace misalign::schema

@@ -243,7 +243,7 @@ TEST(Misalignment, OfTheParallelFamilyIsRefusedWhereItHasNoMeaning) {
     EXPECT_NE(faults[0].find(why), std::string::npos) << faults[0];
   };
   refused(R"({"misalignment": {"kind": "parallell"}})", "misalignment.kind", "\"parallel\"");
-  refused(R"({"misalignment": {"signs": "alike"}})", "misalignment.signs", "parallel");
+  refused(R"({"misalignment": {"signs": "free"}})", "misalignment.signs", "parallel");
   refused(R"({"misalignment": {"kind": "parallel", "signs": "any"}})", "misalignment.signs",
           "alike");
   refused(R"({"misalignment": {"kind": "parallel", "levels": "ternary"}})", "misalignment.levels",
