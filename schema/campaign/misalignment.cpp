@@ -1,7 +1,6 @@
 #include "schema/campaign/misalignment.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "schema/files/json_values.hpp"
 #include "solver/pattern/parallel_family.hpp"
@@ -9,19 +8,13 @@
 namespace misalign::schema {
 namespace {
 
-std::vector<int> all_vertices(const solver::CreasePattern& sheet) {
-  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
-  std::iota(vertices.begin(), vertices.end(), 0);
-  return vertices;
-}
-
 std::vector<int> read_vertices(ObjectReader& reader, const solver::CreasePattern& sheet) {
   const char* const kForms =
       "write \"interior\", \"ring\", \"all\" or a list of labels like [\"A9\", \"A10\"]";
   const Json* value = reader.find("vertices");
   if (!value || *value == "interior") return solver::interior_vertices(sheet);
   if (*value == "ring") return solver::ring_vertices(sheet);
-  if (*value == "all") return all_vertices(sheet);
+  if (*value == "all") return solver::all_vertices(sheet);
   if (!value->is_array() || value->empty()) {
     reader.faults().add(reader.shown("vertices"), "names no set of vertices", kForms);
     return {};
@@ -65,7 +58,7 @@ std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::Perfo
                         "take another base, or leave \"kind\" out");
     return std::nullopt;
   }
-  const auto& family = std::get<solver::ParallelFamily>(found);
+  auto& family = std::get<solver::ParallelFamily>(found);
   const auto is_of_hole = [](const solver::ParallelCoordinate& coordinate) {
     return coordinate.kind != solver::ParallelCoordinate::Kind::shape;
   };
@@ -75,7 +68,7 @@ std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::Perfo
                         "write \"all\", which shifts the rim too");
     return std::nullopt;
   }
-  return ParallelDraws{std::make_shared<const solver::ParallelFamily>(family)};
+  return ParallelDraws{std::make_shared<const solver::ParallelFamily>(std::move(family))};
 }
 
 }  // namespace

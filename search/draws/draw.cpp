@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "search/draws/parallel_draw.hpp"
+#include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
 namespace {
@@ -16,6 +17,10 @@ double shift_mm(const schema::Misalignment& misalignment, std::uint32_t word) {
   return uniform_share(word) * misalignment.amplitude_mm;
 }
 
+// What rounding leaves of a member's conditions and of its largest shift, in parts of the
+// amplitude.
+constexpr double kMemberRounding = 1e-9;
+
 // A level, or a share whose word gives it again.
 bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
   assert(misalignment.amplitude_mm > 0);
@@ -24,6 +29,7 @@ bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
     return share == 0 || shift_mm == misalignment.amplitude_mm ||
            shift_mm == -misalignment.amplitude_mm;
   }
+  if (misalignment.parallel) return std::abs(share) <= 1 + kMemberRounding;
   constexpr double kMostShare = 1 - 1e-10;  // the words end 2^-32 before 1
   if (!(std::abs(share) <= kMostShare)) return false;
   const auto word = static_cast<std::uint32_t>((share + 1) * 2147483648.0);
@@ -64,7 +70,6 @@ Eigen::Matrix2Xd shifts_of_draw(const schema::Campaign& campaign, std::uint64_t 
 
 bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shifts_mm) {
   if (shifts_mm.cols() != campaign.pattern.base.sheet.vertex_count()) return false;
-  if (campaign.misalignment.parallel) return is_member(campaign.misalignment, shifts_mm);
   Eigen::Matrix2Xd others_mm = shifts_mm;
   for (const int vertex : campaign.misalignment.vertices) {
     for (const double shift_mm : shifts_mm.col(vertex)) {
@@ -72,7 +77,10 @@ bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shif
     }
     others_mm.col(vertex).setZero();
   }
-  return (others_mm.array() == 0).all();
+  if (!(others_mm.array() == 0).all()) return false;
+  return !campaign.misalignment.parallel ||
+         solver::parallel_misfit_mm(campaign.pattern.base, shifts_mm) <=
+             kMemberRounding * campaign.misalignment.amplitude_mm;
 }
 
 }  // namespace misalign::search

@@ -9,9 +9,6 @@
 namespace misalign::search {
 namespace {
 
-// What rounding leaves of conditions that hold, in parts of the amplitude.
-constexpr double kRounding = 1e-9;
-
 // A hole whose delta and epsilon are two coordinates, side by side, gets them of like signs.
 void make_alike(const std::vector<solver::ParallelCoordinate>& of, Eigen::VectorXd& values_mm) {
   using Kind = solver::ParallelCoordinate::Kind;
@@ -23,18 +20,10 @@ void make_alike(const std::vector<solver::ParallelCoordinate>& of, Eigen::Vector
   }
 }
 
-// delta epsilon > 0 at every hole: summed in this order, for the same bits everywhere.
-bool has_like_signs(const solver::ParallelFamily& family, const Eigen::VectorXd& coordinates_mm) {
-  const solver::RowMatrix& holes = family.hole_basis();
-  const auto sum = [&](Eigen::Index row) {
-    double sum_mm = 0;
-    for (Eigen::Index k = 0; k < holes.cols(); ++k) {
-      if (holes(row, k) != 0) sum_mm += holes(row, k) * coordinates_mm(k);
-    }
-    return sum_mm;
-  };
-  for (Eigen::Index row = 0; row < holes.rows(); row += 2) {
-    if (!(sum(row) * sum(row + 1) > 0)) return false;
+// delta epsilon > 0 at every hole.
+bool has_like_signs(const Eigen::VectorXd& hole_changes_mm) {
+  for (Eigen::Index h = 0; h < hole_changes_mm.size(); h += 2) {
+    if (!(hole_changes_mm(h) * hole_changes_mm(h + 1) > 0)) return false;
   }
   return true;
 }
@@ -59,7 +48,7 @@ void draw_member(const schema::Misalignment& misalignment, std::uint64_t seed, s
     }
     if (!like_signs) break;
     make_alike(family.coordinates(), coordinates_mm);
-    if (has_like_signs(family, coordinates_mm)) break;
+    if (has_like_signs(family.hole_changes_mm(coordinates_mm))) break;
   }
   Eigen::Matrix2Xd all_mm = family.shifts_mm(coordinates_mm);
   const double largest_mm = all_mm.cwiseAbs().maxCoeff();
@@ -68,15 +57,6 @@ void draw_member(const schema::Misalignment& misalignment, std::uint64_t seed, s
     *shifts_mm++ = all_mm(0, vertex);
     *shifts_mm++ = all_mm(1, vertex);
   }
-}
-
-bool is_member(const schema::Misalignment& misalignment, const Eigen::Matrix2Xd& shifts_mm) {
-  assert(misalignment.parallel && misalignment.parallel->family);
-  const solver::ParallelFamily& family = *misalignment.parallel->family;
-  const double rounding_mm = kRounding * misalignment.amplitude_mm;
-  const Eigen::Matrix2Xd again_mm = family.shifts_mm(family.coordinates_of(shifts_mm));
-  return shifts_mm.cwiseAbs().maxCoeff() <= misalignment.amplitude_mm + rounding_mm &&
-         (shifts_mm - again_mm).cwiseAbs().maxCoeff() <= rounding_mm;
 }
 
 }  // namespace misalign::search

@@ -19,7 +19,4 @@ inline constexpr std::uint32_t kMostTries = 1024;
 void draw_member(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream);
 
-/// Whether these shifts are a member's, within the amplitude, but for rounding.
-bool is_member(const schema::Misalignment& misalignment, const Eigen::Matrix2Xd& shifts_mm);
-
 }  // namespace misalign::search

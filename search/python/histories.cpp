@@ -22,12 +22,6 @@ std::size_t histories_at_once(const solver::Model& model) {
   return std::clamp(kBytes / bytes, kFewest, kMost);
 }
 
-std::vector<int> all_vertices(int count) {
-  std::vector<int> vertices;
-  for (int v = 0; v < count; ++v) vertices.push_back(v);
-  return vertices;
-}
-
 std::vector<double> seen_deg(const solver::PathPlan& path) {
   std::vector<double> stations_deg;
   for (const solver::Station& station : path.stations) {
@@ -44,7 +38,7 @@ py::tuple histories_of(const PatternSource& source,
   std::optional<solver::Model> model;
   std::unique_ptr<solver::Batch> batch;
   unlocked([&] {
-    model.emplace(source.sheet.base.base, all_vertices(source.vertices()),
+    model.emplace(source.sheet.base.base, solver::all_vertices(source.pattern()),
                   solver::PathPlanOptions{sampling.sample_deg, sampling.end_deg}, 0,
                   source.criterion);
     batch = solver::make_batch(solver::available_instruction_sets().back(), *model);

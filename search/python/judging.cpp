@@ -26,8 +26,7 @@ ModelKey key_for(const Source& source, ShiftBlocks& blocks, int threshold_sample
 }
 
 ModelKey with_all_vertices(ModelKey key) {
-  key.shifted.clear();
-  for (int v = 0; v < key.source->vertices(); ++v) key.shifted.push_back(v);
+  key.shifted = solver::all_vertices(key.source->pattern());
   return key;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "search/sheets/found_study.hpp"
 #include "solver/linear/mobility.hpp"
@@ -58,12 +57,8 @@ solver::ConstructStudy constructed(const schema::Pattern& base, const std::strin
                                    const solver::ConstructOptions& options) {
   check_freedom(base, path);
   const solver::CreasePattern& sheet = base.base.sheet;
-  std::vector<int> vertices = solver::interior_vertices(sheet);
-  if (rim) {
-    vertices.resize(static_cast<std::size_t>(sheet.vertex_count()));
-    std::iota(vertices.begin(), vertices.end(), 0);
-  }
-  auto family = solver::ParallelFamily::of(base.base, vertices);
+  auto family = solver::ParallelFamily::of(
+      base.base, rim ? solver::all_vertices(sheet) : solver::interior_vertices(sheet));
   if (const auto* none = std::get_if<solver::NoParallelFamily>(&family)) {
     throw UserError(Cause::bad_input, path + ": " + none->why(sheet) +
                                           ", so sheets of it are not constructed; search for "

@@ -162,7 +162,7 @@ void check_miscut(double amplitude_mm, const solver::CreasePattern& base,
 
 void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::uint64_t trial,
                   double* errors_mm) {
-  const schema::Misalignment errors{all_vertices(campaign.pattern.base.sheet), amplitude_mm,
+  const schema::Misalignment errors{solver::all_vertices(campaign.pattern.base.sheet), amplitude_mm,
                                     schema::ShiftDistribution::uniform};
   draw_shifts(errors, campaign.seed, trial, errors_mm, kToleranceStream);
 }

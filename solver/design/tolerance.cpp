@@ -49,12 +49,6 @@ double MiscutCopies::mean_sample() const {
   return sum / static_cast<double>(decided());
 }
 
-std::vector<int> all_vertices(const CreasePattern& sheet) {
-  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
-  std::iota(vertices.begin(), vertices.end(), 0);
-  return vertices;
-}
-
 double largest_miscut_mm(const CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm) {
   CreasePattern sheet = base;
   sheet.vertices_mm += shifts_mm;

@@ -50,9 +50,6 @@ struct Tolerance {
 /// The least share, the largest, and some between, of which studies say what they stay at or below.
 inline constexpr double kShownShares[] = {0, 0.05, 0.25, 0.5, 0.75, 0.95, 1};
 
-/// Those that are cut off their places.
-std::vector<int> all_vertices(const CreasePattern& sheet);
-
 /// Errors must be smaller than this, mm: from there on a facet of the sheet with these shifts (one
 /// column per vertex) can lose its convexity.
 double largest_miscut_mm(const CreasePattern& base, const Eigen::Matrix2Xd& shifts_mm);

@@ -15,16 +15,6 @@ namespace {
 // What a state may be away from its prediction (rad).
 constexpr double kFarthest_rad = 0.2;
 
-HalfAngle<double> between(const HalfAngle<double>& a, const HalfAngle<double>& b, double share) {
-  return HalfAngle<double>{a.c + share * (b.c - a.c), a.s + share * (b.s - a.s)}.turned(0);
-}
-
-Quaternion<double> between(const Quaternion<double>& a, const Quaternion<double>& b, double share) {
-  return Quaternion<double>{a.w + share * (b.w - a.w), a.x + share * (b.x - a.x),
-                            a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)}
-      .normalized();
-}
-
 }  // namespace
 
 struct BetweenSolver::Workspace {
@@ -50,36 +40,20 @@ void BetweenSolver::prepare() {
   if (!workspace_) workspace_ = std::make_unique<Workspace>(mechanism_, elimination_);
 }
 
-// Predicted by the mean of both places; where that is too far off, next to a place where the path
-// bends sharply, by the rates of the first.
+// Predicted by the rates of the nearer place, but for flat, where there are none; by the fixed
+// order of elimination, or where that is poor by dense matrices.
 bool BetweenSolver::solve(const SheetGeometry<double>& geometry, const SolvedPlace& from,
                           const SolvedPlace& to, double pilot_rad, PathPoint& point) {
   prepare();
-  FoldState<double>& near = workspace_->near;
-  const double share = (pilot_rad - from.pilot_rad) / (to.pilot_rad - from.pilot_rad);
-  const FoldState<double>&a = from.point.state, &b = to.point.state;
-  for (std::size_t k = 0; k < near.creases.size(); ++k) {
-    near.creases[k] = between(a.creases[k], b.creases[k], share);
-  }
-  for (std::size_t k = 0; k < near.balls.size(); ++k) {
-    near.balls[k] = between(a.balls[k], b.balls[k], share);
-  }
-  if (correct(geometry, pilot_rad, point)) return true;
-  std::vector<double>& turn = workspace_->tangent;
-  assert(from.point.rates.size() == turn.size());
-  const double by_rad = pilot_rad - from.pilot_rad;
-  std::ranges::transform(from.point.rates, turn.begin(),
-                         [&](double rate) { return by_rad * rate; });
-  near = a;
-  advance(mechanism_, turn.data(), near);
-  return correct(geometry, pilot_rad, point);
-}
-
-// From the predicted state; by the fixed order of elimination, or where that is poor by dense
-// matrices.
-bool BetweenSolver::correct(const SheetGeometry<double>& geometry, double pilot_rad,
-                            PathPoint& point) {
   auto& [corrector, near, tangent, misfits, dense] = *workspace_;
+  const bool is_nearer_from = pilot_rad - from.pilot_rad <= to.pilot_rad - pilot_rad;
+  const SolvedPlace& place = is_nearer_from && from.pilot_rad > 0 ? from : to;
+  assert(place.point.rates.size() == tangent.size());
+  const double by_rad = pilot_rad - place.pilot_rad;
+  std::ranges::transform(place.point.rates, tangent.begin(),
+                         [&](double rate) { return by_rad * rate; });
+  near = place.point.state;
+  advance(mechanism_, tangent.data(), near);
   const HalfAngle<double> pilot = half_angle_of_deg(pilot_rad / kRadPerDeg);
   corrector.put(geometry, near, pilot, 0);
   double corrected_rad = 0;

@@ -29,8 +29,6 @@ class BetweenSolver {
  private:
   struct Workspace;
 
-  bool correct(const SheetGeometry<double>& geometry, double pilot_rad, PathPoint& point);
-
   const Mechanism& mechanism_;
   const Elimination& elimination_;
   std::unique_ptr<Workspace> workspace_;

@@ -73,7 +73,7 @@ bool SheetQueue::next(PathStart& start, int lane) {
     start = {&geometry, from->state, from->plan, from->first_station, from->forward_sign};
     return true;
   }
-  const FarStart* const far = far_sheet(of_lane(lane));
+  const FarStart* const far = far_start(of_lane(lane));
   const bool is_found = far && far->end == PathEnd::end_reached;
   start = {&geometry, is_found ? &far->start : &model_.path().start, &model_.path(), 0, 0};
   return true;
@@ -82,15 +82,15 @@ bool SheetQueue::next(PathStart& start, int lane) {
 bool SheetQueue::has_ended(PathResult& path, int lane) {
   if (path.end != PathEnd::start_lost) return true;
   const int sheet = of_lane(lane);
-  const bool is_known = far_sheet(sheet) != nullptr;
-  const FarStart& far = is_known ? *far_sheet(sheet) : look_for_start(sheet);
+  const bool is_known = far_start(sheet) != nullptr;
+  const FarStart& far = is_known ? *far_start(sheet) : look_for_start(sheet);
   if (far.end == PathEnd::fold_limit) path.end = PathEnd::fold_limit;
   if (is_known || far.end != PathEnd::end_reached) return true;
   waiting_.push_back(sheet);
   return false;
 }
 
-SheetQueue::FarStart* SheetQueue::far_sheet(int sheet) {
+SheetQueue::FarStart* SheetQueue::far_start(int sheet) {
   const auto end = far_.begin() + static_cast<std::ptrdiff_t>(far_count_);
   const auto at =
       std::find_if(far_.begin(), end, [&](const FarStart& one) { return one.sheet == sheet; });

@@ -87,7 +87,7 @@ class SheetQueue {
     PathEnd end;
     FoldState<double> start;
   };
-  FarStart* far_sheet(int sheet);
+  FarStart* far_start(int sheet);
   const FarStart& look_for_start(int sheet);
   std::vector<FarStart> far_;
   std::size_t far_count_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace misalign::solver {
@@ -84,6 +85,12 @@ std::vector<int> facets_around(const CreasePattern& sheet, int vertex) {
     if (f == first) return ring;
   }
   return {};
+}
+
+std::vector<int> all_vertices(const CreasePattern& sheet) {
+  std::vector<int> vertices(static_cast<std::size_t>(sheet.vertex_count()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
 }
 
 std::vector<int> interior_vertices(const CreasePattern& sheet) {

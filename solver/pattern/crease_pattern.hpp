@@ -39,6 +39,9 @@ int find_edge(const CreasePattern& sheet, int vertex, int other_vertex);
 /// Facets around a vertex, counter-clockwise; empty for a vertex on the perimeter.
 std::vector<int> facets_around(const CreasePattern& sheet, int vertex);
 
+/// Every vertex, ascending.
+std::vector<int> all_vertices(const CreasePattern& sheet);
+
 /// Vertices not on the perimeter, ascending.
 std::vector<int> interior_vertices(const CreasePattern& sheet);
 

@@ -1,6 +1,7 @@
 #include "solver/pattern/null_space.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -63,6 +64,17 @@ NullSpace null_space(RowMatrix m, const std::vector<int>& order, double least_pi
     }
   }
   return space;
+}
+
+Eigen::VectorXd product_in_order(const RowMatrix& matrix, const Eigen::VectorXd& vector) {
+  assert(matrix.cols() == vector.size());
+  Eigen::VectorXd product(matrix.rows());
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    double sum = 0;
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) sum += matrix(row, k) * vector(k);
+    product(row) = sum;
+  }
+  return product;
 }
 
 }  // namespace misalign::solver

@@ -19,4 +19,7 @@ struct NullSpace {
 /// it. Entries of no more than `least_pivot` are zero.
 NullSpace null_space(RowMatrix equations, const std::vector<int>& order, double least_pivot);
 
+/// matrix x vector, each row summed from its first column on: the same bits on every machine.
+Eigen::VectorXd product_in_order(const RowMatrix& matrix, const Eigen::VectorXd& vector);
+
 }  // namespace misalign::solver

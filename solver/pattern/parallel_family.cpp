@@ -232,16 +232,16 @@ std::variant<ParallelFamily, NoParallelFamily> ParallelFamily::of(const Perforat
 }
 
 Eigen::Matrix2Xd ParallelFamily::shifts_mm(const Eigen::VectorXd& coordinates_mm) const {
-  assert(coordinates_mm.size() == basis_.cols());
+  const Eigen::VectorXd moved = product_in_order(basis_, coordinates_mm);
   Eigen::Matrix2Xd shifts = Eigen::Matrix2Xd::Zero(2, base_mm_.cols());
-  for (Eigen::Index row = 0; row < basis_.rows(); ++row) {
-    double sum = 0;  // in this order, so that a draw has the same bits everywhere
-    for (Eigen::Index k = 0; k < basis_.cols(); ++k) {
-      if (basis_(row, k) != 0) sum += basis_(row, k) * coordinates_mm(k);
-    }
-    shifts(row % 2, vertices_[static_cast<std::size_t>(row / 2)]) = sum;
+  for (std::size_t k = 0; k < vertices_.size(); ++k) {
+    shifts.col(vertices_[k]) = moved.segment<2>(static_cast<Eigen::Index>(2 * k));
   }
   return shifts;
+}
+
+Eigen::VectorXd ParallelFamily::hole_changes_mm(const Eigen::VectorXd& coordinates_mm) const {
+  return product_in_order(hole_basis_, coordinates_mm);
 }
 
 Eigen::VectorXd ParallelFamily::coordinates_of(const Eigen::Matrix2Xd& shifts_mm) const {

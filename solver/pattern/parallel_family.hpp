@@ -62,6 +62,8 @@ class ParallelFamily {
 
   /// One column per vertex of the sheet.
   Eigen::Matrix2Xd shifts_mm(const Eigen::VectorXd& coordinates_mm) const;
+  /// delta and epsilon of each hole in turn, mm.
+  Eigen::VectorXd hole_changes_mm(const Eigen::VectorXd& coordinates_mm) const;
   /// The member's coordinates, read off these shifts: exact for a member.
   Eigen::VectorXd coordinates_of(const Eigen::Matrix2Xd& shifts_mm) const;
   /// How the holes of a sheet with these shifts change.

@@ -19,6 +19,12 @@ constexpr double kLastHandedOver_deg = 178;
 // Segments of fewer samples are short.
 constexpr int kShortSegment_samples = 4;
 
+// States are foretold between the last nodes; before them they would be extrapolated.
+bool reaches_back_to(const Station& station, const PathFunction& function) {
+  const int oldest = std::min(function.kept(), kStateNodes) - 1;
+  return station.pilot_deg * kRadPerDeg >= function.pilot(function.at(oldest));
+}
+
 }  // namespace
 
 RecordBuilder::RecordBuilder(const Model& model, int lanes)
@@ -90,16 +96,12 @@ ObserverResult RecordBuilder::see(const PathFunction& function, int lane) {
 }
 
 void RecordBuilder::want_d(int sample, const PathFunction& function, Lane& lane) {
-  WantedState& at_d = lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::at_d))];
-  WantedState& before =
-      lane.record.wanted[static_cast<std::size_t>(wanted_index(Wanted::before_d))];
-  const double reaches_rad =
-      function.pilot(function.at(std::min(function.kept(), kStateNodes) - 1));
-  const auto is_reached = [&](int k) {
-    return station_of(k).pilot_deg * kRadPerDeg >= reaches_rad;
-  };
+  std::vector<WantedState>& all = lane.record.wanted;
+  WantedState& at_d = all[static_cast<std::size_t>(wanted_index(Wanted::at_d))];
+  WantedState& before = all[static_cast<std::size_t>(wanted_index(Wanted::before_d))];
   const int last = std::max(sample - 1, 1);
-  if (at_d.sample == last && before.sample != last && !is_reached(last)) std::swap(at_d, before);
+  if (at_d.sample == last && before.sample != last && !reaches_back_to(station_of(last), function))
+    std::swap(at_d, before);
   if (before.sample != last) want(wanted_index(Wanted::before_d), station_of(last), function, lane);
   if (at_d.sample != sample) want(wanted_index(Wanted::at_d), station_of(sample), function, lane);
 }
@@ -205,7 +207,7 @@ void RecordBuilder::go_on_later(const PathResult& path, int sheet, const PathFun
       std::min(function.pilot(function.at(0)) / kRadPerDeg, kLastHandedOver_deg);
   const auto next = std::ranges::upper_bound(stations, last_deg, {}, &Station::pilot_deg);
   const auto station = static_cast<std::size_t>(next - stations.begin()) - 1;
-  made.is_sure = next != stations.begin() &&
+  made.is_sure = next != stations.begin() && reaches_back_to(stations[station], function) &&
                  stations[station].sample >= made.record.verdict.deploys_from_sample &&
                  made.slopes.has_reversal();
   if (!made.is_sure) return;
@@ -306,21 +308,19 @@ void RecordBuilder::take(int sheet, int lane, std::optional<double> miscut_margi
     record.residual_max = std::max(record.residual_max, solved[k].quality.open_by);
     record.isometry_error = std::max(record.isometry_error, solved[k].quality.isometry_error);
   }
-  std::vector<double> values = {of(Wanted::first).quality.singular_value_min,
-                                of(Wanted::second).quality.singular_value_min};
+  const auto singular_of = [&](Wanted wanted) { return of(wanted).quality.singular_value_min; };
+  std::vector<double> values = {singular_of(Wanted::first), singular_of(Wanted::second)};
   for (std::size_t k = 0; k < model_.margin_samples().size(); ++k) {
     if (model_.margin_samples()[k] > 2 && model_.margin_samples()[k] < in_order - 1) {
       values.push_back(solved[k].quality.singular_value_min);
     }
   }
-  values.push_back(of(Wanted::before_d).quality.singular_value_min);
-  values.push_back(of(Wanted::at_d).quality.singular_value_min);
+  for (const Wanted last : {Wanted::before_d, Wanted::at_d}) values.push_back(singular_of(last));
   record.singular_value_min = *std::min_element(values.begin(), values.end());
-  made.is_sure = std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
   made.is_sure =
       made.slopes.put_into(record, of(Wanted::at_d).slopes, of(Wanted::least_slope).slopes,
                            of(Wanted::reversal).slopes) &&
-      made.is_sure;
+      std::isfinite(record.singular_value_min) && ends_are_least(values, in_order);
 }
 
 bool RecordBuilder::wants_again(int sheet, int lane) {

@@ -58,6 +58,15 @@ TEST(CandidateExtremes, AReversalIsFoundOnAPathThatBendsSharply) {
   for (const std::uint64_t draw : {201358, 338185}) expect_extremes_of_coordinates(evaluator, draw);
 }
 
+// The function ends next to a fold limit, in nodes too close together to reach back to the last
+// station: states before them are not foretold. (174.8 and 168.4 degrees, by an extrapolated one;
+// coordinates do not get there.)
+TEST(CandidateExtremes, AFoldLimitIsNotSteppedOver) {
+  DrawEvaluator graded = shipped("miura-graded-6x6"), wide = shipped("miura-wide-6x6");
+  expect_extremes_of_coordinates(graded, 536751);
+  expect_extremes_of_coordinates(wide, 884980);
+}
+
 // A diagonal that sets out like the fourth power of the pilot's angle has a cubic that goes back.
 TEST(CandidateExtremes, NoneTurnsAtFlatThatSetsOutSlowly) {
   DrawEvaluator evaluator = shipped("miura-6x6");

@@ -1,7 +1,6 @@
 #include "solver/pattern/parallel_family.hpp"
 
 #include <Eigen/SVD>
-#include <numeric>
 
 #include "families.hpp"
 #include "sheets.hpp"
@@ -16,12 +15,6 @@ ParallelFamily family_of(const PerforatedSheet& base, const std::vector<int>& ve
     throw std::runtime_error(none->why(base.sheet));
   }
   return std::get<ParallelFamily>(found);
-}
-
-std::vector<int> all_vertices(const CreasePattern& sheet) {
-  std::vector<int> all(static_cast<std::size_t>(sheet.vertex_count()));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
 }
 
 // Of a member's coordinates, uniform, so that no vertex moves by more than `amplitude_mm`.

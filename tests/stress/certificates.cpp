@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/catalogue/catalogue_state.hpp"
@@ -50,13 +49,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::vector<int> all_vertices(const schema::Campaign& campaign) {
-  std::vector<int> vertices(
-      static_cast<std::size_t>(campaign.pattern.base.sheet.vertices_mm.cols()));
-  std::iota(vertices.begin(), vertices.end(), 0);
-  return vertices;
-}
-
 std::vector<Sheet> sheets_of_catalogue(SQLite::Database& database, const schema::Campaign& campaign,
                                        std::size_t most) {
   std::vector<Sheet> sheets;
@@ -92,7 +84,7 @@ class Study {
       : campaign_(campaign),
         options_(options),
         model_(search::model_of(campaign)),
-        fine_model_(campaign.pattern.base, all_vertices(campaign),
+        fine_model_(campaign.pattern.base, solver::all_vertices(campaign.pattern.base.sheet),
                     {kFine_deg, campaign.end_deg, 0, 1}, 0),
         fine_(solver::make_batch(solver::available_instruction_sets().back(), fine_model_)),
         certifier_(model_, {options.contact}),

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 
 #include "schema/campaign/campaign_file.hpp"
 #include "schema/exchange/folding_json.hpp"
@@ -103,8 +102,8 @@ class Study {
       : campaign_(campaign),
         copies_(copies),
         amplitude_mm_(amplitude_mm),
-        model_(campaign.pattern.base, all_vertices(), campaign.path(), campaign.threshold_sample(),
-               campaign.criterion()),
+        model_(campaign.pattern.base, solver::all_vertices(campaign.pattern.base.sheet),
+               campaign.path(), campaign.threshold_sample(), campaign.criterion()),
         batch_(solver::make_batch(solver::available_instruction_sets().back(), model_)) {}
 
   void row(const schema::Candidate& candidate) {
@@ -132,12 +131,6 @@ class Study {
 
  private:
   using Values = std::vector<std::pair<std::string, double>>;
-
-  std::vector<int> all_vertices() const {
-    std::vector<int> vertices(campaign_.pattern.base.sheet.vertex_count());
-    std::iota(vertices.begin(), vertices.end(), 0);
-    return vertices;
-  }
 
   // What is no metric: the same margin by other stretches, what other faults leave, and a share
   // that is foretold from all of it.
