@@ -1,6 +1,7 @@
 #include "schema/exchange/certify_json.hpp"
 
 #include "schema/catalogue/certificate_row.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "solver/certificate/certificate.hpp"
 
 namespace misalign::schema {
@@ -28,6 +29,15 @@ Json check_json(const CertificateCheck& check) {
   return {{"checked", check.checked}, {"of", check.of},
           {"without", check.without}, {"ends", ends},
           {"findings", findings},     {"good", check.findings.empty()}};
+}
+
+Json member_proof_json(const Pattern& pattern, const solver::MemberProof& proof, double asked_deg) {
+  const bool reverses = proof.reversing_hole >= 0;
+  return {{"asked_deg", asked_deg},
+          {"certified_deg", proof.certified_deg},
+          {"reversing_hole", reverses ? facet_json(pattern, proof.reversing_hole) : Json()},
+          {"member_off_mm", proof.member_off_mm},
+          {"base_off_mm", proof.base_off_mm}};
 }
 
 }  // namespace misalign::schema

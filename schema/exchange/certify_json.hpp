@@ -2,7 +2,9 @@
 #pragma once
 
 #include "schema/files/input.hpp"
+#include "schema/pattern/pattern.hpp"
 #include "schema/records/certificate_record.hpp"
+#include "solver/certificate/member_proof.hpp"
 
 namespace misalign::schema {
 
@@ -10,5 +12,8 @@ namespace misalign::schema {
 Json certified_json(const NamedCertificate& sheet);
 
 Json check_json(const CertificateCheck& check);
+
+/// {"asked_deg", "certified_deg", "reversing_hole", "member_off_mm", "base_off_mm"}.
+Json member_proof_json(const Pattern& pattern, const solver::MemberProof& proof, double asked_deg);
 
 }  // namespace misalign::schema

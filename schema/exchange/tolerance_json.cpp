@@ -40,4 +40,15 @@ Json tolerance_json(const solver::Tolerance& t) {
   return json;
 }
 
+Json miscut_gap_json(const solver::MiscutGap& gap) {
+  Json open = Json::array();
+  for (Eigen::Index k = 0; k < gap.open_mm.cols(); ++k) {
+    open.push_back({{"pilot_deg", gap.pilot_deg[static_cast<std::size_t>(k)]},
+                    {"median_mm", gap.quantile_mm(0.5, k)},
+                    {"of_95_percent_mm", gap.quantile_mm(0.95, k)},
+                    {"largest_mm", gap.quantile_mm(1, k)}});
+  }
+  return {{"amplitude_mm", gap.amplitude_mm}, {"trials", gap.open_mm.rows()}, {"open", open}};
+}
+
 }  // namespace misalign::schema

@@ -3,6 +3,7 @@
 
 #include "schema/campaign/share_interval.hpp"
 #include "schema/files/input.hpp"
+#include "solver/design/miscut_gap.hpp"
 #include "solver/design/tolerance.hpp"
 
 namespace misalign::schema {
@@ -13,5 +14,9 @@ inline ShareOfTrials share_of(std::uint64_t hits, const solver::MiscutCopies& co
 
 /// Without the sheet's name.
 Json tolerance_json(const solver::Tolerance& tolerance);
+
+/// {"amplitude_mm", "trials", "open": [{"pilot_deg", "median_mm", "of_95_percent_mm",
+/// "largest_mm"}]}.
+Json miscut_gap_json(const solver::MiscutGap& gap);
 
 }  // namespace misalign::schema

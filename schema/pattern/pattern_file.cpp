@@ -9,8 +9,7 @@
 #include "schema/pattern/fold_format.hpp"
 #include "schema/pattern/folding_fault.hpp"
 #include "schema/pattern/mesh_family.hpp"
-#include "solver/linear/mobility.hpp"
-#include "solver/pattern/perforation.hpp"
+#include "schema/pattern/perforation_check.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -104,40 +103,6 @@ void fold_base(const std::string& where, const std::vector<int>& assignment, int
   }
 }
 
-// Counting first, then the rank of the Jacobian, which has the last word.
-void check_mobility(const std::string& where, const Pattern& pattern, InputFaults& faults) {
-  const solver::PerforatedSheet& base = pattern.base;
-  const int inner = static_cast<int>(solver::inner_facets(base.sheet).size());
-  if (base.holes.empty()) {
-    faults.add(where, "there is no hole, so there is no diagonal to measure",
-               "take out " + std::to_string(inner / 2) + " inner panels");
-    return;
-  }
-  const int counted = solver::counted_mobility(base.sheet, base.holes);
-  const solver::Mobility measured = solver::measured_mobility(base.sheet, base.holes, base.folding);
-  if (measured.is_one()) return;
-  const std::string numbers = "the Jacobian has rank " + std::to_string(measured.rank) + " with " +
-                              std::to_string(measured.unknowns) + " unknowns and " +
-                              std::to_string(measured.equations) +
-                              " equations; counting (2.1) gives " + std::to_string(counted);
-  const auto& places = base.sheet.places;
-  const bool odd = pattern.family["family"] == "miura" &&
-                   (places.back()[0] % 2 == 0 || places.back()[1] % 2 == 0);
-  const std::string suggestion =
-      odd ? "make rows and columns even" : "`misalign perforations` lists those that leave one";
-  if (measured.rank < measured.equations && measured.degrees_of_freedom() == 1) {
-    faults.add(where,
-               "the perforation leaves too many constraints, so that shifted sheets do not fold: " +
-                   numbers,
-               suggestion);
-  } else {
-    faults.add(where,
-               "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
-                   " degrees of freedom, not 1: " + numbers,
-               suggestion);
-  }
-}
-
 void read_displacements(ObjectReader& reader, Pattern& pattern) {
   const Json* value = reader.find("displacements_mm");
   if (!value) return;
@@ -203,11 +168,11 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
       for (int& sign : assignment) sign *= folding.side();
       pattern.family["mesh"] = fold_json(pattern.base.sheet, assignment);
     }
-    if (perforations == Perforations::of_one_freedom) {
-      check_mobility(reader.name("holes"), pattern, faults);
-    }
   }
   if (good() && displacements == Displacements::allowed) read_displacements(reader, pattern);
+  if (good() && perforations != Perforations::any) {
+    check_perforation(reader.name("holes"), pattern, perforations, faults);
+  }
   if (displacements == Displacements::refused && reader.find("displacements_mm")) {
     faults.add(reader.name("displacements_mm"), "a campaign draws its own displacements",
                "take it out, or give the pattern to `misalign fold`");

@@ -8,14 +8,12 @@
 #include "schema/files/input.hpp"
 #include "schema/pattern/design.hpp"
 #include "schema/pattern/pattern.hpp"
+#include "schema/pattern/perforation_check.hpp"
 #include "schema/pattern/sampling.hpp"
 
 namespace misalign::schema {
 
 enum class Displacements { allowed, refused };
-
-/// Whether a perforation that leaves another number of degrees of freedom than one is a fault.
-enum class Perforations { of_one_freedom, any };
 
 /// Reads and checks a pattern object at `where`. Only when it added no fault is the result usable.
 /// A FOLD file that it names is looked for in `directory`; what a catalogue or an exported

@@ -7,6 +7,7 @@
 #include "schema/exchange/folding_json.hpp"
 #include "schema/files/features.hpp"
 #include "search/sheets/chosen_sheet.hpp"
+#include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
 namespace {
@@ -74,6 +75,23 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return rows == 0 ? 0 : (a.topRows(rows) - b.topRows(rows)).cwiseAbs().maxCoeff();
 }
 
+// Of a sheet that folds by its base's angles: a row a station, by the closed forms of its holes.
+Eigen::MatrixXd lengths_by_formula_mm(const solver::Sheet& sheet) {
+  const auto family =
+      solver::ParallelFamily::of(sheet.base(), solver::all_vertices(sheet.base().sheet));
+  const auto motions = std::get<solver::ParallelFamily>(family).motions(sheet.shifts_mm());
+  const std::vector<solver::Station>& stations = sheet.history().stations;
+  Eigen::MatrixXd lengths_mm(std::ssize(stations), 2 * std::ssize(motions));
+  for (Eigen::Index row = 0; row < lengths_mm.rows(); ++row) {
+    const auto& pilot = stations[static_cast<std::size_t>(row)].pilot;
+    for (Eigen::Index d = 0; d < lengths_mm.cols(); ++d) {
+      lengths_mm(row, d) =
+          motions[static_cast<std::size_t>(d / 2)].length_mm(static_cast<int>(d % 2), pilot);
+    }
+  }
+  return lengths_mm;
+}
+
 }  // namespace
 
 PatternVerification verify_pattern(const std::string& path) {
@@ -81,15 +99,26 @@ PatternVerification verify_pattern(const std::string& path) {
   const FoldedCheck check(chosen.base, chosen.sampling);
   const solver::Sheet sheet = check.sheet(chosen.shifts_mm);
   const solver::FoldingHistory& history = sheet.history();
-  const auto dense = solver::record_densely(sheet.model(), sheet.vertices_mm());
   const Json computed = said_of({chosen.base, sheet});
   PatternVerification verification;
   verification.pattern = chosen.pattern;
   verification.verdict = computed["verdict"];
-  verification.apart_mm = largest_difference(history.length_mm, dense.length_mm);
   ShapeReport& report = verification.report;
-  compare("dense matrices", said_of({chosen.base, sheet, dense}), computed, check.tolerances(),
-          report.findings);
+  verification.is_on_base = sheet.model().has_spare_equations();
+  if (verification.is_on_base) {
+    verification.apart_mm = largest_difference(history.length_mm, lengths_by_formula_mm(sheet));
+    const double limit_mm =
+        solver::shape_tolerance(sheet.panels()) * sheet.mechanism().panel_width_mm;
+    if (!(verification.apart_mm <= limit_mm)) {
+      report.findings.push_back(
+          schema::differs("closed forms", "lengths apart, mm", 0, verification.apart_mm));
+    }
+  } else {
+    const auto dense = solver::record_densely(sheet.model(), sheet.vertices_mm());
+    verification.apart_mm = largest_difference(history.length_mm, dense.length_mm);
+    compare("dense matrices", said_of({chosen.base, sheet, dense}), computed, check.tolerances(),
+            report.findings);
+  }
   if (!chosen.exported.is_null()) {
     const Json claims = said_by(chosen.exported);
     verification.has_claims = !claims.empty();
@@ -111,8 +140,10 @@ std::string pattern_verification_text(const PatternVerification& v) {
   text += "pattern      " + v.pattern + ", deploys from " +
           shown_number(v.verdict["deploys_from_deg"].get<double>()) +
           " deg; first fault: " + v.verdict["first_fault"].get<std::string>() + "\n";
-  text += "followed     by sparse and by dense matrices: lengths " +
-          fmt::format("{:.1e}", v.apart_mm) + " mm apart\n";
+  text += v.is_on_base
+              ? "followed     by the base's fold angles and by closed forms of the holes: lengths "
+              : "followed     by sparse and by dense matrices: lengths ";
+  text += fmt::format("{:.1e}", v.apart_mm) + " mm apart\n";
   if (v.has_claims) text += "compared     with what the file says of itself\n";
   text += "worst        " + worst_text(report.shape, report.diagonal_mm) + ", in " +
           std::to_string(v.shapes) + " folded shapes\n";

@@ -79,7 +79,7 @@ bool can_be_drawn(const schema::Campaign& campaign, const Eigen::Matrix2Xd& shif
   }
   if (!(others_mm.array() == 0).all()) return false;
   return !campaign.misalignment.parallel ||
-         solver::parallel_misfit_mm(campaign.pattern.base, shifts_mm) <=
+         solver::parallel_misfit(campaign.pattern.base, shifts_mm).mm <=
              kMemberRounding * campaign.misalignment.amplitude_mm;
 }
 

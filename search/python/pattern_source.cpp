@@ -62,7 +62,7 @@ std::shared_ptr<PatternSource> read_source(const std::string& path) {
   if (schema::is_campaign(schema::read_json_file(path, schema::FileKind::regular))) {
     return source_of(schema::read_campaign_file(path));
   }
-  return source_of_pattern(sheet_of_pattern_file(path));
+  return source_of_pattern(sheet_of_pattern_file(path, schema::Perforations::of_one_freedom));
 }
 
 std::shared_ptr<PatternSource> read_document(const std::string& text, const std::string& name) {
@@ -70,8 +70,8 @@ std::shared_ptr<PatternSource> read_document(const std::string& text, const std:
   if (schema::is_campaign(document)) {
     return source_of(schema::read_campaign(document, name, std::filesystem::current_path()));
   }
-  return source_of_pattern(
-      sheet_of_pattern_document(document, name, std::filesystem::current_path(), name));
+  return source_of_pattern(sheet_of_pattern_document(
+      document, name, std::filesystem::current_path(), name, schema::Perforations::of_one_freedom));
 }
 
 std::shared_ptr<PatternSource> with_shifts(const PatternSource& source,

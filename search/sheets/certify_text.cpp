@@ -8,6 +8,7 @@
 
 #include "schema/files/printable.hpp"
 #include "schema/files/text_table.hpp"
+#include "schema/pattern/pattern_file.hpp"
 #include "search/terminal/count_text.hpp"
 #include "solver/certificate/certificate.hpp"
 
@@ -157,6 +158,23 @@ std::string check_text(const schema::CertificateCheck& check) {
     text += fmt::format("; {} without a certificate", count_text(check.without, "sheet"));
   }
   return text + "\n" + ends_text(check);
+}
+
+std::string member_proof_text(const schema::Pattern& pattern, const std::string& name,
+                              const solver::MemberProof& proof, double asked_deg) {
+  std::string text =
+      fmt::format("{}: proven from flat to {} deg{}, in rational numbers\n", name,
+                  shown_deg(proof.certified_deg), asked_deg >= 180 ? ", 180 not included" : "");
+  if (proof.reversing_hole >= 0) {
+    text += fmt::format("beyond, diagonals of the hole {} do not go on one way\n",
+                        schema::facet_json(pattern, proof.reversing_hole).dump());
+  }
+  return text +
+         fmt::format(
+             "every loop closes by the base's own fold angles: that of a sheet whose shifts are "
+             "within {:.1e} mm\nof this one's, on a base whose edges are within {:.1e} mm; "
+             "solver/pattern/README.md\n",
+             proof.member_off_mm, proof.base_off_mm);
 }
 
 }  // namespace misalign::search

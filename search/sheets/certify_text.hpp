@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "schema/pattern/pattern.hpp"
 #include "schema/records/certificate_record.hpp"
+#include "solver/certificate/member_proof.hpp"
 
 namespace misalign::search {
 
@@ -14,5 +16,9 @@ std::string certified_text(const schema::NamedCertificate& sheet);
 std::string certified_text(const std::vector<schema::NamedCertificate>& sheets);
 
 std::string check_text(const schema::CertificateCheck& check);
+
+/// Of a proof that holds.
+std::string member_proof_text(const schema::Pattern& pattern, const std::string& name,
+                              const solver::MemberProof& proof, double asked_deg);
 
 }  // namespace misalign::search

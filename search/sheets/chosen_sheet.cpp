@@ -64,16 +64,18 @@ bool is_pattern_file(const std::string& path) {
   return first != std::string::npos && (start[first] == '{' || start[first] == '[');
 }
 
-ChosenSheet sheet_of_pattern_file(const std::string& path) {
+ChosenSheet sheet_of_pattern_file(const std::string& path, schema::Perforations perforations) {
   const std::filesystem::path file(path);
   return sheet_of_pattern_document(schema::read_json_file(path), path, file.parent_path(),
-                                   schema::printable(schema::utf8(file.stem().string())));
+                                   schema::printable(schema::utf8(file.stem().string())),
+                                   perforations);
 }
 
 ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::string& source,
                                       const std::filesystem::path& directory,
-                                      const std::string& name) {
-  schema::PatternFile read = schema::read_sampled_pattern(document, source, directory);
+                                      const std::string& name, schema::Perforations perforations) {
+  schema::PatternFile read =
+      schema::read_sampled_pattern(document, source, directory, perforations);
   read.sampling.end_deg = std::min(read.sampling.end_deg, read.pattern.base.folding.end_deg());
   const Eigen::Matrix2Xd shifts_mm = read.pattern.shifts_mm;
   return {std::move(read.pattern), read.sampling, read.design, shifts_mm, {}, name,

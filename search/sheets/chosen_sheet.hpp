@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "schema/pattern/pattern_file.hpp"
 #include "search/sheets/folding_model.hpp"
 
 namespace misalign::search {
@@ -51,12 +52,13 @@ bool is_pattern_file(const std::string& path);
 
 /// A pattern, an exported candidate or a FOLD file, sampled as `misalign fold` does, with its
 /// design. UserError (bad_input) with every fault.
-ChosenSheet sheet_of_pattern_file(const std::string& path);
+ChosenSheet sheet_of_pattern_file(
+    const std::string& path, schema::Perforations perforations = schema::Perforations::of_one_path);
 
 /// The same of a document that was read.
 ChosenSheet sheet_of_pattern_document(const schema::Json& document, const std::string& source,
                                       const std::filesystem::path& directory,
-                                      const std::string& name);
+                                      const std::string& name, schema::Perforations perforations);
 
 /// A sheet to study, its model and design, and what was chosen.
 struct Subject {

@@ -71,4 +71,21 @@ std::string tolerances_text(std::vector<NamedTolerance> several) {
   return text;
 }
 
+std::string miscut_gap_text(const std::string& name, const solver::MiscutGap& gap) {
+  const Eigen::Index worst = gap.worst_angle();
+  std::string text = fmt::format(
+      "{}: miscut by up to {:g} mm, the joints of half of {} copies stay open by up to {:.4f} mm, "
+      "of\n95 % by up to {:.4f} mm ({:g} deg); play of that radius takes it, or panels that "
+      "bend\n\n"
+      "pilot_deg  median_mm  95 %_mm  largest_mm\n",
+      name, gap.amplitude_mm, gap.open_mm.rows(), gap.quantile_mm(0.5, worst),
+      gap.quantile_mm(0.95, worst), gap.pilot_deg[static_cast<std::size_t>(worst)]);
+  for (Eigen::Index k = 0; k < gap.open_mm.cols(); ++k) {
+    text +=
+        fmt::format("{:9g} {:10.4f} {:8.4f} {:11.4f}\n", gap.pilot_deg[static_cast<std::size_t>(k)],
+                    gap.quantile_mm(0.5, k), gap.quantile_mm(0.95, k), gap.quantile_mm(1, k));
+  }
+  return text;
+}
+
 }  // namespace misalign::search

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/design/miscut_gap.hpp"
 #include "solver/design/tolerance.hpp"
 
 namespace misalign::search {
@@ -18,5 +19,8 @@ struct NamedTolerance {
 std::string tolerance_text(const NamedTolerance& named);
 /// A line for each of several, the one that copies survive best last.
 std::string tolerances_text(std::vector<NamedTolerance> several);
+
+/// The play that half of the copies need, and nearly all, then a line an angle.
+std::string miscut_gap_text(const std::string& name, const solver::MiscutGap& gap);
 
 }  // namespace misalign::search

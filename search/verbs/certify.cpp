@@ -21,7 +21,7 @@
 #include "search/verbs/options.hpp"
 #include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
-#include "solver/records/path_record.hpp"
+#include "solver/certificate/member_proof.hpp"
 
 namespace misalign::search {
 namespace {
@@ -78,8 +78,8 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
   return run_certify(options);
 }
 
-// The file's own if it was exported, otherwise written as if it had been; with the certificate.
-Json document_of(const ChosenSheet& sheet, const schema::CertificateRecord& row) {
+// The file's own if it was exported, otherwise written as if it had been.
+Json document_of(const ChosenSheet& sheet) {
   Json document = sheet.exported;
   if (!document.is_object() || !document.contains("pattern")) {
     document = {{"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
@@ -88,17 +88,11 @@ Json document_of(const ChosenSheet& sheet, const schema::CertificateRecord& row)
       document["draw"] = sheet.exported["draw"];
     }
   }
-  document["certificate"] = schema::certificate_json(row);
   return document;
 }
 
-double deploys_from_deg(const CertifyCall& call, const ChosenSheet& sheet,
-                        const solver::Model& model) {
-  const solver::FlatVertices vertices_mm = sheet.base.base.sheet.vertices_mm + sheet.shifts_mm;
-  const solver::Verdict verdict = solver::record_path(model, vertices_mm).verdict;
-  if (verdict.deploys_from_sample > 0) {
-    return verdict.deploys_from_sample * sheet.sampling.sample_deg;
-  }
+double deploys_from_deg(const CertifyCall& call, const solver::Sheet& sheet) {
+  if (sheet.deploys_from_deg() > 0) return sheet.deploys_from_deg();
   throw UserError(
       schema::Cause::bad_input,
       call.options.path +
@@ -107,10 +101,47 @@ double deploys_from_deg(const CertifyCall& call, const ChosenSheet& sheet,
           shell_path(call.options.path));
 }
 
+// Of a sheet with spare equations, which are proven to hold in rational numbers.
+int prove_on_base(const CertifyCall& call, const ChosenSheet& chosen, const solver::Model& model) {
+  for (const auto& [is_given, option, why] :
+       {std::tuple(call.options.check, "--check", "the proof is made anew in no time"),
+        std::tuple(call.options.contact, "--contact",
+                   "`misalign contact` says where panels meet")}) {
+    if (!is_given) continue;
+    throw UserError(schema::Cause::bad_request,
+                    call.options.path +
+                        ": a sheet with more equations than unknowns is proven in "
+                        "closed form, which has no " +
+                        option + " (" + why + "); take it out");
+  }
+  solver::SheetSolver solver(model);
+  const solver::Sheet sheet(solver, chosen.shifts_mm);
+  const double asked_deg = call.options.to_deg      ? *call.options.to_deg
+                           : chosen.design.from_deg ? *chosen.design.from_deg
+                                                    : deploys_from_deg(call, sheet);
+  const solver::MemberProof proof = solver::prove_member(sheet.base(), chosen.shifts_mm, asked_deg);
+  if (!proof.holds()) {
+    throw UserError(schema::Cause::bad_input,
+                    call.options.path + ": it cannot be proven exactly that the sheet folds: " +
+                        proof.gap.why(sheet.base().sheet) +
+                        "; take a base of the family \"miura\", or as many holes as count to one "
+                        "degree of freedom");
+  }
+  if (call.json) {
+    Json document = document_of(chosen);
+    document["member_proof"] = schema::member_proof_json(chosen.base, proof, asked_deg);
+    put_json(document);
+  } else {
+    put(member_proof_text(chosen.base, chosen.pattern, proof, asked_deg));
+  }
+  return 0;
+}
+
 int run_on_pattern(const CertifyCall& call) {
   const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
+  if (model.has_spare_equations()) return prove_on_base(call, sheet, model);
   RowCertifier certifier(sheet.base, model, call.options.contact);
   if (call.options.check) {
     const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
@@ -132,16 +163,20 @@ int run_on_pattern(const CertifyCall& call) {
     call.json ? put_json(schema::check_json(check)) : put(check_text(check));
     return check.findings.empty() ? 0 : exit_code_of(schema::Cause::check_failed);
   }
+  solver::SheetSolver solver(model);
+  const solver::Sheet own(solver, sheet.shifts_mm);
   const double asked_deg = call.options.to_deg     ? *call.options.to_deg
                            : sheet.design.from_deg ? *sheet.design.from_deg
-                                                   : deploys_from_deg(call, sheet, model);
+                                                   : deploys_from_deg(call, own);
   const Json& exported = sheet.exported;
   const bool has_draw =
       exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
   const std::uint64_t draw = has_draw ? exported["draw"].get<std::uint64_t>() : 0;
   const schema::CertificateRecord row = certifier.certify(draw, sheet.shifts_mm, asked_deg);
   if (call.json) {
-    put_json(document_of(sheet, row));
+    Json document = document_of(sheet);
+    document["certificate"] = schema::certificate_json(row);
+    put_json(document);
   } else {
     put(certified_text(schema::named_certificate(sheet.pattern, row, true)));
   }

@@ -19,7 +19,7 @@ struct FoldCall {
 
 void fold(const FoldCall& call) {
   const auto [pattern, sampling, design, exported] =
-      schema::read_sampled_pattern_file(call.pattern_path);
+      schema::read_sampled_pattern_file(call.pattern_path, schema::Perforations::of_one_path);
   solver::PathPlanOptions path;
   path.sample_deg = sampling.sample_deg;
   path.end_deg = std::min(call.to_deg.value_or(sampling.end_deg), pattern.base.folding.end_deg());

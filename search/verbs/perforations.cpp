@@ -5,6 +5,7 @@
 
 #include "schema/pattern/pattern_file.hpp"
 #include "search/terminal/terminal.hpp"
+#include "search/verbs/options.hpp"
 #include "search/verbs/verbs.hpp"
 #include "solver/linear/mobility.hpp"
 #include "solver/pattern/perforation.hpp"
@@ -16,6 +17,7 @@ using schema::Json;
 
 struct PerforationsCall {
   std::string pattern_path;  // its holes are not looked at
+  std::optional<int> holes;  // how many; none: as many as count to one degree of freedom
   bool json = false;
 };
 
@@ -25,17 +27,18 @@ struct Perforation {
   solver::Mobility mobility;
 };
 
-// Every perforation that counts to one degree of freedom.
-std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const std::string& path) {
+// Every perforation of so many holes.
+std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const std::string& path,
+                                         int holes) {
   constexpr std::size_t kMostPerforations = 2000;
   const solver::CreasePattern& sheet = pattern.base.sheet;
-  const auto sets =
-      solver::separate_facets(sheet, solver::holes_that_count_to_one(sheet), kMostPerforations);
+  const auto sets = solver::separate_facets(sheet, holes, kMostPerforations);
   if (!sets) {
     throw schema::UserError(schema::Cause::bad_input,
                             path + ": more than " + std::to_string(kMostPerforations) +
-                                " perforations, or too many to look for, count to one degree of "
-                                "freedom (the mesh is too large to list them); take a part of it");
+                                " perforations, or too many to look for, have " +
+                                std::to_string(holes) +
+                                " holes (the mesh is too large to list them); take a part of it");
   }
   // A pilot that no perforation takes away.
   const solver::BaseFolding& own = pattern.base.folding;
@@ -44,8 +47,8 @@ std::vector<Perforation> perforations_of(const schema::Pattern& pattern, const s
   const auto folding = std::get<solver::BaseFolding>(solver::fold_sequentially(
       sheet, assignment, solver::default_pilot(sheet, solver::inner_facets(sheet))));
   std::vector<Perforation> perforations;
-  for (const std::vector<int>& holes : *sets) {
-    perforations.push_back({holes, solver::measured_mobility(sheet, holes, folding)});
+  for (const std::vector<int>& set : *sets) {
+    perforations.push_back({set, solver::measured_mobility(sheet, set, folding)});
   }
   return perforations;
 }
@@ -60,13 +63,17 @@ Json perforation_json(const schema::Pattern& pattern, const Perforation& perfora
           {"degrees_of_freedom", perforation.mobility.degrees_of_freedom()}};
 }
 
-// One line each, then one about those that only count to one.
-void print_perforations(const Json& one, const Json& others) {
-  if (!one.empty()) put("unknowns equations rank  holes\n");
-  for (const Json& row : one) {
+void print_sets(const Json& sets) {
+  if (!sets.empty()) put("unknowns equations rank  holes\n");
+  for (const Json& row : sets) {
     put("{:8} {:9} {:4}  {}\n", row["unknowns"].get<int>(), row["equations"].get<int>(),
         row["rank"].get<int>(), row["holes"].dump());
   }
+}
+
+// One line each, then one about those that only count to one.
+void print_perforations(const Json& one, const Json& others) {
+  print_sets(one);
   std::map<std::pair<int, int>, int> by_rank;
   for (const Json& row : others) {
     ++by_rank[{row["rank"].get<int>(), row["equations"].get<int>()}];
@@ -83,15 +90,27 @@ void print_perforations(const Json& one, const Json& others) {
 void list_perforations(const PerforationsCall& call) {
   const schema::Pattern pattern =
       schema::read_pattern_file(call.pattern_path, schema::Perforations::any);
+  const int usual = solver::holes_that_count_to_one(pattern.base.sheet);
+  const int holes = call.holes.value_or(usual);
   Json one = Json::array(), others = Json::array();
-  for (const Perforation& perforation : perforations_of(pattern, call.pattern_path)) {
-    (perforation.mobility.is_one() ? one : others)
-        .push_back(perforation_json(pattern, perforation));
+  for (const Perforation& perforation : perforations_of(pattern, call.pattern_path, holes)) {
+    const bool is_one = holes == usual ? perforation.mobility.is_one()
+                                       : perforation.mobility.degrees_of_freedom() == 1;
+    (is_one ? one : others).push_back(perforation_json(pattern, perforation));
   }
   if (call.json) {
-    put_json({{"perforations", one}, {"count_to_one_only", others}});
-  } else {
+    put_json(
+        {{"perforations", one}, {"count_to_one_only", holes == usual ? others : Json::array()}});
+  } else if (holes == usual) {
     print_perforations(one, others);
+  } else {
+    print_sets(one);
+    put("{} of {} sets of {} leave one way to fold on the base's path{}\n", one.size(),
+        one.size() + others.size(), holes,
+        holes < usual
+            ? "; with more equations than unknowns only shifts such as those of `misalign "
+              "construct` fold"
+            : "");
   }
 }
 
@@ -102,10 +121,16 @@ Action perforations_verb(CLI::App& verb) {
   verb.footer(
       "Lists every set of inner panels, no two sharing an edge, that counts to one\n"
       "degree of freedom and has one by the rank of the Jacobian. The pattern's own\n"
-      "holes do not matter.\n\n"
-      "Examples:\n  misalign perforations search/patterns/turned-quads-6x6.json");
+      "holes do not matter. With fewer holes (--holes) sheets have more equations than\n"
+      "unknowns: those listed fold where the shifts keep creases' directions and holes\n"
+      "parallelograms, as `misalign construct` makes them.\n\n"
+      "Examples:\n  misalign perforations search/patterns/turned-quads-6x6.json\n"
+      "  misalign perforations search/patterns/table1.json --holes 2");
   auto call = std::make_shared<PerforationsCall>();
   verb.add_option("PATTERN", call->pattern_path, "pattern file (JSON)")->required();
+  verb.add_option("--holes", call->holes, "sets of so many holes [that count to one freedom]")
+      ->check(counted(1, 1000000))
+      ->type_name("N");
   verb.add_flag("--json", call->json, "as JSON");
   return [call] {
     list_perforations(*call);

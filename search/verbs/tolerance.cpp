@@ -99,6 +99,11 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
   print(call, sheets, tolerances);
 }
 
+bool has_spare_equations(const solver::PerforatedSheet& base) {
+  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  return mechanism.equations >= mechanism.unknowns;
+}
+
 // What was typed, or else what the design says: miscuts before play.
 void take_subject(const schema::Design& design, ToleranceCall& call) {
   if (!call.amplitude_mm && !call.backlash_mm) {
@@ -117,8 +122,15 @@ void take_subject(const schema::Design& design, ToleranceCall& call) {
 int run(ToleranceCall call) {
   call.study.set = solver::available_instruction_sets().back();
   call.study.jobs = call.jobs.value_or(usable_threads());
+  std::optional<ChosenSheet> file;
+  if (is_pattern_file(call.path)) file = sheet_of_pattern_file(call.path);
+  if (file && has_spare_equations(file->base.base)) {
+    take_subject(file->design, call);
+    run_gaps(call, *file);
+    return 0;
+  }
   // Closes the catalogue again, before the writer's lock: see WriterLock.
-  const ToleranceTargets sheets = choose_sheets(call);
+  const ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
   take_subject(sheets.design, call);
   if (call.backlash_mm) {
     run_backlash(call, sheets);
@@ -169,6 +181,9 @@ Action tolerance_verb(CLI::App& verb) {
       "  of a pattern     (a file, or an exported candidate) a copy deploys if it reaches\n"
       "                   --from; the errors are those of seed 1; nothing is kept\n"
       "`misalign query FILE tolerant` lists the candidates that miscuts should harm least.\n\n"
+      "Copies of a pattern with fewer holes than count to one degree of freedom do not fold: of\n"
+      "those it says by how much their joints stay open, which play or panels that bend must\n"
+      "take. Every panel is put where all joints together are open least.\n\n"
       "With --backlash the sheet is cut well and its joints have play: in each trial both ends of\n"
       "every hinge and every ball joint are off by something in a ball of that radius, and stay\n"
       "so. Does every diagonal still go one way from --backlash-from up to the sheet's D? The\n"

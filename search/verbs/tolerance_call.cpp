@@ -7,11 +7,10 @@
 #include "search/terminal/shell_word.hpp"
 
 namespace misalign::search {
-namespace {
 
 using schema::UserError;
 
-ToleranceTargets sheets_of_catalogue(const ToleranceCall& call) {
+ToleranceTargets choose_sheets(const ToleranceCall& call) {
   const auto database = schema::open_for_reading(call.path);
   if (!call.choice.chooses()) {
     throw UserError(schema::Cause::bad_request,
@@ -28,10 +27,7 @@ ToleranceTargets sheets_of_catalogue(const ToleranceCall& call) {
   return sheets;
 }
 
-// As a campaign of its own, from whose threshold the sheet itself just deploys. The seed is the
-// default one: an exported candidate does not say its campaign's.
-ToleranceTargets sheet_of_file(const ToleranceCall& call) {
-  const ChosenSheet chosen = sheet_of_pattern_file(call.path);
+ToleranceTargets chosen_sheet(const ToleranceCall& call, const ChosenSheet& chosen) {
   ToleranceTargets sheets{{}, chosen.design, {chosen.shifts_mm}, {}, chosen.pattern};
   schema::Campaign& campaign = sheets.campaign = chosen.as_campaign();
   ToleranceOptions itself = call.study;
@@ -50,17 +46,11 @@ ToleranceTargets sheet_of_file(const ToleranceCall& call) {
   return sheets;
 }
 
-}  // namespace
-
 schema::Campaign campaign_of_use(const ToleranceCall& call, const ToleranceTargets& sheets) {
   const auto from_deg = call.from_deg ? call.from_deg : sheets.design.from_deg;
   if (!from_deg) return sheets.campaign;
   return used_from(sheets.campaign, *from_deg, sheets.shifts_mm, call.study,
                    [&](std::size_t k) { return sheets.key(k).name(); });
-}
-
-ToleranceTargets choose_sheets(const ToleranceCall& call) {
-  return is_pattern_file(call.path) ? sheet_of_file(call) : sheets_of_catalogue(call);
 }
 
 bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets) {

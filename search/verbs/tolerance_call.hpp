@@ -37,8 +37,12 @@ struct ToleranceTargets {
   }
 };
 
-/// Those that are asked about. UserError (2, 3) with one sentence.
+/// Those of a catalogue that are asked about. UserError (2, 3) with one sentence.
 ToleranceTargets choose_sheets(const ToleranceCall& call);
+/// A pattern file's as a campaign of its own, from whose threshold the sheet itself just deploys.
+/// The seed is the default one: an exported candidate does not say its campaign's. UserError (3)
+/// where it deploys from nothing.
+ToleranceTargets chosen_sheet(const ToleranceCall& call, const ChosenSheet& chosen);
 
 /// The same campaign, from whose threshold copies are to deploy: the angle of use if one is said.
 /// UserError (2) where that is no sample, or lies beyond D of a sheet.
@@ -49,6 +53,9 @@ bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);
 
 /// Says how many are judged.
 void show_copies(const CopiesDone& copies);
+
+/// The study of gaps, of a sheet with spare equations, whose miscut copies do not fold.
+void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen);
 
 /// The study of backlash: UserError (2) for what no study can be made of, found before the sheets
 /// are and after, and the study with its answer on standard output.

@@ -163,7 +163,7 @@ void describe(const PerforatedSheet& base, const ParallelFamily& family,
   study.dimension = family.dimension();
   study.stroke = least_stroke(family, study.shifts_mm, pilot);
   study.amplitude_mm = study.shifts_mm.cwiseAbs().maxCoeff();
-  study.misfit_mm = parallel_misfit_mm(base, study.shifts_mm);
+  study.misfit_mm = parallel_misfit(base, study.shifts_mm).mm;
   study.base_misfit_rad = family.misfit_rad();
 }
 

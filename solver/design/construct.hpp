@@ -33,7 +33,7 @@ struct ConstructStudy {
   double stroke = 0;           ///< the least of the holes'
   double amplitude_mm = 0;     ///< the largest shift of a vertex in x or y
   std::vector<int> binding;    ///< vertices that are shifted by the most that is allowed
-  double misfit_mm = 0;        ///< parallel_misfit_mm: rounding
+  double misfit_mm = 0;        ///< of parallel_misfit: rounding
   double base_misfit_rad = 0;  ///< ParallelFamily::misfit_rad
   /// Whether every diagonal goes one way from flat to 180 degrees, as the closed form says.
   bool is_monotone() const;

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "solver/linear/held_correction.hpp"
+#include "solver/model/base_path.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -174,6 +175,11 @@ void PanelMotion::place(const FoldState<double>& state, std::vector<PanelPose>& 
 void PanelMotion::solve(double x) const {
   if (x == solved_at_) return;
   solved_at_ = x;
+  if (model_.has_spare_equations()) {
+    BasePath(model_.mechanism(), model_.base())
+        .find_state(half_angle_of_deg(way_.pilot_deg(x)), state_);
+    return place(state_, solved_);
+  }
   way_.find_state(x, state_);
   const FoldState<double> looked_up = state_;
   const double half = way_.pilot_deg(x) * kRadPerDeg / 2;

@@ -114,6 +114,12 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
   return most_joints * widest / mechanism.panel_width_mm;
 }
 
+// Where there is nothing to solve, nothing is solved between the samples either: slopes are exact.
+Criterion without_solving(Criterion criterion) {
+  if (criterion.bumps == BumpRule::exact) criterion.bumps = BumpRule::by_cubic;
+  return criterion;
+}
+
 }  // namespace
 
 Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
@@ -121,13 +127,15 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
              double ternary_mm)
     : base_(base),
       mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
-      elimination_(plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
+      elimination_(has_spare_equations()
+                       ? Elimination{}
+                       : plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
       shape_(base_.sheet, base_.holes, mechanism_),
       shifted_(shifted),
       path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
-      criterion_(criterion),
+      criterion_(has_spare_equations() ? without_solving(criterion) : criterion),
       ternary_mm_(ternary_mm),
       margin_samples_(threshold_sample > 0
                           ? solver::margin_samples(path.sample_deg, threshold_sample)
@@ -140,6 +148,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
   assert(
       std::ranges::all_of(shifted, [&](int v) { return v >= 0 && v < base.sheet.vertex_count(); }));
   assert(threshold_sample >= 0 && path.sample_deg > 0 && std::isfinite(extent_));
+  assert(!has_spare_equations() || threshold_sample == 0);
   choose_tests();
 }
 

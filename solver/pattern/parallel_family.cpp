@@ -267,15 +267,17 @@ std::vector<HoleMotion> ParallelFamily::motions(const Eigen::Matrix2Xd& shifts_m
   return motions;
 }
 
-double parallel_misfit_mm(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm) {
-  double most = 0;
+ParallelMisfit parallel_misfit(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm) {
+  ParallelMisfit most;
   for (const Condition& condition : conditions_of(base)) {
     double sum = 0;
     for (const Term& term : condition) {
       sum +=
           term.weight.x() * shifts_mm(0, term.vertex) + term.weight.y() * shifts_mm(1, term.vertex);
     }
-    most = std::max(most, std::abs(sum));
+    if (std::abs(sum) <= most.mm) continue;
+    most = {std::abs(sum)};
+    for (const Term& term : condition) most.vertices.push_back(term.vertex);
   }
   return most;
 }

@@ -78,8 +78,18 @@ class ParallelFamily {
   double misfit_rad_ = 0;
 };
 
-/// By how much shifts break the conditions, mm: the most that a crease's end lies beside its
-/// direction, or that opposite edges of a hole change apart. 0 but for rounding in the family.
-double parallel_misfit_mm(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm);
+/// Where shifts break the conditions most.
+struct ParallelMisfit {
+  /// How far a crease's end lies beside its direction, or opposite edges of a hole change apart: in
+  /// the family 0 but for rounding.
+  double mm = 0;
+  std::vector<int> vertices{};  ///< of that crease, or round that hole
+};
+
+ParallelMisfit parallel_misfit(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm);
+
+/// Shifts within this of the family are a member's, written down: 3e-15 mm of rounding in
+/// coordinates of some 10 mm, and as much as a few hundred of them add up to.
+inline constexpr double kMemberWithin_mm = 1e-10;
 
 }  // namespace misalign::solver

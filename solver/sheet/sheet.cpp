@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/records/base_history.hpp"
 #include "solver/records/function_recorder.hpp"
 #include "solver/sheet/way_solver.hpp"
 
@@ -87,6 +88,10 @@ Sheet::Sheet(SheetSolver& solver, Eigen::Matrix2Xd shifts_mm, std::string name)
 
 const PathRecord& Sheet::record() const {
   if (record_) return *record_;
+  if (model().has_spare_equations()) {
+    record_ = record_of(history(), mechanism());
+    return *record_;
+  }
   SheetSolver::Workspace& with = solver_.workspace();
   ++solver_.followed_.as_functions;
   record_ = measure_paths(SheetBlock(vertices_mm_), with.functions, with.recorder).front();
@@ -96,6 +101,13 @@ const PathRecord& Sheet::record() const {
 
 const FoldingHistory& Sheet::history() const {
   if (history_) return *history_;
+  if (model().has_spare_equations()) {
+    const StationVisitor keep = [this](const Station&, const PathPoint& point) {
+      states_.push_back({point.state, point.rates});
+    };
+    history_ = record_on_base(model(), vertices_mm_, &keep);
+    return *history_;
+  }
   SheetSolver::Workspace& with = solver_.workspace();
   ++solver_.followed_.closely;
   with.states.clear();
@@ -162,6 +174,9 @@ const std::vector<double>& Sheet::span_slope_mm_per_deg() const {
 const FoldingWay* Sheet::way(int stations) const {
   assert(stations >= SmoothTable::kPoints);
   auto found = ways_.find(stations);
+  if (found == ways_.end() && model().has_spare_equations()) {
+    found = ways_.emplace(stations, way_on_base(model(), vertices_mm_, stations)).first;
+  }
   if (found == ways_.end()) {
     SheetSolver::Workspace& with = solver_.workspace();
     if (!outline_) {

@@ -4,6 +4,7 @@
 
 #include "solver/judging/sheet_queue.hpp"
 #include "solver/linear/held_correction.hpp"
+#include "solver/model/base_path.hpp"
 
 namespace misalign::solver {
 namespace {
@@ -149,6 +150,20 @@ std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vert
   const double last = (static_cast<double>(solved) - 0.5) * step;
   return FoldingWay(model.mechanism(), vertices_mm, coordinate, step, is_whole ? end : last,
                     std::move(stations));
+}
+
+FoldingWay way_on_base(const Model& model, const FlatVertices& vertices_mm, int station_count) {
+  const BasePath path(model.mechanism(), model.base());
+  const double end = model.path().stations.back().pilot_deg * kRadPerDeg;
+  const double step = end / station_count;
+  std::vector<WayStation> stations(static_cast<std::size_t>(station_count));
+  for (int k = 0; k < station_count; ++k) {
+    const HalfAngle<double> pilot = half_angle_of_deg((k + 0.5) * step / kRadPerDeg);
+    WayStation& station = stations[static_cast<std::size_t>(k)];
+    path.find_state(pilot, station.state);
+    path.find_rates(pilot, station.rates);
+  }
+  return FoldingWay(model.mechanism(), vertices_mm, {0}, step, end, std::move(stations));
 }
 
 }  // namespace misalign::solver

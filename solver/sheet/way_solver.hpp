@@ -28,4 +28,7 @@ std::optional<FoldingWay> solve_way(const Model& model, const FlatVertices& vert
                                     const PathOutline& outline, int station_count,
                                     PathFollower<double>& close_follower);
 
+/// Of a sheet that folds by its base's own fold angles, to the end of the model's path.
+FoldingWay way_on_base(const Model& model, const FlatVertices& vertices_mm, int station_count);
+
 }  // namespace misalign::solver

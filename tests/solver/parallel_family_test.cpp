@@ -112,7 +112,7 @@ void expect_closed_forms(const PerforatedSheet& base, double largest_mm, double 
         family_of(base, rim ? all_vertices(base.sheet) : interior_vertices(base.sheet));
     if (family.dimension() == 0) continue;
     const Eigen::Matrix2Xd shifts = random_member(family, largest_mm, random);
-    EXPECT_LE(parallel_misfit_mm(base, shifts), 1e-11);
+    EXPECT_LE(parallel_misfit(base, shifts).mm, 1e-11);
     const Eigen::VectorXd coordinates = family.coordinates_of(shifts);
     EXPECT_LE((family.shifts_mm(coordinates) - shifts).cwiseAbs().maxCoeff(), 1e-10);
     const auto motions = family.motions(shifts);
@@ -222,7 +222,7 @@ TEST(ParallelFamily, HasThePapersOwnDraws) {
   const ParallelFamily family = family_of(sheet.base, interior_vertices(sheet.base.sheet));
   for (const double a_mm : {0.4, 4.0, 8.0}) {
     const Eigen::Matrix2Xd shifts = ternary_member(sheet.base.sheet, a_mm);
-    EXPECT_EQ(parallel_misfit_mm(sheet.base, shifts), 0);
+    EXPECT_EQ(parallel_misfit(sheet.base, shifts).mm, 0);
     EXPECT_LE((family.shifts_mm(family.coordinates_of(shifts)) - shifts).cwiseAbs().maxCoeff(),
               1e-14);
     for (const HoleMotion& motion : family.motions(shifts)) EXPECT_NE(motion.direction(), 0);
@@ -230,7 +230,7 @@ TEST(ParallelFamily, HasThePapersOwnDraws) {
   // A vertex beside them that leaves the family by as much as it is shifted.
   Eigen::Matrix2Xd off = ternary_member(sheet.base.sheet, 0.4);
   off(1, 15) += 0.01;
-  EXPECT_NEAR(parallel_misfit_mm(sheet.base, off), 0.01, 1e-12);
+  EXPECT_NEAR(parallel_misfit(sheet.base, off).mm, 0.01, 1e-12);
 }
 
 // The basis decides shifts: a member's are the same bits wherever it is made. In the paper's sheet

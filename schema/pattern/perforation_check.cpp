@@ -1,0 +1,78 @@
+#include "schema/pattern/perforation_check.hpp"
+
+#include "schema/pattern/pattern_file.hpp"
+#include "solver/linear/mobility.hpp"
+#include "solver/pattern/parallel_family.hpp"
+
+namespace misalign::schema {
+namespace {
+
+// Whether a sheet with too many constraints folds all the same: `constraints` says that they are.
+void check_member(const std::string& where, const std::string& constraints, const Pattern& pattern,
+                  InputFaults& faults) {
+  const solver::CreasePattern& sheet = pattern.base.sheet;
+  const auto family = solver::ParallelFamily::of(pattern.base, solver::all_vertices(sheet));
+  if (const auto* none = std::get_if<solver::NoParallelFamily>(&family)) {
+    faults.add(
+        where,
+        constraints + "; nor has the base sheets that fold all the same: " + none->why(sheet),
+        "`misalign perforations` lists those that leave one");
+    return;
+  }
+  const solver::ParallelMisfit misfit = solver::parallel_misfit(pattern.base, pattern.shifts_mm);
+  if (misfit.mm <= solver::kMemberWithin_mm) return;
+  std::string place;
+  for (const int v : misfit.vertices) place += (place.empty() ? "" : "-") + solver::vertex_label(v);
+  faults.add(where,
+             constraints +
+                 "; with so few holes creases must keep their directions and holes stay "
+                 "parallelograms, and the shifts take " +
+                 place + " off by " + shown_number(misfit.mm) + " mm",
+             "`misalign construct` shifts vertices so that the sheet folds");
+}
+
+}  // namespace
+
+// Counting first, then the rank of the Jacobian, which has the last word.
+void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
+                       InputFaults& faults) {
+  const solver::PerforatedSheet& base = pattern.base;
+  const int inner = static_cast<int>(solver::inner_facets(base.sheet).size());
+  if (base.holes.empty()) {
+    faults.add(where, "there is no hole, so there is no diagonal to measure",
+               "take out " + std::to_string(inner / 2) + " inner panels");
+    return;
+  }
+  const int counted = solver::counted_mobility(base.sheet, base.holes);
+  const solver::Mobility measured = solver::measured_mobility(base.sheet, base.holes, base.folding);
+  if (measured.is_one()) return;
+  const std::string numbers = "the Jacobian has rank " + std::to_string(measured.rank) + " with " +
+                              std::to_string(measured.unknowns) + " unknowns and " +
+                              std::to_string(measured.equations) +
+                              " equations; counting (2.1) gives " + std::to_string(counted);
+  const auto& places = base.sheet.places;
+  const bool odd = pattern.family["family"] == "miura" &&
+                   (places.back()[0] % 2 == 0 || places.back()[1] % 2 == 0);
+  const std::string suggestion =
+      odd ? "make rows and columns even" : "`misalign perforations` lists those that leave one";
+  if (measured.rank < measured.equations && measured.degrees_of_freedom() == 1) {
+    const std::string constraints =
+        "the perforation leaves too many constraints, so that shifted sheets do not fold: " +
+        numbers;
+    if (perforations == Perforations::of_one_path) {
+      check_member(where, constraints, pattern, faults);
+    } else {
+      faults.add(where, constraints,
+                 suggestion +
+                     "; shifts as `misalign construct` makes them fold all the same, and "
+                     "`misalign fold` follows them");
+    }
+  } else {
+    faults.add(where,
+               "the perforation leaves " + std::to_string(measured.degrees_of_freedom()) +
+                   " degrees of freedom, not 1: " + numbers,
+               suggestion);
+  }
+}
+
+}  // namespace misalign::schema

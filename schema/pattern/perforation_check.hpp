@@ -1,0 +1,24 @@
+// Whether the holes of a pattern leave its sheet one way to fold.
+#pragma once
+
+#include <string>
+
+#include "schema/pattern/pattern.hpp"
+
+namespace misalign::schema {
+
+/// Which perforations are no fault.
+enum class Perforations {
+  of_one_freedom,  ///< whatever the shifts
+  /// Also those with too many constraints, where the shifts keep to the base's parallel family: the
+  /// sheet folds in one way all the same.
+  of_one_path,
+  any
+};
+
+/// Adds a fault at `where` if they leave another number of degrees of freedom than one; the
+/// pattern's shifts matter where there are too many constraints.
+void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
+                       InputFaults& faults);
+
+}  // namespace misalign::schema

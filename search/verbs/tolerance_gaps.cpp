@@ -1,0 +1,55 @@
+// The study of gaps of `misalign tolerance`: how far joints of miscut copies stay open.
+#include "schema/exchange/tolerance_json.hpp"
+#include "search/sheets/tolerance_text.hpp"
+#include "search/terminal/terminal.hpp"
+#include "search/verbs/tolerance_call.hpp"
+#include "solver/design/angle_of_use.hpp"
+
+namespace misalign::search {
+namespace {
+
+constexpr double kStep_deg = 10;
+
+// Up to the angle of use, or D.
+std::vector<Eigen::Index> rows_up_to(const solver::Sheet& sheet, double from_deg) {
+  std::vector<Eigen::Index> rows;
+  for (const Eigen::Index row : sheet.rows_to_show(kStep_deg)) {
+    const double at_deg = sheet.history().stations[static_cast<std::size_t>(row)].pilot_deg;
+    if (at_deg <= from_deg + 1e-9) rows.push_back(row);
+  }
+  return rows;
+}
+
+void refuse(const ToleranceCall& call, const char* option, const char* why) {
+  throw schema::UserError(schema::Cause::bad_request,
+                          call.path +
+                              ": has fewer holes than count to one degree of freedom, where " +
+                              option + " has no meaning (" + why + "); take it out");
+}
+
+}  // namespace
+
+void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
+  if (call.backlash_mm) refuse(call, "--backlash", "its loops close by their shapes alone");
+  if (call.study.vertices) refuse(call, "--vertices", "no copy folds, so none deploys");
+  check_miscut(*call.amplitude_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.key().name());
+  FoldingModel model(chosen.base, chosen.sampling, chosen.design);
+  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, chosen.pattern);
+  const auto from_deg = call.from_deg ? call.from_deg : chosen.design.from_deg;
+  const double up_to_deg = from_deg.value_or(sheet.deploys_from_deg());
+  const std::vector<Eigen::Index> rows = rows_up_to(sheet, up_to_deg);
+  if (rows.empty() || up_to_deg > sheet.deploys_from_deg()) {
+    throw schema::UserError(
+        solver::beyond_d_fault(sheet.name(), up_to_deg, sheet.deploys_from_deg()));
+  }
+  const schema::Campaign campaign = chosen.as_campaign();
+  std::vector<Eigen::Matrix2Xd> errors_mm(call.study.trials, chosen.shifts_mm);
+  for (std::uint64_t trial = 0; trial < call.study.trials; ++trial) {
+    trial_errors(campaign, *call.amplitude_mm, trial, errors_mm[trial].data());
+  }
+  solver::MiscutGap gap = solver::find_miscut_gaps(sheet, errors_mm, rows);
+  gap.amplitude_mm = *call.amplitude_mm;
+  call.json ? put_json(schema::miscut_gap_json(gap)) : put(miscut_gap_text(sheet.name(), gap));
+}
+
+}  // namespace misalign::search

@@ -1,0 +1,101 @@
+#include "solver/model/base_path.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <cassert>
+
+#include "solver/kinematics/diagonals.hpp"
+#include "solver/linear/newton.hpp"
+#include "solver/linear/singular_value.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// Where the proportions are read off.
+constexpr double kUnitPilot_deg = 90;
+
+Eigen::Vector3d axis_across(const PerforatedSheet& base, const Crossing& crossing) {
+  const Edge& edge = base.sheet.edges[static_cast<std::size_t>(crossing.edge)];
+  const FlatVertices& at = base.sheet.vertices_mm;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  axis.head<2>() = -crossing.sense * (at.col(edge.b) - at.col(edge.a)).normalized();
+  return axis;
+}
+
+}  // namespace
+
+struct BasePath::Equations {
+  explicit Equations(const Mechanism& mechanism)
+      : system(mechanism),
+        misfit(static_cast<std::size_t>(mechanism.equations)),
+        factors(mechanism.unknowns - 1),
+        smallest(mechanism.unknowns - 1) {}
+
+  ClosureSystem system;
+  std::vector<double> misfit;
+  DenseSolve factors;
+  SmallestSingularValue<double> smallest;
+};
+
+BasePath::BasePath(const Mechanism& mechanism, const PerforatedSheet& base)
+    : mechanism_(mechanism), base_(base), equations_(std::make_unique<Equations>(mechanism)) {
+  assert(base.folding.end_deg() > kUnitPilot_deg);
+  for (const HalfAngle<double>& rho : base.folding.fold_angles(half_angle_of_deg(kUnitPilot_deg))) {
+    tangents_.push_back(rho.s / rho.c);
+  }
+}
+
+BasePath::~BasePath() = default;
+
+void BasePath::find_state(const HalfAngle<double>& pilot, FoldState<double>& state) const {
+  state = base_state(mechanism_, base_.folding, base_.sheet.vertices_mm, pilot);
+}
+
+// tan(rho / 2) = r tan(pilot / 2), so that the fold angle grows by r / (c^2 + r^2 s^2) of the
+// pilot. A ball joint turns as the base's two creases on the way across it do, one after the other.
+void BasePath::find_rates(const HalfAngle<double>& pilot, std::vector<double>& rates) const {
+  const auto rate_of = [&](int edge) {
+    const double r = tangents_[static_cast<std::size_t>(edge)];
+    return r / (pilot.c * pilot.c + r * r * pilot.s * pilot.s);
+  };
+  rates.resize(static_cast<std::size_t>(mechanism_.unknowns));
+  for (const Crease& crease : mechanism_.creases) {
+    rates[static_cast<std::size_t>(crease.column)] = rate_of(crease.edge);
+  }
+  for (const BallJoint& ball : mechanism_.balls) {
+    const auto& [first, second] = ball.through;
+    const double r = tangents_[static_cast<std::size_t>(first.edge)];
+    const Eigen::Vector3d axis = axis_across(base_, first);
+    const Eigen::AngleAxisd turned(2 * std::atan2(r * pilot.s, pilot.c), axis);
+    const Eigen::Vector3d turn =
+        rate_of(first.edge) * axis + rate_of(second.edge) * (turned * axis_across(base_, second));
+    Eigen::Vector3d::Map(rates.data() + ball.column) = turn;
+  }
+}
+
+void BasePath::find(const SheetGeometry<double>& geometry, const HalfAngle<double>& pilot,
+                    PathPoint& point) const {
+  find_state(pilot, point.state);
+  find_rates(pilot, point.rates);
+  const auto rates = Eigen::VectorXd::Map(point.rates.data(), std::ssize(point.rates));
+  point.pilot_rate = 1 / rates.norm();
+  std::vector<double>& misfit = equations_->misfit;
+  folded_lengths_and_slopes(mechanism_, geometry, point.state, point.rates.data(),
+                            point.lengths.data(), point.slopes.data(), misfit.data());
+  point.misfit = Eigen::VectorXd::Map(misfit.data(), std::ssize(misfit)).cwiseAbs().maxCoeff();
+}
+
+double BasePath::open_by(const SheetGeometry<double>& geometry, const FoldState<double>& state) {
+  return equations_->system.evaluate(geometry, state);
+}
+
+double BasePath::singular_value() {
+  auto& [system, misfit, factors, smallest] = *equations_;
+  const Eigen::Index others = system.jacobian().cols() - 1;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(system.jacobian().leftCols(others));
+  factors.factorize(Eigen::MatrixXd(
+      qr.matrixQR().topRows(others).triangularView<Eigen::Upper>()));  // of the same values
+  return smallest.of(factors);
+}
+
+}  // namespace misalign::solver

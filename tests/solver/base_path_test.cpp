@@ -1,0 +1,264 @@
+// Sheets with fewer holes than count to one degree of freedom, and others that fold by their base's
+// angles: BasePath against followed paths, closed forms of the holes, and 50 digits.
+#include "solver/model/base_path.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <random>
+
+#include "sheets.hpp"
+#include "solver/pattern/parallel_family.hpp"
+#include "solver/records/base_history.hpp"
+#include "solver/sheet/sheet.hpp"
+
+namespace misalign::solver {
+namespace {
+
+// The paper's sheet with these of its 16 inner panels taken out.
+PerforatedSheet with_holes(const std::vector<std::size_t>& which) {
+  PerforatedSheet base = TestSheet(6, 6).base;
+  const std::vector<int> inner = inner_facets(base.sheet);
+  base.holes.clear();
+  for (const std::size_t k : which) base.holes.push_back(inner[k]);
+  const auto shape = MiuraShape::uniform(6, 6, 80, 80, 40);
+  base.folding = std::get<BaseFolding>(fold_sequentially(
+      base.sheet, miura_assignment(shape, base.sheet), default_pilot(base.sheet, base.holes)));
+  return base;
+}
+
+const std::vector<std::vector<std::size_t>> kFewHoles = {
+    {5}, {0, 15}, {0, 2, 9}, {1, 4, 11, 14}, {0, 2, 8, 10}};
+
+ParallelFamily family_of(const PerforatedSheet& base) {
+  return std::get<ParallelFamily>(ParallelFamily::of(base, all_vertices(base.sheet)));
+}
+
+// Of the family, no vertex shifted by more than this.
+Eigen::Matrix2Xd member(const ParallelFamily& family, double amplitude_mm, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::VectorXd coordinates(family.dimension());
+  for (double& value : coordinates) value = uniform(random);
+  const Eigen::Matrix2Xd shifts_mm = family.shifts_mm(coordinates);
+  return shifts_mm * (amplitude_mm / shifts_mm.cwiseAbs().maxCoeff());
+}
+
+// Where the system is square the same sheet can be followed by Newton's method.
+TEST(BasePath, IsThePathThatNewtonFollows) {
+  for (const char* holes : {"checkerboard-odd", "checkerboard-even"}) {
+    const PerforatedSheet base = TestSheet(6, 6, holes).base;
+    const Model model(base, {.end_deg = 179});
+    const Eigen::Matrix2Xd shifts_mm = member(family_of(base), 4, 3);
+    const FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
+    SheetGeometry<double> geometry;
+    place(model.mechanism(), vertices_mm, geometry);
+    BasePath path(model.mechanism(), base);
+    PathPoint here(model.mechanism());
+    double angle = 0, rate = 0, length = 0, slope = 0, singular = 0;
+    std::vector<PathPoint> followed;
+    const StationVisitor keep = [&](const Station&, const PathPoint& point) {
+      followed.push_back(point);
+    };
+    const FoldingHistory history = record_history(model, vertices_mm, &keep);
+    ASSERT_EQ(history.stations.size(), 179u);
+    for (std::size_t k = 0; k < followed.size(); ++k) {
+      path.find(geometry, history.stations[k].pilot, here);
+      for (std::size_t c = 0; c < here.state.creases.size(); ++c) {
+        const HalfAngle<double>&a = here.state.creases[c], &b = followed[k].state.creases[c];
+        angle = std::max(angle, std::abs(a.s * b.c - a.c * b.s));
+      }
+      for (std::size_t u = 0; u < here.rates.size(); ++u) {
+        rate = std::max(rate, std::abs(here.rates[u] - followed[k].rates[u]));
+      }
+      for (std::size_t d = 0; d < here.lengths.size(); ++d) {
+        length = std::max(length, std::abs(here.lengths[d] - followed[k].lengths[d]));
+        slope = std::max(slope, std::abs(here.slopes[d] - followed[k].slopes[d]));
+      }
+      EXPECT_LE(path.open_by(geometry, here.state), 1e-12);
+      singular =
+          std::max(singular, std::abs(path.singular_value() / history.singular_value_min[k] - 1));
+    }
+    // At 179 degrees the least singular value is some 1e-4, and Newton stops at 1e-12.
+    EXPECT_LE(angle, 1e-9);
+    EXPECT_LE(rate, 1e-6);
+    EXPECT_LE(length, 1e-11);
+    EXPECT_LE(slope, 1e-9);
+    EXPECT_LE(singular, 1e-4);
+  }
+}
+
+// More equations than unknowns hold, in one way only; lengths and reversals are those of the closed
+// forms, which know nothing of loops.
+TEST(BasePath, FoldsWithFewerHoles) {
+  for (const std::vector<std::size_t>& holes : kFewHoles) {
+    const PerforatedSheet base = with_holes(holes);
+    const Model model(base);
+    ASSERT_TRUE(model.has_spare_equations());
+    const ParallelFamily family = family_of(base);
+    const double width_mm = model.mechanism().panel_width_mm;
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      const Eigen::Matrix2Xd shifts_mm = member(family, 5, seed);
+      const FoldingHistory history = record_on_base(model, base.sheet.vertices_mm + shifts_mm);
+      ASSERT_EQ(history.stations.size(), 180u);
+      EXPECT_LE(*std::ranges::max_element(history.open_by), 1e-12);
+      EXPECT_LE(*std::ranges::max_element(history.isometry_error_mm), 1e-11 * width_mm);
+      EXPECT_GE(*std::min_element(history.singular_value_min.begin(),
+                                  history.singular_value_min.end() - 5),
+                1e-4);
+      const auto motions = family.motions(shifts_mm);
+      const auto length_mm = [&](Eigen::Index d, double pilot_deg) {
+        return motions[static_cast<std::size_t>(d / 2)].length_mm(static_cast<int>(d % 2),
+                                                                  half_angle_of_deg(pilot_deg));
+      };
+      double first_deg = 180;
+      for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
+        for (Eigen::Index row = 0; row < 180; ++row) {
+          const double at_deg = static_cast<double>(row + 1);
+          EXPECT_NEAR(history.length_mm(row, d), length_mm(d, at_deg), 1e-11 * width_mm);
+          if (row == 179) continue;
+          // Central differences of an even step: rounding 1e-12 mm over 2e-3 deg.
+          const double slope = (length_mm(d, at_deg + 1e-3) - length_mm(d, at_deg - 1e-3)) / 2e-3;
+          EXPECT_NEAR(history.slope_mm_per_deg(row, d), slope, 1e-7);
+        }
+        const auto [c0, c1, c2] = motions[static_cast<std::size_t>(d / 2)].slope_mm2();
+        for (const double sign : {-1.0, 1.0}) {
+          const double root = (-c1 + sign * std::sqrt(c1 * c1 - 4 * c0 * c2)) / (2 * c2);
+          if (root > 0)
+            first_deg = std::min(first_deg, 2 * std::atan(std::sqrt(root)) / kRadPerDeg);
+        }
+      }
+      ASSERT_TRUE(history.extremes);
+      if (first_deg < 179) {
+        ASSERT_TRUE(history.extremes->reverses_deg);
+        EXPECT_NEAR(*history.extremes->reverses_deg, first_deg, 1e-6);
+      } else {
+        EXPECT_FALSE(history.extremes->reverses_deg && *history.extremes->reverses_deg < 179);
+      }
+    }
+  }
+}
+
+// Off the family the spare equations do not hold: by about as much as the sheet is off.
+TEST(BasePath, IsOpenOffTheFamily) {
+  const PerforatedSheet base = with_holes({5});
+  const Model model(base);
+  Eigen::Matrix2Xd shifts_mm = member(family_of(base), 5, 1);
+  shifts_mm(1, 16) += 0.08;
+  const FoldingHistory history = record_on_base(model, base.sheet.vertices_mm + shifts_mm);
+  EXPECT_GT(*std::ranges::max_element(history.open_by), 1e-4);
+}
+
+// The sheet as what studies ask: its way passes through the history's states.
+TEST(BasePath, IsASheetsHistoryAndWay) {
+  const PerforatedSheet base = with_holes({1, 4, 11, 14});
+  const Model model(base);
+  SheetSolver solver(model);
+  const Sheet sheet(solver, member(family_of(base), 3, 5));
+  const FoldingWay* const way = sheet.way();
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->end_deg(), 180);
+  Eigen::VectorXd lengths_mm, rates;
+  for (const Eigen::Index row : {9, 59, 119, 169}) {
+    way->find_lengths(way->x_of(static_cast<double>(row + 1)), lengths_mm, rates);
+    for (Eigen::Index d = 0; d < lengths_mm.size(); ++d) {
+      EXPECT_NEAR(lengths_mm(d), sheet.history().length_mm(row, d), 1e-8);
+    }
+  }
+  EXPECT_EQ(solver.followed().closely + solver.followed().as_functions, 0);
+}
+
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
+using Vector50 = Eigen::Matrix<Digits50, 3, 1>;
+using Matrix50 = Eigen::Matrix<Digits50, 3, 3>;
+
+Vector50 vertex_50(const CreasePattern& sheet, const Eigen::Matrix2Xd& shifts_mm, int v) {
+  const Eigen::Vector2d base = sheet.vertices_mm.col(v), shift = shifts_mm.col(v);
+  return {Digits50(base.x()) + Digits50(shift.x()), Digits50(base.y()) + Digits50(shift.y()), 0};
+}
+
+// About the line through two points, by Rodrigues' formula.
+Matrix50 turned(const Vector50& along, const Digits50& tangent_of_half) {
+  const Digits50 t2 = tangent_of_half * tangent_of_half, scale = 1 / (1 + t2);
+  const Vector50 u = along / sqrt(along.dot(along));
+  Matrix50 cross;
+  cross << 0, -u.z(), u.y(), u.z(), 0, -u.x(), -u.y(), u.x(), 0;
+  const Digits50 sine = 2 * tangent_of_half * scale, cosine = (1 - t2) * scale;
+  const Matrix50 spin = sine * cross, square = (1 - cosine) * (cross * cross);
+  return Matrix50::Identity() + spin + square;
+}
+
+// Kept panels laid one after another across their creases; the most that a corner lies apart from
+// where another panel has it, mm. Fold angles are the Miura-ori's: |tan(rho / 2)| is t across the
+// creases of the zigzags and t cos(alpha) across the straight ones.
+Digits50 torn_mm(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm,
+                 const Digits50& t) {
+  const CreasePattern& sheet = base.sheet;
+  const auto is_hole = [&](int f) { return std::ranges::count(base.holes, f) > 0; };
+  const Digits50 cosine = 1 / sqrt(Digits50(5));  // of the sector angle: 40 along, 80 across
+  std::vector<std::optional<std::pair<Matrix50, Vector50>>> pose(sheet.facets.size());
+  std::vector<int> waiting = {0};
+  pose[0] = {Matrix50::Identity(), Vector50::Zero()};
+  while (!waiting.empty()) {
+    const int from = waiting.back();
+    waiting.pop_back();
+    for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
+      const Edge& edge = sheet.edges[e];
+      if (edge.on_perimeter() || (edge.left != from && edge.right != from)) continue;
+      const int to = edge.left == from ? edge.right : edge.left;
+      if (is_hole(to) || pose[static_cast<std::size_t>(to)]) continue;
+      const Vector50 a = vertex_50(sheet, shifts_mm, edge.a),
+                     b = vertex_50(sheet, shifts_mm, edge.b);
+      // Of the base: a member's creases are parallel to them.
+      const bool is_straight = sheet.vertices_mm(1, edge.a) == sheet.vertices_mm(1, edge.b);
+      const int sign = base.folding.assignment()[e] * (edge.left == from ? -1 : 1);
+      const Matrix50 turn = turned(b - a, sign * (is_straight ? Digits50(t * cosine) : t));
+      const auto& [rotation, shift] = *pose[static_cast<std::size_t>(from)];
+      const Matrix50 next = rotation * turn;
+      pose[static_cast<std::size_t>(to)] = {next, Vector50(rotation * a + shift - next * a)};
+      waiting.push_back(to);
+    }
+  }
+  Digits50 most = 0;
+  std::vector<std::optional<Vector50>> at(static_cast<std::size_t>(sheet.vertex_count()));
+  for (std::size_t f = 0; f < sheet.facets.size(); ++f) {
+    if (is_hole(static_cast<int>(f))) continue;
+    for (const int v : sheet.facets[f]) {
+      const Vector50 here = pose[f]->first * vertex_50(sheet, shifts_mm, v) + pose[f]->second;
+      auto& seen = at[static_cast<std::size_t>(v)];
+      if (!seen) seen = here;
+      for (int k = 0; k < 3; ++k) most = std::max<Digits50>(most, abs(here(k) - (*seen)(k)));
+    }
+  }
+  return most;
+}
+
+// Members with whole millimetres, so that they are exact: delta moves vertices along x by whole
+// numbers of itself, epsilon along the zigzag, (1, 2) / sqrt(5).
+TEST(BasePath, ClosesInFiftyDigits) {
+  for (const std::vector<std::size_t>& holes : kFewHoles) {
+    const PerforatedSheet base = with_holes(holes);
+    const ParallelFamily family = family_of(base);
+    Eigen::VectorXd coordinates = Eigen::VectorXd::Zero(family.dimension());
+    for (int k = 0; k < family.dimension(); ++k) {
+      using Kind = ParallelCoordinate::Kind;
+      const auto& coordinate = family.coordinates()[static_cast<std::size_t>(k)];
+      if (coordinate.kind == Kind::delta) coordinates(k) = 3;
+      if (coordinate.kind == Kind::epsilon) coordinates(k) = 2 * std::sqrt(5.0);
+    }
+    Eigen::Matrix2Xd shifts_mm = family.shifts_mm(coordinates);
+    EXPECT_LE((shifts_mm.array() - shifts_mm.array().round()).abs().maxCoeff(), 1e-12);
+    shifts_mm = shifts_mm.array().round();
+    EXPECT_GT(shifts_mm.cwiseAbs().maxCoeff(), 1);
+    for (const double t : {0.02, 0.5, 1.0, 7.0, 1000.0}) {
+      EXPECT_LE(torn_mm(base, shifts_mm, Digits50(t)), Digits50("1e-44")) << t;
+      Eigen::Matrix2Xd off_mm = shifts_mm;
+      off_mm(1, 16) += 1e-9;  // as far as no residual in doubles can tell from rounding
+      if (t < 0.1) continue;  // next to flat it tears by its square
+      EXPECT_GT(torn_mm(base, off_mm, Digits50(t)), Digits50("1e-11")) << t;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace misalign::solver
