@@ -22,6 +22,7 @@
 #include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
 #include "solver/certificate/member_proof.hpp"
+#include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
 namespace {
@@ -33,7 +34,7 @@ struct CertifyCall {
   CertifyOptions options;
   Choice choice;
   std::string ranks;  // as typed; empty where they were not
-  bool all = false, json = false;
+  bool all = false, closed_form = false, json = false;
 };
 
 void show(const CertifyCall& call, const CertifyReport& report) {
@@ -101,18 +102,26 @@ double deploys_from_deg(const CertifyCall& call, const solver::Sheet& sheet) {
           shell_path(call.options.path));
 }
 
-// Of a sheet with spare equations, which are proven to hold in rational numbers.
-int prove_on_base(const CertifyCall& call, const ChosenSheet& chosen, const solver::Model& model) {
+// Of a sheet of the parallel family, in rational numbers: that all equations hold, spare ones too.
+int prove_in_closed_form(const CertifyCall& call, const ChosenSheet& chosen,
+                         const solver::Model& model) {
   for (const auto& [is_given, option, why] :
        {std::tuple(call.options.check, "--check", "the proof is made anew in no time"),
         std::tuple(call.options.contact, "--contact",
                    "`misalign contact` says where panels meet")}) {
     if (!is_given) continue;
-    throw UserError(schema::Cause::bad_request,
+    throw UserError(schema::Cause::bad_request, call.options.path +
+                                                    ": is proven in closed form, which has no " +
+                                                    option + " (" + why + "); take it out");
+  }
+  const double off_mm = solver::parallel_misfit(chosen.base.base, chosen.shifts_mm).mm;
+  if (off_mm > solver::kMemberWithin_mm) {
+    throw UserError(schema::Cause::bad_input,
                     call.options.path +
-                        ": a sheet with more equations than unknowns is proven in "
-                        "closed form, which has no " +
-                        option + " (" + why + "); take it out");
+                        ": creases do not keep the base's directions, or holes are "
+                        "no parallelograms any more (" +
+                        schema::shown_number(off_mm) +
+                        " mm off), so that there is no closed form; take --closed-form out");
   }
   solver::SheetSolver solver(model);
   const solver::Sheet sheet(solver, chosen.shifts_mm);
@@ -141,7 +150,9 @@ int run_on_pattern(const CertifyCall& call) {
   const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
-  if (model.has_spare_equations()) return prove_on_base(call, sheet, model);
+  if (call.closed_form || model.has_spare_equations()) {
+    return prove_in_closed_form(call, sheet, model);
+  }
   RowCertifier certifier(sheet.base, model, call.options.contact);
   if (call.options.check) {
     const auto row = schema::certificate_of_json(sheet.exported, call.options.path);
@@ -201,6 +212,10 @@ constexpr const char* kCertifyFooter =
     "  fold_limit     the path comes to a fold limit, or nearly\n"
     "  unclear_slope  a diagonal or a crease stands still, or nearly\n"
     "  flat_branch    the branch cannot be proven: nothing is certified, not even next to flat\n\n"
+    "Of a pattern whose shifts keep creases' directions, as `misalign construct` makes them,\n"
+    "--closed-form proves in rational numbers that all loops close by the base's own fold angles\n"
+    "and that diagonals go one way; of one with fewer holes than count to one degree of freedom\n"
+    "there is no other proof. See solver/pattern/README.md.\n\n"
     "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
     "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
     "the\n"
@@ -221,7 +236,8 @@ constexpr const char* kCertifyFooter =
     "  misalign certify results/miura-6x6-1a2b3c4d.db --check\n"
     "  misalign certify search/patterns/table1.json --to 180\n"
     "  misalign certify search/patterns/table1.json --json > certified.json\n"
-    "  misalign certify certified.json --check";
+    "  misalign certify certified.json --check\n"
+    "  misalign certify made.json --closed-form --to 180";
 
 }  // namespace
 
@@ -250,6 +266,10 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
   auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");
   auto* check = verb.add_flag("--check", options.check, "check those that there are; make none");
   for (CLI::Option* other : {to, contact, again}) check->excludes(other);
+  auto* closed_form = verb.add_flag(
+      "--closed-form", call->closed_form,
+      "of a pattern whose shifts keep creases' directions (misalign construct): prove it "
+      "in rational numbers, in no time and to 180 deg");
   add_ranks(verb, call->ranks);
   auto* ranks = verb.get_option("--ranks");
   verb.add_flag("--json", call->json,
@@ -258,6 +278,13 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
   return [=] {
     if (!is_pattern_file(call->options.path)) {
       check_by(call->choice);
+      if (closed_form->count() > 0) {
+        throw UserError(
+            schema::Cause::bad_request,
+            call->options.path +
+                ": is a catalogue, and --closed-form is of one pattern file; export the "
+                "candidate first: misalign export");
+      }
       return run_on_catalogue(*call, typed);
     }
     for (const CLI::Option* option :

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <random>
 
 #include "families.hpp"
@@ -56,6 +57,23 @@ TEST(MemberProof, ProvesLikeSignsToTheEnd) {
         EXPECT_LE(proof.member_off_mm, proof.base_off_mm == 0 ? 1e-12 : 1e-9);
         EXPECT_LE(proof.base_off_mm, kProofGrid_mm);
       }
+    }
+  }
+}
+
+// As many as the environment asks for: ten thousand of each take minutes.
+TEST(MemberProof, ProvesSheetsWithAllHolesToo) {
+  const char* const asked = std::getenv("MISALIGN_MEMBERS");
+  const int members = asked ? std::atoi(asked) : 20;
+  for (const auto& [rows, columns] : {std::pair(4, 4), std::pair(6, 6), std::pair(8, 8)}) {
+    const PerforatedSheet base = TestSheet(rows, columns).base;
+    for (int k = 0; k < members; ++k) {
+      const double most_mm = 0.2 * std::pow(60.0, k / static_cast<double>(members));
+      const MemberProof proof =
+          prove_member(base, member(base, most_mm, true, static_cast<unsigned>(k)), 180);
+      ASSERT_TRUE(proof.holds()) << proof.gap.why(base.sheet);
+      EXPECT_EQ(proof.certified_deg, 180) << most_mm;
+      EXPECT_LE(proof.member_off_mm, 1e-12);
     }
   }
 }

@@ -35,6 +35,20 @@ sed "s|\"family\": \"miura\", \"rows\": 6, \"columns\": 6|\"family\": \"fold\", 
 "$program" certify made.json --contact > out 2> err
 [ $? = 2 ] && grep -q "has no --contact" err || fail "certify --contact: $(cat err)"
 
+# With all holes, to 180 degrees; off the family there is no closed form.
+"$program" construct "$source_dir/search/patterns/table1.json" --amplitude 4 --output whole.json > out || fail "construct"
+"$program" certify whole.json --closed-form --to 180 > out 2>&1 && grep -q "proven from flat to 180 deg" out ||
+  fail "--closed-form: $(cat out)"
+"$program" certify "$source_dir/search/patterns/table1.json" --closed-form > out 2> err
+[ $? = 3 ] && grep -q "so that there is no closed form" err || fail "--closed-form of a drawn sheet: $(cat err)"
+
+# What a miscut leaves open.
+"$program" tolerance made.json --amplitude 0.05 --trials 50 --json > gaps.json || fail "tolerance"
+[ "$(sqlite3 :memory: "SELECT count(*) FROM json_each(readfile('gaps.json'), '\$.open')
+  WHERE value ->> 'median_mm' BETWEEN 1e-5 AND 0.2")" = 18 ] || fail "gaps: $(cat gaps.json)"
+"$program" tolerance made.json --backlash 0.01 > out 2> err
+[ $? = 2 ] && grep -q "has no meaning" err || fail "--backlash: $(cat err)"
+
 # Which sets there are: of 16 inner panels all single ones, and 96 pairs that share no edge.
 "$program" perforations base.json --holes 1 > out || fail "perforations"
 grep -q "^16 of 16 sets of 1 leave one way" out || fail "single holes: $(tail -1 out)"
