@@ -53,6 +53,9 @@ class Comparison {
       expected_.back() = careful.judge(draw);
       if (same(expected_.back(), found)) {
         ++report_.reference_jumped;
+      } else if (expected_.back().first_fault == solver::Fault::undecided) {
+        ++report_.reference_lost;
+        expected_.back() = found;
       } else {
         ++report_.verdicts_differ;
         note(draw);
@@ -124,6 +127,7 @@ schema::Json report_json(const AgreementReport& report) {
           {"undecided", report.undecided},
           {"verdicts_differ", report.verdicts_differ},
           {"reference_jumped", report.reference_jumped},
+          {"reference_lost", report.reference_lost},
           {"decisions", report.decisions},
           {"decisions_differ", report.decisions_differ},
           {"differing_draws", report.differing_draws}};
@@ -134,6 +138,9 @@ void print_agreement(const AgreementReport& report) {
       "decisions differ, {} undecided\n",
       report.draws, report.verdicts_differ, report.reference_jumped, report.decisions_differ,
       report.decisions, report.undecided);
+  if (report.reference_lost > 0) {
+    put("{} could not be compared: the reference lost their paths\n", report.reference_lost);
+  }
   for (const std::uint64_t draw : report.differing_draws) put("  differs: draw {}\n", draw);
 }
 

@@ -1,6 +1,7 @@
 // The study of gaps of `misalign tolerance`: how far joints of miscut copies stay open.
 #include "schema/exchange/tolerance_json.hpp"
 #include "search/sheets/tolerance_text.hpp"
+#include "search/terminal/long_work.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/tolerance_call.hpp"
 #include "solver/design/angle_of_use.hpp"
@@ -9,6 +10,9 @@ namespace misalign::search {
 namespace {
 
 constexpr double kStep_deg = 10;
+// Dense matrices of six numbers a panel, and three a joint and copy: a minute and 200 MB.
+constexpr std::size_t kMostPanels = 400;
+constexpr std::uint64_t kMostCopies = 20000;
 
 // Up to the angle of use, or D.
 std::vector<Eigen::Index> rows_up_to(const solver::Sheet& sheet, double from_deg) {
@@ -32,9 +36,25 @@ void refuse(const ToleranceCall& call, const char* option, const char* why) {
 void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
   if (call.backlash_mm) refuse(call, "--backlash", "its loops close by their shapes alone");
   if (call.study.vertices) refuse(call, "--vertices", "no copy folds, so none deploys");
+  if (call.study.trials > kMostCopies) {
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        "--trials " + std::to_string(call.study.trials) + ": too many (at most " +
+            std::to_string(kMostCopies) +
+            " copies of a sheet with few holes are put together at once); take less");
+  }
   check_miscut(*call.amplitude_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.key().name());
   FoldingModel model(chosen.base, chosen.sampling, chosen.design);
   const solver::Sheet sheet = model.sheet(chosen.shifts_mm, chosen.pattern);
+  if (sheet.panels().facets.size() > kMostPanels) {
+    throw schema::UserError(schema::Cause::bad_request,
+                            call.path +
+                                ": too large (copies of a sheet with few holes are put together "
+                                "of at most " +
+                                std::to_string(kMostPanels) + " panels, and this one has " +
+                                std::to_string(sheet.panels().facets.size()) +
+                                "); take a part of it");
+  }
   const auto from_deg = call.from_deg ? call.from_deg : chosen.design.from_deg;
   const double up_to_deg = from_deg.value_or(sheet.deploys_from_deg());
   const std::vector<Eigen::Index> rows = rows_up_to(sheet, up_to_deg);
@@ -42,6 +62,7 @@ void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
     throw schema::UserError(
         solver::beyond_d_fault(sheet.name(), up_to_deg, sheet.deploys_from_deg()));
   }
+  const LongWork work("tolerance is under way", work_style(), false);
   const schema::Campaign campaign = chosen.as_campaign();
   std::vector<Eigen::Matrix2Xd> errors_mm(call.study.trials, chosen.shifts_mm);
   for (std::uint64_t trial = 0; trial < call.study.trials; ++trial) {

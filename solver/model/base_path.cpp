@@ -1,11 +1,11 @@
 #include "solver/model/base_path.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
 #include <cassert>
 
 #include "solver/kinematics/diagonals.hpp"
-#include "solver/linear/newton.hpp"
+#include "solver/kinematics/loop_closure.hpp"
 #include "solver/linear/singular_value.hpp"
 
 namespace misalign::solver {
@@ -24,16 +24,39 @@ Eigen::Vector3d axis_across(const PerforatedSheet& base, const Crossing& crossin
 
 }  // namespace
 
+// J without the pilot's column, and the Cholesky factor of its normal matrix: of the same singular
+// values, but for what is lost where they are squared.
 struct BasePath::Equations {
   explicit Equations(const Mechanism& mechanism)
-      : system(mechanism),
-        misfit(static_cast<std::size_t>(mechanism.equations)),
-        factors(mechanism.unknowns - 1),
+      : entries(jacobian_entries(mechanism)),
+        values(entries.size()),
+        residual(static_cast<std::size_t>(mechanism.equations)),
+        misfit(residual),
+        jacobian(mechanism.equations, mechanism.unknowns - 1),
         smallest(mechanism.unknowns - 1) {}
 
-  ClosureSystem system;
-  std::vector<double> misfit;
-  DenseSolve factors;
+  void factorize() {
+    std::vector<Eigen::Triplet<double>> triplets;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      if (entries[k].column == jacobian.cols()) continue;
+      triplets.emplace_back(entries[k].row, entries[k].column, values[k]);
+    }
+    jacobian.setFromTriplets(triplets.begin(), triplets.end());
+    factor.compute(Eigen::SparseMatrix<double>(jacobian.transpose() * jacobian));
+  }
+  // As SmallestSingularValue asks: by the factor's upper triangle and its transpose.
+  void solve(const double* rhs, double* x) const { take(factor.matrixU(), rhs, x); }
+  void solve_transposed(const double* rhs, double* x) const { take(factor.matrixL(), rhs, x); }
+  template <class Triangle>
+  void take(const Triangle& triangle, const double* rhs, double* x) const {
+    Eigen::VectorXd::Map(x, jacobian.cols()) =
+        triangle.solve(Eigen::VectorXd::Map(rhs, jacobian.cols()));
+  }
+
+  const std::vector<JacobianEntry> entries;
+  std::vector<double> values, residual, misfit;
+  Eigen::SparseMatrix<double> jacobian;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
   SmallestSingularValue<double> smallest;
 };
 
@@ -86,16 +109,14 @@ void BasePath::find(const SheetGeometry<double>& geometry, const HalfAngle<doubl
 }
 
 double BasePath::open_by(const SheetGeometry<double>& geometry, const FoldState<double>& state) {
-  return equations_->system.evaluate(geometry, state);
+  return evaluate(mechanism_, geometry, state, equations_->residual.data(),
+                  equations_->values.data());
 }
 
 double BasePath::singular_value() {
-  auto& [system, misfit, factors, smallest] = *equations_;
-  const Eigen::Index others = system.jacobian().cols() - 1;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(system.jacobian().leftCols(others));
-  factors.factorize(Eigen::MatrixXd(
-      qr.matrixQR().topRows(others).triangularView<Eigen::Upper>()));  // of the same values
-  return smallest.of(factors);
+  equations_->factorize();
+  if (equations_->factor.info() != Eigen::Success) return 0;
+  return equations_->smallest.of(*equations_);
 }
 
 }  // namespace misalign::solver

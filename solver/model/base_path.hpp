@@ -28,7 +28,7 @@ class BasePath {
   /// also of the equations that are more than it has unknowns.
   double open_by(const SheetGeometry<double>& geometry, const FoldState<double>& state);
   /// The least of the Jacobian's without the pilot's column, at the state of open_by: where it is
-  /// not zero, the sheet folds in this one way.
+  /// not zero, the sheet folds in this one way. 0 below some 1e-8, which cannot be told from that.
   double singular_value();
 
  private:
