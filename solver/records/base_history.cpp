@@ -1,6 +1,8 @@
 #include "solver/records/base_history.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cassert>
+#include <optional>
 #include <utility>
 
 #include "solver/model/base_path.hpp"

@@ -3,53 +3,24 @@
 #include "solver/model/base_path.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <random>
 
-#include "sheets.hpp"
-#include "solver/pattern/parallel_family.hpp"
+#include "few_holes.hpp"
 #include "solver/records/base_history.hpp"
 #include "solver/sheet/sheet.hpp"
 
 namespace misalign::solver {
 namespace {
 
-// The paper's sheet with these of its 16 inner panels taken out.
-PerforatedSheet with_holes(const std::vector<std::size_t>& which) {
-  PerforatedSheet base = TestSheet(6, 6).base;
-  const std::vector<int> inner = inner_facets(base.sheet);
-  base.holes.clear();
-  for (const std::size_t k : which) base.holes.push_back(inner[k]);
-  const auto shape = MiuraShape::uniform(6, 6, 80, 80, 40);
-  base.folding = std::get<BaseFolding>(fold_sequentially(
-      base.sheet, miura_assignment(shape, base.sheet), default_pilot(base.sheet, base.holes)));
-  return base;
-}
-
 const std::vector<std::vector<std::size_t>> kFewHoles = {
     {5}, {0, 15}, {0, 2, 9}, {1, 4, 11, 14}, {0, 2, 8, 10}};
-
-ParallelFamily family_of(const PerforatedSheet& base) {
-  return std::get<ParallelFamily>(ParallelFamily::of(base, all_vertices(base.sheet)));
-}
-
-// Of the family, no vertex shifted by more than this.
-Eigen::Matrix2Xd member(const ParallelFamily& family, double amplitude_mm, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd coordinates(family.dimension());
-  for (double& value : coordinates) value = uniform(random);
-  const Eigen::Matrix2Xd shifts_mm = family.shifts_mm(coordinates);
-  return shifts_mm * (amplitude_mm / shifts_mm.cwiseAbs().maxCoeff());
-}
 
 // Where the system is square the same sheet can be followed by Newton's method.
 TEST(BasePath, IsThePathThatNewtonFollows) {
   for (const char* holes : {"checkerboard-odd", "checkerboard-even"}) {
     const PerforatedSheet base = TestSheet(6, 6, holes).base;
     const Model model(base, {.end_deg = 179});
-    const Eigen::Matrix2Xd shifts_mm = member(family_of(base), 4, 3);
+    const Eigen::Matrix2Xd shifts_mm = member_of(base, 4, false, 3);
     const FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
     SheetGeometry<double> geometry;
     place(model.mechanism(), vertices_mm, geometry);
@@ -95,10 +66,10 @@ TEST(BasePath, FoldsWithFewerHoles) {
     const PerforatedSheet base = with_holes(holes);
     const Model model(base);
     ASSERT_TRUE(model.has_spare_equations());
-    const ParallelFamily family = family_of(base);
+    const ParallelFamily family = family_with_rim(base);
     const double width_mm = model.mechanism().panel_width_mm;
     for (const unsigned seed : {1u, 2u, 3u}) {
-      const Eigen::Matrix2Xd shifts_mm = member(family, 5, seed);
+      const Eigen::Matrix2Xd shifts_mm = member_of(base, 5, false, seed);
       const FoldingHistory history = record_on_base(model, base.sheet.vertices_mm + shifts_mm);
       ASSERT_EQ(history.stations.size(), 180u);
       EXPECT_LE(*std::ranges::max_element(history.open_by), 1e-12);
@@ -143,7 +114,7 @@ TEST(BasePath, FoldsWithFewerHoles) {
 TEST(BasePath, IsOpenOffTheFamily) {
   const PerforatedSheet base = with_holes({5});
   const Model model(base);
-  Eigen::Matrix2Xd shifts_mm = member(family_of(base), 5, 1);
+  Eigen::Matrix2Xd shifts_mm = member_of(base, 5, false, 1);
   shifts_mm(1, 16) += 0.08;
   const FoldingHistory history = record_on_base(model, base.sheet.vertices_mm + shifts_mm);
   EXPECT_GT(*std::ranges::max_element(history.open_by), 1e-4);
@@ -154,7 +125,7 @@ TEST(BasePath, IsASheetsHistoryAndWay) {
   const PerforatedSheet base = with_holes({1, 4, 11, 14});
   const Model model(base);
   SheetSolver solver(model);
-  const Sheet sheet(solver, member(family_of(base), 3, 5));
+  const Sheet sheet(solver, member_of(base, 3, false, 5));
   const FoldingWay* const way = sheet.way();
   ASSERT_TRUE(way);
   EXPECT_EQ(way->end_deg(), 180);
@@ -238,7 +209,7 @@ Digits50 torn_mm(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm,
 TEST(BasePath, ClosesInFiftyDigits) {
   for (const std::vector<std::size_t>& holes : kFewHoles) {
     const PerforatedSheet base = with_holes(holes);
-    const ParallelFamily family = family_of(base);
+    const ParallelFamily family = family_with_rim(base);
     Eigen::VectorXd coordinates = Eigen::VectorXd::Zero(family.dimension());
     for (int k = 0; k < family.dimension(); ++k) {
       using Kind = ParallelCoordinate::Kind;

@@ -4,51 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <random>
 
 #include "families.hpp"
-#include "sheets.hpp"
-#include "solver/pattern/parallel_family.hpp"
+#include "few_holes.hpp"
 #include "solver/records/base_history.hpp"
 
 namespace misalign::solver {
 namespace {
-
-// With these of the inner panels taken out, of the paper's sheet if none other is given.
-PerforatedSheet with_holes(const std::vector<std::size_t>& which,
-                           const MiuraShape& shape = MiuraShape::uniform(6, 6, 80, 80, 40)) {
-  PerforatedSheet base;
-  base.sheet = miura_sheet(shape);
-  const std::vector<int> inner = inner_facets(base.sheet);
-  for (const std::size_t k : which) base.holes.push_back(inner[k]);
-  base.folding = std::get<BaseFolding>(fold_sequentially(
-      base.sheet, miura_assignment(shape, base.sheet), default_pilot(base.sheet, base.holes)));
-  return base;
-}
-
-// Coordinates of holes of like signs, or as they come; no vertex shifted by more than `most_mm`.
-Eigen::Matrix2Xd member(const PerforatedSheet& base, double most_mm, bool like_signs,
-                        unsigned seed) {
-  const auto family = std::get<ParallelFamily>(ParallelFamily::of(base, all_vertices(base.sheet)));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd coordinates(family.dimension());
-  for (double& value : coordinates) value = uniform(random);
-  for (int k = 0; like_signs && k < family.dimension(); ++k) {
-    if (family.coordinates()[static_cast<std::size_t>(k)].kind != ParallelCoordinate::Kind::shape) {
-      coordinates(k) = std::abs(coordinates(k));
-    }
-  }
-  const Eigen::Matrix2Xd shifts_mm = family.shifts_mm(coordinates);
-  return shifts_mm * (most_mm / shifts_mm.cwiseAbs().maxCoeff());
-}
 
 TEST(MemberProof, ProvesLikeSignsToTheEnd) {
   const MiuraShape odd = MiuraShape::uniform(6, 6, 33.3, 70.1, 21.7);  // no numbers in binary
   for (const auto& holes : {std::vector<std::size_t>{5}, {0, 15}, {1, 4, 11, 14}}) {
     for (const PerforatedSheet& base : {with_holes(holes), with_holes(holes, odd)}) {
       for (const double most_mm : {0.2, 3.0}) {
-        const Eigen::Matrix2Xd shifts_mm = member(base, most_mm, true, 4);
+        const Eigen::Matrix2Xd shifts_mm = member_of(base, most_mm, true, 4);
         const MemberProof proof = prove_member(base, shifts_mm, 180);
         ASSERT_TRUE(proof.holds()) << proof.gap.why(base.sheet);
         EXPECT_EQ(proof.certified_deg, 180);
@@ -70,7 +39,7 @@ TEST(MemberProof, ProvesSheetsWithAllHolesToo) {
     for (int k = 0; k < members; ++k) {
       const double most_mm = 0.2 * std::pow(60.0, k / static_cast<double>(members));
       const MemberProof proof =
-          prove_member(base, member(base, most_mm, true, static_cast<unsigned>(k)), 180);
+          prove_member(base, member_of(base, most_mm, true, static_cast<unsigned>(k)), 180);
       ASSERT_TRUE(proof.holds()) << proof.gap.why(base.sheet);
       EXPECT_EQ(proof.certified_deg, 180) << most_mm;
       EXPECT_LE(proof.member_off_mm, 1e-12);
@@ -85,7 +54,7 @@ TEST(MemberProof, EndsAtTheReversal) {
     const PerforatedSheet base = with_holes(holes);
     const Model model(base);
     for (unsigned seed = 0; seed < 12; ++seed) {
-      const Eigen::Matrix2Xd shifts_mm = member(base, 4, false, seed);
+      const Eigen::Matrix2Xd shifts_mm = member_of(base, 4, false, seed);
       const MemberProof proof = prove_member(base, shifts_mm, 179);
       ASSERT_TRUE(proof.holds());
       const auto reverses_deg =
@@ -106,7 +75,7 @@ TEST(MemberProof, EndsAtTheReversal) {
 // Off the family: how far the member is that is proven instead.
 TEST(MemberProof, SaysHowFarItsMemberIs) {
   const PerforatedSheet base = with_holes({5});
-  Eigen::Matrix2Xd shifts_mm = member(base, 4, true, 1);
+  Eigen::Matrix2Xd shifts_mm = member_of(base, 4, true, 1);
   shifts_mm(1, 16) += 0.01;
   const MemberProof proof = prove_member(base, shifts_mm, 180);
   EXPECT_GE(proof.member_off_mm, parallel_misfit(base, shifts_mm).mm / 4);

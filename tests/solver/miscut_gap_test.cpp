@@ -3,21 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
-#include <random>
 
-#include "sheets.hpp"
-#include "solver/pattern/parallel_family.hpp"
+#include "few_holes.hpp"
 
 namespace misalign::solver {
 namespace {
-
-PerforatedSheet with_holes(const std::vector<std::size_t>& which) {
-  PerforatedSheet base = TestSheet(6, 6).base;
-  const std::vector<int> inner = inner_facets(base.sheet);
-  base.holes.clear();
-  for (const std::size_t k : which) base.holes.push_back(inner[k]);
-  return base;
-}
 
 Eigen::Matrix2Xd random_errors(Eigen::Index vertices, double amplitude_mm, unsigned seed) {
   std::mt19937 random(seed);
@@ -27,19 +17,12 @@ Eigen::Matrix2Xd random_errors(Eigen::Index vertices, double amplitude_mm, unsig
   return errors;
 }
 
-Eigen::Matrix2Xd member_of(const PerforatedSheet& base, double amplitude_mm) {
-  const auto family = std::get<ParallelFamily>(ParallelFamily::of(base, all_vertices(base.sheet)));
-  const Eigen::Matrix2Xd shifts =
-      family.shifts_mm(Eigen::VectorXd::LinSpaced(family.dimension(), 1, 2));
-  return shifts * (amplitude_mm / shifts.cwiseAbs().maxCoeff());
-}
-
 // With all holes every miscut copy folds; with fewer what keeps to the family does.
 TEST(MiscutGap, IsNothingWhereCopiesFold) {
   const PerforatedSheet whole = TestSheet(6, 6).base;
   const Model square(whole);
   SheetSolver solver(square);
-  const Sheet sheet(solver, member_of(whole, 0.4));
+  const Sheet sheet(solver, member_of(whole, 0.4, true, 1));
   const std::vector<Eigen::Matrix2Xd> errors = {random_errors(49, 0.05, 1),
                                                 random_errors(49, 0.05, 2)};
   EXPECT_LE(find_miscut_gaps(sheet, errors, {29, 89, 149}).open_mm.maxCoeff(), 1e-10);
@@ -47,9 +30,10 @@ TEST(MiscutGap, IsNothingWhereCopiesFold) {
   const PerforatedSheet few = with_holes({5});
   const Model spare(few);
   SheetSolver other(spare);
-  const Sheet member(other, member_of(few, 4));
-  EXPECT_LE(find_miscut_gaps(member, {member_of(few, 0.05)}, {29, 89, 149}).open_mm.maxCoeff(),
-            1e-10);
+  const Sheet member(other, member_of(few, 4, true, 1));
+  EXPECT_LE(
+      find_miscut_gaps(member, {member_of(few, 0.05, true, 1)}, {29, 89, 149}).open_mm.maxCoeff(),
+      1e-10);
   const MiscutGap gap = find_miscut_gaps(member, errors, {29, 89, 149});
   EXPECT_GE(gap.open_mm.minCoeff(), 1e-3);
   // To first order: twice the error is twice as far open.
@@ -64,7 +48,7 @@ TEST(MiscutGap, IsTheLeastOfAllPlaces) {
   const PerforatedSheet base = with_holes({0, 15});
   const Model model(base);
   SheetSolver solver(model);
-  const Sheet sheet(solver, member_of(base, 3));
+  const Sheet sheet(solver, member_of(base, 3, true, 1));
   const Eigen::Matrix2Xd errors_mm = random_errors(49, 0.05, 7);
   const Eigen::Index row = 99;
   const double claimed_mm = find_miscut_gaps(sheet, {errors_mm}, {row}).open_mm(0, 0);
