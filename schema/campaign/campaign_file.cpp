@@ -8,6 +8,7 @@
 #include "schema/campaign/misalignment.hpp"
 #include "schema/files/hash.hpp"
 #include "schema/files/json_values.hpp"
+#include "schema/pattern/perforation_check.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -40,12 +41,18 @@ void read_required_stop(ObjectReader& accept, std::optional<RequiredStop>& stop)
                 "try 5, or null for no stop");
 }
 
+// Whether all creases of its sheets come to 180 degrees at once on paths that are followed, where
+// rounding would decide; with fewer holes paths are known in closed form.
+bool closes_at_180(const Campaign& campaign) {
+  return campaign.misalignment.parallel && !has_spare_equations(campaign.pattern.base);
+}
+
 void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double base_end_deg,
                              Campaign& campaign) {
   InputFaults& faults = path.faults();
   const std::size_t before = faults.count();
   path.number("sample_deg", campaign.sample_deg, 0.01, 60, "try 1");
-  if (campaign.misalignment.parallel) campaign.end_deg = 180 - campaign.sample_deg;
+  if (closes_at_180(campaign)) campaign.end_deg = 180 - campaign.sample_deg;
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
   read_between_samples(accept, campaign.between_samples);
@@ -83,7 +90,8 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   }
 }
 
-void read_certify(ObjectReader& reader, bool is_splitting, bool& certify) {
+// `afterwards`: what certificates are for later of; null: nothing.
+void read_certify(ObjectReader& reader, const char* afterwards, bool& certify) {
   const Json* value = reader.find("certify");
   if (!value) return;
   if (!value->is_boolean()) {
@@ -92,9 +100,9 @@ void read_certify(ObjectReader& reader, bool is_splitting, bool& certify) {
     return;
   }
   certify = value->get<bool>();
-  if (certify && is_splitting) {
+  if (certify && afterwards) {
     reader.faults().add(reader.shown("certify"),
-                        "a splitting search makes no certificates as it goes",
+                        std::string(afterwards) + " makes no certificates as it goes",
                         "write false, and run `misalign certify` on its catalogue afterwards");
   }
 }
@@ -107,7 +115,7 @@ void check_parallel(const Campaign& campaign, InputFaults& faults) {
                "changes vertices one by one, and members of the parallel family change together",
                "write \"plain\"; most members with like signs are accepted");
   }
-  if (campaign.end_deg > 180 - campaign.sample_deg) {
+  if (closes_at_180(campaign) && campaign.end_deg > 180 - campaign.sample_deg) {
     faults.add("path.end_deg = " + shown_number(campaign.end_deg),
                "all creases of a member close at 180 degrees, where rounding would decide",
                "try " + shown_number(180 - campaign.sample_deg) + ", the default of such draws");
@@ -151,7 +159,12 @@ Campaign read_campaign(const Json& value, const std::string& source,
   reader.require("pattern", "write what is folded; `misalign config --default` shows one");
   const Json* pattern = reader.find("pattern");
   if (pattern) {
-    campaign.pattern = read_pattern(*pattern, "pattern", Displacements::refused, directory, faults);
+    const Json& misalignment = part("misalignment");
+    const bool is_parallel =
+        misalignment.is_object() && misalignment.value("kind", Json()) == "parallel";
+    campaign.pattern =
+        read_pattern(*pattern, "pattern", Displacements::refused, directory, faults,
+                     is_parallel ? Perforations::of_one_path : Perforations::of_one_freedom);
   }
   campaign.misalignment = read_misalignment(
       ObjectReader(part("misalignment"), "misalignment", faults), campaign.pattern.base);
@@ -166,7 +179,12 @@ Campaign read_campaign(const Json& value, const std::string& source,
   read_stop(ObjectReader(part("stop"), "stop", faults), campaign.stop);
   campaign.design = read_design(part("design"), "design", faults)
                         .instead_of(read_springs(part("actuators"), "actuators", faults));
-  read_certify(reader, campaign.splitting.has_value(), campaign.certify);
+  const bool is_in_closed_form = campaign.misalignment.parallel && !closes_at_180(campaign);
+  read_certify(reader,
+               campaign.splitting  ? "a splitting search"
+               : is_in_closed_form ? "a search among sheets with so few holes"
+                                   : nullptr,
+               campaign.certify);
   reader.refuse_unknown_keys();
   faults.refuse(source);
   return campaign;
@@ -215,6 +233,9 @@ Json stored_configuration(const Campaign& campaign) {
   if (!campaign.misalignment.parallel) {
     configuration["misalignment"].erase("kind");
     configuration["misalignment"].erase("signs");
+  }
+  if (configuration["misalignment"]["grid_mm"].is_null()) {
+    configuration["misalignment"].erase("grid_mm");
   }
   if (!campaign.splitting) {
     configuration.erase("search");

@@ -71,6 +71,38 @@ std::optional<ParallelDraws> family_of(ObjectReader& reader, const solver::Perfo
   return ParallelDraws{std::make_shared<const solver::ParallelFamily>(std::move(family))};
 }
 
+// Null for none.
+void read_grid(ObjectReader& reader, double amplitude_mm, bool is_parallel, double& grid_mm) {
+  const Json* value = reader.find("grid_mm");
+  if (!value || value->is_null()) return;
+  reader.number("grid_mm", grid_mm, 1e-6, amplitude_mm, "try 0.01, or null for no grid");
+  if (is_parallel) return;
+  reader.faults().add(reader.shown("grid_mm"), "is of members of the parallel family",
+                      "write \"kind\": \"parallel\" beside it, or take it out");
+}
+
+// Of shifts on that grid.
+void put_on_grid(ObjectReader& reader, double grid_mm, double amplitude_mm,
+                 ParallelDraws& parallel) {
+  const auto steps_mm = parallel.family->whole_steps_mm();
+  if (!steps_mm) {
+    reader.faults().add(reader.shown("grid_mm"),
+                        "this base's creases have directions along which no step keeps both x and "
+                        "y on a grid",
+                        "take it out, or a base whose heights and offsets are in a simple ratio");
+    return;
+  }
+  parallel.grid_mm = grid_mm;
+  parallel.steps_mm = *steps_mm * grid_mm;
+  for (int k = 0; k < parallel.family->dimension(); ++k) {
+    const double moves_mm = parallel.family->basis().col(k).cwiseAbs().maxCoeff();
+    if (parallel.steps_mm(k) * moves_mm <= amplitude_mm) return;
+  }
+  reader.faults().add(reader.shown("grid_mm"),
+                      "is so coarse that no member but the base keeps to it",
+                      "try a tenth of the amplitude");
+}
+
 }  // namespace
 
 Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedSheet& base) {
@@ -108,10 +140,15 @@ Misalignment read_misalignment(ObjectReader reader, const solver::PerforatedShee
     faults.add(reader.shown("levels"), "members of the parallel family are drawn uniformly",
                "write \"uniform\", or take it out");
   }
+  double grid_mm = 0;
+  read_grid(reader, misalignment.amplitude_mm, is_parallel, grid_mm);
   reader.refuse_unknown_keys();
   if (is_parallel && faults.count() == before && base.folding.end_deg() > 0) {
     misalignment.parallel = family_of(reader, base, misalignment.vertices);
-    if (misalignment.parallel) misalignment.parallel->like_signs = !may_differ;
+    if (!misalignment.parallel) return misalignment;
+    misalignment.parallel->like_signs = !may_differ;
+    if (grid_mm > 0)
+      put_on_grid(reader, grid_mm, misalignment.amplitude_mm, *misalignment.parallel);
   }
   return misalignment;
 }
@@ -132,7 +169,8 @@ Json misalignment_json(const Misalignment& misalignment, const solver::CreasePat
       {"amplitude_mm", misalignment.amplitude_mm},
       {"levels", misalignment.distribution == ShiftDistribution::ternary ? "ternary" : "uniform"},
       {"kind", parallel ? "parallel" : "free"},
-      {"signs", parallel && !parallel->like_signs ? "free" : "alike"}};
+      {"signs", parallel && !parallel->like_signs ? "free" : "alike"},
+      {"grid_mm", parallel && parallel->grid_mm > 0 ? Json(parallel->grid_mm) : Json()}};
 }
 
 }  // namespace misalign::schema

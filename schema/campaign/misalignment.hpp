@@ -2,6 +2,7 @@
 // base's parallel family.
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,7 +26,9 @@ enum class ShiftDistribution {
 /// drawn, and the shifts follow from them.
 struct ParallelDraws {
   std::shared_ptr<const solver::ParallelFamily> family;  ///< of the shifted vertices; never null
-  bool like_signs = true;  ///< delta and epsilon of each hole: monotone by the theorem
+  bool like_signs = true;         ///< delta and epsilon of each hole: monotone by the theorem
+  double grid_mm = 0;             ///< shifts are whole multiples of it; 0: as they come
+  Eigen::VectorXd steps_mm = {};  ///< of each coordinate, on that grid
 };
 
 /// The member initializers are the released defaults: they never change (identity leaves them out).

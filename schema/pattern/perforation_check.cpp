@@ -1,6 +1,7 @@
 #include "schema/pattern/perforation_check.hpp"
 
 #include "schema/pattern/pattern_file.hpp"
+#include "solver/kinematics/mechanism.hpp"
 #include "solver/linear/mobility.hpp"
 #include "solver/pattern/parallel_family.hpp"
 
@@ -33,6 +34,11 @@ void check_member(const std::string& where, const std::string& constraints, cons
 
 }  // namespace
 
+bool has_spare_equations(const solver::PerforatedSheet& base) {
+  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  return mechanism.equations >= mechanism.unknowns;
+}
+
 // Counting first, then the rank of the Jacobian, which has the last word.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,
                        InputFaults& faults) {
@@ -64,8 +70,8 @@ void check_perforation(const std::string& where, const Pattern& pattern, Perfora
     } else {
       faults.add(where, constraints,
                  suggestion +
-                     "; shifts as `misalign construct` makes them fold all the same, and "
-                     "`misalign fold` follows them");
+                     "; members of the base's parallel family fold all the same: of a campaign "
+                     "with \"kind\": \"parallel\", or by `misalign construct`");
     }
   } else {
     faults.add(where,

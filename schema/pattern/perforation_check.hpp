@@ -16,6 +16,10 @@ enum class Perforations {
   any
 };
 
+/// Whether it has more equations than unknowns, by fewer holes than count to one degree of freedom:
+/// only members of its parallel family fold.
+bool has_spare_equations(const solver::PerforatedSheet& base);
+
 /// Adds a fault at `where` if they leave another number of degrees of freedom than one; the
 /// pattern's shifts matter where there are too many constraints.
 void check_perforation(const std::string& where, const Pattern& pattern, Perforations perforations,

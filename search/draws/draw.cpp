@@ -29,7 +29,11 @@ bool can_be_drawn(const schema::Misalignment& misalignment, double shift_mm) {
     return share == 0 || shift_mm == misalignment.amplitude_mm ||
            shift_mm == -misalignment.amplitude_mm;
   }
-  if (misalignment.parallel) return std::abs(share) <= 1 + kMemberRounding;
+  if (misalignment.parallel) {
+    const double grid_mm = misalignment.parallel->grid_mm;
+    const bool is_on_grid = grid_mm == 0 || std::round(shift_mm / grid_mm) * grid_mm == shift_mm;
+    return is_on_grid && std::abs(share) <= 1 + kMemberRounding;
+  }
   constexpr double kMostShare = 1 - 1e-10;  // the words end 2^-32 before 1
   if (!(std::abs(share) <= kMostShare)) return false;
   const auto word = static_cast<std::uint32_t>((share + 1) * 2147483648.0);

@@ -1,7 +1,9 @@
 #include "search/draws/parallel_draw.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "search/draws/random_words.hpp"
 #include "solver/pattern/parallel_family.hpp"
@@ -9,15 +11,11 @@
 namespace misalign::search {
 namespace {
 
-// A hole whose delta and epsilon are two coordinates, side by side, gets them of like signs.
-void make_alike(const std::vector<solver::ParallelCoordinate>& of, Eigen::VectorXd& values_mm) {
+// Of a hole whose delta is the coordinate before it.
+bool is_epsilon_beside_delta(const std::vector<solver::ParallelCoordinate>& of, std::size_t k) {
   using Kind = solver::ParallelCoordinate::Kind;
-  for (std::size_t k = 1; k < of.size(); ++k) {
-    if (of[k].kind != Kind::epsilon || of[k - 1].kind != Kind::delta) continue;
-    if (of[k].hole != of[k - 1].hole) continue;
-    const auto at = static_cast<Eigen::Index>(k);
-    values_mm(at) = std::copysign(values_mm(at), values_mm(at - 1));
-  }
+  return k > 0 && of[k].kind == Kind::epsilon && of[k - 1].kind == Kind::delta &&
+         of[k].hole == of[k - 1].hole;
 }
 
 // delta epsilon > 0 at every hole.
@@ -28,31 +26,87 @@ bool has_like_signs(const Eigen::VectorXd& hole_changes_mm) {
   return true;
 }
 
+// What rounding may make of a multiple that just fits.
+constexpr double kRoom = 1 + 1e-9;
+
+// One of the whole numbers from one to another.
+double whole_number(std::uint32_t word, double from, double to) {
+  constexpr double kWords = 4294967296.0;
+  return from + std::floor(word / kWords * (to - from + 1));
+}
+
+// Coordinates one after another, on a grid: each a multiple of its step with which the shifts that
+// those before it make stay within the amplitude.
+class GridMember {
+ public:
+  explicit GridMember(const schema::Misalignment& misalignment)
+      : draws_(*misalignment.parallel),
+        basis_(draws_.family->basis()),
+        most_mm_(misalignment.amplitude_mm * kRoom),
+        moved_mm_(Eigen::VectorXd::Zero(basis_.rows())) {}
+
+  void begin() { moved_mm_.setZero(); }
+  /// `sign`: 0, or the one that is wanted.
+  double take(std::uint32_t word, Eigen::Index k, double sign) {
+    double least = -std::numeric_limits<double>::infinity(), most = -least;
+    for (Eigen::Index i = 0; i < moved_mm_.size(); ++i) {
+      const double by_mm = draws_.steps_mm(k) * basis_(i, k);
+      if (std::abs(by_mm) < 0.5 * draws_.grid_mm) continue;  // nothing but rounding
+      const double up = (std::copysign(most_mm_, by_mm) - moved_mm_(i)) / by_mm;
+      const double down = (-std::copysign(most_mm_, by_mm) - moved_mm_(i)) / by_mm;
+      least = std::max(least, std::ceil(down)), most = std::min(most, std::floor(up));
+    }
+    if (sign > 0) least = 0;
+    if (sign < 0) most = 0;
+    const double value_mm = draws_.steps_mm(k) * whole_number(word, least, most);
+    moved_mm_ += value_mm * basis_.col(k);
+    return value_mm;
+  }
+
+ private:
+  const schema::ParallelDraws& draws_;
+  const solver::RowMatrix& basis_;
+  const double most_mm_;
+  Eigen::VectorXd moved_mm_;  // of the shifted vertices so far, x and y in turn
+};
+
 }  // namespace
 
 void draw_member(const schema::Misalignment& misalignment, std::uint64_t seed, std::uint64_t draw,
                  double* shifts_mm, std::uint32_t stream) {
   assert(misalignment.parallel && misalignment.parallel->family);
-  const solver::ParallelFamily& family = *misalignment.parallel->family;
+  const schema::ParallelDraws& draws = *misalignment.parallel;
+  const solver::ParallelFamily& family = *draws.family;
   const double most_mm = misalignment.amplitude_mm;
   const auto dimension = static_cast<std::uint32_t>(family.dimension());
-  const bool like_signs = misalignment.parallel->like_signs;
   Eigen::VectorXd coordinates_mm(dimension);
+  GridMember on_grid(misalignment);
   std::uint32_t block = 0;
   for (std::uint32_t t = 0; t < kMostTries; ++t) {
+    on_grid.begin();
     for (std::uint32_t k = 0; k < dimension; k += 4) {
       const auto words = philox_block(seed, draw, block++, stream);
       for (std::uint32_t i = 0; i < 4 && k + i < dimension; ++i) {
-        coordinates_mm(k + i) = uniform_share(words[i]) * most_mm;
+        const bool is_paired =
+            draws.like_signs && is_epsilon_beside_delta(family.coordinates(), k + i);
+        const double delta_mm = is_paired ? coordinates_mm(k + i - 1) : 0;
+        double& value_mm = coordinates_mm(k + i);
+        if (draws.grid_mm > 0) {
+          value_mm = on_grid.take(words[i], k + i, delta_mm);
+        } else {
+          value_mm = uniform_share(words[i]) * most_mm;
+          if (is_paired) value_mm = std::copysign(value_mm, delta_mm);
+        }
       }
     }
-    if (!like_signs) break;
-    make_alike(family.coordinates(), coordinates_mm);
-    if (has_like_signs(family.hole_changes_mm(coordinates_mm))) break;
+    if (!draws.like_signs || has_like_signs(family.hole_changes_mm(coordinates_mm))) break;
   }
   Eigen::Matrix2Xd all_mm = family.shifts_mm(coordinates_mm);
-  const double largest_mm = all_mm.cwiseAbs().maxCoeff();
-  if (largest_mm > most_mm) all_mm *= most_mm / largest_mm;
+  if (draws.grid_mm > 0) {
+    all_mm = (all_mm / draws.grid_mm).array().round() * draws.grid_mm;
+  } else if (const double largest_mm = all_mm.cwiseAbs().maxCoeff(); largest_mm > most_mm) {
+    all_mm *= most_mm / largest_mm;
+  }
   for (const int vertex : misalignment.vertices) {
     *shifts_mm++ = all_mm(0, vertex);
     *shifts_mm++ = all_mm(1, vertex);

@@ -62,7 +62,7 @@ std::shared_ptr<PatternSource> read_source(const std::string& path) {
   if (schema::is_campaign(schema::read_json_file(path, schema::FileKind::regular))) {
     return source_of(schema::read_campaign_file(path));
   }
-  return source_of_pattern(sheet_of_pattern_file(path, schema::Perforations::of_one_freedom));
+  return source_of_pattern(sheet_of_pattern_file(path, schema::Perforations::of_one_path));
 }
 
 std::shared_ptr<PatternSource> read_document(const std::string& text, const std::string& name) {
@@ -71,7 +71,7 @@ std::shared_ptr<PatternSource> read_document(const std::string& text, const std:
     return source_of(schema::read_campaign(document, name, std::filesystem::current_path()));
   }
   return source_of_pattern(sheet_of_pattern_document(
-      document, name, std::filesystem::current_path(), name, schema::Perforations::of_one_freedom));
+      document, name, std::filesystem::current_path(), name, schema::Perforations::of_one_path));
 }
 
 std::shared_ptr<PatternSource> with_shifts(const PatternSource& source,
@@ -111,8 +111,9 @@ std::shared_ptr<PatternSource> source_of_text(const std::string& text) {
     return source_of(schema::read_campaign(json["campaign"], "a pickled campaign"));
   }
   schema::InputFaults faults;
-  schema::Pattern pattern = schema::read_pattern(json.at("pattern"), "pattern",
-                                                 schema::Displacements::allowed, {}, faults);
+  schema::Pattern pattern =
+      schema::read_pattern(json.at("pattern"), "pattern", schema::Displacements::allowed, {},
+                           faults, schema::Perforations::of_one_path);
   schema::ObjectReader reader(json.at("sampling"), "sampling", faults);
   schema::Sampling sampling;
   reader.number("sample_deg", sampling.sample_deg, 0, 180, "pickle it again");

@@ -6,8 +6,20 @@
 
 namespace misalign::search {
 
+namespace {
+
+const solver::Model& with_loops_to_close(const solver::Model& model) {
+  if (!model.has_spare_equations()) return model;
+  throw schema::UserError(schema::Cause::bad_request,
+                          "certify: sheets with so few holes are proven in closed form alone, "
+                          "which keeps no certificate; `misalign certify` of a file or a draw "
+                          "proves them");
+}
+
+}  // namespace
+
 RowCertifier::RowCertifier(const schema::Pattern& base, const solver::Model& model, bool contact)
-    : base_(base), model_(model), certifier_(model, {contact}) {}
+    : base_(base), model_(model), certifier_(with_loops_to_close(model), {contact}) {}
 
 schema::CertificateRecord RowCertifier::certify(std::uint64_t draw,
                                                 const Eigen::Matrix2Xd& shifts_mm,

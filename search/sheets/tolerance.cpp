@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "schema/campaign/share_interval.hpp"
+#include "schema/pattern/perforation_check.hpp"
 #include "search/draws/draw.hpp"
 #include "search/sheets/on_threads.hpp"
 #include "solver/design/angle_of_use.hpp"
@@ -170,6 +171,12 @@ void trial_errors(const schema::Campaign& campaign, double amplitude_mm, std::ui
 std::vector<solver::Tolerance> study_tolerance(const schema::Campaign& campaign,
                                                const std::vector<Eigen::Matrix2Xd>& shifts_mm,
                                                const ToleranceOptions& options) {
+  if (options.trials > 0 && schema::has_spare_equations(campaign.pattern.base)) {
+    throw schema::UserError(schema::Cause::bad_request,
+                            "tolerance: no miscut copy of a sheet with so few holes folds, so that "
+                            "none can be counted; `misalign tolerance` of one sheet says by how "
+                            "much its joints stay open");
+  }
   return Study(campaign, shifts_mm, options).run();
 }
 

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/certify_json.hpp"
 #include "schema/files/features.hpp"
-#include "schema/pattern/pattern_file.hpp"
+#include "schema/pattern/perforation_check.hpp"
 #include "search/draws/models.hpp"
 #include "search/ranks/certify_run.hpp"
 #include "search/ranks/mpi_session.hpp"
@@ -17,25 +18,16 @@
 #include "search/terminal/shell_word.hpp"
 #include "search/terminal/terminal.hpp"
 #include "search/verbs/border.hpp"
-#include "search/verbs/choice_options.hpp"
+#include "search/verbs/certify_call.hpp"
 #include "search/verbs/options.hpp"
 #include "search/verbs/rank_options.hpp"
 #include "search/verbs/verbs.hpp"
-#include "solver/certificate/member_proof.hpp"
-#include "solver/pattern/parallel_family.hpp"
 
 namespace misalign::search {
 namespace {
 
 using schema::Json;
 using schema::UserError;
-
-struct CertifyCall {
-  CertifyOptions options;
-  Choice choice;
-  std::string ranks;  // as typed; empty where they were not
-  bool all = false, closed_form = false, json = false;
-};
 
 void show(const CertifyCall& call, const CertifyReport& report) {
   if (call.options.check) {
@@ -59,14 +51,23 @@ void show(const CertifyCall& call, const CertifyReport& report) {
   }
 }
 
+// Whether its sheets are proven in closed form alone.
+bool has_few_holes(const std::string& catalogue) {
+  const auto database = schema::open_for_reading(catalogue);
+  return schema::has_spare_equations(schema::read_campaign_of(*database, catalogue).pattern.base);
+}
+
 int run_on_catalogue(CertifyCall& call, const Words& typed) {
   CertifyOptions& options = call.options;
   options.border = kCommandLine;
+  const bool is_in_closed_form = call.closed_form || has_few_holes(options.path);
+  if (is_in_closed_form) check_closed_form(call);
   if (!call.choice.chooses() && !call.all && !options.check) {
     throw UserError(schema::Cause::bad_request,
                     "certify: of which candidates? (none is named); add the number of a draw, "
                     "--best K, --diverse K, --where SQL or --all");
   }
+  if (is_in_closed_form) return prove_in_closed_form(call);
   if (options.check) schema::need("FLINT");  // before other ranks are started
   if (const int count = ranks_wanted(call.ranks); count > 1) {
     return run_on_ranks(count, typed, false);
@@ -79,78 +80,12 @@ int run_on_catalogue(CertifyCall& call, const Words& typed) {
   return run_certify(options);
 }
 
-// The file's own if it was exported, otherwise written as if it had been.
-Json document_of(const ChosenSheet& sheet) {
-  Json document = sheet.exported;
-  if (!document.is_object() || !document.contains("pattern")) {
-    document = {{"pattern", schema::pattern_json(sheet.base, sheet.shifts_mm)},
-                {"sampling", schema::sampling_json(sheet.sampling)}};
-    if (sheet.exported.is_object() && sheet.exported.contains("draw")) {
-      document["draw"] = sheet.exported["draw"];
-    }
-  }
-  return document;
-}
-
-double deploys_from_deg(const CertifyCall& call, const solver::Sheet& sheet) {
-  if (sheet.deploys_from_deg() > 0) return sheet.deploys_from_deg();
-  throw UserError(
-      schema::Cause::bad_input,
-      call.options.path +
-          ": the sheet deploys from nothing (its D is 0), so that there is nothing to "
-          "certify; give an angle with --to, or see what is in the way: misalign fold " +
-          shell_path(call.options.path));
-}
-
-// Of a sheet of the parallel family, in rational numbers: that all equations hold, spare ones too.
-int prove_in_closed_form(const CertifyCall& call, const ChosenSheet& chosen,
-                         const solver::Model& model) {
-  for (const auto& [is_given, option, why] :
-       {std::tuple(call.options.check, "--check", "the proof is made anew in no time"),
-        std::tuple(call.options.contact, "--contact",
-                   "`misalign contact` says where panels meet")}) {
-    if (!is_given) continue;
-    throw UserError(schema::Cause::bad_request, call.options.path +
-                                                    ": is proven in closed form, which has no " +
-                                                    option + " (" + why + "); take it out");
-  }
-  const double off_mm = solver::parallel_misfit(chosen.base.base, chosen.shifts_mm).mm;
-  if (off_mm > solver::kMemberWithin_mm) {
-    throw UserError(schema::Cause::bad_input,
-                    call.options.path +
-                        ": creases do not keep the base's directions, or holes are "
-                        "no parallelograms any more (" +
-                        schema::shown_number(off_mm) +
-                        " mm off), so that there is no closed form; take --closed-form out");
-  }
-  solver::SheetSolver solver(model);
-  const solver::Sheet sheet(solver, chosen.shifts_mm);
-  const double asked_deg = call.options.to_deg      ? *call.options.to_deg
-                           : chosen.design.from_deg ? *chosen.design.from_deg
-                                                    : deploys_from_deg(call, sheet);
-  const solver::MemberProof proof = solver::prove_member(sheet.base(), chosen.shifts_mm, asked_deg);
-  if (!proof.holds()) {
-    throw UserError(schema::Cause::bad_input,
-                    call.options.path + ": it cannot be proven exactly that the sheet folds: " +
-                        proof.gap.why(sheet.base().sheet) +
-                        "; take a base of the family \"miura\", or as many holes as count to one "
-                        "degree of freedom");
-  }
-  if (call.json) {
-    Json document = document_of(chosen);
-    document["member_proof"] = schema::member_proof_json(chosen.base, proof, asked_deg);
-    put_json(document);
-  } else {
-    put(member_proof_text(chosen.base, chosen.pattern, proof, asked_deg));
-  }
-  return 0;
-}
-
 int run_on_pattern(const CertifyCall& call) {
   const LongWork work("certify is under way", work_style(), false);
   const ChosenSheet sheet = sheet_of_pattern_file(call.options.path);
   const solver::Model model = model_of(sheet.base, sheet.sampling);
   if (call.closed_form || model.has_spare_equations()) {
+    check_closed_form(call);
     return prove_in_closed_form(call, sheet, model);
   }
   RowCertifier certifier(sheet.base, model, call.options.contact);
@@ -178,7 +113,7 @@ int run_on_pattern(const CertifyCall& call) {
   const solver::Sheet own(solver, sheet.shifts_mm);
   const double asked_deg = call.options.to_deg     ? *call.options.to_deg
                            : sheet.design.from_deg ? *sheet.design.from_deg
-                                                   : deploys_from_deg(call, own);
+                                                   : deploys_from_deg(own, call.options.path);
   const Json& exported = sheet.exported;
   const bool has_draw =
       exported.is_object() && exported.contains("draw") && exported["draw"].is_number_unsigned();
@@ -212,10 +147,12 @@ constexpr const char* kCertifyFooter =
     "  fold_limit     the path comes to a fold limit, or nearly\n"
     "  unclear_slope  a diagonal or a crease stands still, or nearly\n"
     "  flat_branch    the branch cannot be proven: nothing is certified, not even next to flat\n\n"
-    "Of a pattern whose shifts keep creases' directions, as `misalign construct` makes them,\n"
-    "--closed-form proves in rational numbers that all loops close by the base's own fold angles\n"
-    "and that diagonals go one way; of one with fewer holes than count to one degree of freedom\n"
-    "there is no other proof. See solver/pattern/README.md.\n\n"
+    "Of sheets whose shifts keep creases' directions, as `misalign construct` and campaigns of\n"
+    "\"kind\": \"parallel\" make them, --closed-form proves in rational numbers that all loops "
+    "close\n"
+    "by the base's own fold angles and that diagonals go one way; it is made anew each time, and\n"
+    "nothing is kept. With fewer holes than count to one degree of freedom there is no other\n"
+    "proof. See solver/pattern/README.md.\n\n"
     "Of a catalogue certificates are kept beside their candidates: column certified_deg of\n"
     "`query`, `export` and --where. Those that are there, as asked, are not made again, so that "
     "the\n"
@@ -266,10 +203,10 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
   auto* again = verb.add_flag("--again", options.again, "make those anew that are there already");
   auto* check = verb.add_flag("--check", options.check, "check those that there are; make none");
   for (CLI::Option* other : {to, contact, again}) check->excludes(other);
-  auto* closed_form = verb.add_flag(
+  verb.add_flag(
       "--closed-form", call->closed_form,
-      "of a pattern whose shifts keep creases' directions (misalign construct): prove it "
-      "in rational numbers, in no time and to 180 deg");
+      "of sheets whose shifts keep creases' directions (misalign construct, campaigns of "
+      "\"kind\": \"parallel\"): prove them in rational numbers, in no time and to 180 deg");
   add_ranks(verb, call->ranks);
   auto* ranks = verb.get_option("--ranks");
   verb.add_flag("--json", call->json,
@@ -278,13 +215,6 @@ Action certify_verb(CLI::App& verb, const Words& typed) {
   return [=] {
     if (!is_pattern_file(call->options.path)) {
       check_by(call->choice);
-      if (closed_form->count() > 0) {
-        throw UserError(
-            schema::Cause::bad_request,
-            call->options.path +
-                ": is a catalogue, and --closed-form is of one pattern file; export the "
-                "candidate first: misalign export");
-      }
       return run_on_catalogue(*call, typed);
     }
     for (const CLI::Option* option :

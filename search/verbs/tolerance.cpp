@@ -6,6 +6,7 @@
 #include "schema/catalogue/catalogue_state.hpp"
 #include "schema/catalogue/study_table.hpp"
 #include "schema/exchange/tolerance_json.hpp"
+#include "schema/pattern/perforation_check.hpp"
 #include "search/ranks/run_info.hpp"
 #include "search/sheets/tolerance_text.hpp"
 #include "search/terminal/build_info.hpp"
@@ -99,11 +100,6 @@ void run_miscuts(ToleranceCall& call, const ToleranceTargets& sheets) {
   print(call, sheets, tolerances);
 }
 
-bool has_spare_equations(const solver::PerforatedSheet& base) {
-  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
-  return mechanism.equations >= mechanism.unknowns;
-}
-
 // What was typed, or else what the design says: miscuts before play.
 void take_subject(const schema::Design& design, ToleranceCall& call) {
   if (!call.amplitude_mm && !call.backlash_mm) {
@@ -124,15 +120,12 @@ int run(ToleranceCall call) {
   call.study.jobs = call.jobs.value_or(usable_threads());
   std::optional<ChosenSheet> file;
   if (is_pattern_file(call.path)) file = sheet_of_pattern_file(call.path);
-  if (file && has_spare_equations(file->base.base)) {
-    take_subject(file->design, call);
-    run_gaps(call, *file);
-    return 0;
-  }
   // Closes the catalogue again, before the writer's lock: see WriterLock.
   const ToleranceTargets sheets = file ? chosen_sheet(call, *file) : choose_sheets(call);
   take_subject(sheets.design, call);
-  if (call.backlash_mm) {
+  if (schema::has_spare_equations(sheets.campaign.pattern.base)) {
+    run_gaps(call, sheets);
+  } else if (call.backlash_mm) {
     run_backlash(call, sheets);
   } else {
     run_miscuts(call, sheets);

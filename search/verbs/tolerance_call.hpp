@@ -55,7 +55,8 @@ bool is_single(const ToleranceCall& call, const ToleranceTargets& sheets);
 void show_copies(const CopiesDone& copies);
 
 /// The study of gaps, of a sheet with spare equations, whose miscut copies do not fold.
-void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen);
+/// One at a time.
+void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets);
 
 /// The study of backlash: UserError (2) for what no study can be made of, found before the sheets
 /// are and after, and the study with its answer on standard output.

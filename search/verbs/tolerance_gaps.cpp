@@ -33,9 +33,17 @@ void refuse(const ToleranceCall& call, const char* option, const char* why) {
 
 }  // namespace
 
-void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
+void run_gaps(const ToleranceCall& call, const ToleranceTargets& sheets) {
   if (call.backlash_mm) refuse(call, "--backlash", "its loops close by their shapes alone");
   if (call.study.vertices) refuse(call, "--vertices", "no copy folds, so none deploys");
+  if (sheets.shifts_mm.size() != 1) {
+    throw schema::UserError(
+        schema::Cause::bad_request,
+        call.path +
+            ": tolerance of which sheet? (copies of sheets with few holes are put "
+            "together one sheet at a time, and " +
+            std::to_string(sheets.shifts_mm.size()) + " are chosen); name one draw");
+  }
   if (call.study.trials > kMostCopies) {
     throw schema::UserError(
         schema::Cause::bad_request,
@@ -43,9 +51,11 @@ void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
             std::to_string(kMostCopies) +
             " copies of a sheet with few holes are put together at once); take less");
   }
-  check_miscut(*call.amplitude_mm, chosen.base.base.sheet, chosen.shifts_mm, chosen.key().name());
-  FoldingModel model(chosen.base, chosen.sampling, chosen.design);
-  const solver::Sheet sheet = model.sheet(chosen.shifts_mm, chosen.pattern);
+  const schema::Campaign& campaign = sheets.campaign;
+  const Eigen::Matrix2Xd& shifts_mm = sheets.shifts_mm.front();
+  check_miscut(*call.amplitude_mm, campaign.pattern.base.sheet, shifts_mm, sheets.key(0).name());
+  FoldingModel model(campaign.pattern, campaign.sampling(), sheets.design);
+  const solver::Sheet sheet = model.sheet(shifts_mm, sheets.key(0).name());
   if (sheet.panels().facets.size() > kMostPanels) {
     throw schema::UserError(schema::Cause::bad_request,
                             call.path +
@@ -55,7 +65,7 @@ void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
                                 std::to_string(sheet.panels().facets.size()) +
                                 "); take a part of it");
   }
-  const auto from_deg = call.from_deg ? call.from_deg : chosen.design.from_deg;
+  const auto from_deg = call.from_deg ? call.from_deg : sheets.design.from_deg;
   const double up_to_deg = from_deg.value_or(sheet.deploys_from_deg());
   const std::vector<Eigen::Index> rows = rows_up_to(sheet, up_to_deg);
   if (rows.empty() || up_to_deg > sheet.deploys_from_deg()) {
@@ -63,14 +73,16 @@ void run_gaps(const ToleranceCall& call, const ChosenSheet& chosen) {
         solver::beyond_d_fault(sheet.name(), up_to_deg, sheet.deploys_from_deg()));
   }
   const LongWork work("tolerance is under way", work_style(), false);
-  const schema::Campaign campaign = chosen.as_campaign();
-  std::vector<Eigen::Matrix2Xd> errors_mm(call.study.trials, chosen.shifts_mm);
+  std::vector<Eigen::Matrix2Xd> errors_mm(call.study.trials, shifts_mm);
   for (std::uint64_t trial = 0; trial < call.study.trials; ++trial) {
     trial_errors(campaign, *call.amplitude_mm, trial, errors_mm[trial].data());
   }
   solver::MiscutGap gap = solver::find_miscut_gaps(sheet, errors_mm, rows);
   gap.amplitude_mm = *call.amplitude_mm;
-  call.json ? put_json(schema::miscut_gap_json(gap)) : put(miscut_gap_text(sheet.name(), gap));
+  if (!call.json) return put(miscut_gap_text(sheet.name(), gap));
+  schema::Json document = schema::miscut_gap_json(gap);
+  document.update(sheets.key(0).json());
+  put_json(document);
 }
 
 }  // namespace misalign::search

@@ -1,5 +1,6 @@
 #include "solver/lanes/batch.hpp"
 
+#include "solver/lanes/base_batch.hpp"
 #include "solver/lanes/lanes.hpp"
 
 namespace misalign::solver {
@@ -28,6 +29,7 @@ std::vector<InstructionSet> available_instruction_sets() {
 }
 
 std::unique_ptr<Batch> make_batch(InstructionSet set, const Model& model) {
+  if (model.has_spare_equations()) return std::make_unique<BaseBatch>(model);
   switch (set) {
 #ifdef MISALIGN_X86
     case InstructionSet::avx512:

@@ -114,12 +114,6 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
   return most_joints * widest / mechanism.panel_width_mm;
 }
 
-// Where there is nothing to solve, nothing is solved between the samples either: slopes are exact.
-Criterion without_solving(Criterion criterion) {
-  if (criterion.bumps == BumpRule::exact) criterion.bumps = BumpRule::by_cubic;
-  return criterion;
-}
-
 }  // namespace
 
 Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
@@ -135,9 +129,9 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
       path_(plan_path(mechanism_, base.folding, base.sheet.vertices_mm, path)),
       sample_deg_(path.sample_deg),
       threshold_sample_(threshold_sample),
-      criterion_(has_spare_equations() ? without_solving(criterion) : criterion),
+      criterion_(criterion),
       ternary_mm_(ternary_mm),
-      margin_samples_(threshold_sample > 0
+      margin_samples_(threshold_sample > 0 && !has_spare_equations()
                           ? solver::margin_samples(path.sample_deg, threshold_sample)
                           : std::vector<int>()),
       extent_((base.sheet.vertices_mm.colwise() - base.sheet.vertices_mm.col(0).eval())
@@ -148,8 +142,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
   assert(
       std::ranges::all_of(shifted, [&](int v) { return v >= 0 && v < base.sheet.vertex_count(); }));
   assert(threshold_sample >= 0 && path.sample_deg > 0 && std::isfinite(extent_));
-  assert(!has_spare_equations() || threshold_sample == 0);
-  choose_tests();
+  if (!has_spare_equations()) choose_tests();
 }
 
 void Model::choose_tests() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace misalign::solver {
 HoleEdges hole_edges(const BaseHole& hole, const Eigen::Matrix2Xd& vertices_mm) {
@@ -62,6 +63,32 @@ double HoleMotion::length_mm(int diagonal, const HalfAngle<double>& pilot) const
   const double change = 2 * product_change_mm2(pilot);
   return std::sqrt(std::max(
       0.0, flat_sq_[static_cast<std::size_t>(diagonal)] + (diagonal == 0 ? -change : change)));
+}
+
+// d(p . q)/dT = -2 s^2 (c0 + c1 T + c2 T^2) / ((1 + pT)(1 + qT))^2, and dT = (sin / cos^3) d pilot;
+// all of it times powers of the cosine, so that 180 degrees is an angle like any other.
+double HoleMotion::slope_mm(int diagonal, const HalfAngle<double>& pilot) const {
+  const double cc = pilot.c * pilot.c, ss = pilot.s * pilot.s;
+  const double of_both = (cc + b_ratio_ * ss) * (cc + a_ratio_ * ss);
+  const double quadratic = slope_[0] * cc * cc + slope_[1] * cc * ss + slope_[2] * ss * ss;
+  const double product = -2 * sine_sq_ * quadratic * pilot.s * pilot.c / (of_both * of_both);
+  const double length = length_mm(diagonal, pilot);
+  return length > 0 ? (diagonal == 0 ? -product : product) / length : 0;
+}
+
+std::array<double, 2> HoleMotion::turns() const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto& [c0, c1, c2] = slope_;
+  const double under_root = c1 * c1 - 4 * c0 * c2;
+  if (!(under_root > 0)) return {kNone, kNone};
+  // The larger root first: no difference of nearly equal numbers.
+  const double half = -0.5 * (c1 + std::copysign(std::sqrt(under_root), c1));
+  std::array<double, 2> turns = {half / c2, c0 / half};
+  for (double& turn : turns) {
+    if (!(turn > 0)) turn = kNone;
+  }
+  std::ranges::sort(turns);
+  return turns;
 }
 
 double HoleMotion::stroke(const HalfAngle<double>& pilot) const {

@@ -164,16 +164,25 @@ std::string NoParallelFamily::why(const CreasePattern& sheet) const {
          number(pilot_deg) + " deg)";
 }
 
+std::variant<std::vector<BaseHole>, NoParallelFamily> base_holes(const PerforatedSheet& base,
+                                                                 double& misfit_rad) {
+  std::vector<BaseHole> holes;
+  for (const int f : base.holes) {
+    BaseHole hole = shape_of(base.sheet, f);
+    if (const auto fault = fold_hole(base, hole, misfit_rad)) return *fault;
+    holes.push_back(hole);
+  }
+  return holes;
+}
+
 std::variant<ParallelFamily, NoParallelFamily> ParallelFamily::of(const PerforatedSheet& base,
                                                                   std::vector<int> vertices) {
   assert(std::is_sorted(vertices.begin(), vertices.end()));
   ParallelFamily family;
   family.base_mm_ = base.sheet.vertices_mm;
-  for (const int f : base.holes) {
-    BaseHole hole = shape_of(base.sheet, f);
-    if (const auto fault = fold_hole(base, hole, family.misfit_rad_)) return *fault;
-    family.holes_.push_back(hole);
-  }
+  auto holes_of_base = base_holes(base, family.misfit_rad_);
+  if (const auto* none = std::get_if<NoParallelFamily>(&holes_of_base)) return *none;
+  family.holes_ = std::get<std::vector<BaseHole>>(std::move(holes_of_base));
   if (static_cast<int>(vertices.size()) == base.sheet.vertex_count()) {
     vertices.erase(vertices.begin());
   }
@@ -242,6 +251,27 @@ Eigen::Matrix2Xd ParallelFamily::shifts_mm(const Eigen::VectorXd& coordinates_mm
 
 Eigen::VectorXd ParallelFamily::hole_changes_mm(const Eigen::VectorXd& coordinates_mm) const {
   return product_in_order(hole_basis_, coordinates_mm);
+}
+
+std::optional<Eigen::VectorXd> ParallelFamily::whole_steps_mm() const {
+  constexpr int kMostParts = 12;
+  constexpr double kWhole = 1e-9;  // far above what elimination leaves, far below a part
+  Eigen::VectorXd steps_mm(dimension());
+  for (Eigen::Index k = 0; k < steps_mm.size(); ++k) {
+    const Eigen::VectorXd parts = basis_.col(k);
+    double least = parts.cwiseAbs().maxCoeff();
+    for (const double part : parts) {
+      if (std::abs(part) > kWhole) least = std::min(least, std::abs(part));
+    }
+    const auto is_whole = [&](double step) {
+      return ((parts * step).array() - (parts * step).array().round()).abs().maxCoeff() < kWhole;
+    };
+    int count = 1;
+    while (count <= kMostParts && !is_whole(count / least)) ++count;
+    if (count > kMostParts) return {};
+    steps_mm(k) = count / least;
+  }
+  return steps_mm;
 }
 
 Eigen::VectorXd ParallelFamily::coordinates_of(const Eigen::Matrix2Xd& shifts_mm) const {

@@ -4,6 +4,7 @@
 // at any size of shifts. README.md has the theorem and its proof.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,6 +34,11 @@ struct NoParallelFamily {
   std::string why(const CreasePattern& sheet) const;
 };
 
+/// The base's holes, and how the panels round them turn on its path; or why there is no family.
+/// `misfit_rad` becomes the largest angle by which what must agree there was seen to differ.
+std::variant<std::vector<BaseHole>, NoParallelFamily> base_holes(const PerforatedSheet& base,
+                                                                 double& misfit_rad);
+
 /// What a coordinate is, in mm.
 struct ParallelCoordinate {
   enum class Kind { delta, epsilon, shape } kind;
@@ -57,6 +63,9 @@ class ParallelFamily {
   const RowMatrix& basis() const { return basis_; }
   /// delta and epsilon of each hole by coordinate: 2 holes x coordinates.
   const RowMatrix& hole_basis() const { return hole_basis_; }
+  /// What each coordinate is to be a whole multiple of, mm, for all shifts to be whole millimetres;
+  /// nothing where one shifts vertices by parts that have no such step.
+  std::optional<Eigen::VectorXd> whole_steps_mm() const;
   /// The largest angle by which what must agree on the base's path was seen to differ.
   double misfit_rad() const { return misfit_rad_; }
 

@@ -5,8 +5,8 @@
 
 namespace misalign::solver {
 
-/// Of a model with spare equations and a sheet of its parallel family; others are told by how far
-/// their loops are open. Of its extremes the first reversal, and bumps as its cubics have them.
+/// Of a model with spare equations and a sheet of its parallel family; others are undecided, and
+/// told by how far their loops are open. The verdict is a BaseJudge's.
 FoldingHistory record_on_base(const Model& model, const FlatVertices& vertices_mm,
                               const StationVisitor* visit = nullptr);
 

@@ -89,7 +89,7 @@ void HistoryObserver::keep(const Station& station, int lane, const SolveQuality&
   const double width_mm = model_.mechanism().panel_width_mm;
   assert(std::ssize(point_.lengths) == model_.mechanism().diagonal_count());
   auto& [judge, history, lengths_mm, slopes_mm_per_deg, angles_deg, last] = *lanes_[lane];
-  if (station.sample > 0) {
+  if (station.sample > 0 && !model_.has_spare_equations()) {  // of those a BaseJudge knows
     judge.see(station, point_, true,
               judge.looks_between() ? &queue_.geometry_of_lane(lane) : nullptr);
   }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/records/base_history.hpp"
 #include "solver/records/function_recorder.hpp"
 #include "solver/sheet/way_solver.hpp"
 
@@ -105,7 +104,7 @@ const FoldingHistory& Sheet::history() const {
     const StationVisitor keep = [this](const Station&, const PathPoint& point) {
       states_.push_back({point.state, point.rates});
     };
-    history_ = record_on_base(model(), vertices_mm_, &keep);
+    history_ = record_history(model(), vertices_mm_, &keep);
     return *history_;
   }
   SheetSolver::Workspace& with = solver_.workspace();

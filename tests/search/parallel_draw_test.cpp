@@ -96,6 +96,38 @@ TEST(ParallelDraw, IsAMemberWithinTheAmplitude) {
   }
 }
 
+// On a grid too, with few holes or all: whole multiples, members still; coarse ones as well, of
+// which the ternary are the coarsest.
+TEST(ParallelDraw, KeepsToAGrid) {
+  for (const auto& [amplitude_mm, grid_mm, signs] :
+       {std::tuple(4.0, 0.25, "alike"), std::tuple(4.0, 0.01, "free"), std::tuple(3.0, 2.0, "free"),
+        std::tuple(0.4, 0.4, "free")}) {
+    SCOPED_TRACE(grid_mm);
+    const schema::Campaign campaign = campaign_of(6, {{"kind", "parallel"},
+                                                      {"vertices", "all"},
+                                                      {"amplitude_mm", amplitude_mm},
+                                                      {"grid_mm", grid_mm},
+                                                      {"signs", signs}});
+    int moved = 0, alike = 0;
+    for (std::uint64_t draw = 0; draw < 200; ++draw) {
+      const Member member(campaign, draw);
+      const Eigen::ArrayXXd steps = member.shifts_mm().array() / grid_mm;
+      EXPECT_LE((steps - steps.round()).abs().maxCoeff(), 1e-12) << draw;
+      EXPECT_LE(member.off_mm(), 1e-12 * 80 * 6) << draw;
+      EXPECT_LE(member.shifts_mm().cwiseAbs().maxCoeff(), amplitude_mm * (1 + 1e-9)) << draw;
+      EXPECT_TRUE(can_be_drawn(campaign, member.shifts_mm())) << draw;
+      moved += member.shifts_mm().cwiseAbs().maxCoeff() > 0;
+      alike += member.has_like_signs();
+    }
+    EXPECT_GT(moved, 150);
+    EXPECT_TRUE(signs == std::string("free") || alike == 200) << alike;
+  }
+  const schema::Campaign campaign = campaign_of(6, {{"kind", "parallel"}, {"grid_mm", 0.1}});
+  Eigen::Matrix2Xd shifts_mm = shifts_of_draw(campaign, 3);
+  EXPECT_TRUE(can_be_drawn(campaign, shifts_mm));
+  EXPECT_FALSE(can_be_drawn(campaign, 0.5 * shifts_mm));
+}
+
 // Of the first draw: its holes' numbers are the words', each times the amplitude and the factor by
 // which the member is made smaller as a whole.
 TEST(ParallelDraw, CoordinatesTakeTheWordsInTheirOrder) {

@@ -6,6 +6,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "few_holes.hpp"
+#include "solver/judging/base_judge.hpp"
+#include "solver/lanes/batch.hpp"
 #include "solver/records/base_history.hpp"
 #include "solver/sheet/sheet.hpp"
 
@@ -82,7 +84,6 @@ TEST(BasePath, FoldsWithFewerHoles) {
         return motions[static_cast<std::size_t>(d / 2)].length_mm(static_cast<int>(d % 2),
                                                                   half_angle_of_deg(pilot_deg));
       };
-      double first_deg = 180;
       for (Eigen::Index d = 0; d < history.length_mm.cols(); ++d) {
         for (Eigen::Index row = 0; row < 180; ++row) {
           const double at_deg = static_cast<double>(row + 1);
@@ -91,22 +92,180 @@ TEST(BasePath, FoldsWithFewerHoles) {
           // Central differences of an even step: rounding 1e-12 mm over 2e-3 deg.
           const double slope = (length_mm(d, at_deg + 1e-3) - length_mm(d, at_deg - 1e-3)) / 2e-3;
           EXPECT_NEAR(history.slope_mm_per_deg(row, d), slope, 1e-7);
-        }
-        const auto [c0, c1, c2] = motions[static_cast<std::size_t>(d / 2)].slope_mm2();
-        for (const double sign : {-1.0, 1.0}) {
-          const double root = (-c1 + sign * std::sqrt(c1 * c1 - 4 * c0 * c2)) / (2 * c2);
-          if (root > 0)
-            first_deg = std::min(first_deg, 2 * std::atan(std::sqrt(root)) / kRadPerDeg);
+          const double by_formula = motions[static_cast<std::size_t>(d / 2)].slope_mm(
+              static_cast<int>(d % 2), half_angle_of_deg(at_deg));
+          EXPECT_NEAR(kRadPerDeg * by_formula, slope, 1e-7);
         }
       }
+      // No diagonal turns before the reversal that is said, and one does there, by the path's
+      // slopes.
       ASSERT_TRUE(history.extremes);
-      if (first_deg < 179) {
-        ASSERT_TRUE(history.extremes->reverses_deg);
-        EXPECT_NEAR(*history.extremes->reverses_deg, first_deg, 1e-6);
-      } else {
-        EXPECT_FALSE(history.extremes->reverses_deg && *history.extremes->reverses_deg < 179);
+      const double turns_deg = history.extremes->reverses_deg.value_or(180);
+      SheetGeometry<double> geometry;
+      place(model.mechanism(), base.sheet.vertices_mm + shifts_mm, geometry);
+      const BasePath path(model.mechanism(), base);
+      const auto slopes_at = [&](double pilot_deg) {
+        PathPoint point(model.mechanism());
+        path.find(geometry, half_angle_of_deg(pilot_deg), point);
+        return point.slopes;
+      };
+      const std::vector<double> first = slopes_at(0.5), before = slopes_at(turns_deg - 1e-5);
+      const auto has_turned = [&](const std::vector<double>& slopes) {
+        bool turned = false;
+        for (std::size_t d = 0; d < first.size(); ++d) turned |= slopes[d] * first[d] < 0;
+        return turned;
+      };
+      for (double at_deg = 1; at_deg < turns_deg; ++at_deg) {
+        EXPECT_FALSE(has_turned(slopes_at(at_deg))) << at_deg;
+      }
+      EXPECT_FALSE(has_turned(before));
+      EXPECT_EQ(has_turned(slopes_at(turns_deg + 1e-5)),
+                history.extremes->reverses_deg.has_value());
+    }
+  }
+}
+
+// How far lengths along the path go on one way, in steps of this; and by how much they go back
+// within the step after that.
+struct GoesOn {
+  int steps = 0;
+  double back_mm = 0;
+};
+GoesOn goes_on(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm, double step_deg) {
+  const Mechanism mechanism = build_mechanism(base.sheet, base.holes, base.folding);
+  SheetGeometry<double> geometry;
+  place(mechanism, base.sheet.vertices_mm + shifts_mm, geometry);
+  const BasePath path(mechanism, base);
+  PathPoint point(mechanism);
+  GoesOn found;
+  std::vector<double> last(mechanism.diagonals.size()), way(last.size());
+  path.find(geometry, half_angle_of_deg(0), point);
+  last = point.lengths;
+  for (int k = 1; k * step_deg <= 180; ++k) {
+    path.find(geometry, half_angle_of_deg(k * step_deg), point);
+    for (std::size_t d = 0; d < last.size(); ++d) {
+      const double step = point.lengths[d] - last[d];
+      if (way[d] == 0 && std::abs(step) > 1e-12) way[d] = step > 0 ? 1 : -1;
+      found.back_mm = std::max(found.back_mm, -step * way[d] * mechanism.panel_width_mm);
+    }
+    if (found.back_mm > 1e-10) return found;
+    last = point.lengths;
+    ++found.steps;
+  }
+  return found;
+}
+
+// By closed forms, against the folded sheet's coordinates: at the samples, and between them.
+TEST(BaseJudge, SaysHowFarLengthsGoOnOneWay) {
+  int monotone = 0, turned = 0, between = 0;
+  for (const std::vector<std::size_t>& holes : kFewHoles) {
+    const PerforatedSheet base = with_holes(holes);
+    const Model at_samples(base, {.sample_deg = 10}),
+        exact(base, {.sample_deg = 10}, {BumpRule::exact});
+    BaseJudge judge(at_samples), exact_judge(exact);
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const Eigen::Matrix2Xd shifts_mm = member_of(base, 9, false, seed);
+      const FlatVertices vertices_mm = base.sheet.vertices_mm + shifts_mm;
+      const GoesOn coarse = goes_on(base, shifts_mm, 10), fine = goes_on(base, shifts_mm, 0.1);
+      const Verdict verdict = judge.judge(vertices_mm);
+      EXPECT_EQ(verdict.deploys_from_sample, coarse.steps) << seed;
+      EXPECT_EQ(verdict.first_fault, coarse.steps == 18 ? Fault::none : Fault::not_monotone);
+      const Verdict strict = exact_judge.judge(vertices_mm);
+      // A turn within the last tenth before a sample may leave less than the band.
+      if ((fine.steps + 1) % 100 != 0) {
+        EXPECT_EQ(strict.deploys_from_sample, std::min(coarse.steps, fine.steps / 100)) << seed;
+      }
+      ++(coarse.steps == 18 ? monotone : turned);
+      between += strict.first_fault == Fault::reverses_between || strict.first_fault == Fault::bump;
+    }
+  }
+  EXPECT_GT(monotone, 10);
+  EXPECT_GT(turned, 20);
+  EXPECT_GT(between, 10);
+}
+
+// The same sheets as a block: what a campaign asks.
+TEST(BaseJudge, IsWhatABatchSays) {
+  const PerforatedSheet base = with_holes({0, 2, 9});
+  const std::vector<int> all = all_vertices(base.sheet);
+  const Model model(base, all, {}, 170);
+  ShiftBlock block;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    Eigen::Matrix2Xd shifts_mm = member_of(base, 5, seed % 2 == 0, seed);
+    if (seed == 30) shifts_mm(1, 16) += 1e-6;  // off the family
+    block.shifts_mm.insert(block.shifts_mm.end(), shifts_mm.reshaped().begin(),
+                           shifts_mm.reshaped().end());
+    ++block.sheets;
+  }
+  for (const InstructionSet set : available_instruction_sets()) {
+    const auto batch = make_batch(set, model);
+    for (const Rejection& rejection : batch->reject(block)) EXPECT_EQ(rejection.fault, Fault::none);
+    const std::vector<Verdict> verdicts = batch->judge(block);
+    const std::vector<PathRecord>& records = batch->measure(block);
+    for (int k = 0; k < block.sheets; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      const Eigen::Matrix2Xd shifts_mm =
+          Eigen::Map<const Eigen::Matrix2Xd>(block.of(k), 2, std::ssize(all));
+      EXPECT_EQ(records[at].verdict.deploys_from_sample, verdicts[at].deploys_from_sample);
+      if (k == 29) {
+        EXPECT_EQ(verdicts[at].first_fault, Fault::undecided);
+        EXPECT_EQ(verdicts[at].path_end, PathEnd::start_lost);
+        continue;
+      }
+      EXPECT_EQ(verdicts[at].deploys_from_sample, goes_on(base, shifts_mm, 1).steps);
+      const bool is_kept = verdicts[at].deploys_from_sample >= 170;
+      EXPECT_EQ(records[at].lengths.size(),
+                is_kept ? 6u * static_cast<std::size_t>(verdicts[at].deploys_from_sample) : 0u);
+      EXPECT_LE(records[at].residual_max, 1e-12);
+    }
+  }
+}
+
+// Sheets of another program, which solved for vertices by Gauss and Newton at 50 angles: strains of
+// the diagonals, most of them to six digits. Its straight creases run along y, and its pilot is one
+// of those: they have cos(alpha) times the tangent of the zigzags' half angle.
+TEST(BasePath, AgreesWithVerticesSolvedElsewhere) {
+  for (const Json& sheet : golden("parallel_family.json")) {
+    SCOPED_TRACE(sheet["name"].get<std::string>());
+    const int rows = sheet["rows"], columns = sheet["columns"];
+    std::vector<std::size_t> inner;
+    for (const Json& hole : sheet["holes"]) {
+      inner.push_back((hole[1].get<std::size_t>() - 1) * static_cast<std::size_t>(rows - 2) +
+                      hole[0].get<std::size_t>() - 1);
+    }
+    std::ranges::sort(inner);
+    const PerforatedSheet base = with_holes(inner, MiuraShape::uniform(columns, rows, 80, 80, 40));
+    FlatVertices vertices_mm = base.sheet.vertices_mm;
+    for (int column = 0; column <= columns; ++column) {
+      for (int row = 0; row <= rows; ++row) {
+        const Json& at = sheet["x_mm"][static_cast<std::size_t>(row * (columns + 1) + column)];
+        vertices_mm.col(column * (rows + 1) + row) << at[1].get<double>(), at[0].get<double>();
       }
     }
+    EXPECT_LE(parallel_misfit(base, vertices_mm - base.sheet.vertices_mm).mm, 1e-12);
+    const Model model(base);
+    SheetGeometry<double> geometry;
+    place(model.mechanism(), vertices_mm, geometry);
+    const BasePath path(model.mechanism(), base);
+    PathPoint flat(model.mechanism()), point(model.mechanism());
+    path.find(geometry, half_angle_of_deg(0), flat);
+    const auto expect_strains = [&](double their_deg, std::vector<double> theirs, double within) {
+      const HalfAngle<double> straight = half_angle_of_deg(their_deg);
+      path.find(geometry, half_angle_of_ratio(std::sqrt(5.0) * straight.s, straight.c), point);
+      std::vector<double> strains;
+      for (std::size_t d = 0; d < point.lengths.size(); ++d) {
+        strains.push_back(point.lengths[d] / flat.lengths[d] - 1);
+      }
+      ASSERT_EQ(strains.size(), theirs.size());
+      std::ranges::sort(strains);
+      std::ranges::sort(theirs);
+      for (std::size_t d = 0; d < strains.size(); ++d) EXPECT_NEAR(strains[d], theirs[d], within);
+    };
+    // Angles to a thousandth of a degree, at slopes of 1e-3 a degree; strains to 1e-6.
+    for (std::size_t k = 0; k < sheet["pilot_deg"].size(); ++k) {
+      expect_strains(sheet["pilot_deg"][k], sheet["strain"][k], 1.1e-6);
+    }
+    expect_strains(179, sheet["strain_at_179_deg"], 1e-13);  // written in full
   }
 }
 

@@ -50,6 +50,39 @@ sed "s|\"family\": \"miura\", \"rows\": 6, \"columns\": 6|\"family\": \"fold\", 
 "$program" tolerance made.json --backlash 0.01 > out 2> err
 [ $? = 2 ] && grep -q "has no meaning" err || fail "--backlash: $(cat err)"
 
+# Campaigns: one digest however they are run, shifts on a grid, verdicts that fold and verify find too.
+echo '{ "name": "few", "pattern": { "family": "miura", "rows": 6, "columns": 6, "holes": [[1, 2], [3, 4], [4, 1]] },
+  "misalignment": { "kind": "parallel", "vertices": "all", "amplitude_mm": 4, "signs": "free", "grid_mm": 0.25 },
+  "accept": { "deploys_from_deg": 180 } }' > few.json
+"$program" search few.json --catalogue few.db --draws 400 > out 2>&1 || fail "search: $(cat out)"
+found=$(sql few.db 'SELECT count(*) FROM candidate')
+[ "$found" -gt 20 ] && [ "$found" -lt 380 ] || fail "$found of 400 sheets of free signs deploy"
+"${ranks[@]}" 2 "$program" search few.json --catalogue two.db --draws 400 --unit-draws 37 > out 2>&1 || fail "2 ranks"
+[ "$(digest_of two.db)" = "$(digest_of few.db)" ] || fail "2 ranks: another digest"
+"$program" verify few.db --all > out 2>&1 || fail "verify: $(cat out)"
+[ "$(sql few.db "SELECT count(*) FROM candidate, json_each(displacements_mm) AS v, json_each(v.value) AS x
+  WHERE x.value * 4 <> round(x.value * 4)")" = 0 ] || fail "shifts off the grid"
+draw=$(sql few.db 'SELECT min(draw) FROM candidate')
+"$program" certify few.db "$draw" > out 2>&1 && grep -q "^draw $draw: proven from flat to 180" out || fail "certify: $(cat out)"
+"$program" certify few.db --best 3 --json > list.json && [ "$(sqlite3 :memory: "SELECT json_array_length(readfile('list.json'))")" = 3 ] ||
+  fail "certify --best"
+"$program" certify few.db --check > out 2> err
+[ $? = 2 ] && grep -q "has no --check" err || fail "certify --check: $(cat err)"
+"$program" tolerance few.db "$draw" --amplitude 0.05 --trials 20 > out 2>&1 || fail "tolerance: $(cat out)"
+"$program" tolerance few.db --best 2 --amplitude 0.05 > out 2> err
+[ $? = 2 ] && grep -q "name one draw" err || fail "tolerance of two: $(cat err)"
+"$program" replay few.db "$draw" > out 2>&1 && grep -q "^draw $draw of few: accepted" out || fail "replay: $(cat out)"
+"$program" export few.db --best 1 --output few > names || fail "export"
+"$program" fold "$(cat names)" --json > folding.json || fail "fold"
+[ "$(field folding.json verdict.deploys_from_deg)" = 180.0 ] || fail "another verdict"
+"$program" query few.db "SELECT deploy_time_s(draw) FROM candidates LIMIT 1" > out 2>&1 || fail "deploy_time_s: $(cat out)"
+for wrong in 's/"kind": "parallel", /"levels": "uniform", /; s/"signs": "free", "grid_mm": 0.25/"kind": "free"/' \
+  's/"grid_mm": 0.25/"grid_mm": 5/' 's/"rows": 6,/"rows": 6, "zigzag_offset_mm": 37,/' 's/ } }$/ }, "certify": true }/'; do
+  sed "$wrong" few.json > wrong.json
+  "$program" config --check wrong.json > out 2> err
+  [ $? = 3 ] || fail "$wrong: $(cat out err)"
+done
+
 # Which sets there are: of 16 inner panels all single ones, and 96 pairs that share no edge.
 "$program" perforations base.json --holes 1 > out || fail "perforations"
 grep -q "^16 of 16 sets of 1 leave one way" out || fail "single holes: $(tail -1 out)"
