@@ -24,6 +24,7 @@ struct KitOptions {
   double gap_mm = 5;        ///< between parts
   double margin_mm = 5;     ///< round all of them
   std::optional<Eigen::Vector2d> bed_mm;  ///< width and height of the machine's
+  bool guide = false;                     ///< with a page to build it by
 };
 
 }  // namespace misalign::schema

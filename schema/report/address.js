@@ -1,8 +1,8 @@
-// Keeps the selected draw, the filter and the order in the page's address, after the #. So a link,
+// Keeps the selected draw, filter, order and columns in the page's address, after the #. So a link,
 // a reload or the back button shows them again, also on a page opened from a file.
 
 const kQuiet_ms = 300; // what changes faster than that is one step of the back button
-const kNames = { draw: "picked", filter: "filter", sort: "sort", across: "across", up: "up" };
+const kNames = { draw: "picked", filter: "filter", sort: "sort", across: "across", up: "up", columns: "columns" };
 
 /** The hash of what differs from how the page begins. */
 function hash_of(state, beginning) {

@@ -1,15 +1,17 @@
 // The page of `misalign report`: sets up overview, choice of a candidate, and the selected draw.
 import { follow_address } from "./address.js";
 import { read_candidates, read_report } from "./data.js";
+import { make_columns_menu } from "./columns_menu.js";
 import { make_filter_field } from "./filter_field.js";
 import { by_id, clamp, count, degrees, h, plural } from "./format.js";
 import { Inspector } from "./inspector.js";
 import { show_overview } from "./overview.js";
 import { first_axes, make_scatter, metrics_of } from "./scatter.js";
+import { make_limits } from "./limits.js";
 import { link_manual } from "./manual.js";
 import { make_state } from "./state.js";
 import { make_table, save_rows } from "./table.js";
-import { is_order } from "./table_columns.js";
+import { is_choice, is_order } from "./table_columns.js";
 import { set_up_theme } from "./theme.js";
 import { watch } from "./watch.js";
 import { is_pattern, is_splitting, noun, noun_first, show_pattern } from "./page_kind.js";
@@ -72,6 +74,8 @@ function show_candidates(report, candidates, state) {
   const table = make_table(by_id("table"), candidates, state);
   make_scatter(by_id("scatter"), candidates, state, name);
   make_filter_field(candidates, table, state);
+  make_limits(candidates, state);
+  make_columns_menu(candidates, state);
   by_id("rows-save").addEventListener("click", () =>
     save_rows(candidates, state.get("order"), name),
   );
@@ -182,6 +186,7 @@ function follow_the_address(candidates, table, state) {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
     filter: () => true, // whatever is wrong with it is said below the field
     sort: (words) => is_order(words, candidates),
+    columns: (words) => is_choice(words, candidates),
     across: (name) => metrics_of(candidates).some((metric) => metric.name === name),
   };
   known.up = known.across;
@@ -205,6 +210,7 @@ function main() {
     computed: null, // the draw that was folded last for this page
     filter: "",
     sort: "",
+    columns: "", // all of them
     ...first_axes(candidates),
     sample: 0,
     pilot_deg: null,

@@ -2,15 +2,16 @@
 import { clamp, count, h, with_modifier } from "./format.js";
 import { on_print } from "./paper.js";
 import { csv_text, save_text } from "./save.js";
-import { arranged, columns_of, order_of, shown, width_of } from "./table_columns.js";
+import { arranged, chosen_columns, is_fixed, order_of, shown, width_of, words_of } from "./table_columns.js";
 
 const kRow_px = 28,
   kSpare = 6,
   kPrinted = 50; // rows on paper
 
 /**
- * A grid of the candidates' rows, sorted by state "sort"; state "order" becomes the rows that it
- * shows, state "picked" the draw of the one that is chosen.
+ * A grid of the candidates' rows, sorted by state "sort", with the columns that state "columns"
+ * names; state "order" becomes the rows that it shows, state "picked" the draw of the one that is
+ * chosen.
  */
 class Table {
   #box;
@@ -29,12 +30,8 @@ class Table {
 
   constructor(box, candidates, state) {
     [this.#box, this.#candidates, this.#state] = [box, candidates, state];
-    this.#present = columns_of(candidates);
-    const widths = this.#present.map((column) => width_of(column, candidates));
-    this.#template = widths.map((width) => `minmax(${width}px, ${width}fr)`).join(" ");
     this.#build();
-    const width = widths.reduce((total, part) => total + part, 0);
-    this.#body.style.minWidth = this.#head.style.minWidth = `${width}px`;
+    this.#take_columns();
     this.#listen();
   }
 
@@ -57,13 +54,7 @@ class Table {
   }
 
   #build() {
-    this.#heads = this.#present.map((column) => this.#head_of(column));
-    this.#heads[0].firstChild.tabIndex = 0;
-    this.#head = h(
-      "div",
-      { role: "row", class: "head", style: `grid-template-columns: ${this.#template}` },
-      this.#heads,
-    );
+    this.#head = h("div", { role: "row", class: "head" });
     this.#grid = h(
       "div",
       {
@@ -71,7 +62,6 @@ class Table {
         class: "table",
         tabindex: 0,
         "aria-label": "Candidates. Arrow keys choose a row.",
-        "aria-colcount": this.#present.length,
         "data-testid": "grid",
       },
       h("div", { role: "rowgroup", class: "heads" }, this.#head),
@@ -94,6 +84,28 @@ class Table {
     this.#box.classList.add("table-frame");
   }
 
+  #take_columns() {
+    this.#present = chosen_columns(this.#candidates, this.#state.get("columns"));
+    const widths = this.#present.map((column) => width_of(column, this.#candidates));
+    this.#template = widths.map((width) => `minmax(${width}px, ${width}fr)`).join(" ");
+    this.#heads = this.#present.map((column) => this.#head_of(column));
+    this.#heads[0].firstChild.tabIndex = 0;
+    this.#head.replaceChildren(...this.#heads);
+    this.#head.style.gridTemplateColumns = this.#template;
+    this.#grid.setAttribute("aria-colcount", this.#present.length);
+    const width = widths.reduce((total, part) => total + part, 0);
+    this.#body.style.minWidth = this.#head.style.minWidth = `${width}px`;
+  }
+
+  // To the place of another one; the fixed ones keep theirs.
+  #move(column, place) {
+    const others = this.#present.filter((other) => other !== column),
+      fixed = others.filter(is_fixed).length;
+    if (is_fixed(column)) return;
+    others.splice(Math.max(place, fixed), 0, column);
+    this.#state.set("columns", words_of(this.#candidates, others));
+  }
+
   #head_of(column) {
     const button = h(
       "button",
@@ -107,7 +119,21 @@ class Table {
       h("span", {}, column.label),
       h("small", {}, column.unit),
     );
-    return h("div", { role: "columnheader", "data-testid": `head-${column.name}` }, button);
+    const cell = h("div", { role: "columnheader", "data-testid": `head-${column.name}` }, button);
+    if (is_fixed(column)) return cell;
+    cell.draggable = true;
+    cell.addEventListener("dragstart", (event) => {
+      event.dataTransfer.setData("text/plain", column.name);
+      event.dataTransfer.effectAllowed = "move";
+    });
+    cell.addEventListener("dragover", (event) => event.preventDefault());
+    cell.addEventListener("drop", (event) => {
+      event.preventDefault();
+      const name = event.dataTransfer.getData("text/plain"),
+        moved = this.#present.find((other) => other.name === name);
+      if (moved) this.#move(moved, this.#present.indexOf(column));
+    });
+    return cell;
   }
 
   #listen() {
@@ -123,6 +149,11 @@ class Table {
       this.#draw(true);
     });
     this.#state.on("computed", () => this.#draw(true));
+    this.#state.on("columns", () => {
+      this.#take_columns();
+      this.#arrange();
+      this.#scrolled();
+    });
     this.#state.on("sort", () => {
       this.#grid.scrollTop = 0; // the best are to be seen
       this.#arrange();
@@ -140,12 +171,23 @@ class Table {
     });
   }
 
-  // Arrow keys go from header to header; Tab leaves them.
+  // Arrow keys go from header to header, and with Alt take the column along; Tab leaves them.
   #step_head(event) {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (!step || with_modifier(event)) return;
+    if (!step) return;
     const heads = this.#heads,
       at = heads.findIndex((cell) => cell.contains(document.activeElement));
+    if (event.altKey && at >= 0) {
+      const { name } = this.#present[at];
+      this.#move(this.#present[at], at + step);
+      const moved = this.#head.querySelector(`[data-sort="${name}"]`);
+      for (const cell of this.#heads) cell.firstChild.tabIndex = cell.firstChild === moved ? 0 : -1;
+      moved.focus();
+      event.preventDefault();
+      event.stopPropagation();
+      return;
+    }
+    if (with_modifier(event)) return;
     const next = heads[clamp(at + step, 0, heads.length - 1)].firstChild;
     heads[at].firstChild.tabIndex = -1;
     next.tabIndex = 0;

@@ -26,6 +26,32 @@ export const order_of = (words) => ({
 export const columns_of = (candidates) =>
   columns.filter(({ name }) => name === "rank" || candidates.columns[name]);
 
+/** Those that are always there, first. */
+export const is_fixed = ({ name }) => kOwn.some((own) => own.name === name);
+
+/** "stroke_max,yield" → these columns in this order, after the fixed ones; nothing: all of them. */
+export function chosen_columns(candidates, words) {
+  const all = columns_of(candidates);
+  if (!words) return all;
+  const named = words.split(",").map((name) => all.find((column) => column.name === name));
+  return [...all.filter(is_fixed), ...named.filter((column) => column && !is_fixed(column))];
+}
+
+/** The words for that; nothing where it is all of them in their order. */
+export function words_of(candidates, chosen) {
+  const names = (list) =>
+    list
+      .filter((column) => !is_fixed(column))
+      .map(({ name }) => name)
+      .join(",");
+  const words = names(chosen);
+  return words === names(columns_of(candidates)) ? "" : words;
+}
+
+/** Whether these words name such columns, and at least one. */
+export const is_choice = (words, candidates) =>
+  words.split(",").every((name) => columns_of(candidates).some((column) => column.name === name && !is_fixed(column)));
+
 /** Whether the table of these candidates can be sorted by that. */
 export const is_order = (words, candidates) =>
   columns_of(candidates).some(({ name }) => name === order_of(words).name);

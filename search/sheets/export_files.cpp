@@ -16,6 +16,7 @@
 #include "schema/files/features.hpp"
 #include "schema/files/text_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
+#include "schema/kit/kit_guide.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_text.hpp"
 #include "search/sheets/deploy_input.hpp"
@@ -58,8 +59,8 @@ std::string of_state(double pilot_deg) {
                      rest_deg > 1e-9 ? schema::shown_number(rest_deg).substr(1) : "");
 }
 
-std::string path_of(const ExportOptions& options, const std::string& stem) {
-  const auto path = std::filesystem::path(options.directory) / (stem + ending(options.format));
+std::string path_of_name(const ExportOptions& options, const std::string& name) {
+  const auto path = std::filesystem::path(options.directory) / name;
   std::error_code error;
   if (std::filesystem::equivalent(path, options.read_from, error)) {
     throw schema::UserError(
@@ -68,6 +69,9 @@ std::string path_of(const ExportOptions& options, const std::string& stem) {
                             "name another directory"});
   }
   return path.string();
+}
+std::string path_of(const ExportOptions& options, const std::string& stem) {
+  return path_of_name(options, stem + ending(options.format));
 }
 
 // Flat, then these rows: each one's pilot angle and shape.
@@ -194,7 +198,7 @@ std::vector<solver::Filler> ExportFiles::fillers_of(const solver::Sheet& sheet,
 }
 
 // A crease pattern, or a kit as NAME-kit, with a bed as NAME-kit-1, NAME-kit-2 and so on.
-void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) const {
+void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& label) {
   const auto text_of = [&](const schema::LineDrawing& drawing) {
     if constexpr (has("dxflib")) {
       if (options_.format == ExportFormat::dxf) return schema::dxf_of(drawing);
@@ -210,10 +214,25 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
   if (!kit.warning.empty() && options_.warn) options_.warn(sheet.name() + ": " + kit.warning);
   std::vector<std::string> texts;
   for (const schema::LineDrawing& bed : kit.beds) texts.push_back(text_of(bed));
+  const std::string guide = options_.kit->guide ? guide_of(sheet, label, kit.warning) : "";
   for (std::size_t k = 0; k < texts.size(); ++k) {
     write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
                texts[k]);
   }
+  if (options_.kit->guide) write_named(label.stem + "-kit.html", guide);
+}
+
+std::string ExportFiles::guide_of(const solver::Sheet& sheet, const ExportLabel& label,
+                                  const std::string& warning) {
+  const schema::Design& design = model_.design();
+  const solver::Actuation actuation = actuated(sheet, design);
+  std::optional<solver::Sheet> another;
+  std::optional<solver::ContactStudy> contact;
+  if (actuation.from_row > 0) {
+    contact = contact_of(at_samples(sheet, another), {{}, design.from_deg});
+  }
+  return schema::kit_guide({sheet, *options_.kit, design, actuation, contact ? &*contact : nullptr,
+                            label.title, warning});
 }
 
 void ExportFiles::write_states(const solver::Sheet& sheet, const ExportLabel& label) const {
@@ -255,7 +274,11 @@ void ExportFiles::write_plates(const solver::Sheet& sheet, const ExportLabel& la
 }
 
 void ExportFiles::write_file(const std::string& stem, const std::string& text) const {
-  const std::string path = path_of(options_, stem);
+  write_named(stem + ending(options_.format), text);
+}
+
+void ExportFiles::write_named(const std::string& name, const std::string& text) const {
+  const std::string path = path_of_name(options_, name);
   schema::write_text_file(path, text);
   put(schema::printable(path) + "\n");
 }

@@ -43,7 +43,7 @@ struct ExportOptions {
   /// Whether it says what holds between the angle of use and flat.
   bool knows_angle_of_use() const {
     return format == ExportFormat::json || format == ExportFormat::fold ||
-           format == ExportFormat::stl || is_simulated();
+           format == ExportFormat::stl || is_simulated() || (kit && kit->guide);
   }
   /// What the sheets' history has to have between the samples; 0: nothing.
   double look_deg() const { return in_states() ? step_deg : 0; }
@@ -75,10 +75,13 @@ class ExportFiles {
   std::vector<solver::Filler> fillers_of(const solver::Sheet& sheet,
                                          const std::vector<Eigen::Index>& rows) const;
   std::string simulated(const solver::Sheet& sheet, const ExportLabel& label) const;
-  void write_drawings(const solver::Sheet& sheet, const ExportLabel& label) const;
+  void write_drawings(const solver::Sheet& sheet, const ExportLabel& label);
+  std::string guide_of(const solver::Sheet& sheet, const ExportLabel& label,
+                       const std::string& warning);
   void write_states(const solver::Sheet& sheet, const ExportLabel& label) const;
   void write_plates(const solver::Sheet& sheet, const ExportLabel& label);
   void write_file(const std::string& stem, const std::string& text) const;
+  void write_named(const std::string& name, const std::string& text) const;
   const solver::Sheet& at_samples(const solver::Sheet& sheet,
                                   std::optional<solver::Sheet>& another);
 

@@ -146,7 +146,8 @@ void refuse_idle_options(const ExportOptions& files, const KitCall& kit, const C
   for (const char* option : {"--rest-deg", "--density"}) {
     only_with(option, files.is_simulated(), "--format mjcf or inp");
   }
-  only_with("--from", files.knows_angle_of_use(), "--format json, fold, stl, mjcf or inp");
+  only_with("--from", files.knows_angle_of_use() || kit.options.guide,
+            "--format json, fold, stl, mjcf or inp, or --kit --guide");
   only_with("--thickness", files.is_simulated() || files.format == ExportFormat::stl,
             "--format stl, mjcf or inp");
   only_with("--trim", files.format == ExportFormat::stl, "--format stl");
@@ -225,7 +226,9 @@ constexpr const char* kExportFooter =
     "  across has a tab, a disc with the bore in its middle, which its neighbours are cut clear\n"
     "  of; at a ball joint the spring hangs in the joint's wire. --spring-at panel: in bores\n"
     "  inside panels near the vertices, which turn with them. A kit whose springs contradict the\n"
-    "  verdict says so first; tables have the lengths of all from flat to D.\n\n"
+    "  verdict says so first; tables have the lengths of all from flat to D. --guide adds\n"
+    "  NAME-kit.html: what the kit takes, each spring with its force at --from and which are\n"
+    "  enough, how thick plates may be, and how it goes together, with pictures.\n\n"
     "Examples:\n  misalign export results/miura-6x6-1a2b3c4d.db --best 3 --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --draw 1234 --format svg --output out\n"
     "  misalign export results/miura-6x6-1a2b3c4d.db --diverse 5 \\\n"

@@ -29,6 +29,9 @@ void add_kit(CLI::App& verb, KitCall& call) {
     verb.add_option(name, value, meaning)->check(within(least, kMost_mm))->type_name("MM");
   };
   verb.add_flag("--kit", call.wanted, "svg and dxf: numbered parts to cut, see above");
+  verb.add_flag("--guide", kit.guide,
+                "with --kit: also NAME-kit.html, what it takes and how it goes together, with "
+                "pictures");
   Names<schema::CreaseCut> creases;
   for (const schema::CreaseCutName& one : schema::kCreaseCuts) {
     creases.emplace_back(one.name, one.cut);

@@ -229,7 +229,72 @@ async function filter_word_checks(page, data) {
   });
 }
 
+const heads = (page) =>
+  by(page, "grid")
+    .locator("[data-sort]")
+    .evaluateAll((nodes) => nodes.map((node) => node.dataset.sort));
+
+/** Columns that are left out, and moved by dragging and by keys; the address keeps the choice. */
+async function column_check(page) {
+  await unfiltered(page, "columns are chosen and moved, and the address keeps it", async () => {
+    const all = await heads(page),
+      [first, second, third] = all.slice(2);
+    assert.deepEqual(all.slice(0, 2), ["rank", "draw"]);
+    await page.getByText("Choose columns").click();
+    await by(page, `show-${second}`).uncheck();
+    assert.deepEqual(await heads(page), all.filter((name) => name !== second));
+    assert.equal(await by(page, "grid").getAttribute("aria-colcount"), String(all.length - 1));
+    const cells = await by(page, "grid").locator(".line").first().locator("> *").count();
+    assert.equal(cells, all.length - 1);
+    await by(page, `show-${second}`).check(); // comes back last
+    assert.equal((await heads(page)).at(-1), second);
+    await by(page, `head-${second}`).dragTo(by(page, `head-${first}`));
+    assert.deepEqual((await heads(page)).slice(2, 4), [second, first]);
+    await by(page, `head-${second}`).locator("button").focus();
+    await page.keyboard.press("Alt+ArrowRight");
+    assert.deepEqual(await heads(page), all);
+    await page.keyboard.press("Alt+ArrowRight");
+    assert.deepEqual((await heads(page)).slice(2, 5), [first, third, second]);
+    const is_kept = ([a, b, c]) => new URLSearchParams(location.hash.slice(1)).get("columns")?.startsWith(`${a},${b},${c}`);
+    await page.waitForFunction(is_kept, [first, third, second]);
+    const focused = await page.evaluate(() => document.activeElement.dataset.sort);
+    assert.equal(focused, second, "the moved heading keeps the focus");
+    await by(page, "all-columns").click();
+    assert.deepEqual(await heads(page), all);
+    await page.getByText("Choose columns").click();
+    return `${all.length} columns`;
+  });
+}
+
+/** The sliders write conditions, and what is typed moves them. */
+async function limit_check(page, { candidates: { columns } }) {
+  await unfiltered(page, "a slider leaves the candidates that suffice", async () => {
+    const said = [];
+    for (const name of ["deploys_from_deg", "critical_friction_n_mm_per_mm"]) {
+      const slider = by(page, `limit-${name}`),
+        values = columns[name]?.filter((value) => value !== null) ?? [];
+      assert.equal(await slider.count(), new Set(values).size > 1 ? 1 : 0, name);
+      if (new Set(values).size <= 1) continue;
+      await slider.fill("100");
+      const typed = await by(page, "filter").inputValue(),
+        least = Number(typed.split(" >= ")[1]);
+      assert.ok(typed.startsWith(`${name} >= `), typed);
+      assert.equal((await state(page)).filtered, values.filter((value) => value >= least).length, typed);
+      await by(page, "filter").fill(`stroke_max < 5 % ${name} >= ${Math.max(...values)}`);
+      assert.equal(await slider.inputValue(), "200");
+      await slider.fill("0");
+      assert.equal(await by(page, "filter").inputValue(), "stroke_max < 5 %");
+      await by(page, "filter").fill("");
+      said.push(name);
+    }
+    return said.join(", ");
+  });
+}
+
 export async function table_checks(page, data) {
+  await column_check(page);
+  await limit_check(page, data);
+
   await document_check(page, data);
   await filter_check(page, data);
   await energy_check(page, data);

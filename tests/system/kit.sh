@@ -120,6 +120,33 @@ done
 echo "$sheet --plain plain/table1.dxf plain/table1.svg" >> checks
 "$python" -B "$source_dir/tests/system/kit_check.py" < checks || fail "kits"
 
+# The page to build it by: forces are those of `actuators`, hinges as long as the FOLD file's creases.
+"$program" export "$patterns/table1.json" --format svg --kit --guide --from 120 --output guide > names || fail "--guide"
+[ "$(tail -1 names)" = guide/table1-kit.html ] || fail "--guide writes $(cat names)"
+"$program" actuators "$patterns/table1.json" --from 120 --json > actuators.json || fail "actuators"
+"$python" -B - guide/table1-kit.html actuators.json sheets/table1.fold << 'END' || fail "the page"
+import html, json, math, re, sys
+page, actuators, sheet = (open(name, encoding="utf8").read() for name in sys.argv[1:])
+actuators, sheet = json.loads(actuators), json.loads(sheet)
+rows = [[html.unescape(cell) for cell in re.findall(r"<td[^>]*>(.*?)</td>", line)] for line in page.split("<tr>")]
+springs = {row[0]: row for row in rows if row and re.fullmatch(r"s\d+", row[0])}
+assert len(springs) == len(actuators["forces"]) == 16, len(springs)
+for force in actuators["forces"]:
+    name, ends, does, enough, free, folded, stroke, printed = springs[f"s{force['diagonal']}"]
+    assert ends == f"{force['from']}-{force['to']}", ends
+    assert does == ("pulls" if force["force_n"] > 0 else "pushes"), name
+    assert math.isclose(float(printed), abs(force["force_n"]), rel_tol=6e-3), (printed, force)
+    assert abs(50 * abs(float(folded) - float(free)) - float(printed)) < 0.5 + 6e-3 * float(printed), name
+    assert (enough == "yes") == (ends in actuators["few"]["diagonals"]), name
+coordinates = sheet["vertices_coords"]
+for kind, letter in (("mountain", "M"), ("valley", "V")):
+    length = sum(math.dist(coordinates[a], coordinates[b])
+                 for (a, b), k in zip(sheet["edges_vertices"], sheet["edges_assignment"]) if k == letter)
+    said = [row for row in rows if row and row[0].startswith(f"hinges, {kind}")]
+    assert len(said) == 1 and abs(float(said[0][2].split()[0]) - length) <= 0.5, (said, length)
+assert page.count("<svg") == 5 and "pilot" in page.lower()
+END
+
 # One sentence, exit code 2, and no file, for what cannot be cut.
 while IFS='|' read -r words meant; do
   # shellcheck disable=SC2086
@@ -146,6 +173,8 @@ done << 'END'
 --format dxf --kit --bed 130x130|does not fit, turned neither
 --format dxf --kit --bed 120x500|too small for the title and a gauge
 --format dxf --kit --bed 600|is no width and height in mm
+--format dxf --guide|--guide has no meaning without --kit
+--format dxf --kit --guide --from 175|lies beyond D
 --format dxf --kit --crease fold|'fold' is none of cut, score, dash
 END
 [ -e refused ] && [ -n "$(ls refused)" ] && fail "a refused kit leaves files: $(ls refused)"

@@ -1,0 +1,32 @@
+// Which columns the table has: a box for each of them. State "columns" is the choice.
+import { by_id, h } from "./format.js";
+import { chosen_columns, columns_of, is_fixed, words_of } from "./table_columns.js";
+
+export function make_columns_menu(candidates, state) {
+  const all = columns_of(candidates).filter((column) => !is_fixed(column));
+  const is_shown = (column) => chosen_columns(candidates, state.get("columns")).includes(column);
+  const toggle = (column, wanted) => {
+    const now = chosen_columns(candidates, state.get("columns"));
+    const next = wanted ? [...now, column] : now.filter((other) => other !== column);
+    state.set("columns", words_of(candidates, next));
+  };
+  const boxes = all.map((column) => {
+    const box = h("input", { type: "checkbox", "data-testid": `show-${column.name}` });
+    box.addEventListener("change", () => toggle(column, box.checked));
+    return box;
+  });
+  const show = () => {
+    const count = all.filter(is_shown).length;
+    for (const [k, column] of all.entries()) {
+      boxes[k].checked = is_shown(column);
+      boxes[k].disabled = boxes[k].checked && count === 1; // one is needed
+    }
+  };
+  by_id("columns-menu").append(
+    h("p", {}, "Drag a heading to move its column, or press Alt and an arrow key on it. The page’s address keeps the choice. ",
+      h("button", { type: "button", "data-testid": "all-columns", onclick: () => state.set("columns", "") }, "All columns")),
+    h("div", { class: "boxes" }, all.map((column, k) => h("label", { title: column.about }, boxes[k], ` ${column.label}`))),
+  );
+  state.on("columns", show);
+  show();
+}

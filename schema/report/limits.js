@@ -1,0 +1,54 @@
+// Sliders that say which candidates suffice: my angle, my friction. Each writes its condition into the filter.
+import { by_id, h, number } from "./format.js";
+import { metric_of, with_unit } from "./metrics.js";
+
+const kLimits = [
+  { name: "deploys_from_deg", says: "My angle" },
+  { name: "critical_friction_n_mm_per_mm", says: "My friction" },
+];
+const kSteps = 200;
+
+/** The filter with this condition in place of the one on that column; without a value none. */
+export function with_limit(filter, name, value) {
+  const condition = new RegExp(`(^|\\s)${name} >= [^\\s]+`, "g");
+  const rest = filter.replace(condition, " ").replace(/\s+/g, " ").trim();
+  return value === null ? rest : `${rest} ${name} >= ${value}`.trim();
+}
+
+/** The value of that condition; null: there is none. */
+export function limit_in(filter, name) {
+  const found = new RegExp(`(?:^|\\s)${name} >= ([^\\s]+)`).exec(filter);
+  return found && Number.isFinite(Number(found[1])) ? Number(found[1]) : null;
+}
+
+function slider({ name, says }, values, state) {
+  const known = values.filter((value) => value !== null);
+  const [least, most] = [Math.min(...known), Math.max(...known)],
+    step = (most - least) / kSteps;
+  const out = h("output", {});
+  const input = h("input", {
+    type: "range", min: 0, max: kSteps, step: 1, value: 0, "data-testid": `limit-${name}`,
+    "aria-label": `${says}: ${metric_of[name].label} at least`,
+  });
+  const value_of = (place) => (place === 0 ? null : Number((least + place * step).toPrecision(3)));
+  input.addEventListener("input", () => {
+    state.set("filter", with_limit(state.get("filter"), name, value_of(Number(input.value))));
+  });
+  const show = (filter) => {
+    const value = limit_in(filter, name);
+    input.value = value === null ? 0 : Math.round((value - least) / step);
+    out.textContent = value === null ? "any" : with_unit({ ...metric_of[name], text: (v) => number(v) }, value);
+  };
+  state.on("filter", show);
+  show(state.get("filter"));
+  return h("label", { title: metric_of[name].about }, `${says} `, input, " ", out);
+}
+
+/** Of those columns that the candidates have, and in which they differ. */
+export function make_limits(candidates, state) {
+  for (const limit of kLimits) {
+    const values = candidates.columns[limit.name],
+      known = values?.filter((value) => value !== null) ?? [];
+    if (new Set(known).size > 1) by_id("limits").append(slider(limit, values, state));
+  }
+}
