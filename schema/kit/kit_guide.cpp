@@ -74,32 +74,25 @@ class Guide {
     return found;
   }
 
-  double area_mm2() const {
-    double area = 0;
-    for (const auto& corners : sheet_.panels().corners) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        const Vector2d a = sheet_.point_mm(corners[k]), b = sheet_.point_mm(corners[(k + 1) % 4]);
-        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
-      }
-    }
-    return area;
-  }
-
   std::string bill() const {
     const char* made = input_.options.crease == CreaseCut::cut     ? "tape or textile"
                        : input_.options.crease == CreaseCut::score ? "scored"
                                                                    : "perforated";
-    const double area = area_mm2();
+    const solver::Plates plates = input_.design.plates();
+    double mass_t = 0;
+    for (const solver::PanelMass& panel :
+         solver::panel_masses(plates, sheet_.panels().corners, sheet_.vertices_mm())) {
+      mass_t += panel.mass_t;
+    }
     std::string text =
         "<h2>What it takes</h2>\n<table>\n" + row({"what", "how many", "how much"}, 1, "th");
     text += row({"panels", std::to_string(sheet_.panels().facets.size()),
-                 fmt::format("{:.0f} cm² of sheet", area / 100)},
+                 fmt::format("{:.0f} cm² of sheet", mass_t / plates.area_density() / 100)},
                 1);
     if (input_.design.thickness_mm) {
-      const solver::Plates plates = input_.design.plates();
       text += row({fmt::format("  {:g} mm thick, {:g} g/cm³", plates.thickness_mm,
                                plates.density_g_per_cm3),
-                   "", fmt::format("{:.1f} g", area * plates.area_density() * 1e6)},
+                   "", fmt::format("{:.1f} g", 1e6 * mass_t)},
                   1);
     }
     for (const bool valley : {false, true}) {
