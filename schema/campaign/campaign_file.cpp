@@ -55,7 +55,7 @@ void read_path_and_threshold(ObjectReader& path, ObjectReader& accept, double ba
   if (closes_at_180(campaign)) campaign.end_deg = 180 - campaign.sample_deg;
   path.number("end_deg", campaign.end_deg, 0.01, 180, "try 180");
   accept.number("deploys_from_deg", campaign.threshold_deg, 0.01, 180, "try 150");
-  read_between_samples(accept, campaign.between_samples);
+  read_between_samples(accept, campaign.pattern, campaign.between_samples);
   read_required_stop(accept, campaign.required_stop);
   const bool numbers_good = faults.count() == before;
   path.refuse_unknown_keys();
@@ -185,6 +185,10 @@ Campaign read_campaign(const Json& value, const std::string& source,
                : is_in_closed_form ? "a search among sheets with so few holes"
                                    : nullptr,
                campaign.certify);
+  if (campaign.certify && !campaign.pattern.base.springs.at_vertices()) {
+    faults.add(reader.shown("certify"), "proofs are of springs on the vertices",
+               "write false, or take \"springs\" out of the pattern");
+  }
   reader.refuse_unknown_keys();
   faults.refuse(source);
   return campaign;

@@ -30,7 +30,7 @@ bool same_diagonals(const Json& stored, const Json& recomputed) {
 void check_diagonals(SQLite::Database& database, const Campaign& campaign,
                      std::vector<Finding>& findings) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
-  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const solver::Mechanism mechanism = solver::build_mechanism(base);
   const Json recomputed = diagonals_json(campaign, mechanism);
   SQLite::Statement row(database, "SELECT diagonals FROM campaign");
   if (!row.executeStep()) return;  // which was found before

@@ -55,7 +55,7 @@ bool take_over(CertificateRecord row, SQLite::Database& into, const Campaign& ca
 
 CheckedCertificates check_certificates(SQLite::Database& database, const Campaign& campaign) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
-  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const solver::Mechanism mechanism = solver::build_mechanism(base);
   CheckedCertificates checked;
   each_certificate(database, [&](const CertificateRecord& row) {
     ++checked.count;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/kinematics/folded_springs.hpp"
 #include "solver/pattern/outline.hpp"
 
 namespace misalign::schema {
@@ -20,11 +21,10 @@ class Sheet {
     return path;
   }
   DrawnText label(int v) const { return {vertices_mm_.col(v), solver::vertex_label(v), kLabel_mm}; }
-  // A number for a diagonal, off the crossing with the hole's other one.
-  DrawnText number_of(const solver::Diagonal& diagonal, std::size_t number) const {
+  // A number for a spring, off the crossing with the hole's other one.
+  static DrawnText number_of(const DrawnPath& spring, std::size_t number) {
     constexpr double kAlong = 0.3;
-    const Eigen::Vector2d from = vertices_mm_.col(diagonal.from),
-                          to = vertices_mm_.col(diagonal.to);
+    const Eigen::Vector2d &from = spring.points_mm[0], &to = spring.points_mm[1];
     return {from + kAlong * (to - from), std::to_string(number), kLabel_mm};
   }
 
@@ -47,10 +47,12 @@ LineDrawing crease_pattern_drawing(const Pattern& base, const Eigen::Matrix2Xd& 
     (mechanism.is_valley(crease) ? valleys : mountains)
         .paths.push_back(sheet.path({crease.a, crease.b}, false));
   }
+  Eigen::Matrix3Xd flat_mm = Eigen::Matrix3Xd::Zero(3, vertices_mm.cols());
+  flat_mm.topRows<2>() = vertices_mm;
   for (std::size_t d = 0; d < mechanism.diagonals.size(); ++d) {
-    springs.paths.push_back(
-        sheet.path({mechanism.diagonals[d].from, mechanism.diagonals[d].to}, false));
-    labels.texts.push_back(sheet.number_of(mechanism.diagonals[d], d));
+    const solver::FoldedSpring spring(mechanism, mechanism.diagonals[d], flat_mm);
+    springs.paths.push_back({{spring.from_mm.head<2>(), spring.to_mm.head<2>()}, false});
+    labels.texts.push_back(Sheet::number_of(springs.paths.back(), d));
   }
   for (int v = 0; v < vertices_mm.cols(); ++v) labels.texts.push_back(sheet.label(v));
   const Eigen::Vector2d margin_mm(kMargin_mm, kMargin_mm);

@@ -10,7 +10,8 @@
 
 namespace misalign::schema {
 
-/// Lengths in mm, masses in t, times in s, and so forces in N: nothing needs a factor.
+/// Its springs end on the vertices. Lengths in mm, masses in t, times in s, and so forces in N:
+/// nothing needs a factor.
 struct SimulatedSheet {
   std::string title;
   solver::Mechanism mechanism;

@@ -82,6 +82,13 @@ class FittingsMaker {
 
   void add_end(const SpringPlace& place, int vertex, int spring) {
     const double diameter_mm = scale_ * *options_.spring_bore_mm;
+    if (const solver::SpringEnds& springs = sheet_.base().springs; !springs.at_vertices()) {
+      const PanelCorner corner(sheet_, place.facet, vertex);
+      const Vector2d at_mm = corner.at_mm + springs.inset_mm * corner.bisector;
+      made_.bores.push_back({place.facet, vertex, spring, at_mm, diameter_mm});
+      made_.ends.push_back({place.facet, vertex, spring, at_mm, 0.5 * diameter_mm});
+      return;
+    }
     if (options_.spring_at == SpringAt::panel) {
       add_bore(place.facet, vertex, spring, diameter_mm);
       made_.ends.push_back(
@@ -214,7 +221,13 @@ const SpringTab* KitFittings::tab_at(int vertex) const {
 KitFittings kit_fittings(const solver::Sheet& sheet, const KitOptions& options) {
   refuse_within_kerf("joint_bore_mm", options.joint_bore_mm, options.kerf_mm);
   refuse_within_kerf("spring_bore_mm", options.spring_bore_mm, options.kerf_mm);
-  if (options.spring_bore_mm && options.spring_at == SpringAt::vertex &&
+  const bool at_vertices = sheet.base().springs.at_vertices();
+  if (options.spring_at && !at_vertices) {
+    throw UserError(
+        OptionFault{"spring_at", *options.spring_at == SpringAt::panel ? "panel" : "vertex",
+                    "the pattern says where its springs end (\"springs.attach\")", "leave it out"});
+  }
+  if (options.spring_bore_mm && at_vertices && options.spring_at != SpringAt::panel &&
       options.bore_edge_mm == 0) {
     throw UserError(
         OptionFault{"bore_edge_mm", "0",

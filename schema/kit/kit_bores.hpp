@@ -15,6 +15,8 @@
 // diagonal's own line or nearly; at a ball joint in the panel next to its hole, counter-clockwise
 // round the vertex, so that the other hole's spring has the other panel. It lies behind the joint's
 // bore. Such a panel turns as the sheet folds, and with it the bore: see kit_springs.hpp.
+//
+// A pattern whose springs end beside the vertices (solver::SpringEnds) has its bores there.
 #pragma once
 
 #include <vector>

@@ -8,7 +8,7 @@
 
 namespace misalign::schema {
 
-/// Where the springs of a kit end.
+/// Where the springs of a kit end, unless the pattern says it itself (solver::SpringEnds).
 enum class SpringAt {
   vertex,  ///< on the vertices of their diagonals: in tabs, and in ball joints
   panel,   ///< in bores inside panels near these vertices
@@ -19,7 +19,7 @@ struct KitOptions {
   double kerf_mm = 0;                                   ///< what the beam or the mill takes away
   double dash_mm = 4, bridge_mm = 1;                    ///< of a perforation, as they come out
   std::optional<double> joint_bore_mm, spring_bore_mm;  ///< diameters
-  SpringAt spring_at = SpringAt::vertex;
+  std::optional<SpringAt> spring_at;                    ///< on vertices where nobody says it
   double bore_edge_mm = 2;  ///< what is left between a bore and an edge, or another bore
   double gap_mm = 5;        ///< between parts
   double margin_mm = 5;     ///< round all of them

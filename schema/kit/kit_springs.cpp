@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A point of a panel where a shape has that panel: by its two edges at one vertex.
+// A point of a panel where a shape has that panel, by its two edges at one vertex; as far off it as
+// its pattern says.
 Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
                       const Eigen::Matrix3Xd& shape) {
   const auto& v = sheet.base().sheet.facets[static_cast<std::size_t>(end.facet)];
@@ -22,8 +24,10 @@ Vector3d folded_point(const solver::Sheet& sheet, const SpringEnd& end,
   Eigen::Matrix2d edges;
   edges << sheet.point_mm(next) - at_mm, sheet.point_mm(before) - at_mm;
   const Vector2d share = edges.inverse() * (end.at_mm - at_mm);
-  const Vector3d folded = shape.col(end.vertex);
-  return folded + share.x() * (shape.col(next) - folded) + share.y() * (shape.col(before) - folded);
+  const Vector3d folded = shape.col(end.vertex), after = shape.col(next) - folded,
+                 along = shape.col(before) - folded;
+  return folded + share.x() * after + share.y() * along +
+         sheet.base().springs.offset_mm * after.cross(along).normalized();
 }
 
 LengthTrend trend_of(const std::vector<double>& length_mm, double band_mm) {
@@ -66,17 +70,13 @@ std::vector<KitSpring> kit_springs(const solver::Sheet& sheet, const KitFittings
   std::vector<KitSpring> springs;
   for (std::size_t e = 0; e < fittings.ends.size(); e += 2) {
     const SpringEnd &from = fittings.ends[e], &to = fittings.ends[e + 1];
-    KitSpring spring{from,
-                     to,
-                     {(from.at_mm - to.at_mm).norm()},
-                     {(sheet.point_mm(from.vertex) - sheet.point_mm(to.vertex)).norm()},
-                     {},
-                     {}};
+    KitSpring spring{from, to, {(from.at_mm - to.at_mm).norm()}, {sheet.history().flat_mm[e / 2]},
+                     {},   {}};
     for (std::size_t row = 0; row < rows; ++row) {
       const Eigen::Matrix3Xd& shape = sheet.shapes_mm()[row];
       spring.length_mm.push_back(
           (folded_point(sheet, from, shape) - folded_point(sheet, to, shape)).norm());
-      spring.diagonal_mm.push_back((shape.col(from.vertex) - shape.col(to.vertex)).norm());
+      spring.diagonal_mm.push_back(sheet.history().length_mm(row, e / 2));
     }
     spring.trend = trend_of(spring.length_mm, band_mm);
     spring.diagonal_trend = trend_of(spring.diagonal_mm, band_mm);

@@ -10,6 +10,7 @@
 #include "schema/pattern/folding_fault.hpp"
 #include "schema/pattern/mesh_family.hpp"
 #include "schema/pattern/perforation_check.hpp"
+#include "schema/pattern/spring_ends_json.hpp"
 
 namespace misalign::schema {
 namespace {
@@ -169,6 +170,7 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
       pattern.family["mesh"] = fold_json(pattern.base.sheet, assignment);
     }
   }
+  if (good()) read_spring_ends(reader, pattern);
   if (good() && displacements == Displacements::allowed) read_displacements(reader, pattern);
   if (good() && perforations != Perforations::any) {
     check_perforation(reader.name("holes"), pattern, perforations, faults);
@@ -178,7 +180,7 @@ Pattern read_pattern(const Json& value, const std::string& where, Displacements 
                "take it out, or give the pattern to `misalign fold`");
   }
   // Not judged on a sheet that is refused, but known.
-  for (const char* key : {"holes", "pilot", "displacements_mm"}) {
+  for (const char* key : {"holes", "pilot", "springs", "displacements_mm"}) {
     if (!good()) reader.find(key);
   }
   reader.refuse_unknown_keys();
@@ -213,13 +215,13 @@ PatternFile read_sampled_pattern(const Json& document, const std::string& source
   if (has("vertices_coords") && has(kCarriedPattern)) {
     read.pattern = read_carried_pattern(document, faults, perforations);
     read.exported = document.value("misalign:data", Json::object());
-    read.sampling = read_sampling(read.exported, faults);
+    read.sampling = read_sampling(read.exported, read.pattern, faults);
     read_its_design(read.exported);
   } else if (has("pattern")) {
     read.pattern = read_pattern(document["pattern"], "pattern", Displacements::allowed, {}, faults,
                                 perforations);
     read.exported = document;
-    read.sampling = read_sampling(document, faults);
+    read.sampling = read_sampling(document, read.pattern, faults);
     read_its_design(document);
   } else {
     const bool is_mesh = has("vertices_coords");
@@ -261,6 +263,7 @@ Json pattern_json(const Pattern& base, const Eigen::Matrix2Xd& shifts_mm) {
   if (pilot != solver::default_pilot(sheet, base.base.holes)) {
     json["pilot"] = solver::line_label(sheet.edges[pilot].a, sheet.edges[pilot].b);
   }
+  if (!base.base.springs.at_vertices()) json["springs"] = spring_ends_json(base.base.springs);
   const Json displacements = displacements_json(shifts_mm);
   if (!displacements.empty()) json["displacements_mm"] = displacements;
   return json;

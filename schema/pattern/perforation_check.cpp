@@ -35,7 +35,7 @@ void check_member(const std::string& where, const std::string& constraints, cons
 }  // namespace
 
 bool has_spare_equations(const solver::PerforatedSheet& base) {
-  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const solver::Mechanism mechanism = solver::build_mechanism(base);
   return mechanism.equations >= mechanism.unknowns;
 }
 

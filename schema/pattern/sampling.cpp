@@ -2,10 +2,15 @@
 
 namespace misalign::schema {
 
-void read_between_samples(ObjectReader& reader, solver::BumpRule& rule) {
+void read_between_samples(ObjectReader& reader, const Pattern& pattern, solver::BumpRule& rule) {
   const Json* value = reader.find("between_samples");
   if (!value) return;
-  if (*value == "exact") {
+  if (*value == "exact" && !pattern.base.springs.in_mid_plane()) {
+    reader.faults().add(reader.shown("between_samples"),
+                        "lengths of springs off the mid-plane are not even in the pilot's angle, "
+                        "which is counted on next to flat",
+                        "write true, which looks by cubics");
+  } else if (*value == "exact") {
     rule = solver::BumpRule::exact;
   } else if (value->is_boolean()) {
     rule = value->get<bool>() ? solver::BumpRule::by_cubic : solver::BumpRule::ignored;
@@ -26,14 +31,14 @@ Json sampling_json(const Sampling& sampling) {
           {"between_samples", between_samples_json(sampling.between_samples)}};
 }
 
-Sampling read_sampling(const Json& candidate, InputFaults& faults) {
+Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFaults& faults) {
   Sampling sampling;
   const auto value = candidate.find("sampling");
   if (!candidate.is_object() || value == candidate.end()) return sampling;
   ObjectReader reader(*value, "sampling", faults);
   reader.number("sample_deg", sampling.sample_deg, 0.01, 60, "try 1");
   reader.number("end_deg", sampling.end_deg, 0.01, 180, "try 180");
-  read_between_samples(reader, sampling.between_samples);
+  read_between_samples(reader, pattern, sampling.between_samples);
   reader.refuse_unknown_keys();
   return sampling;
 }

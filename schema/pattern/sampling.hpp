@@ -7,10 +7,11 @@ namespace misalign::schema {
 
 Json sampling_json(const Sampling& sampling);
 /// "sampling" of an exported candidate; the default where it is absent.
-Sampling read_sampling(const Json& candidate, InputFaults& faults);
+Sampling read_sampling(const Json& candidate, const Pattern& pattern, InputFaults& faults);
 
-/// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact".
-void read_between_samples(ObjectReader& reader, solver::BumpRule& rule);
+/// "between_samples" of a campaign or an exported candidate: false, true (by cubics) or "exact",
+/// but that not of springs off the mid-plane.
+void read_between_samples(ObjectReader& reader, const Pattern& pattern, solver::BumpRule& rule);
 Json between_samples_json(solver::BumpRule rule);
 
 }  // namespace misalign::schema

@@ -8,6 +8,7 @@
 #include "schema/files/features.hpp"
 #include "schema/pattern/pattern_file.hpp"
 #include "search/draws/models.hpp"
+#include "solver/kinematics/folded_springs.hpp"
 #include "solver/pattern/half_angle.hpp"
 
 namespace misalign::search {
@@ -52,7 +53,7 @@ void FoldedCheck::check_shapes(const std::string& where, const solver::Sheet& sh
     shape_check.see(folded_mm, corners_mm, claimed_deg);
     for (int d = 0; d < mechanism().diagonal_count(); ++d) {
       const solver::Diagonal& diagonal = mechanism().diagonals[d];
-      const double length_mm = (folded_mm.col(diagonal.from) - folded_mm.col(diagonal.to)).norm();
+      const double length_mm = solver::FoldedSpring(mechanism(), diagonal, folded_mm).length_mm();
       report.diagonal_mm =
           std::max(report.diagonal_mm, std::abs(length_mm - history.length_mm(k, d)));
     }

@@ -118,7 +118,7 @@ std::shared_ptr<PatternSource> source_of_text(const std::string& text) {
   schema::Sampling sampling;
   reader.number("sample_deg", sampling.sample_deg, 0, 180, "pickle it again");
   reader.number("end_deg", sampling.end_deg, 0, 180, "pickle it again");
-  schema::read_between_samples(reader, sampling.between_samples);
+  schema::read_between_samples(reader, pattern, sampling.between_samples);
   const schema::Design design = schema::read_design(json.at("design"), "design", faults);
   faults.refuse("a pickled pattern");
   const Eigen::Matrix2Xd shifts_mm = pattern.shifts_mm;

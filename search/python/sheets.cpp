@@ -45,8 +45,7 @@ py::dict campaign_of(const schema::Campaign& campaign) {
 py::dict describe(const PatternSource& source) {
   using namespace py::literals;
   const schema::Pattern& base = source.sheet.base;
-  const solver::Mechanism mechanism =
-      solver::build_mechanism(base.base.sheet, base.base.holes, base.base.folding);
+  const solver::Mechanism mechanism = solver::build_mechanism(base.base);
   Lines creases, diagonals;
   std::vector<bool> valley;
   for (const solver::Crease& crease : mechanism.creases) {

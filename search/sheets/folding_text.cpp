@@ -34,6 +34,10 @@ std::string summary(const schema::FoldingView& view, const Paint& paint) {
     text += fmt::format("\nbump between samples from {:.4f} deg, {}", between.bump_deg,
                         solver::line_label(diagonal.from, diagonal.to));
   }
+  if (const solver::SpringEnds& springs = view.mechanism.springs; !springs.at_vertices()) {
+    text += fmt::format("\nsprings end {:g} mm inside the panels, {:g} mm off their mid-plane",
+                        springs.inset_mm, springs.offset_mm);
+  }
   const bool limit = view.history.path.end == solver::PathEnd::fold_limit;
   return fmt::format("{}\n{} {:.4f} deg; {} unknowns, {} equations\n", text,
                      limit ? "fold limit" : "followed to", view.history.path.fold_limit_deg,

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "schema/files/user_error.hpp"
+#include "search/sheets/springs_at_vertices.hpp"
 #include "solver/design/deploy.hpp"
 
 namespace misalign::search {
@@ -90,6 +91,7 @@ Eigen::Matrix3Xd flat_shape(const solver::FlatVertices& vertices_mm) {
 
 schema::SimulatedSheet release(const FoldingModel& model, const solver::Sheet& sheet,
                                const ReleaseOptions& options, const std::string& title) {
+  need_springs_at_vertices(sheet.base().springs, "what other programs simulate");
   const double from_deg = start_deg(sheet, options);
   const StateAt start(model, sheet, "from_deg", from_deg);
   std::vector<std::array<int, 2>> places;

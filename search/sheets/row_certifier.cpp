@@ -1,6 +1,7 @@
 #include "search/sheets/row_certifier.hpp"
 
 #include "schema/files/features.hpp"
+#include "search/sheets/springs_at_vertices.hpp"
 #include "search/terminal/stopwatch.hpp"
 #include "solver/certificate/certificate_check.hpp"
 
@@ -9,6 +10,7 @@ namespace misalign::search {
 namespace {
 
 const solver::Model& with_loops_to_close(const solver::Model& model) {
+  need_springs_at_vertices(model.base().springs, "certify: proofs");
   if (!model.has_spare_equations()) return model;
   throw schema::UserError(schema::Cause::bad_request,
                           "certify: sheets with so few holes are proven in closed form alone, "

@@ -23,8 +23,7 @@ void climb_alone(Climb& climb, Climber& climber) {
 }  // namespace
 
 Climber::Climber(const schema::Campaign& campaign, solver::InstructionSet set)
-    : mechanism_(solver::build_mechanism(campaign.pattern.base.sheet, campaign.pattern.base.holes,
-                                         campaign.pattern.base.folding)),
+    : mechanism_(solver::build_mechanism(campaign.pattern.base)),
       moves_(campaign),
       sweeps_(campaign.splitting->sweeps),
       scorers_(campaign, set) {}

@@ -7,6 +7,7 @@
 #include "search/draws/models.hpp"
 #include "search/sheets/campaign_sheet.hpp"
 #include "search/sheets/certify_text.hpp"
+#include "search/sheets/springs_at_vertices.hpp"
 #include "search/sheets/study_functions.hpp"
 #include "search/terminal/long_work.hpp"
 #include "search/terminal/shell_word.hpp"
@@ -28,6 +29,7 @@ struct Proven {
 };
 
 Proven prove(const CertifyCall& call, const ChosenSheet& chosen, const solver::Model& model) {
+  need_springs_at_vertices(model.base().springs, "certify: proofs");
   const std::string& path = call.options.path;
   const std::string where = chosen.drawn ? path + ": " + chosen.key().name() : path;
   const double off_mm = solver::parallel_misfit(chosen.base.base, chosen.shifts_mm).mm;

@@ -30,8 +30,8 @@ struct DeployCall {
   double margin_to_deg = solver::BentPanelsOptions{}.to_deg;
   bool json = false;
 
-  bool bends(const schema::Design& design) const {
-    return panels ? *panels == PanelKind::bend : design.material.has_value();
+  bool bends(const schema::Design& design, const solver::SpringEnds& springs) const {
+    return panels ? *panels == PanelKind::bend : design.material && springs.at_vertices();
   }
 };
 
@@ -65,7 +65,8 @@ void show_deployment(DeployCall call) {
   solver::DeployOptions options = call.input.of(sheet, chosen.design);
   if (call.forces) options.forces = {.in_motion = *call.forces == Forces::in_motion};
   std::optional<Bent> bending;
-  if (call.bends(model.design())) bending = bent(call, model.design(), sheet, options);
+  if (call.bends(model.design(), sheet.base().springs))
+    bending = bent(call, model.design(), sheet, options);
   if (call.json) {
     schema::Json json = deploy_said(subject, options);
     if (bending) {

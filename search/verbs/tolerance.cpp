@@ -27,8 +27,7 @@ std::string keep(const ToleranceCall& call, const schema::Campaign& campaign,
                  const std::vector<schema::Yield>& yields) {
   const solver::PerforatedSheet& base = campaign.pattern.base;
   try {
-    schema::Catalogue catalogue(call.path, campaign,
-                                solver::build_mechanism(base.sheet, base.holes, base.folding), {},
+    schema::Catalogue catalogue(call.path, campaign, solver::build_mechanism(base), {},
                                 schema::Missing::refused);
     const std::vector<std::uint64_t> gone = catalogue.keep(yields, build_info().commit);
     catalogue.close();

@@ -128,7 +128,7 @@ void PathFunction::make_table() {
     std::fill(rates_.begin(), rates_.end(), 0.0);
     values_.back() = 0;
     rates_.back() = 1;
-    table_.add(0, values_.data(), rates_.data());
+    is_even() ? table_.add(0, values_.data(), rates_.data()) : table_.add_value(0, values_.data());
   }
   table_.finish();
 }

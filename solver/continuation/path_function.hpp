@@ -4,7 +4,7 @@
 // The variable is the fold angle of one crease: of the pilot as long as that turns about as fast as
 // any other, then of a faster one, along which the path goes on smoothly where the pilot turns back
 // (local parameterisation; Rheinboldt & Burkardt, ACM TOMS 9, 1983). Flat is a node too, where
-// lengths are known and do not change.
+// lengths are known and do not change; of springs off the mid-plane only lengths are known there.
 #pragma once
 
 #include <vector>
@@ -86,6 +86,8 @@ class PathFunction {
   double variable_rate(int k) const { return sign_ * node(k).crease_rates[variable_]; }
   /// Whether flat counts as a node, at 0.
   bool from_flat() const { return count_ < kNodes && variable_ == pilot_; }
+  /// Whether lengths are even in the pilot's angle, so that their rates are 0 there.
+  bool is_even() const { return mechanism_.springs.in_mid_plane(); }
   /// The newest segment: from node to node, or to the pilot's turning point.
   double from() const { return from_; }
   double to() const { return at_[inside_]; }

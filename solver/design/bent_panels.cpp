@@ -239,6 +239,12 @@ Studied<BentPanels> bend_panels(const Sheet& sheet, const DeployOptions& deployi
   if (!fitted.study) return {};
   const double from_deg = fitted.study->motion.from_deg;
   const DeployingOptions& held = deploying.sheet;
+  if (!sheet.base().springs.at_vertices()) {
+    return OptionFault{
+        "panels", "bend",
+        "bent panels are those of springs on the vertices, and these end beside them",
+        "take rigid panels, or \"springs\" out of the pattern"};
+  }
   if (held.springs.pull_only) {
     return OptionFault{"pull_only",
                        {},

@@ -41,10 +41,13 @@ class SheetMover {
 
   /// At a state with these rates of every unknown (rad per unit of x).
   MovingPanels move(const FoldState<double>& state, const double* rates);
-  /// Of the last state: where a panel has a vertex, which way a direction of its points, and where
-  /// on its own flat sheet it sees a point.
+  /// Of the last state: where a panel has a vertex or another point (flat, from A1), which way a
+  /// direction of its points, and where on its own flat sheet it sees a point.
   Eigen::Vector3d place_mm(int panel, int vertex) const {
     return place_mm(panel, Eigen::Vector2d(way_.from_a1_mm().col(vertex)));
+  }
+  Eigen::Vector3d carried_mm(int panel, const Eigen::Vector3d& from_a1_mm) const {
+    return turn(panel) * from_a1_mm + shift_mm(panel);
   }
   Eigen::Matrix3d turn(int panel) const;
   Eigen::Vector3d seen_from(int panel, const Eigen::Vector3d& point_mm) const {

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "solver/kinematics/diagonals.hpp"
+
 namespace misalign::solver {
 namespace {
 
@@ -115,15 +117,26 @@ void PanelLoads::add_inertia(VectorXd& loads) const {
   }
 }
 
-// A spring's force is taken in equal parts by the panels that meet at the corner.
+// A spring's force is taken by the panel that carries its end, or at a vertex in equal parts by
+// those that meet there.
 void PanelLoads::add_springs(VectorXd& loads) const {
   const VectorXd forces_n = sheet_.spring_forces_n(x_);
+  const bool at_vertices = mechanism().springs.at_vertices();
   for (int d = 0; d < mechanism().diagonal_count(); ++d) {
     const Diagonal& diagonal = mechanism().diagonals[static_cast<std::size_t>(d)];
-    const auto& at_from = panels_at_[static_cast<std::size_t>(diagonal.from)];
-    const auto& at_to = panels_at_[static_cast<std::size_t>(diagonal.to)];
-    const Vector3d from_mm = place_mm(at_from.front(), diagonal.from),
-                   to_mm = place_mm(at_to.front(), diagonal.to);
+    const Loop& loop = mechanism().loops[static_cast<std::size_t>(diagonal.loop)];
+    const auto panels_at = [&](int corner) {
+      const auto at = static_cast<std::size_t>(corner);
+      if (!at_vertices) return std::vector<int>{panel_of(loop.ends[at].facet)};
+      return panels_at_[static_cast<std::size_t>(loop.corners[at])];
+    };
+    const auto at_from = panels_at(diagonal.from_corner), at_to = panels_at(diagonal.to_corner);
+    const auto end_mm = [&](int panel, int corner) {
+      const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
+      return mover_.carried_mm(panel, mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
+    };
+    const Vector3d from_mm = end_mm(at_from.front(), diagonal.from_corner),
+                   to_mm = end_mm(at_to.front(), diagonal.to_corner);
     const Vector3d pull_n = forces_n(d) * (to_mm - from_mm).normalized();
     for (const int panel : at_from) {
       add(panel, from_mm, pull_n / static_cast<double>(at_from.size()), Vector3d::Zero(), loads);

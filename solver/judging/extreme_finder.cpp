@@ -110,6 +110,7 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x, const Path
   for (int d = 0; d < static_cast<int>(last_.size()); ++d) {
     const int direction = judge.direction(d);
     if (direction == 0) continue;
+    if (last_deg_ == 0 && !function.is_even()) last_slopes_[d] = function.slope(d, 0);
     // The cubic's rate is a parabola, above the least of these three (its Bernstein coefficients).
     const double left = direction * last_slopes_[d], right = direction * here.slopes[d];
     const double inner = 3 * direction * (here.lengths[d] - last_[d]) / step_rad - left - right;
@@ -130,7 +131,7 @@ void ExtremeFinder::see(double pilot_deg, bool is_in_order, double x, const Path
         note_slope(subsegment.slope(least_x), least_x, function.pilot(least_x) / kRadPerDeg);
       }
     }
-    const bool goes_on = right >= 0, from_flat = last_deg_ == 0;
+    const bool goes_on = right >= 0, from_flat = last_deg_ == 0 && function.is_even();
     const bool sets_out_back =
         from_flat &&
         FromFlat(direction * (here.lengths[d] - last_[d]), right, step_rad).sets_out_back();

@@ -3,7 +3,8 @@
 // errors have it.
 //
 // Near flat lengths are even in the pilot's angle, so there the polynomials are taken in its
-// square: their rates then say which way a diagonal sets out.
+// square: their rates then say which way a diagonal sets out. So of springs off the mid-plane bumps
+// are not looked for exactly.
 #pragma once
 
 #include <optional>

@@ -1,58 +1,136 @@
-// Lengths of the holes' diagonals: flat, and in a folded state.
+// Lengths of the holes' diagonals: flat, and in a folded state. They are those of their springs,
+// from end to end.
 #pragma once
 
+#include "solver/kinematics/lane_math.hpp"
 #include "solver/kinematics/loop_closure.hpp"
 
 namespace misalign::solver {
 
 template <class T>
-T distance(const Vec3<T>& p, const Vec3<T>& q) {
+T norm(const Vec3<T>& v) {
   using std::sqrt;
-  const Vec3<T> d = p - q;
-  return sqrt(dot(d, d));
+  return sqrt(dot(v, v));
+}
+
+template <class T>
+T distance(const Vec3<T>& p, const Vec3<T>& q) {
+  return norm(p - q);
+}
+
+/// The corner of a panel on the flat sheet.
+template <class T>
+struct PanelCorner {
+  Vec3<T> vertex, to_before, to_after;  ///< units along its edges
+  T before_length, after_length;        ///< panel widths
+
+  PanelCorner(const SheetGeometry<T>& geometry, int at, const SpringEnd& end)
+      : vertex(flat_point(geometry, at)),
+        to_before(flat_point(geometry, end.before) - vertex),
+        to_after(flat_point(geometry, end.after) - vertex),
+        before_length(norm(to_before)),
+        after_length(norm(to_after)) {
+    to_before = (T(1) / before_length) * to_before;
+    to_after = (T(1) / after_length) * to_after;
+  }
+  /// Not of unit length.
+  Vec3<T> bisector() const { return to_before + to_after; }
+};
+
+/// Where the spring at a corner of a hole ends, on the flat sheet (panel widths).
+template <class T>
+Vec3<T> spring_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Loop& loop,
+                   int corner) {
+  const SpringEnds& springs = mechanism.springs;
+  if (springs.at_vertices()) return flat_point(geometry, loop.corners[corner]);
+  const T inset = constant<T>(springs.inset_mm / mechanism.panel_width_mm);
+  const T offset = constant<T>(springs.offset_mm / mechanism.panel_width_mm);
+  const PanelCorner<T> panel(geometry, loop.corners[corner], loop.ends[corner]);
+  const Vec3<T> along = panel.bisector();
+  Vec3<T> end = panel.vertex + (inset / norm(along)) * along;
+  end.z = end.z + offset;
+  return end;
+}
+
+/// Adds what a force on that end (x, y in the flat sheet) does to vertices: d (force . end) / d
+/// vertex, x and y of each in turn.
+template <class T>
+void add_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const Loop& loop,
+             int corner, const Vec3<T>& force, T* gradient) {
+  const auto add = [&](int vertex, const Vec3<T>& by) {
+    gradient[2 * vertex] = gradient[2 * vertex] + by.x;
+    gradient[2 * vertex + 1] = gradient[2 * vertex + 1] + by.y;
+  };
+  add(loop.corners[corner], force);
+  if (mechanism.springs.at_vertices()) return;
+  const auto across = [](const Vec3<T>& v, const Vec3<T>& unit) { return v - dot(unit, v) * unit; };
+  const PanelCorner<T> panel(geometry, loop.corners[corner], loop.ends[corner]);
+  const T length = norm(panel.bisector());
+  const T inset = constant<T>(mechanism.springs.inset_mm / mechanism.panel_width_mm);
+  const Vec3<T> on_units = (inset / length) * across(force, (T(1) / length) * panel.bisector());
+  const Vec3<T> before = (T(1) / panel.before_length) * across(on_units, panel.to_before);
+  const Vec3<T> after = (T(1) / panel.after_length) * across(on_units, panel.to_after);
+  add(loop.ends[corner].before, before);
+  add(loop.ends[corner].after, after);
+  add(loop.corners[corner], T(-1) * (before + after));
 }
 
 /// Flat lengths in panel widths, one per diagonal.
 template <class T>
 void flat_lengths(const Mechanism& mechanism, const SheetGeometry<T>& geometry, T* lengths) {
   for (const Diagonal& diagonal : mechanism.diagonals) {
-    *lengths++ = distance(flat_point(geometry, diagonal.from), flat_point(geometry, diagonal.to));
+    const Loop& loop = mechanism.loops[diagonal.loop];
+    *lengths++ = distance(spring_end(mechanism, geometry, loop, diagonal.from_corner),
+                          spring_end(mechanism, geometry, loop, diagonal.to_corner));
   }
 }
 
-/// The corners of a hole in the frame of the facet where its loop begins. Where joints have play a
-/// corner is that of the facet from which the loop comes to it.
+/// Of a diagonal's flat length by where the vertices lie, `share` times: added to `gradient` (x and
+/// y of each vertex in turn).
+template <class T>
+void add_flat_length(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
+                     const Diagonal& diagonal, const T& share, T* gradient) {
+  const Loop& loop = mechanism.loops[diagonal.loop];
+  const Vec3<T> along = spring_end(mechanism, geometry, loop, diagonal.from_corner) -
+                        spring_end(mechanism, geometry, loop, diagonal.to_corner);
+  const Vec3<T> pull = (share / norm(along)) * along;
+  add_end(mechanism, geometry, loop, diagonal.from_corner, pull, gradient);
+  add_end(mechanism, geometry, loop, diagonal.to_corner, T(-1) * pull, gradient);
+}
+
+/// Where the springs of a hole end, in the frame of the facet where its loop begins. Where joints
+/// have play a corner is that of the facet from which the loop comes to it.
 template <class T, class Geometry>
-std::array<Vec3<T>, 4> corner_points(const Mechanism& mechanism, const Geometry& geometry,
-                                     const FoldState<T>& state, const Loop& loop) {
+std::array<Vec3<T>, 4> ends_of_springs(const Mechanism& mechanism, const Geometry& geometry,
+                                       const FoldState<T>& state, const Loop& loop) {
   std::array<Vec3<T>, 4> points{};
   Pose<T> pose = Pose<T>::identity();
   int next = 0;
   for (int corner = 0; corner < 4; ++corner) {
-    for (; next < loop.arrival[corner]; ++next) {
+    for (; next < loop.ends[corner].arrival; ++next) {
       const Passage& passage = loop.passages[next];
       displace_before(geometry, passage, pose);
       pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
                               flat_point(geometry, passage.vertex));
       displace_after(geometry, passage, pose);
     }
-    points[corner] = pose * flat_point(geometry, loop.corners[corner]);
+    points[corner] = pose * spring_end(mechanism, geometry, loop, corner);
   }
   return points;
 }
 
-/// Folded lengths in panel widths, one per diagonal, from the corners that each hole's loop passes.
+/// Folded lengths in panel widths, one per diagonal, from the ends that each hole's loop passes.
 template <class T, class Geometry>
 void folded_lengths(const Mechanism& mechanism, const Geometry& geometry, const FoldState<T>& state,
                     T* lengths) {
   int known_loop = -1;
-  std::array<Vec3<T>, 4> corners{};
+  std::array<Vec3<T>, 4> ends{};
   for (const Diagonal& diagonal : mechanism.diagonals) {
     if (diagonal.loop != known_loop) {
       known_loop = diagonal.loop;
-      corners = corner_points(mechanism, geometry, state, mechanism.loops[known_loop]);
+      ends = ends_of_springs(mechanism, geometry, state, mechanism.loops[known_loop]);
     }
-    *lengths++ = distance(corners[diagonal.from_corner], corners[diagonal.to_corner]);
+    *lengths++ = distance(ends[diagonal.from_corner], ends[diagonal.to_corner]);
   }
 }
 
@@ -65,15 +143,15 @@ void folded_lengths_and_slopes(const Mechanism& mechanism, const Geometry& geome
                                T* misfit) {
   const Diagonal* diagonal = mechanism.diagonals.data();
   for (const Loop& loop : mechanism.loops) {
-    std::array<Vec3<T>, 4> corners{}, velocities{};
+    std::array<Vec3<T>, 4> ends{}, velocities{};
     Pose<T> pose = Pose<T>::identity();
     Vec3<T> spin{T(0), T(0), T(0)}, drift = spin;  // a point p moves by spin x p + drift
     const int passages = static_cast<int>(loop.passages.size());
     int corner = 0;
     for (int next = 0;; ++next) {
-      for (; loop.hole >= 0 && corner < 4 && loop.arrival[corner] == next; ++corner) {
-        corners[corner] = pose * flat_point(geometry, loop.corners[corner]);
-        velocities[corner] = cross(spin, corners[corner]) + drift;
+      for (; loop.hole >= 0 && corner < 4 && loop.ends[corner].arrival == next; ++corner) {
+        ends[corner] = pose * spring_end(mechanism, geometry, loop, corner);
+        velocities[corner] = cross(spin, ends[corner]) + drift;
       }
       if (next == passages) break;
       const Passage& passage = loop.passages[next];
@@ -95,9 +173,9 @@ void folded_lengths_and_slopes(const Mechanism& mechanism, const Geometry& geome
     if (loop.hole < 0) continue;
     for (const T& rate : {drift.x, drift.y, drift.z}) *misfit++ = rate;
     for (int k = 0; k < 2; ++k, ++diagonal) {
-      const Vec3<T> along = corners[diagonal->from_corner] - corners[diagonal->to_corner];
+      const Vec3<T> along = ends[diagonal->from_corner] - ends[diagonal->to_corner];
       const Vec3<T> apart = velocities[diagonal->from_corner] - velocities[diagonal->to_corner];
-      const T length = distance(corners[diagonal->from_corner], corners[diagonal->to_corner]);
+      const T length = norm(along);
       *lengths++ = length;
       *slopes++ = dot(along, apart) / length;
     }

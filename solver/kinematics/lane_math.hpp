@@ -44,6 +44,16 @@ Scalar<T> lane(const T& value, int i) {
   return reinterpret_cast<const Scalar<T>*>(&value)[i];
 }
 
+/// A number in every lane, rounded to what that holds; of other numbers (dual ones) a constant.
+template <class T>
+T constant(double value) {
+  if constexpr (requires { typename T::value_type; }) {
+    return T(static_cast<typename T::value_type>(value));
+  } else {
+    return static_cast<T>(value);
+  }
+}
+
 /// Registers find their library's `select` by argument; these are the ones of a single lane.
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
 inline float select(bool condition, float a, float b) { return condition ? a : b; }

@@ -11,16 +11,17 @@ namespace {
 // Collects joints and loops while walking over the sheet.
 class Builder {
  public:
-  Builder(const CreasePattern& sheet, const std::vector<int>& holes, const BaseFolding& folding)
-      : sheet_(sheet), is_hole_(sheet.facet_count(), false) {
-    for (const int f : holes) is_hole_[f] = true;
-    mechanism_.edges = sheet.edges;
-    mechanism_.vertices = sheet.vertex_count();
-    mechanism_.panel_width_mm = sheet.panel_width_mm;
-    mechanism_.side = folding.side();
-    add_creases(folding);
-    for (const int v : interior_vertices(sheet)) add_ball_or_vertex_loop(v);
-    for (const int f : holes) add_hole_loop(f);
+  explicit Builder(const PerforatedSheet& base)
+      : sheet_(base.sheet), is_hole_(base.sheet.facet_count(), false) {
+    for (const int f : base.holes) is_hole_[f] = true;
+    mechanism_.edges = sheet_.edges;
+    mechanism_.vertices = sheet_.vertex_count();
+    mechanism_.panel_width_mm = sheet_.panel_width_mm;
+    mechanism_.side = base.folding.side();
+    mechanism_.springs = base.springs;
+    add_creases(base.folding);
+    for (const int v : interior_vertices(sheet_)) add_ball_or_vertex_loop(v);
+    for (const int f : base.holes) add_hole_loop(f);
     number_unknowns();
   }
 
@@ -84,8 +85,11 @@ class Builder {
         const int ball = ball_of_vertex_[vertex];
         assert(ball >= 0);
         const int sense = mechanism_.balls[ball].from_facet == from ? 1 : -1;
+        loop.ends[k] = spring_end(from, vertex, loop.arrival[k]);
         loop.passages.push_back({true, ball, sense, vertex});
       } else {
+        const int on_opposite = loop.arrival[k] + (mechanism_.springs.at_vertices() ? 0 : 1);
+        loop.ends[k] = spring_end(opposite, vertex, on_opposite);
         loop.passages.push_back(over_crease(from, opposite, vertex));
         loop.passages.push_back(over_crease(opposite, to, vertex));
       }
@@ -95,6 +99,14 @@ class Builder {
       mechanism_.diagonals.push_back({index, from, to, loop.corners[from], loop.corners[to]});
     }
     close_loop(std::move(loop));
+  }
+
+  // On a vertex it does not matter which of its facets carries it: that from which the walk comes.
+  SpringEnd spring_end(int facet, int vertex, int arrival) const {
+    const std::array<int, 4>& around = sheet_.facets[facet];
+    const auto k = std::find(around.begin(), around.end(), vertex) - around.begin();
+    const int before = around[(k + 3) % 4], after = around[(k + 1) % 4];
+    return {facet, before, after, arrival};
   }
 
   // The edge between two facets that meet at `vertex`, crossed from one to the other.
@@ -117,7 +129,7 @@ class Builder {
   }
 
   Loop open_loop(int rows, int hole) const {
-    return {{}, mechanism_.equations, rows, hole, {}, {}};
+    return {{}, mechanism_.equations, rows, hole, {}, {}, {}};
   }
 
   void close_loop(Loop loop) {
@@ -146,9 +158,6 @@ class Builder {
 
 }  // namespace
 
-Mechanism build_mechanism(const CreasePattern& sheet, const std::vector<int>& holes,
-                          const BaseFolding& folding) {
-  return Builder(sheet, holes, folding).take();
-}
+Mechanism build_mechanism(const PerforatedSheet& base) { return Builder(base).take(); }
 
 }  // namespace misalign::solver

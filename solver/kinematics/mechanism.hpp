@@ -6,8 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "solver/pattern/base_folding.hpp"
-#include "solver/pattern/crease_pattern.hpp"
+#include "solver/pattern/perforation.hpp"
 
 namespace misalign::solver {
 
@@ -42,6 +41,13 @@ struct Passage {
   int vertex;  ///< a point of the sheet that the joint keeps in place
 };
 
+/// What carries the end of a spring at a corner of a hole: that panel, the vertices of it before
+/// and after the corner (counter-clockwise), and the first passage at which a walk is on it.
+struct SpringEnd {
+  int facet, before, after;
+  int arrival;
+};
+
 /// A closed walk over kept facets. Round a whole vertex the rotation must close, three equations
 /// (3.1); round a hole the translation too, six equations (3.4), (3.5).
 struct Loop {
@@ -51,9 +57,11 @@ struct Loop {
   int hole;                    ///< facet index, -1 round a vertex
   std::array<int, 4> corners;  ///< of a hole: its vertices ...
   std::array<int, 4> arrival;  ///< ... and the first passage at each
+  std::array<SpringEnd, 4> ends;
 };
 
-/// A diagonal of a hole: between two of the corners that its loop passes.
+/// A diagonal of a hole: between two of the corners that its loop passes. Its length is that of its
+/// spring, which may end beside them.
 struct Diagonal {
   int loop;
   int from_corner, to_corner;  ///< 0 to 3
@@ -72,6 +80,7 @@ struct Mechanism {
   int unknowns, equations;
   int side;  ///< -1: fold angles are those seen from below, where the pilot is a valley
   double panel_width_mm;
+  SpringEnds springs{};
 
   /// Column of the first of a passage's unknowns, one or three.
   int first_column(const Passage& passage) const {
@@ -85,7 +94,6 @@ struct Mechanism {
 /// Joints, loops and diagonals of a sheet whose holes have no hole_faults and leave the pilot
 /// whole. Unknowns: creases in edge order, three for each ball joint in vertex order, the pilot
 /// last.
-Mechanism build_mechanism(const CreasePattern& sheet, const std::vector<int>& holes,
-                          const BaseFolding& folding);
+Mechanism build_mechanism(const PerforatedSheet& base);
 
 }  // namespace misalign::solver

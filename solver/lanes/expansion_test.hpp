@@ -39,8 +39,6 @@ class ExpansionTest {
 
   void make_ready(const Model& model, int early_sample);
   void find_gradients(const Model& model, const ShiftAngles& angles, ShiftGradients& gradients);
-  static void take_off_flat(const Diagonal& diagonal, const SheetGeometry<T>& geometry,
-                            std::vector<T>& row);
   void find_sample(const Model& model, const ShiftAngles& angles, ShiftSample& sample);
   void add_up(const ShiftBlock& block, int first, int count);
   void add_up(int group, int vertex, int count);
@@ -68,7 +66,9 @@ constexpr double kLeastKnown = 0.9;
 template <class T, class Single>
 ExpansionTest<T, Single>::ExpansionTest(const Model& model) : amplitude_mm_(model.ternary_mm()) {
   const std::size_t vertices = model.shifted().size();
+  // With springs beside the vertices unshifted sheets elongate too: expansions have no such term.
   if (model.ternary_mm() <= 0 || vertices == 0 || model.tests().empty() ||
+      !model.mechanism().springs.at_vertices() ||
       model.sample_deg() > kRejection.longest_sample_for_slopes_deg ||
       ShiftExpansion::bytes(static_cast<int>(vertices), model.mechanism().diagonal_count()) >
           kMostTableBytes) {
@@ -127,7 +127,7 @@ void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftAng
       for (int d = 0; d < mechanism.diagonal_count(); ++d) {
         gradient.with_pilot_held(d, solver.factors(), row);
         if (quantity == ShiftedQuantity::elongation) {
-          take_off_flat(mechanism.diagonals[d], solver.geometry(), row);
+          add_flat_length(mechanism, solver.geometry(), mechanism.diagonals[d], T(-1), row.data());
         }
         for (int j = 0; j < gradients.coordinates(); ++j) {
           const T& entry = row[2 * model.shifted()[j / 2] + j % 2];
@@ -138,20 +138,6 @@ void ExpansionTest<T, Single>::find_gradients(const Model& model, const ShiftAng
       }
     }
   }
-}
-
-template <class T, class Single>
-void ExpansionTest<T, Single>::take_off_flat(const Diagonal& diagonal,
-                                             const SheetGeometry<T>& geometry,
-                                             std::vector<T>& row) {
-  const Vec3<T> from = flat_point(geometry, diagonal.from), to = flat_point(geometry, diagonal.to);
-  const Vec3<T> along = (T(1) / distance(from, to)) * (from - to);
-  T* const at_from = row.data() + 2 * diagonal.from;
-  T* const at_to = row.data() + 2 * diagonal.to;
-  at_from[0] = at_from[0] - along.x;
-  at_from[1] = at_from[1] - along.y;
-  at_to[0] = at_to[0] + along.x;
-  at_to[1] = at_to[1] + along.y;
 }
 
 template <class T, class Single>

@@ -59,7 +59,7 @@ bool is_regular(const Sparse& square) {
 
 Mobility measured_mobility(const CreasePattern& sheet, const std::vector<int>& holes,
                            const BaseFolding& folding) {
-  const Mechanism mechanism = build_mechanism(sheet, holes, folding);
+  const Mechanism mechanism = build_mechanism({sheet, holes, folding});
   SheetGeometry<double> geometry;
   place(mechanism, sheet.vertices_mm, geometry);
   std::vector<int> order;

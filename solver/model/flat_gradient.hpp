@@ -3,7 +3,8 @@
 //
 // In a closed state a vertex enters a joint in two ways. Moved by d, a joint's fixed point moves
 // what comes after it by (R_before - R_after) d. An edge that is turned by an angle in the sheet
-// turns the crease on it: by the screw (R_before - R_after) z through the same point. A wrench
+// turns the crease on it: by the screw (R_before - R_after) z through the same point. The end of a
+// spring moves with the corner of its panel. A wrench
 // (force f, moment m about the origin) takes from a screw (w, c) the power w . (m - c x f); a
 // diagonal is such a wrench on the joints between its ends, and a weight of the closure equations
 // one on all joints of the loop.
@@ -74,11 +75,8 @@ class FlatGradient {
   void add_length(int diagonal, T* gradient) const {
     const Wrench from_end = pull(diagonal, true), to_end = pull(diagonal, false);
     const Diagonal& d = mechanism_.diagonals[diagonal];
-    const auto& corners = corners_[d.loop];
-    add_at(d.from, dot(corners[d.from_corner].frame.cx, from_end.force),
-           dot(corners[d.from_corner].frame.cy, from_end.force), gradient);
-    add_at(d.to, dot(corners[d.to_corner].frame.cx, to_end.force),
-           dot(corners[d.to_corner].frame.cy, to_end.force), gradient);
+    add_corner(d.loop, d.from_corner, from_end.force, gradient);
+    add_corner(d.loop, d.to_corner, to_end.force, gradient);
     each_joint_of(diagonal, [&](const Joint& joint, bool before_from, bool before_to) {
       Wrench wrench{};
       if (before_from) wrench = wrench + from_end;
@@ -131,8 +129,9 @@ class FlatGradient {
     int corner = 0;
     const int passages = static_cast<int>(loop.passages.size());
     for (int next = 0;; ++next) {
-      for (; loop.hole >= 0 && corner < 4 && loop.arrival[corner] == next; ++corner) {
-        corners_[i][corner] = {pose * flat_point(*geometry_, loop.corners[corner]), pose.rotation};
+      for (; loop.hole >= 0 && corner < 4 && loop.ends[corner].arrival == next; ++corner) {
+        corners_[i][corner] = {pose * spring_end(mechanism_, *geometry_, loop, corner),
+                               pose.rotation};
       }
       if (next == passages) break;
       const Passage& passage = loop.passages[next];
@@ -177,10 +176,17 @@ class FlatGradient {
   void each_joint_of(int diagonal, const Work& work) const {
     const Diagonal& d = mechanism_.diagonals[diagonal];
     const Loop& loop = mechanism_.loops[d.loop];
-    const int from = loop.arrival[d.from_corner], to = loop.arrival[d.to_corner];
+    const int from = loop.ends[d.from_corner].arrival, to = loop.ends[d.to_corner].arrival;
     for (int k = 0; k < std::max(from, to); ++k) {
       work(joints_[first_joint_[d.loop] + k], k < from, k < to);
     }
+  }
+
+  // Of a force on a spring's end, its joints held.
+  void add_corner(int loop, int corner, const Vec3<T>& force, T* gradient) const {
+    const Mat3<T>& frame = corners_[loop][corner].frame;
+    add_end(mechanism_, *geometry_, mechanism_.loops[loop], corner,
+            {dot(frame.cx, force), dot(frame.cy, force), T(0)}, gradient);
   }
 
   static void add_at(int vertex, const T& x, const T& y, T* gradient) {

@@ -40,16 +40,8 @@ class MiscutMargin {
     failed_ = T(0);
     flat_lengths(mechanism_, geometry, last_lengths_.data());
     for (std::size_t d = 0; d < last_rows_.size(); ++d) {
-      const Diagonal& diagonal = mechanism_.diagonals[d];
-      const Vec3<T> along = (T(1) / last_lengths_[d]) * (flat_point(geometry, diagonal.from) -
-                                                         flat_point(geometry, diagonal.to));
       last_rows_[d].assign(last_rows_[d].size(), T(0));
-      T* const from = last_rows_[d].data() + 2 * diagonal.from;
-      T* const to = last_rows_[d].data() + 2 * diagonal.to;
-      from[0] = along.x;
-      from[1] = along.y;
-      to[0] = -along.x;
-      to[1] = -along.y;
+      add_flat_length(mechanism_, geometry, mechanism_.diagonals[d], T(1), last_rows_[d].data());
     }
   }
 

@@ -97,7 +97,8 @@ std::vector<double> lengths_per_closure(const Mechanism& mechanism,
   return rows;
 }
 
-// Joints of the hole with the most of them, times the largest distance across a hole.
+// Joints of the hole with the most of them, times the largest distance across a hole from end to
+// end of a spring.
 double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
   double most_joints = 0, widest = 0;
   for (const Loop& loop : mechanism.loops) {
@@ -111,7 +112,8 @@ double bound_of_length_per_rad(const Mechanism& mechanism, const FlatVertices& v
       }
     }
   }
-  return most_joints * widest / mechanism.panel_width_mm;
+  const double beside = std::hypot(mechanism.springs.inset_mm, mechanism.springs.offset_mm);
+  return most_joints * (widest + 2 * beside) / mechanism.panel_width_mm;
 }
 
 }  // namespace
@@ -120,7 +122,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
              const PathPlanOptions& path, int threshold_sample, const Criterion& criterion,
              double ternary_mm)
     : base_(base),
-      mechanism_(build_mechanism(base.sheet, base.holes, base.folding)),
+      mechanism_(build_mechanism(base)),
       elimination_(has_spare_equations()
                        ? Elimination{}
                        : plan_elimination(mechanism_, base_.folding, base_.sheet.vertices_mm)),
@@ -141,6 +143,7 @@ Model::Model(const PerforatedSheet& base, const std::vector<int>& shifted,
       length_per_rad_(bound_of_length_per_rad(mechanism_, base.sheet.vertices_mm)) {
   assert(
       std::ranges::all_of(shifted, [&](int v) { return v >= 0 && v < base.sheet.vertex_count(); }));
+  assert(criterion.bumps != BumpRule::exact || base.springs.in_mid_plane());
   assert(threshold_sample >= 0 && path.sample_deg > 0 && std::isfinite(extent_));
   if (!has_spare_equations()) choose_tests();
 }

@@ -36,9 +36,9 @@ struct ShiftBlock {
 class Model {
  public:
   /// `shifted` are the vertices that differ from sheet to sheet; D of at least `threshold_sample`
-  /// is wanted, by this criterion. Without a threshold (0) there
-  /// are no rejection tests, and no margin against miscuts. `ternary_mm`: every shift is nothing or
-  /// this much either way (mm; 0: any shift).
+  /// is wanted, by this criterion (bumps exactly only of springs in the mid-plane). Without a
+  /// threshold (0) there are no rejection tests, and no margin against miscuts. `ternary_mm`: every
+  /// shift is nothing or this much either way (mm; 0: any shift).
   Model(const PerforatedSheet& base, const std::vector<int>& shifted, const PathPlanOptions& path,
         int threshold_sample, const Criterion& criterion = {}, double ternary_mm = 0);
   /// A sheet that is looked at for itself.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/pattern/base_folding.hpp"
+#include "solver/pattern/spring_ends.hpp"
 
 namespace misalign::solver {
 
@@ -14,6 +15,7 @@ struct PerforatedSheet {
   CreasePattern sheet;
   std::vector<int> holes;  ///< facet indices, ascending
   BaseFolding folding;
+  SpringEnds springs{};
 };
 
 /// Facets that may be taken out: none of their vertices lies on the perimeter. Ascending.

@@ -67,6 +67,7 @@ std::vector<ShiftSymmetry> shift_symmetries(const PerforatedSheet& base,
                                             const std::vector<int>& shifted) {
   assert(std::is_sorted(shifted.begin(), shifted.end()));
   std::vector<ShiftSymmetry> symmetries;
+  if (!base.springs.at_vertices()) return symmetries;
   for (int which = 1; which < 8; ++which) {
     const int first = which & 1 ? -1 : 1, second = which & 2 ? -1 : 1;
     const bool swaps = which & 4;

@@ -16,7 +16,8 @@ struct ShiftSymmetry {
 
 /// Those of the turns and reflections that keep the axes: vertices, facets and holes go to
 /// vertices, facets and holes, shifted vertices to shifted ones, and mountains and valleys stay or
-/// all change places. Without the identity; with each its inverse.
+/// all change places. Without the identity; with each its inverse. None where springs end beside
+/// the vertices: which panel has them at a ball joint goes by a sense of turning.
 std::vector<ShiftSymmetry> shift_symmetries(const PerforatedSheet& base,
                                             const std::vector<int>& shifted);
 

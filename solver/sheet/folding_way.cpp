@@ -12,6 +12,17 @@ namespace misalign::solver {
 
 using Eigen::Index;
 
+namespace {
+
+// The sheet's mirror image, on the other side of flat.
+FoldState<double> mirrored(FoldState<double> state) {
+  for (HalfAngle<double>& rho : state.creases) rho.s = -rho.s;
+  for (Quaternion<double>& q : state.balls) q = {q.w, -q.x, -q.y, q.z};
+  return state;
+}
+
+}  // namespace
+
 double WayCoordinate::pilot_rad(double x) const {
   return limit_rad > 0 ? limit_rad * std::sin(x) : x;
 }
@@ -54,7 +65,8 @@ bool FoldingWay::ends_at_limit() const {
 SmoothTable FoldingWay::table_of_joints() const {
   using Parity = SmoothTable::Parity;
   const Index count = static_cast<Index>(stations_.size());
-  Eigen::MatrixXd values(diagonals() + creases() + 4 * balls(), count);
+  const Index joints = diagonals() + creases() + 4 * balls();
+  Eigen::MatrixXd values(joints + odd_lengths(), count);
   for (Index k = 0; k < count; ++k) {
     const FoldState<double>& state = stations_[static_cast<std::size_t>(k)].state;
     assert(std::ssize(state.creases) == creases() && std::ssize(state.balls) == balls());
@@ -65,6 +77,11 @@ SmoothTable FoldingWay::table_of_joints() const {
     for (const Quaternion<double>& q : state.balls) {
       for (const double entry : {q.w, q.x, q.y, q.z}) *value++ = entry;
     }
+    if (odd_lengths() == 0) continue;
+    auto here = values.col(k).head(diagonals()), odd = values.col(k).tail(diagonals());
+    folded_lengths(*mechanism_, geometry_, mirrored(state), value);
+    odd = 0.5 * (here - mechanism_->panel_width_mm * odd.eval());
+    here -= odd;
   }
   std::vector<Parity> parities(static_cast<std::size_t>(diagonals()), Parity::even);
   parities.resize(static_cast<std::size_t>(diagonals() + creases()), Parity::odd);
@@ -72,12 +89,17 @@ SmoothTable FoldingWay::table_of_joints() const {
   for (Index ball = 0; ball < balls(); ++ball) {
     parities.insert(parities.end(), {Parity::even, Parity::odd, Parity::odd, Parity::even});
   }
+  parities.resize(static_cast<std::size_t>(joints + odd_lengths()), Parity::odd);
   return table(values, std::move(parities));
 }
 
 void FoldingWay::find_lengths(double x, Eigen::VectorXd& lengths_mm,
                               Eigen::VectorXd& rates_mm) const {
   joints_.find(x, 0, diagonals(), lengths_mm, rates_mm);
+  if (odd_lengths() == 0) return;
+  joints_.find(x, diagonals() + creases() + 4 * balls(), diagonals(), odd_, odd_rates_);
+  lengths_mm += odd_;
+  rates_mm += odd_rates_;
 }
 
 void FoldingWay::find_creases(double x, Eigen::VectorXd& angles_rad, Eigen::VectorXd& rates) const {

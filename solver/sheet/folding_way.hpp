@@ -4,7 +4,8 @@
 // The coordinate x is the pilot's fold angle where the path ends at a given angle. Where it ends at
 // a fold limit it is that with pilot = limit * sin x: the pilot stands still at the limit, and
 // everything that is smooth along the path is smooth in x there too. Fold angles are odd in x,
-// lengths even: on the other side of flat lies the mirror image.
+// lengths even (but those of springs off the mid-plane): on the other side of flat lies the mirror
+// image.
 #pragma once
 
 #include <optional>
@@ -79,6 +80,7 @@ class FoldingWay {
   Eigen::Index diagonals() const { return flat_mm_.size(); }
   Eigen::Index creases() const { return static_cast<Eigen::Index>(mechanism_->creases.size()); }
   Eigen::Index balls() const { return static_cast<Eigen::Index>(mechanism_->balls.size()); }
+  Eigen::Index odd_lengths() const { return mechanism_->springs.in_mid_plane() ? 0 : diagonals(); }
   SmoothTable table_of_joints() const;
 
   const Mechanism* mechanism_;
@@ -89,8 +91,10 @@ class FoldingWay {
   double step_, end_;
   std::vector<WayStation> stations_;
   Eigen::VectorXd flat_mm_;
-  SmoothTable joints_;  // lengths (mm), fold angles (rad), quaternions of the ball joints
-  mutable Eigen::VectorXd quaternions_, quaternion_rates_;
+  // Lengths (mm), fold angles (rad), quaternions of the ball joints; of lengths that are not even
+  // in x then the part that is odd.
+  SmoothTable joints_;
+  mutable Eigen::VectorXd quaternions_, quaternion_rates_, odd_, odd_rates_;
 };
 
 /// With these the polynomials between the stations are off by 1e-11 panel widths or radians at most

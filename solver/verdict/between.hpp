@@ -71,7 +71,13 @@ CubicBetween cubic_between(const LengthAndSlope& here, const LengthAndSlope& nex
 BetweenSamples look_between(const LengthAndSlope& here, const LengthAndSlope& next, double step_rad,
                             double slowing, int direction);
 
-/// The way from flat to a first sample: there lengths are even in the pilot's angle,
+/// Of springs that end off the mid-plane: their rate of change at flat, by the parabola through
+/// what they moved by up to a first sample (panel widths) and their rate there.
+inline double slope_at_flat(double on, double slope, double pilot_rad) {
+  return 2 * on / pilot_rad - slope;
+}
+
+/// The way from flat to a first sample: there lengths of others are even in the pilot's angle,
 /// a rho^2 + b rho^4. By how much each part of them has moved a diagonal in its direction, panel
 /// widths.
 struct FromFlat {

@@ -166,6 +166,9 @@ Between Judge::seen_between(const Station& station, const std::vector<double>& l
   double longest = 0, longest_bump = 0;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (direction_[i] == 0) continue;
+    if (last_pilot_deg_ == 0 && !mechanism_.springs.in_mid_plane()) {
+      last_slopes_[i] = slope_at_flat(lengths[i] - last_[i], slopes[i], step_deg * kRadPerDeg);
+    }
     const BetweenSamples seen = look_between({last_[i], last_slopes_[i]}, {lengths[i], slopes[i]},
                                              step_deg * kRadPerDeg, slowing, direction_[i]);
     if (last_pilot_deg_ >= kInactiveFrom_deg) {

@@ -17,7 +17,7 @@ struct Draws {
       : campaign(
             schema::read_campaign_file(MISALIGN_SOURCE_DIR "/search/campaigns/miura-6x6.json")),
         base(campaign.pattern.base),
-        mechanism(solver::build_mechanism(base.sheet, base.holes, base.folding)),
+        mechanism(solver::build_mechanism(base)),
         plan(solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign.path())),
         shifts(Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count())) {}
 

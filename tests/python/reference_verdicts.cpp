@@ -12,7 +12,7 @@ int main(int count, char** arguments) {
   if (count < 4) return 2;
   const schema::Campaign campaign = schema::read_campaign_file(arguments[1]);
   const solver::PerforatedSheet& base = campaign.pattern.base;
-  const solver::Mechanism mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const solver::Mechanism mechanism = solver::build_mechanism(base);
   const double step_deg = count > 4 ? std::atof(arguments[4]) : 1;
   search::ReferenceRun reference(campaign, mechanism, step_deg);
   const std::uint64_t first = std::strtoull(arguments[2], nullptr, 10);

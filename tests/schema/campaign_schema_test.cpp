@@ -30,6 +30,7 @@ TEST(CampaignSchema, HasTheKeysAndDefaultsOfTheCode) {
   // Of the other family, or left out where the usual is meant.
   const std::set<std::string> not_in_default = {
       "/pattern/file", "/pattern/mesh", "/pattern/mm_per_unit", "/pattern/pilot",
+      "/pattern/springs", "/pattern/springs/attach",
       // The older name of design.springs.
       "/actuators", "/actuators/stiffness_n_per_mm", "/actuators/stroke_limit"};
   for (const auto& [at, property] : properties) {

@@ -161,7 +161,7 @@ class CatalogueTest : public testing::Test {
 
   static solver::Mechanism mechanism_of(const Campaign& campaign) {
     const auto& base = campaign.pattern.base;
-    return solver::build_mechanism(base.sheet, base.holes, base.folding);
+    return solver::build_mechanism(base);
   }
 
   static Campaign changed(const char* patch) {

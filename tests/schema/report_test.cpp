@@ -97,7 +97,7 @@ TEST(ReportDetail, HistoriesAndShapesAreThoseOfThePath) {
 TEST(ReportSheet, CutsAreTheEdgesWithOnePanel) {
   const Campaign campaign = default_campaign();
   const auto& base = campaign.pattern.base;
-  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const auto mechanism = solver::build_mechanism(base);
   const Json sheet = sheet_json(campaign.pattern, mechanism);
   // 6 x 6 with 8 holes: 24 edges round the sheet, 4 round each hole.
   EXPECT_EQ(sheet["cuts"].size(), 24u + 8 * 4);
@@ -113,7 +113,7 @@ const std::string kStressFile = MISALIGN_SOURCE_DIR "/tests/fixtures/table1-stre
 TEST(ReportStress, PanelsAreThoseOfTheSheetInItsOrder) {
   const Pattern pattern = read_pattern_file(MISALIGN_SOURCE_DIR "/search/patterns/table1.json");
   const auto& base = pattern.base;
-  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const auto mechanism = solver::build_mechanism(base);
   const Json places = sheet_json(pattern, mechanism)["panel_places"];
   StressResult result = read_stress_result(kStressFile);
   EXPECT_EQ(result.whose["pattern"], "table1");

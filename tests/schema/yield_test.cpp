@@ -100,8 +100,7 @@ TEST_F(YieldTest, OlderOnesAreOfTheThreshold) {
   expect_there();
   const Campaign its = read_campaign_of(*open_for_reading(path("old.db")), "old.db");
   const solver::PerforatedSheet& base = its.pattern.base;
-  Catalogue(path("old.db"), its, solver::build_mechanism(base.sheet, base.holes, base.folding))
-      .close();
+  Catalogue(path("old.db"), its, solver::build_mechanism(base)).close();
   EXPECT_EQ(version_of(*open_for_reading(path("old.db"))), kSchemaVersion);
   expect_there();
 }

@@ -90,7 +90,7 @@ TEST(Draw, OffsetsAreTheTrialsPoints) {
   const schema::Campaign campaign = schema::read_campaign(
       {{"pattern", {{"family", "miura"}, {"rows", 4}, {"columns", 4}}}, {"seed", 7u}}, "a test");
   const solver::PerforatedSheet& base = campaign.pattern.base;
-  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const auto mechanism = solver::build_mechanism(base);
   const auto offsets = trial_offsets(mechanism, campaign.seed, 5);
   ASSERT_EQ(offsets.creases_a.size(), mechanism.creases.size());
   ASSERT_EQ(offsets.creases_b.size(), mechanism.creases.size());

@@ -41,8 +41,7 @@ class Member {
   /// differ.
   double off_mm() const {
     double most = 0;
-    const solver::Mechanism mechanism =
-        solver::build_mechanism(base_.sheet, base_.holes, base_.folding);
+    const solver::Mechanism mechanism = solver::build_mechanism(base_);
     for (const solver::Crease& crease : mechanism.creases) {
       const Vec was = base_.sheet.vertices_mm.col(crease.b) - base_.sheet.vertices_mm.col(crease.a);
       const Vec is = vertices_mm_.col(crease.b) - vertices_mm_.col(crease.a);

@@ -104,7 +104,7 @@ std::vector<std::uint64_t> counted(const std::vector<int>& samples) {
 TEST_F(ToleranceTest, TrialsAreTheReferencesSlow) {
   const Tolerance tolerance = study(kAmplitude_mm, kTrials);
   const solver::PerforatedSheet& base = campaign_.pattern.base;
-  const auto mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  const auto mechanism = solver::build_mechanism(base);
   const auto plan =
       solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, campaign_.path());
   solver::Reference reference(mechanism, plan);

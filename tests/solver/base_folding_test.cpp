@@ -295,7 +295,7 @@ TEST(BaseFolding, PilotThatIsAMountain) {
   std::vector<int> assignment = above.base.folding.assignment();
   for (int& sign : assignment) sign *= -1;
   below.base.folding = folded(below.base.sheet, assignment, above.base.folding.pilot_edge());
-  below.mechanism = build_mechanism(below.base.sheet, below.base.holes, below.base.folding);
+  below.mechanism = build_mechanism(below.base);
   EXPECT_EQ(above.base.folding.side(), 1);
   EXPECT_EQ(below.base.folding.side(), -1);
   EXPECT_EQ(below.base.folding.assignment(), above.base.folding.assignment());

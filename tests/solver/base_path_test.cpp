@@ -132,7 +132,7 @@ struct GoesOn {
   double back_mm = 0;
 };
 GoesOn goes_on(const PerforatedSheet& base, const Eigen::Matrix2Xd& shifts_mm, double step_deg) {
-  const Mechanism mechanism = build_mechanism(base.sheet, base.holes, base.folding);
+  const Mechanism mechanism = build_mechanism(base);
   SheetGeometry<double> geometry;
   place(mechanism, base.sheet.vertices_mm + shifts_mm, geometry);
   const BasePath path(mechanism, base);

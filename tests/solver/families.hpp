@@ -37,7 +37,7 @@ inline std::string decision(const Verdict& verdict) {
 struct CarriedFamily {
   explicit CarriedFamily(PerforatedSheet sheet)
       : base(std::move(sheet)),
-        mechanism(build_mechanism(base.sheet, base.holes, base.folding)),
+        mechanism(build_mechanism(base)),
         shifted_vertices(interior_vertices(base.sheet)) {}
   explicit CarriedFamily(const std::string& name)
       : CarriedFamily(

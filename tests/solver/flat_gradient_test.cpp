@@ -65,8 +65,14 @@ TEST(FlatGradient, EqualsDifferencesBetweenSheets) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> shift(-0.4, 0.4);
   double worst = 0;
-  for (const auto& [rows, columns] : {std::pair(4, 4), {6, 6}}) {
-    const TestSheet sheet(rows, columns);
+  struct Case {
+    int size;
+    SpringEnds springs;
+  };
+  for (const auto& [size, springs] : {Case{4, {}}, {6, {}}, {4, {6, 0}}, {4, {3, -1.5}}}) {
+    TestSheet sheet(size, size);
+    sheet.base.springs = springs;
+    sheet.mechanism = build_mechanism(sheet.base);
     const double width_mm = sheet.mechanism.panel_width_mm;
     for (const double pilot_deg : {10.0, 60.0, 120.0}) {
       FlatVertices vertices_mm = sheet.base.sheet.vertices_mm;

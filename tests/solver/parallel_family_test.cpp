@@ -31,7 +31,7 @@ Eigen::Matrix2Xd random_member(const ParallelFamily& family, double amplitude_mm
 // opens of the closures round holes and of the creases' directions when one shift is 1.
 int nullity_by_folded_loops(const PerforatedSheet& base, const std::vector<int>& vertices) {
   const CreasePattern& sheet = base.sheet;
-  const Mechanism mechanism = build_mechanism(sheet, base.holes, base.folding);
+  const Mechanism mechanism = build_mechanism({sheet, base.holes, base.folding});
   const auto open = [&](const FlatVertices& vertices_mm) {
     std::vector<double> all;
     for (const Crease& crease : mechanism.creases) {
@@ -104,7 +104,7 @@ TEST(ParallelFamily, HasAsManyWaysAsFoldedLoopsLeave) {
 // Any base that has the family: members fold by the base's own fold angles, and their diagonals are
 // as the formula says, at every degree to 180. Folded lengths come from poses along the loops.
 void expect_closed_forms(const PerforatedSheet& base, double largest_mm, double tolerance) {
-  const Mechanism mechanism = build_mechanism(base.sheet, base.holes, base.folding);
+  const Mechanism mechanism = build_mechanism(base);
   std::mt19937 random(36);
   double worst_loop = 0, worst_length = 0;
   for (const bool rim : {false, true}) {

@@ -54,7 +54,7 @@ TEST(Perforation, RankAgainstSingularValues) {
     for (std::size_t left_out : {std::size_t{0}, std::size_t{1}, all.size() / 2, all.size() - 1}) {
       std::vector<int> holes = all;
       for (; left_out > 0; --left_out) holes.erase(holes.begin() + words() % holes.size());
-      const Mechanism mechanism = build_mechanism(sheet.base.sheet, holes, sheet.base.folding);
+      const Mechanism mechanism = build_mechanism({sheet.base.sheet, holes, sheet.base.folding});
       ClosureSystem system(mechanism);
       int rank = 0;
       for (const double pilot_deg : {40.0, 75.0, 110.0}) {

@@ -38,7 +38,7 @@ struct TestSheet {
     base.holes = checkerboard(base.sheet, holes == "checkerboard-odd" ? 1 : 0);
     base.folding = std::get<BaseFolding>(fold_sequentially(
         base.sheet, miura_assignment(shape, base.sheet), default_pilot(base.sheet, base.holes)));
-    mechanism = build_mechanism(base.sheet, base.holes, base.folding);
+    mechanism = build_mechanism(base);
     place(mechanism, base.sheet.vertices_mm, geometry);
   }
 

@@ -89,6 +89,17 @@ for file in "$patterns/table1.json 8 16" "8x6.json 12 24" "unshifted.json 16 16"
     fail "$file, springs in panels: $(cat err$kits)"
 done
 formats=
+# A pattern that says where its springs end: there are the bores, and the verdict is about these springs.
+sed 's/"holes"/"springs": { "attach": { "inset_mm": 12 } }, "holes"/' "$patterns/table1.json" > attached.json
+sheet=sheets/attached.fold
+"$program" export attached.json --format fold --step 1 --output sheets > /dev/null || fail "attached.json: fold"
+# shellcheck disable=SC2086
+check attached.json "--kerf 0.2 --against 0 --attached $bores $panel" --kerf 0.2 $bores
+[ ! -s err$kits ] || fail "springs where the pattern has them: $(cat err$kits)"
+# shellcheck disable=SC2086
+"$program" export attached.json --format dxf --kit $bores $panel --output never > /dev/null 2> err &&
+  fail "--spring-at though the pattern says it"
+grep -q "the pattern says where its springs end" err || fail "--spring-at: $(cat err)"
 # On a narrow bed pieces are turned.
 sheet=sheets/draw.fold
 check draw.json "--bed 200 400" --bed 200x400

@@ -1,12 +1,13 @@
 """Kits to cut beside the sheet that they are cut from, as the FOLD export has it. Standard input has a line for each:
 
     SHEET.fold [--kerf K] [--crease score|cut|dash] [--dash CUT BRIDGE] [--joint-bore D] [--spring-bore D]
-    [--spring-at vertex|panel] [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] KIT...
+    [--spring-at vertex|panel] [--attached] [--against N] [--edge E] [--bed W H] [--plain] [--wrong] [--numbers] KIT...
     [--spoil HOW...]
 
 The files are one kit. Prints what is wrong, and ends with 1 if anything is. --wrong: something must be; --spoil: one
 thing is spoilt first, and must be seen; --plain: only that DXF and SVG are one drawing; --numbers: also what was
-measured; --against: so many springs must contradict the verdict. Geometry is its own: shoelace, distances of parallel
+measured; --against: so many springs must contradict the verdict; --attached: that is about the springs as the pattern
+attaches them, and not about its diagonals. Geometry is its own: shoelace, distances of parallel
 lines; springs by the drawn bores, placed in the folded panels of the sheet's frames (one for each degree)."""
 
 import argparse
@@ -540,7 +541,7 @@ class Check:
                 places.append((label, self.ends[v, label]))
             lengths = [math.dist(*(self.sheet.folded(label, at, points) for label, at in places))
                        for _, points in self.sheet.frames]
-            own = [math.dist(points[a], points[b]) for _, points in self.sheet.frames]
+            own = lengths if self.wish.attached else [math.dist(points[a], points[b]) for _, points in self.sheet.frames]
             name = f"s{d}"
             against += way_of(own) != "reverses" and way_of(own) != way_of(lengths)
             if name not in flat or name not in ends or name not in histories:
@@ -718,6 +719,7 @@ def arguments():
     words.add_argument("--edge", type=float, default=2)
     words.add_argument("--spring-at", default="vertex")
     words.add_argument("--against", type=int)
+    words.add_argument("--attached", action="store_true")
     words.add_argument("--crease", default="score")
     words.add_argument("--dash", nargs=2, type=float, default=(4, 1))
     words.add_argument("--bed", nargs=2, type=float)

@@ -18,7 +18,7 @@ LargeSheets::LargeSheets(int panels) {
   base.folding = std::get<solver::BaseFolding>(
       solver::fold_sequentially(base.sheet, solver::miura_assignment(shape, base.sheet),
                                 solver::default_pilot(base.sheet, base.holes)));
-  mechanism = solver::build_mechanism(base.sheet, base.holes, base.folding);
+  mechanism = solver::build_mechanism(base);
   plan = solver::plan_path(mechanism, base.folding, base.sheet.vertices_mm, {.end_deg = kEnd_deg});
   for (int draw = 0; draw < kSheets; ++draw) {
     Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, base.sheet.vertex_count());

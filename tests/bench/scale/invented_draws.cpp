@@ -10,7 +10,7 @@ namespace {
 
 solver::Mechanism mechanism_of(const schema::Campaign& campaign) {
   const auto& base = campaign.pattern.base;
-  return solver::build_mechanism(base.sheet, base.holes, base.folding);
+  return solver::build_mechanism(base);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ MeshSheet mesh_sheet(int n) {
   mesh.folding = std::get<solver::BaseFolding>(
       solver::fold_sequentially(mesh.sheet, solver::miura_assignment(shape, mesh.sheet),
                                 solver::default_pilot(mesh.sheet, holes)));
-  mesh.mechanism = solver::build_mechanism(mesh.sheet, holes, mesh.folding);
+  mesh.mechanism = solver::build_mechanism({mesh.sheet, holes, mesh.folding});
   Eigen::Matrix2Xd shifts_mm = Eigen::Matrix2Xd::Zero(2, mesh.sheet.vertex_count());
   search::draw_shifts({.vertices = solver::interior_vertices(mesh.sheet)}, 1, 0, shifts_mm);
   solver::place(mesh.mechanism, mesh.sheet.vertices_mm + shifts_mm, mesh.geometry);

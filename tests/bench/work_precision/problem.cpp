@@ -6,8 +6,7 @@
 namespace misalign::bench {
 
 Problem::Problem(const schema::Campaign& campaign, int sheets)
-    : base_(campaign.pattern.base),
-      mechanism_(solver::build_mechanism(base_.sheet, base_.holes, base_.folding)) {
+    : base_(campaign.pattern.base), mechanism_(solver::build_mechanism(base_)) {
   const solver::PathPlan plan = solver::plan_path(
       mechanism_, base_.folding, base_.sheet.vertices_mm, {.sample_deg = 1, .end_deg = kEnd_deg});
   solver::PathTracker tracker(mechanism_);
