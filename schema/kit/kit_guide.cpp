@@ -9,6 +9,7 @@
 #include "schema/exchange/xml_text.hpp"
 #include "schema/files/printable.hpp"
 #include "schema/kit/guide_picture.hpp"
+#include "schema/kit/kit_hinges.hpp"
 #include "schema/kit/kit_parts.hpp"
 #include "schema/kit/kit_springs.hpp"
 #include "solver/design/plates.hpp"
@@ -55,7 +56,7 @@ class Guide {
     if (!input_.warning.empty()) {
       text += "<p class=\"warning\">" + xml_text(input_.warning) + "</p>\n";
     }
-    return text + bill() + springs() + assembly() + "</body></html>\n";
+    return text + bill() + hinge_table() + springs() + assembly() + "</body></html>\n";
   }
 
  private:
@@ -63,15 +64,27 @@ class Guide {
     return input_.actuation.pilot_deg[static_cast<std::size_t>(input_.actuation.from_row)];
   }
 
-  // Of the creases of a kind, how many, and how long all together.
-  std::pair<int, double> hinges(bool valley) const {
-    std::pair<int, double> found{0, 0};
-    for (const solver::Crease& crease : mechanism_.creases) {
-      if (mechanism_.is_valley(crease) != valley) continue;
-      ++found.first;
-      found.second += (sheet_.point_mm(crease.a) - sheet_.point_mm(crease.b)).norm();
+  std::string hinge_table() const {
+    const auto& thickness_mm = input_.design.thickness_mm;
+    std::string text =
+        "<h2>Hinges</h2>\n<table>\n" +
+        row({"hinges", "butted: on the face that", "fold at most to",
+             thickness_mm
+                 ? fmt::format("or a film at half thickness: gap for {:g} mm", *thickness_mm)
+                 : "or a film at half thickness: gap for each mm",
+             "or edges bevelled by"},
+            2, "th");
+    for (const bool valley : {false, true}) {
+      const KitHinges some(sheet_, valley, input_.actuation.from_row);
+      text += row({some.name, some.face, fmt::format("{:.1f}°", some.fold_deg),
+                   fmt::format("{:.2f} mm", some.gap_mm(thickness_mm.value_or(1))),
+                   fmt::format("{:.1f}°", some.bevel_deg())},
+                  2);
     }
-    return found;
+    return text + fmt::format(
+                      "</table>\n<p>Up to {:.10g}°. Panels that are butted close on the "
+                      "side of their hinge only.</p>\n",
+                      from_deg());
   }
 
   std::string bill() const {
@@ -96,9 +109,9 @@ class Guide {
                   1);
     }
     for (const bool valley : {false, true}) {
-      const auto [count, length_mm] = hinges(valley);
-      text += row({fmt::format("hinges, {}, {}", valley ? "valley" : "mountain", made),
-                   std::to_string(count), fmt::format("{:.0f} mm", length_mm)},
+      const KitHinges some(sheet_, valley, input_.actuation.from_row);
+      text += row({fmt::format("hinges, {}, {}", some.name, made), std::to_string(some.count),
+                   fmt::format("{:.0f} mm", some.length_mm)},
                   1);
     }
     const auto& bore_mm = input_.options.joint_bore_mm;
@@ -188,9 +201,8 @@ class Guide {
     }
     text += "</li>\n" + exploded();
     text += input_.options.crease == CreaseCut::cut
-                ? "<li>Hinge the panels along all creases, mountains on the face that looks up, "
-                  "valleys on the "
-                  "other: each hinge lies on the side on which its crease closes last.</li>\n"
+                ? "<li>Hinge the panels along all creases, each on the side on which it closes: "
+                  "valleys on the face that looks up, mountains on the other.</li>\n"
                 : "<li>Fold each crease once by hand, mountains away from you, valleys towards "
                   "you.</li>\n";
     text +=

@@ -25,6 +25,7 @@ struct KitOptions {
   double margin_mm = 5;     ///< round all of them
   std::optional<Eigen::Vector2d> bed_mm;  ///< width and height of the machine's
   bool guide = false;                     ///< with a page to build it by
+  bool test_piece = false;                ///< with one hinge and one ball joint to be cut first
 };
 
 }  // namespace misalign::schema

@@ -17,6 +17,7 @@
 #include "schema/files/text_file.hpp"
 #include "schema/kit/kit_drawing.hpp"
 #include "schema/kit/kit_guide.hpp"
+#include "schema/kit/test_piece.hpp"
 #include "search/sheets/chosen_sheet.hpp"
 #include "search/sheets/contact_text.hpp"
 #include "search/sheets/deploy_input.hpp"
@@ -218,6 +219,10 @@ void ExportFiles::write_drawings(const solver::Sheet& sheet, const ExportLabel& 
   for (std::size_t k = 0; k < texts.size(); ++k) {
     write_file(label.stem + (options_.kit->bed_mm ? fmt::format("-kit-{}", k + 1) : "-kit"),
                texts[k]);
+  }
+  if (options_.kit->test_piece) {
+    write_file(label.stem + "-kit-test",
+               text_of(schema::kit_test_piece(*options_.kit, label.title)));
   }
   if (options_.kit->guide) write_named(label.stem + "-kit.html", guide);
 }

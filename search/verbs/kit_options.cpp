@@ -32,6 +32,8 @@ void add_kit(CLI::App& verb, KitCall& call) {
   verb.add_flag("--guide", kit.guide,
                 "with --kit: also NAME-kit.html, what it takes and how it goes together, with "
                 "pictures");
+  verb.add_flag("--test-piece", kit.test_piece,
+                "with --kit: also NAME-kit-test, one hinge and one ball joint to cut first");
   Names<schema::CreaseCut> creases;
   for (const schema::CreaseCutName& one : schema::kCreaseCuts) {
     creases.emplace_back(one.name, one.cut);

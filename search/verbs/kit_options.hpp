@@ -21,7 +21,7 @@ struct KitCall {
 void add_kit(CLI::App& verb, KitCall& call);
 inline constexpr std::array kKitOptions = {
     "--crease",    "--dash-mm", "--kerf", "--joint-bore", "--spring-bore", "--spring-at",
-    "--bore-edge", "--gap",     "--bed",  "--margin",     "--guide"};
+    "--bore-edge", "--gap",     "--bed",  "--margin",     "--guide",       "--test-piece"};
 
 /// With the design's kind of hinge, and the bed, if one is asked for; nothing without --kit.
 std::optional<schema::KitOptions> chosen_kit(const KitCall& call, const schema::Design& design);

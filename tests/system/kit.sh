@@ -156,6 +156,42 @@ for kind, letter in (("mountain", "M"), ("valley", "V")):
     said = [row for row in rows if row and row[0].startswith(f"hinges, {kind}")]
     assert len(said) == 1 and abs(float(said[0][2].split()[0]) - length) <= 0.5, (said, length)
 assert page.count("<svg") == 5 and "pilot" in page.lower()
+# Hinges: the sharpest fold up to the angle of use, by normals of the folded panels.
+def normal(at, face):
+    u, v = ([at[face[k]][i] - at[face[0]][i] for i in range(3)] for k in (1, 2))
+    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    return [x / math.hypot(*n) for x in n]
+def folds(at, letter):
+    for edge, kind in zip(sheet["edges_vertices"], sheet["edges_assignment"]):
+        if kind == letter:
+            one, other = (normal(at, face) for face in sheet["faces_vertices"] if set(edge) <= set(face))
+            yield edge, math.degrees(math.acos(max(-1, min(1, sum(x * y for x, y in zip(one, other))))))
+used = [at for at in (frame["vertices_coords"] for frame in sheet["file_frames"])
+        if dict((tuple(sorted(edge)), fold) for edge, fold in folds(at, "V"))[1, 8] < 120.5]  # of the pilot, A2-A9
+assert len(used) >= 120, len(used)
+for kind, letter, face in (("mountain", "M", "down"), ("valley", "V", "up")):
+    largest = max(fold for at in used for _, fold in folds(at, letter))
+    (said,) = [row for row in rows if row and row[0] == kind]
+    assert said[1] == f"looks {face}" and abs(float(said[2].rstrip("°")) - largest) < 0.06, (said, largest)
+    assert abs(float(said[3].split()[0]) - math.tan(math.radians(largest / 2))) < 0.02, (said, largest)
+END
+
+# What to cut first: squares with half the kerf round them, bores on their diagonals.
+"$program" export "$patterns/table1.json" --format dxf --kit --kerf 0.2 --joint-bore 1.2 --test-piece --output first \
+  > names || fail "--test-piece"
+[ "$(tail -1 names)" = first/table1-kit-test.dxf ] || fail "--test-piece writes $(cat names)"
+"$python" - first/table1-kit-test.dxf << 'END' || fail "the test piece"
+import sys
+import ezdxf
+drawing = ezdxf.readfile(sys.argv[1]).modelspace()
+cuts = [[(p[0], p[1]) for p in line.get_points()] for line in drawing.query('LWPOLYLINE[layer=="CUT"]')]
+bores = [(c.dxf.center.x, c.dxf.center.y, c.dxf.radius) for c in drawing.query('CIRCLE[layer=="BORE"]')]
+boxes = sorted((min(x for x, _ in c), min(y for _, y in c), max(x for x, _ in c), max(y for _, y in c)) for c in cuts)
+assert [tuple(round(x, 6) for x in (b[2] - b[0], b[3] - b[1])) for b in boxes] == [(60.2, 30.2), (30.2, 30.2)], boxes
+corners = [(boxes[0][2] - 0.1, boxes[0][3] - 0.1, -1), (boxes[1][0] + 0.1, boxes[1][1] + 0.1, 1)]
+assert len(bores) == 2 and drawing.query('*[layer=="SCORE_VALLEY"]')
+for (x, y, radius), (at_x, at_y, way) in zip(sorted(bores), corners):
+    assert abs(x - at_x - way * 2.6) < 1e-6 and abs(y - at_y - way * 2.6) < 1e-6 and abs(radius - 0.5) < 1e-9
 END
 
 # One sentence, exit code 2, and no file, for what cannot be cut.
@@ -185,6 +221,7 @@ done << 'END'
 --format dxf --kit --bed 120x500|too small for the title and a gauge
 --format dxf --kit --bed 600|is no width and height in mm
 --format dxf --guide|--guide has no meaning without --kit
+--format dxf --test-piece|--test-piece has no meaning without --kit
 --format dxf --kit --guide --from 175|lies beyond D
 --format dxf --kit --crease fold|'fold' is none of cut, score, dash
 END
