@@ -1,5 +1,6 @@
 // The selected draw: everything that is known of it, and the views that move together.
 import { make_actuation, show_actuation_words } from "./actuation.js";
+import { values_of } from "./beside.js";
 import {
   show_certificate,
   show_commands,
@@ -51,13 +52,13 @@ export class Inspector {
     const report = this.#report,
       detail = report.details.find((entry) => entry.draw === draw),
       row = this.#candidates.row_of.get(draw),
-      values = detail ? detail.metrics : this.#row_values(row);
+      known = values_of(report, this.#candidates, draw);
     by_id("picked-title").textContent =
       heading(report, draw) + (row === undefined ? "" : ` · rank ${count(row + 1)}`);
     by_id("picked-words").textContent =
       (detail
         ? verdict_words(detail)
-        : `Accepted. Deploys from ${degrees(values.deploys_from_deg)}, with a margin of ${margin_words(values)}.`) +
+        : `Accepted. Deploys from ${degrees(known.deploys_from_deg)}, with a margin of ${margin_words(known)}.`) +
       population_words(report, draw);
     by_id("views").hidden = !detail;
     by_id("no-details").hidden = Boolean(detail);
@@ -71,7 +72,6 @@ export class Inspector {
         this.#compute(wanted),
       );
     }
-    const known = { ...values, ...this.#row_only(row, values) };
     show_metrics(
       by_id("metrics"),
       Object.keys(known).length ? known : null,
@@ -100,20 +100,6 @@ export class Inspector {
     }
     if (this.#state.get("picked") === draw) this.show(draw);
     return null;
-  }
-
-  #row_values(row) {
-    if (row === undefined) return null;
-    const columns = Object.entries(this.#candidates.columns);
-    return Object.fromEntries(columns.map(([name, column]) => [name, column[row]]));
-  }
-
-  /** What only the catalogue knows of it, such as how well it bears miscuts. */
-  #row_only(row, values) {
-    const all = this.#row_values(row);
-    return Object.fromEntries(
-      Object.entries(all ?? {}).filter(([name]) => values?.[name] === undefined),
-    );
   }
 
   #place_chart(box, chart) {

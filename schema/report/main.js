@@ -1,5 +1,6 @@
 // The page of `misalign report`: sets up overview, choice of a candidate, and the selected draw.
 import { follow_address } from "./address.js";
+import { make_beside } from "./beside.js";
 import { read_candidates, read_report } from "./data.js";
 import { make_columns_menu } from "./columns_menu.js";
 import { make_filter_field } from "./filter_field.js";
@@ -185,6 +186,7 @@ function follow_the_address(candidates, table, state) {
   const known = {
     picked: (draw) => candidates.row_of.has(draw) || detailed(draw),
     filter: () => true, // whatever is wrong with it is said below the field
+    beside: (draw) => candidates.row_of.has(draw) || detailed(draw),
     sort: (words) => is_order(words, candidates),
     columns: (words) => is_choice(words, candidates),
     across: (name) => metrics_of(candidates).some((metric) => metric.name === name),
@@ -211,6 +213,7 @@ function main() {
     filter: "",
     sort: "",
     columns: "", // all of them
+    beside: "", // no draw is held
     ...first_axes(candidates),
     sample: 0,
     pilot_deg: null,
@@ -228,6 +231,7 @@ function main() {
     show_detailed(report, candidates, state);
   }
   const inspector = new Inspector(report, candidates, state);
+  make_beside(report, candidates, state);
   state.on("picked", (draw) => inspector.show(draw));
   state.on("said", (words) => (by_id("said").textContent = words));
   const first = report.details[0]?.draw ?? candidates.columns.draw[0];
