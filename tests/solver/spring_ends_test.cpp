@@ -5,6 +5,8 @@
 
 #include "families.hpp"
 #include "own_sheet.hpp"
+#include "solver/design/deploy.hpp"
+#include "solver/design/joint_forces.hpp"
 #include "solver/kinematics/diagonals.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/sheet/sheet.hpp"
@@ -150,6 +152,28 @@ TEST(SpringEnds, WaysGoOnThroughFlat) {
       way_below.find_lengths(x, mirrored, mirrored_rates);
       EXPECT_LE((lengths - mirrored).cwiseAbs().maxCoeff(), 1e-9);
       EXPECT_LE((rates + mirrored_rates).cwiseAbs().maxCoeff(), 1e-7);
+    }
+  }
+}
+
+// The moment that holds the pilot is the springs' energy's slope only if each pulls where it ends,
+// on the panel that carries it.
+TEST(SpringEnds, JointForcesHoldWhatTheyPull) {
+  for (const SpringEnds& springs : {kEnds[0], kEnds[2], kEnds[3]}) {
+    SCOPED_TRACE(std::to_string(springs.inset_mm) + " " + std::to_string(springs.offset_mm));
+    const WithSprings sheets(springs);
+    const Model model(sheets.base);
+    const FoldingWay way = way_of(model, sheets.vertices(sheets.draws(1, kSeed), 0)).value();
+    const DeployingSheet deploying(way, model.shape(), sheets.base, {});
+    Deployment run = deploy(deploying, {0.0}, {});
+    for (std::size_t k = 0; k < 5; ++k) run.rows[k] = run.rows[1 + 11 * k];
+    run.rows.resize(5);
+    const JointForces forces =
+        find_joint_forces(deploying, model.shape(), sheets.base, run, {.in_motion = false});
+    for (std::size_t k = 0; k < run.rows.size(); ++k) {
+      const double x = run.rows[k].x, moment = deploying.at(x).slope / way.pilot_rate(x);
+      ASSERT_GT(std::abs(moment), 1e-3);
+      EXPECT_NEAR(forces.holding_n_mm[k], -moment, 1e-6 * std::abs(moment)) << x;
     }
   }
 }
