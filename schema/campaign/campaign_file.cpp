@@ -185,8 +185,8 @@ Campaign read_campaign(const Json& value, const std::string& source,
                : is_in_closed_form ? "a search among sheets with so few holes"
                                    : nullptr,
                campaign.certify);
-  if (campaign.certify && !campaign.pattern.base.springs.at_vertices()) {
-    faults.add(reader.shown("certify"), "proofs are of springs on the vertices",
+  if (campaign.certify && !campaign.pattern.base.springs.in_mid_plane()) {
+    faults.add(reader.shown("certify"), "proofs are of springs in the panels' mid-plane",
                "write false, or take \"springs\" out of the pattern");
   }
   reader.refuse_unknown_keys();

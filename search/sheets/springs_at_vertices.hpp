@@ -8,17 +8,25 @@
 
 namespace misalign::search {
 
-/// UserError (bad_request) where springs end beside the vertices. `what` are about springs that do
-/// not: "certify: proofs".
-inline void need_springs_at_vertices(const solver::SpringEnds& springs, const std::string& what) {
-  if (springs.at_vertices()) return;
+/// UserError (bad_request): `what` are about springs `where` ("certify: proofs", "on the
+/// vertices"), and these end beside it.
+[[noreturn]] inline void refuse_springs(const solver::SpringEnds& springs, const std::string& what,
+                                        const std::string& where) {
   throw schema::UserError(
       schema::Cause::bad_request,
       fmt::format(
-          "{} are of springs on the vertices, and these end {:g} mm beside them, {:g} mm off "
-          "the mid-plane (\"springs.attach\"); take \"springs\" out of the pattern for a "
-          "sheet with springs on its vertices",
-          what, springs.inset_mm, springs.offset_mm));
+          "{} are of springs {}, and these end {:g} mm beside the vertices, {:g} mm off the "
+          "mid-plane (\"springs.attach\"); take \"springs\" out of the pattern for a sheet with "
+          "springs on its vertices",
+          what, where, springs.inset_mm, springs.offset_mm));
+}
+
+inline void need_springs_at_vertices(const solver::SpringEnds& springs, const std::string& what) {
+  if (!springs.at_vertices()) refuse_springs(springs, what, "on the vertices");
+}
+/// Off it lengths are not even in the pilot's angle.
+inline void need_springs_in_mid_plane(const solver::SpringEnds& springs, const std::string& what) {
+  if (!springs.in_mid_plane()) refuse_springs(springs, what, "in the panels' mid-plane");
 }
 
 }  // namespace misalign::search

@@ -14,6 +14,7 @@
 
 #include "solver/certificate/dual.hpp"
 #include "solver/certificate/graded.hpp"
+#include "solver/certificate/graded_spring.hpp"
 #include "solver/certificate/taylor_model.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 
@@ -34,18 +35,6 @@ struct Chart {
   std::vector<Ball> balls;
 };
 
-/// Coordinates in T of a sheet that is known in S.
-template <class T, class S>
-SheetGeometry<T> convert(const SheetGeometry<S>& geometry) {
-  const auto each = [](const std::vector<S>& from) {
-    std::vector<T> to;
-    to.reserve(from.size());
-    for (const S& value : from) to.push_back(T(value));
-    return to;
-  };
-  return {each(geometry.x), each(geometry.y), each(geometry.axis_x), each(geometry.axis_y)};
-}
-
 /// Where the values of a column of the Jacobian are among those that GradedClosure::evaluate gives,
 /// and in which rows they belong.
 struct JacobianColumn {
@@ -57,6 +46,7 @@ std::vector<JacobianColumn> columns_of(const Mechanism& mechanism);
 template <class T, class Sigma>
 class GradedClosure {
  public:
+  using Number = T;
   /// A joint at its unknowns: the quaternion of a passage of sense +1, of a crease without its
   /// axis.
   struct Joint {
@@ -120,6 +110,8 @@ class GradedClosure {
   /// widths squared): 2 e_1 . (R e_2 - e_2), where R is what the joints do at the corner between
   /// the two sides that it spans. It depends on these alone.
   T squared_elongation(const Diagonal& diagonal) const {
+    if (!mechanism_.springs.at_vertices())
+      return GradedSpring<GradedClosure>(*this, diagonal).stretch();
     const Loop& loop = mechanism_.loops[diagonal.loop];
     const Corner corner = go_round_corner(loop, middle_corner(diagonal));
     const GradedVector<T> before = side(loop, diagonal.from_corner);
@@ -129,6 +121,8 @@ class GradedClosure {
   /// Its derivative by each unknown of that corner's joints: use(column, derivative).
   template <class Use>
   void squared_elongation_rates(const Diagonal& diagonal, Use&& use) const {
+    if (!mechanism_.springs.at_vertices())
+      return GradedSpring<GradedClosure>(*this, diagonal).rates(use);
     const Loop& loop = mechanism_.loops[diagonal.loop];
     const int at = middle_corner(diagonal);
     const Corner corner = go_round_corner(loop, at);
@@ -177,6 +171,12 @@ class GradedClosure {
   }
 
  private:
+  friend class GradedSpring<GradedClosure>;
+
+  GradedVector<T> way(int from, int to) const {
+    return {geometry_.x[to] - geometry_.x[from], geometry_.y[to] - geometry_.y[from], T(0.0)};
+  }
+
   // Of the joints at one corner of a hole: the products before each of them, and by how much all of
   // them displace the side that comes after.
   struct Corner {
@@ -228,8 +228,7 @@ class GradedClosure {
     return {geometry_.axis_x[edge], geometry_.axis_y[edge], T(0.0)};
   }
   GradedVector<T> side(const Loop& loop, int k) const {
-    const int from = loop.corners[k], to = loop.corners[(k + 1) % 4];
-    return {geometry_.x[to] - geometry_.x[from], geometry_.y[to] - geometry_.y[from], T(0.0)};
+    return way(loop.corners[k], loop.corners[(k + 1) % 4]);
   }
 
   Joint passed(const Passage& passage) const {

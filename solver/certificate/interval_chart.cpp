@@ -49,6 +49,50 @@ HalfAngle<Ball> half_angle_ball(double angle_deg) {
   return {c, x * s};
 }
 
+namespace {
+
+struct FlatVector {
+  Ball x, y;
+
+  FlatVector(const FlatVertices& vertices_mm, int from, int to)
+      : x(Ball(vertices_mm(0, to)) - Ball(vertices_mm(0, from))),
+        y(Ball(vertices_mm(1, to)) - Ball(vertices_mm(1, from))) {}
+  void scale_to(const Ball& length) {
+    const Ball norm = square_root(x * x + y * y);
+    x = quotient(x * length, norm);
+    y = quotient(y * length, norm);
+  }
+};
+
+// On the bisector of the corner of the panel that carries each.
+void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm,
+                     SheetGeometry<Ball>& geometry) {
+  assert(mechanism.springs.in_mid_plane());
+  const Ball width(mechanism.panel_width_mm), inset(mechanism.springs.inset_mm);
+  for (const Loop& loop : mechanism.loops) {
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      if (loop.hole < 0) {
+        geometry.x.emplace_back(0.0);
+        geometry.y.emplace_back(0.0);
+        continue;
+      }
+      const int at = loop.corners[corner];
+      FlatVector along(vertices_mm, at, loop.ends[corner].before),
+          after(vertices_mm, at, loop.ends[corner].after);
+      along.scale_to(Ball(1.0));
+      after.scale_to(Ball(1.0));
+      along.x = along.x + after.x;
+      along.y = along.y + after.y;
+      along.scale_to(inset);
+      const auto v = static_cast<std::size_t>(at);
+      geometry.x.push_back(geometry.x[v] + quotient(along.x, width));
+      geometry.y.push_back(geometry.y[v] + quotient(along.y, width));
+    }
+  }
+}
+
+}  // namespace
+
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm) {
   SheetGeometry<Ball> geometry;
   const auto difference = [&](int row, Eigen::Index from, Eigen::Index to) {
@@ -65,6 +109,7 @@ SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices
     geometry.axis_x.push_back(quotient(dx, length));
     geometry.axis_y.push_back(quotient(dy, length));
   }
+  if (!mechanism.springs.at_vertices()) add_spring_ends(mechanism, vertices_mm, geometry);
   return geometry;
 }
 

@@ -12,7 +12,8 @@ namespace misalign::solver {
 /// The half angle of an angle that is given exactly, by Taylor series; -360 to 360 degrees.
 HalfAngle<Ball> half_angle_ball(double angle_deg);
 
-/// The sheet whose vertices are exactly these doubles (mm), in panel widths.
+/// The sheet whose vertices are exactly these doubles (mm), in panel widths; behind them the ends
+/// of springs that are beside the vertices (spring_vertex).
 SheetGeometry<Ball> place_exactly(const Mechanism& mechanism, const FlatVertices& vertices_mm);
 
 /// The same as Taylor models of any degree.
@@ -24,6 +25,18 @@ SheetGeometry<T> with_errors(const SheetGeometry<Ball>& sheet) {
     return to;
   };
   return {each(sheet.x), each(sheet.y), each(sheet.axis_x), each(sheet.axis_y)};
+}
+
+/// Coordinates in T of a sheet that is known in S.
+template <class T, class S>
+SheetGeometry<T> convert(const SheetGeometry<S>& geometry) {
+  const auto each = [](const std::vector<S>& from) {
+    std::vector<T> to;
+    to.reserve(from.size());
+    for (const S& value : from) to.push_back(T(value));
+    return to;
+  };
+  return {each(geometry.x), each(geometry.y), each(geometry.axis_x), each(geometry.axis_y)};
 }
 
 class IntervalChart {

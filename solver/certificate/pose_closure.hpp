@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/certificate/graded_motion.hpp"
+#include "solver/certificate/spring_vertex.hpp"
 #include "solver/kinematics/folded_shape.hpp"
 
 namespace misalign::solver {
@@ -101,6 +102,7 @@ class PoseClosure {
   /// What a diagonal's squared length has over that of the flat sheet, over sigma: of sides e, f at
   /// the corner that it spans |e + R f|^2 - |e + f|^2 = 2 e . (R - I) f, R that of the corner.
   T squared_elongation(const Diagonal& diagonal) const {
+    if (!mechanism_.springs.at_vertices()) return stretch_of_spring(diagonal);
     const Loop& loop = mechanism_.loops[diagonal.loop];
     const int corner = (diagonal.from_corner + 1) % 4;
     const int end = corner == 3 ? static_cast<int>(loop.passages.size()) : loop.arrival[corner + 1];
@@ -143,6 +145,29 @@ class PoseClosure {
   }
 
  private:
+  // Of ends p and q, which the joints between their panels take from q to q + u: 2 (q - p) . u +
+  // u^2.
+  T stretch_of_spring(const Diagonal& diagonal) const {
+    const Loop& loop = mechanism_.loops[diagonal.loop];
+    const int p = spring_vertex(mechanism_, diagonal.loop, diagonal.from_corner),
+              q = spring_vertex(mechanism_, diagonal.loop, diagonal.to_corner);
+    Motion<T> turn{};
+    bool is_first = true;
+    each_passage_between_ends(mechanism_, diagonal, [&](const Passage& passage) {
+      turn = is_first ? motion(loop, passage) : composed(sigma_, turn, motion(loop, passage));
+      is_first = false;
+    });
+    const auto at = step(loop.passages[0].vertex, q), apart = step(p, q);
+    T inner{}, square{};
+    for (int i = 0; i < 2; ++i) {
+      const T by = scaled(at[0], turn.a[i][0]) + scaled(at[1], turn.a[i][1]) + turn.t[i];
+      inner = inner + scaled(apart[i], by);
+      square = square + by * by;
+    }
+    const T up = scaled(at[0], turn.c[0]) + scaled(at[1], turn.c[1]) + turn.t[2];
+    return inner + inner + sigma_(square) + up * up;
+  }
+
   struct CreaseValue {
     T c, s, inverse;
   };

@@ -8,6 +8,38 @@ namespace {
 
 double as_double(const ArbNumber& x) { return arf_get_d(arb_midref(x[0]), ARF_RND_NEAR); }
 
+ArbNumber root_of(const ArbNumber& x) {
+  ArbNumber root;
+  arb_sqrt(root[0], x[0], kArbBits);
+  return root;
+}
+
+// Ends of springs beside the vertices, behind these: the corner's unit vectors added up.
+void add_ends(const Mechanism& mechanism, SheetGeometry<ArbNumber>& geometry) {
+  const ArbNumber inset =
+      ArbNumber(mechanism.springs.inset_mm) / ArbNumber(mechanism.panel_width_mm);
+  for (const Loop& loop : mechanism.loops) {
+    for (int corner = 0; corner < 4; ++corner) {
+      ArbNumber x(0.0), y(0.0);
+      if (loop.hole >= 0) {
+        const int at = loop.corners[corner];
+        for (const int beside : {loop.ends[corner].before, loop.ends[corner].after}) {
+          const ArbNumber dx = geometry.x[beside] - geometry.x[at];
+          const ArbNumber dy = geometry.y[beside] - geometry.y[at];
+          const ArbNumber length = root_of(dx * dx + dy * dy);
+          x += dx / length;
+          y += dy / length;
+        }
+        const ArbNumber share = inset / root_of(x * x + y * y);
+        x = geometry.x[at] + share * x;
+        y = geometry.y[at] + share * y;
+      }
+      geometry.x.push_back(x);
+      geometry.y.push_back(y);
+    }
+  }
+}
+
 SheetGeometry<ArbNumber> place_in_balls(const Mechanism& mechanism,
                                         const FlatVertices& vertices_mm) {
   SheetGeometry<ArbNumber> geometry;
@@ -19,11 +51,11 @@ SheetGeometry<ArbNumber> place_in_balls(const Mechanism& mechanism,
   for (const Edge& edge : mechanism.edges) {
     const ArbNumber dx = geometry.x[edge.b] - geometry.x[edge.a];
     const ArbNumber dy = geometry.y[edge.b] - geometry.y[edge.a];
-    ArbNumber length;
-    arb_sqrt(length[0], (dx * dx + dy * dy)[0], kArbBits);
+    const ArbNumber length = root_of(dx * dx + dy * dy);
     geometry.axis_x.push_back(dx / length);
     geometry.axis_y.push_back(dy / length);
   }
+  if (!mechanism.springs.at_vertices()) add_ends(mechanism, geometry);
   return geometry;
 }
 

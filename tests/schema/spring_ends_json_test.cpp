@@ -37,9 +37,9 @@ TEST(SpringEndsJson, WhatCannotBeIsRefused) {
   Json exact = attached(R"({"offset_mm": 1})");
   exact["accept"]["between_samples"] = "exact";
   expect_fault(exact, {"accept.between_samples", "off the mid-plane"});
-  Json certified = attached(R"({"inset_mm": 6})");
+  Json certified = attached(R"({"offset_mm": 1})");
   certified["certify"] = true;
-  expect_fault(certified, {"certify", "springs on the vertices"});
+  expect_fault(certified, {"certify", "in the panels' mid-plane"});
   Json few = attached(R"({"inset_mm": 6})");
   few["pattern"]["holes"] = Json::parse("[[1, 2]]");
   few["misalignment"] = {{"kind", "parallel"}, {"vertices", "all"}};

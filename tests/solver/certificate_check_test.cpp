@@ -89,6 +89,26 @@ TEST(CertificateCheck, passes_the_papers_sheet) {
 }
 
 // A proof that is cut short is one, up to where it was cut; why it ends there it does not prove.
+// With springs in bores a diagonal turns back elsewhere: neither's proof is the other's.
+TEST(CertificateCheck, passes_springs_beside_the_vertices_and_no_others) {
+  const TestSheet plain(6, 6);
+  TestSheet bored(6, 6);
+  bored.base.springs = {6, 0};
+  bored.mechanism = build_mechanism(bored.base);
+  const FlatVertices vertices_mm = bored.shifted(golden("table1_odd.json").at("displacements_mm"));
+  const Model model(bored.base);
+  const Certificate certificate =
+      as_kept(bored.mechanism, Certifier(model).certify(vertices_mm, 180));
+  EXPECT_EQ(certificate.end, CertificateEnd::reversal);
+  EXPECT_GT(certificate.certified_deg(), 150);
+  EXPECT_FALSE(check_certificate(bored.mechanism, vertices_mm, certificate));
+  EXPECT_TRUE(check_certificate(plain.mechanism, vertices_mm, certificate));
+  const Model of_vertices(plain.base);
+  const Certificate other =
+      as_kept(plain.mechanism, Certifier(of_vertices).certify(vertices_mm, 180));
+  EXPECT_TRUE(check_certificate(bored.mechanism, vertices_mm, other));
+}
+
 TEST(CertificateCheck, passes_what_was_cut_short_without_proving_why) {
   const CertifiedSheet& sheet = reversing();
   Certificate cut = sheet.certificate;

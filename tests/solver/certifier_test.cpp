@@ -17,13 +17,21 @@ namespace {
 // The paper's sheet of Table 1.
 struct PaperSheet {
   TestSheet sheet{6, 6};
-  const Mechanism& mechanism = sheet.mechanism;
+  Mechanism mechanism;
   FlatVertices vertices_mm = sheet.shifted(golden("table1_odd.json").at("displacements_mm"));
   SheetGeometry<double> geometry;
-  Model model{sheet.base};
+  PerforatedSheet base = sheet.base;
+  Model model;
   Certificate certificate = Certifier(model).certify(vertices_mm, 180);
 
-  PaperSheet() { place(mechanism, vertices_mm, geometry); }
+  explicit PaperSheet(const SpringEnds& springs = {})
+      : model([&] {
+          base.springs = springs;
+          return base;
+        }()) {
+    mechanism = build_mechanism(base);
+    place(mechanism, vertices_mm, geometry);
+  }
 
   /// The state at an angle next to that of a state.
   FoldState<double> solved(FoldState<double> near, double pilot_deg) const {
@@ -40,6 +48,12 @@ struct PaperSheet {
 
 const PaperSheet& paper() {
   static const PaperSheet sheet;
+  return sheet;
+}
+
+// The same with its springs in bores.
+const PaperSheet& bored() {
+  static const PaperSheet sheet(SpringEnds{6, 0});
   return sheet;
 }
 
@@ -81,10 +95,10 @@ TEST(Certifier, holds_the_states_of_newtons_method) {
   }
 }
 
-TEST(Certifier, has_the_slopes_of_its_lengths) {
-  const PaperSheet& sheet = paper();
+void expect_slopes_of_lengths(const PaperSheet& sheet) {
   TubeProver prover(sheet.mechanism, sheet.vertices_mm);
-  for (const std::size_t k : {std::size_t{0}, std::size_t{1}, std::size_t{12}, std::size_t{22}}) {
+  for (const std::size_t k :
+       {std::size_t{0}, std::size_t{1}, std::size_t{12}, sheet.certificate.intervals.size() - 4}) {
     const PathInterval& interval = sheet.certificate.intervals.at(k);
     PathTube tube;
     ASSERT_EQ(prover.prove(interval, 2 * interval.box, tube), TubeProver::End::proven);
@@ -105,9 +119,13 @@ TEST(Certifier, has_the_slopes_of_its_lengths) {
   }
 }
 
+TEST(Certifier, has_the_slopes_of_its_lengths) {
+  expect_slopes_of_lengths(paper());
+  expect_slopes_of_lengths(bored());
+}
+
 // The last interval's end and 0.01 degrees on either side: a parabola through three lengths.
-TEST(Certifier, ends_where_a_diagonal_turns_back) {
-  const PaperSheet& sheet = paper();
+void expect_end_at_a_turn(const PaperSheet& sheet) {
   const Certificate& certificate = sheet.certificate;
   ASSERT_EQ(certificate.end, CertificateEnd::reversal);
   ASSERT_TRUE(certificate.closing);
@@ -126,6 +144,11 @@ TEST(Certifier, ends_where_a_diagonal_turns_back) {
   EXPECT_NEAR(turn_deg, end_deg, kClosing_deg + kStep_deg * kStep_deg);
   // The other diagonals go on.
   EXPECT_LT(certificate.closing->to_deg - end_deg, kClosing_deg);
+}
+
+TEST(Certifier, ends_where_a_diagonal_turns_back) {
+  expect_end_at_a_turn(paper());
+  expect_end_at_a_turn(bored());
 }
 
 TEST(Certifier, ends_at_the_angle_that_is_asked_for) {
@@ -243,6 +266,50 @@ TEST(GradedClosure, has_the_jacobian_of_its_residual) {
         there = 0;
       }
       for (const double rest : difference) EXPECT_NEAR(rest, 0, 1e-8);
+    }
+  }
+}
+
+// What a spring in bores gains by each joint between its ends, beside differences.
+TEST(GradedClosure, has_the_rates_of_springs_beside_the_vertices) {
+  const PaperSheet& sheet = bored();
+  const Mechanism& mechanism = sheet.mechanism;
+  SheetGeometry<double> geometry = sheet.geometry;
+  for (const Loop& loop : mechanism.loops) {
+    for (int corner = 0; corner < 4; ++corner) {
+      const auto end = loop.hole < 0 ? Vec3<double>{0, 0, 0}
+                                     : spring_end(mechanism, sheet.geometry, loop, corner);
+      geometry.x.push_back(end.x);
+      geometry.y.push_back(end.y);
+    }
+  }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> small(-0.01, 0.01);
+  for (const std::size_t k : {std::size_t{0}, sheet.certificate.intervals.size() - 1}) {
+    const IntervalChart chart(mechanism, sheet.certificate.intervals[k]);
+    std::vector<double> x(static_cast<std::size_t>(mechanism.unknowns));
+    for (double& one : x) one = small(random);
+    const GradedBy<double> sigma{chart.is_graded() ? chart.sigma() : 1};
+    const auto closure = [&] {
+      return GradedClosure<double, GradedBy<double>>(mechanism, geometry, chart.joints(), sigma,
+                                                     x.data());
+    };
+    constexpr double kStep = 1e-5;
+    for (const Diagonal& diagonal : mechanism.diagonals) {
+      std::vector<double> rates(x.size(), 0.0);
+      closure().squared_elongation_rates(diagonal, [&](int column, double rate) {
+        rates[static_cast<std::size_t>(column)] = rate;
+      });
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        const double at = x[j];
+        x[j] = at + kStep;
+        const double ahead = closure().squared_elongation(diagonal);
+        x[j] = at - kStep;
+        const double behind = closure().squared_elongation(diagonal);
+        x[j] = at;
+        // Rounding over the step, and the step's square; larger numbers where over sigma.
+        EXPECT_NEAR(rates[j], (ahead - behind) / (2 * kStep), 1e-7) << j;
+      }
     }
   }
 }
