@@ -27,20 +27,6 @@ double distance_to_edges(const solver::Sheet& sheet, int facet, const Vector2d& 
   return least;
 }
 
-// The panel with which a diagonal's spring moves at a vertex, and whether that is a ball joint.
-struct SpringPlace {
-  SpringPlace(const solver::Sheet& sheet, int hole, int vertex) {
-    const std::vector<int> around = solver::facets_around(sheet.base().sheet, vertex);
-    const auto here = std::find(around.begin(), around.end(), hole) - around.begin();
-    const int across = around[static_cast<std::size_t>(here + 2) % 4];
-    const auto& holes = sheet.base().holes;
-    in_joint = std::binary_search(holes.begin(), holes.end(), across);
-    facet = in_joint ? around[static_cast<std::size_t>(here + 1) % 4] : across;
-  }
-  int facet;
-  bool in_joint;
-};
-
 class FittingsMaker {
  public:
   // With the diameters times `scale`.
@@ -57,9 +43,9 @@ class FittingsMaker {
     if (!options_.spring_bore_mm) return std::move(made_);
     for (std::size_t d = 0; d < sheet_.mechanism().diagonals.size(); ++d) {
       const solver::Diagonal& diagonal = sheet_.mechanism().diagonals[d];
-      const int hole = sheet_.mechanism().loops[static_cast<std::size_t>(diagonal.loop)].hole;
-      for (const int vertex : {diagonal.from, diagonal.to}) {
-        add_end(SpringPlace(sheet_, hole, vertex), vertex, static_cast<int>(d));
+      for (const int corner : {diagonal.from_corner, diagonal.to_corner}) {
+        add_end(sheet_.mechanism().loops[static_cast<std::size_t>(diagonal.loop)],
+                static_cast<std::size_t>(corner), static_cast<int>(d));
       }
     }
     return std::move(made_);
@@ -80,28 +66,31 @@ class FittingsMaker {
         {facet, vertex, spring, corner.at_mm + away_mm * corner.bisector, diameter_mm});
   }
 
-  void add_end(const SpringPlace& place, int vertex, int spring) {
+  // Of a spring at a corner of its hole.
+  void add_end(const solver::Loop& loop, std::size_t corner, int spring) {
+    const int vertex = loop.corners[corner], facet = loop.carriers[corner].facet;
     const double diameter_mm = scale_ * *options_.spring_bore_mm;
     if (const solver::SpringEnds& springs = sheet_.base().springs; !springs.at_vertices()) {
-      const PanelCorner corner(sheet_, place.facet, vertex);
-      const Vector2d at_mm = corner.at_mm + springs.inset_mm * corner.bisector;
-      made_.bores.push_back({place.facet, vertex, spring, at_mm, diameter_mm});
-      made_.ends.push_back({place.facet, vertex, spring, at_mm, 0.5 * diameter_mm});
+      const PanelCorner panel(sheet_, facet, vertex);
+      const Vector2d at_mm = panel.at_mm + springs.inset_mm * panel.bisector;
+      made_.bores.push_back({facet, vertex, spring, at_mm, diameter_mm});
+      made_.ends.push_back({facet, vertex, spring, at_mm, 0.5 * diameter_mm});
       return;
     }
     if (options_.spring_at == SpringAt::panel) {
-      add_bore(place.facet, vertex, spring, diameter_mm);
+      add_bore(facet, vertex, spring, diameter_mm);
       made_.ends.push_back(
-          {place.facet, vertex, spring, made_.bores.back().centre_mm, 0.5 * diameter_mm});
+          {facet, vertex, spring, made_.bores.back().centre_mm, 0.5 * diameter_mm});
       return;
     }
+    const bool in_joint = loop.passages[static_cast<std::size_t>(loop.arrival[corner])].ball;
     const Vector2d at_mm = sheet_.point_mm(vertex);
     const double radius_mm = 0.5 * diameter_mm + options_.bore_edge_mm,
                  clear_mm = radius_mm + kTabSlot_mm + options_.kerf_mm;
-    made_.ends.push_back({place.facet, vertex, spring, at_mm, place.in_joint ? 0 : clear_mm});
-    if (place.in_joint) return;
-    made_.bores.push_back({place.facet, vertex, spring, at_mm, diameter_mm});
-    made_.tabs.push_back({place.facet, vertex, radius_mm, clear_mm});
+    made_.ends.push_back({facet, vertex, spring, at_mm, in_joint ? 0 : clear_mm});
+    if (in_joint) return;
+    made_.bores.push_back({facet, vertex, spring, at_mm, diameter_mm});
+    made_.tabs.push_back({facet, vertex, radius_mm, clear_mm});
   }
 
   const solver::Sheet& sheet_;

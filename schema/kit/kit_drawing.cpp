@@ -47,7 +47,8 @@ class Kit {
     std::vector<KitPart> parts = kit_parts(sheet_, options_.crease);
     if (options_.crease != CreaseCut::cut) note_loose_panels(parts);
     if (sheet_.shifts_mm().isZero(0)) notes_.emplace_back("no vertex is shifted");
-    if (!fittings_.tabs.empty()) {
+    if (!springs_.empty() && options_.spring_at != SpringAt::panel &&
+        sheet_.base().springs.at_vertices()) {
       notes_.emplace_back("springs end on vertices: in a tab's bore, or in the ball joint's wire");
     }
     if (options_.bed_mm) parts = fitted(parts);

@@ -26,7 +26,7 @@ int panel_too_small(const solver::PerforatedSheet& base) {
   place(mechanism, base.sheet.vertices_mm, geometry);
   for (const solver::Loop& loop : mechanism.loops) {
     for (int corner = 0; loop.hole >= 0 && corner < 4; ++corner) {
-      const int facet = loop.ends[static_cast<std::size_t>(corner)].facet;
+      const int facet = loop.carriers[static_cast<std::size_t>(corner)].facet;
       if (!contains(base, facet, spring_end(mechanism, geometry, loop, corner), geometry)) {
         return facet;
       }

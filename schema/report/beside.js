@@ -1,22 +1,11 @@
 // Two sheets side by side: the one that is picked, and one that is held. State "beside" is its draw.
 import { show_when_wide } from "./chart.js";
-import { decode_detail, last_sample_up_to } from "./data.js";
+import { decode_detail, last_sample_up_to, values_of } from "./data.js";
 import { by_id, h } from "./format.js";
 import { make_histories } from "./histories.js";
 import { metrics, with_unit } from "./metrics.js";
 import { end_of_path, heading, is_pattern } from "./page_kind.js";
 import { make_state } from "./state.js";
-
-/** What is known of a draw by name: of its details, otherwise of its row. */
-export function values_of(report, candidates, draw) {
-  const row = candidates.row_of.get(draw),
-    detail = report.details.find((entry) => entry.draw === draw),
-    columns = row === undefined ? [] : Object.entries(candidates.columns);
-  return {
-    ...Object.fromEntries(columns.map(([name, column]) => [name, column[row]])),
-    ...detail?.metrics,
-  };
-}
 
 /** -1 where the first is better, 1 where the second is, 0 where none is or nobody knows. */
 function which_is_better({ better, none_is_best }, first, second) {
@@ -55,10 +44,7 @@ class Beside {
   constructor(report, candidates, state) {
     [this.#report, this.#candidates, this.#state] = [report, candidates, state];
     by_id("beside-card").hidden = is_pattern(report);
-    by_id("hold").addEventListener("click", () => {
-      const picked = state.get("picked");
-      state.set("beside", state.get("beside") === picked ? "" : picked);
-    });
+    by_id("hold").addEventListener("click", () => state.set("beside", state.get("picked")));
     by_id("release").addEventListener("click", () => state.set("beside", ""));
     state.on("beside", () => this.show());
     state.on("picked", () => this.show());

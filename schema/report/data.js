@@ -95,6 +95,17 @@ export function decode_detail(detail, report) {
   };
 }
 
+/** What is known of a draw by name: of its details, otherwise of its row. */
+export function values_of(report, candidates, draw) {
+  const row = candidates.row_of.get(draw),
+    detail = report.details.find((entry) => entry.draw === draw),
+    columns = row === undefined ? [] : Object.entries(candidates.columns);
+  return {
+    ...Object.fromEntries(columns.map(([name, column]) => [name, column[row]])),
+    ...detail?.metrics,
+  };
+}
+
 export function last_sample_up_to(pilot_deg, limit_deg) {
   let k = 0;
   while (k + 1 < pilot_deg.length && pilot_deg[k + 1] <= limit_deg + 1e-9) ++k;

@@ -1,6 +1,5 @@
 // The selected draw: everything that is known of it, and the views that move together.
 import { make_actuation, show_actuation_words } from "./actuation.js";
-import { values_of } from "./beside.js";
 import {
   show_certificate,
   show_commands,
@@ -13,7 +12,7 @@ import {
 import { show_when_wide } from "./chart.js";
 import { show_contact } from "./contact.js";
 import { make_crease_pattern } from "./crease_pattern.js";
-import { decode_detail, last_sample_up_to } from "./data.js";
+import { decode_detail, last_sample_up_to, values_of } from "./data.js";
 import { save_details } from "./detail_files.js";
 import { make_folding_view } from "./folding_view.js";
 import { by_id, count, degrees } from "./format.js";

@@ -77,8 +77,8 @@ void add_spring_ends(const Mechanism& mechanism, const FlatVertices& vertices_mm
         continue;
       }
       const int at = loop.corners[corner];
-      FlatVector along(vertices_mm, at, loop.ends[corner].before),
-          after(vertices_mm, at, loop.ends[corner].after);
+      FlatVector along(vertices_mm, at, loop.carriers[corner].before),
+          after(vertices_mm, at, loop.carriers[corner].after);
       along.scale_to(Ball(1.0));
       after.scale_to(Ball(1.0));
       along.x = along.x + after.x;

@@ -23,7 +23,7 @@ void add_ends(const Mechanism& mechanism, SheetGeometry<ArbNumber>& geometry) {
       ArbNumber x(0.0), y(0.0);
       if (loop.hole >= 0) {
         const int at = loop.corners[corner];
-        for (const int beside : {loop.ends[corner].before, loop.ends[corner].after}) {
+        for (const int beside : {loop.carriers[corner].before, loop.carriers[corner].after}) {
           const ArbNumber dx = geometry.x[beside] - geometry.x[at];
           const ArbNumber dy = geometry.y[beside] - geometry.y[at];
           const ArbNumber length = root_of(dx * dx + dy * dy);

@@ -18,7 +18,7 @@ template <class Use>
 void each_passage_between_ends(const Mechanism& mechanism, const Diagonal& diagonal, Use&& use) {
   const Loop& loop = mechanism.loops[static_cast<std::size_t>(diagonal.loop)];
   const auto arrival = [&](int corner) {
-    return static_cast<std::size_t>(loop.ends[static_cast<std::size_t>(corner)].arrival);
+    return static_cast<std::size_t>(loop.carriers[static_cast<std::size_t>(corner)].arrival);
   };
   const std::size_t count = loop.passages.size(), end = arrival(diagonal.to_corner) % count;
   for (std::size_t j = arrival(diagonal.from_corner) % count; j != end; j = (j + 1) % count) {

@@ -127,11 +127,12 @@ void PanelLoads::add_springs(VectorXd& loads) const {
     const Loop& loop = mechanism().loops[static_cast<std::size_t>(diagonal.loop)];
     const auto panels_at = [&](int corner) {
       const auto at = static_cast<std::size_t>(corner);
-      if (!at_vertices) return std::vector<int>{panel_of(loop.ends[at].facet)};
+      if (!at_vertices) return std::vector<int>{panel_of(loop.carriers[at].facet)};
       return panels_at_[static_cast<std::size_t>(loop.corners[at])];
     };
     const auto at_from = panels_at(diagonal.from_corner), at_to = panels_at(diagonal.to_corner);
     const auto end_mm = [&](int panel, int corner) {
+      if (at_vertices) return place_mm(panel, loop.corners[static_cast<std::size_t>(corner)]);
       const Vec3<double> end = spring_end(mechanism(), way_.geometry(), loop, corner);
       return mover_.carried_mm(panel, mechanism().panel_width_mm * Vector3d(end.x, end.y, end.z));
     };

@@ -18,16 +18,16 @@ T distance(const Vec3<T>& p, const Vec3<T>& q) {
   return norm(p - q);
 }
 
-/// The corner of a panel on the flat sheet.
+/// The corner of a panel that carries the end of a spring, on the flat sheet.
 template <class T>
-struct PanelCorner {
+struct CarrierCorner {
   Vec3<T> vertex, to_before, to_after;  ///< units along its edges
   T before_length, after_length;        ///< panel widths
 
-  PanelCorner(const SheetGeometry<T>& geometry, int at, const SpringEnd& end)
+  CarrierCorner(const SheetGeometry<T>& geometry, int at, const SpringCarrier& carrier)
       : vertex(flat_point(geometry, at)),
-        to_before(flat_point(geometry, end.before) - vertex),
-        to_after(flat_point(geometry, end.after) - vertex),
+        to_before(flat_point(geometry, carrier.before) - vertex),
+        to_after(flat_point(geometry, carrier.after) - vertex),
         before_length(norm(to_before)),
         after_length(norm(to_after)) {
     to_before = (T(1) / before_length) * to_before;
@@ -45,7 +45,7 @@ Vec3<T> spring_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry,
   if (springs.at_vertices()) return flat_point(geometry, loop.corners[corner]);
   const T inset = constant<T>(springs.inset_mm / mechanism.panel_width_mm);
   const T offset = constant<T>(springs.offset_mm / mechanism.panel_width_mm);
-  const PanelCorner<T> panel(geometry, loop.corners[corner], loop.ends[corner]);
+  const CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
   const Vec3<T> along = panel.bisector();
   Vec3<T> end = panel.vertex + (inset / norm(along)) * along;
   end.z = end.z + offset;
@@ -64,14 +64,14 @@ void add_end(const Mechanism& mechanism, const SheetGeometry<T>& geometry, const
   add(loop.corners[corner], force);
   if (mechanism.springs.at_vertices()) return;
   const auto across = [](const Vec3<T>& v, const Vec3<T>& unit) { return v - dot(unit, v) * unit; };
-  const PanelCorner<T> panel(geometry, loop.corners[corner], loop.ends[corner]);
+  const CarrierCorner<T> panel(geometry, loop.corners[corner], loop.carriers[corner]);
   const T length = norm(panel.bisector());
   const T inset = constant<T>(mechanism.springs.inset_mm / mechanism.panel_width_mm);
   const Vec3<T> on_units = (inset / length) * across(force, (T(1) / length) * panel.bisector());
   const Vec3<T> before = (T(1) / panel.before_length) * across(on_units, panel.to_before);
   const Vec3<T> after = (T(1) / panel.after_length) * across(on_units, panel.to_after);
-  add(loop.ends[corner].before, before);
-  add(loop.ends[corner].after, after);
+  add(loop.carriers[corner].before, before);
+  add(loop.carriers[corner].after, after);
   add(loop.corners[corner], T(-1) * (before + after));
 }
 
@@ -107,7 +107,7 @@ std::array<Vec3<T>, 4> ends_of_springs(const Mechanism& mechanism, const Geometr
   Pose<T> pose = Pose<T>::identity();
   int next = 0;
   for (int corner = 0; corner < 4; ++corner) {
-    for (; next < loop.ends[corner].arrival; ++next) {
+    for (; next < loop.carriers[corner].arrival; ++next) {
       const Passage& passage = loop.passages[next];
       displace_before(geometry, passage, pose);
       pose = pose.then_rotate(passage_rotation(mechanism, geometry, state, passage),
@@ -149,7 +149,7 @@ void folded_lengths_and_slopes(const Mechanism& mechanism, const Geometry& geome
     const int passages = static_cast<int>(loop.passages.size());
     int corner = 0;
     for (int next = 0;; ++next) {
-      for (; loop.hole >= 0 && corner < 4 && loop.ends[corner].arrival == next; ++corner) {
+      for (; loop.hole >= 0 && corner < 4 && loop.carriers[corner].arrival == next; ++corner) {
         ends[corner] = pose * spring_end(mechanism, geometry, loop, corner);
         velocities[corner] = cross(spin, ends[corner]) + drift;
       }

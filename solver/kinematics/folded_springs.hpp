@@ -24,9 +24,9 @@ struct FoldedSpring {
     const auto k = static_cast<std::size_t>(corner);
     const Eigen::Vector3d at_mm = shape_mm.col(loop.corners[k]);
     if (mechanism.springs.at_vertices()) return at_mm;
-    const SpringEnd& end = loop.ends[k];
-    const Eigen::Vector3d before = (shape_mm.col(end.before) - at_mm).normalized(),
-                          after = (shape_mm.col(end.after) - at_mm).normalized();
+    const SpringCarrier& carrier = loop.carriers[k];
+    const Eigen::Vector3d before = (shape_mm.col(carrier.before) - at_mm).normalized(),
+                          after = (shape_mm.col(carrier.after) - at_mm).normalized();
     return at_mm + mechanism.springs.inset_mm * (before + after).normalized() +
            mechanism.springs.offset_mm * after.cross(before).normalized();
   }

@@ -85,11 +85,11 @@ class Builder {
         const int ball = ball_of_vertex_[vertex];
         assert(ball >= 0);
         const int sense = mechanism_.balls[ball].from_facet == from ? 1 : -1;
-        loop.ends[k] = spring_end(from, vertex, loop.arrival[k]);
+        loop.carriers[k] = carrier(from, vertex, loop.arrival[k]);
         loop.passages.push_back({true, ball, sense, vertex});
       } else {
         const int on_opposite = loop.arrival[k] + (mechanism_.springs.at_vertices() ? 0 : 1);
-        loop.ends[k] = spring_end(opposite, vertex, on_opposite);
+        loop.carriers[k] = carrier(opposite, vertex, on_opposite);
         loop.passages.push_back(over_crease(from, opposite, vertex));
         loop.passages.push_back(over_crease(opposite, to, vertex));
       }
@@ -102,7 +102,7 @@ class Builder {
   }
 
   // On a vertex it does not matter which of its facets carries it: that from which the walk comes.
-  SpringEnd spring_end(int facet, int vertex, int arrival) const {
+  SpringCarrier carrier(int facet, int vertex, int arrival) const {
     const std::array<int, 4>& around = sheet_.facets[facet];
     const auto k = std::find(around.begin(), around.end(), vertex) - around.begin();
     const int before = around[(k + 3) % 4], after = around[(k + 1) % 4];

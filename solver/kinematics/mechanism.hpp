@@ -43,7 +43,7 @@ struct Passage {
 
 /// What carries the end of a spring at a corner of a hole: that panel, the vertices of it before
 /// and after the corner (counter-clockwise), and the first passage at which a walk is on it.
-struct SpringEnd {
+struct SpringCarrier {
   int facet, before, after;
   int arrival;
 };
@@ -53,11 +53,11 @@ struct SpringEnd {
 struct Loop {
   std::vector<Passage> passages;
   int first_row;
-  int rows;                    ///< 3 or 6
-  int hole;                    ///< facet index, -1 round a vertex
-  std::array<int, 4> corners;  ///< of a hole: its vertices ...
-  std::array<int, 4> arrival;  ///< ... and the first passage at each
-  std::array<SpringEnd, 4> ends;
+  int rows;                               ///< 3 or 6
+  int hole;                               ///< facet index, -1 round a vertex
+  std::array<int, 4> corners;             ///< of a hole: its vertices ...
+  std::array<int, 4> arrival;             ///< ... and the first passage at each
+  std::array<SpringCarrier, 4> carriers;  ///< of the springs that end there
 };
 
 /// A diagonal of a hole: between two of the corners that its loop passes. Its length is that of its

@@ -129,7 +129,7 @@ class FlatGradient {
     int corner = 0;
     const int passages = static_cast<int>(loop.passages.size());
     for (int next = 0;; ++next) {
-      for (; loop.hole >= 0 && corner < 4 && loop.ends[corner].arrival == next; ++corner) {
+      for (; loop.hole >= 0 && corner < 4 && loop.carriers[corner].arrival == next; ++corner) {
         corners_[i][corner] = {pose * spring_end(mechanism_, *geometry_, loop, corner),
                                pose.rotation};
       }
@@ -176,7 +176,7 @@ class FlatGradient {
   void each_joint_of(int diagonal, const Work& work) const {
     const Diagonal& d = mechanism_.diagonals[diagonal];
     const Loop& loop = mechanism_.loops[d.loop];
-    const int from = loop.ends[d.from_corner].arrival, to = loop.ends[d.to_corner].arrival;
+    const int from = loop.carriers[d.from_corner].arrival, to = loop.carriers[d.to_corner].arrival;
     for (int k = 0; k < std::max(from, to); ++k) {
       work(joints_[first_joint_[d.loop] + k], k < from, k < to);
     }
